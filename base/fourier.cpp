@@ -1,0 +1,82 @@
+#include "base/fourier.hpp"
+
+#include <fftw3.h>
+
+#include <cassert>
+#include <mutex>
+#include <stdexcept>
+
+namespace asperity {
+namespace {
+
+/// FFTW's planner is not thread safe; executing a plan is.
+std::mutex& planner_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+fftw_complex* as_fftw(std::complex<double>* spectrum) {
+  return reinterpret_cast<fftw_complex*>(spectrum);
+}
+
+} // namespace
+
+struct RealFourier::Plans {
+  fftw_plan forward = nullptr;
+  fftw_plan backward = nullptr;
+
+  Plans(const Plans&) = delete;
+  Plans& operator=(const Plans&) = delete;
+
+  Plans(const Grid& grid, int threads) {
+    const std::lock_guard lock(planner_mutex());
+    static const int threads_ready = fftw_init_threads();
+    if (threads_ready == 0)
+      throw std::runtime_error("FFTW could not start its threads");
+    fftw_plan_with_nthreads(threads);
+    // Only the alignment of these matters: FFTW_ESTIMATE does not touch them,
+    // and the plans are executed on other arrays.
+    double* field = fftw_alloc_real(grid.size());
+    fftw_complex* spectrum = fftw_alloc_complex(grid.half_spectrum_size());
+    forward = fftw_plan_dft_r2c_2d(grid.points_y, grid.points_x, field,
+                                   spectrum, FFTW_ESTIMATE);
+    backward = fftw_plan_dft_c2r_2d(grid.points_y, grid.points_x, spectrum,
+                                    field, FFTW_ESTIMATE);
+    fftw_free(field);
+    fftw_free(spectrum);
+  }
+
+  ~Plans() {
+    const std::lock_guard lock(planner_mutex());
+    fftw_destroy_plan(forward);
+    fftw_destroy_plan(backward);
+  }
+};
+
+RealFourier::RealFourier(const Grid& grid, int threads)
+    : grid_(grid), plans_(std::make_unique<Plans>(grid, threads)) {}
+
+RealFourier::~RealFourier() = default;
+RealFourier::RealFourier(RealFourier&&) noexcept = default;
+RealFourier& RealFourier::operator=(RealFourier&&) noexcept = default;
+
+void RealFourier::forward(std::span<const double> field,
+                          std::span<std::complex<double>> spectrum) const {
+  assert(field.size() == grid_.size());
+  assert(spectrum.size() == grid_.half_spectrum_size());
+  assert(fftw_alignment_of(const_cast<double*>(field.data())) == 0);
+  // A real-to-complex transform out of place keeps its input: the cast does
+  // not let FFTW write.
+  fftw_execute_dft_r2c(plans_->forward, const_cast<double*>(field.data()),
+                       as_fftw(spectrum.data()));
+}
+
+void RealFourier::backward(std::span<std::complex<double>> spectrum,
+                           std::span<double> field) const {
+  assert(field.size() == grid_.size());
+  assert(spectrum.size() == grid_.half_spectrum_size());
+  fftw_execute_dft_c2r(plans_->backward, as_fftw(spectrum.data()),
+                       field.data());
+}
+
+} // namespace asperity

@@ -1,0 +1,175 @@
+#pragma once
+
+// What a case is once it has been read: plain data, SI units, nothing of TOML.
+// Owns the vocabulary that every other room answers to.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace asperity::cases {
+
+/// The problem's own yardsticks, in which a case may measure besides SI.
+enum class Yardstick {
+  si,                          ///< already in SI
+  contact_modulus,             ///< "E*" [Pa]
+  length,                      ///< "length", side of the periodic square [m]
+  spacing,                     ///< "h", distance of neighbouring nodes [m]
+  rms_height,                  ///< "h_rms" of the realisation [m]
+  contact_modulus_per_spacing, ///< "E*/h" [Pa/m]
+};
+
+/// The yardsticks' values for one realisation of the surface.
+struct Scales {
+  double contact_modulus = 0.0; ///< E* [Pa]
+  double length = 0.0;          ///< [m]
+  double spacing = 0.0;         ///< h [m]
+  double rms_height = 0.0;      ///< h_rms [m]
+};
+
+/// A number with its yardstick: "0.3 E*" is {0.3, contact_modulus}. What is
+/// known only when the surface is (measured maps) stays open until then.
+struct Quantity {
+  double value = 0.0;
+  Yardstick yardstick = Yardstick::si;
+
+  double in_si(const Scales& scales) const;
+};
+
+enum class SurfaceKind {
+  self_affine,
+  spectrum,
+  measured,
+  sphere,
+  wave_1d,
+  wave_2d
+};
+enum class Amplitudes { spectrum, gaussian };
+enum class MapFormat { automatic, plain, gwyddion };
+enum class Levelling { none, plane, bow };
+enum class Edges { periodic, window, mirror };
+
+/// [surface]. Lengths [m], wavevectors [rad/m]. What a kind does not use stays
+/// empty: length and points of a measured map come from its file.
+struct SurfaceSpec {
+  SurfaceKind kind = SurfaceKind::self_affine;
+  std::optional<double> length; ///< side of the periodic square > 0
+  std::optional<int> points;    ///< nodes a side, even, >= 4
+  std::uint64_t seed = 0;
+  int realizations = 1;
+  Amplitudes amplitudes = Amplitudes::spectrum;
+  bool rescale = false; ///< scale each realisation to the asked rms exactly
+
+  std::optional<double> rms_height; ///< of the spectrum, over all of it
+  std::optional<double> rms_slope;
+  double hurst = 0.0;               ///< 0..1
+  double wavevector_low = 0.0;      ///< q_L
+  double wavevector_roll_off = 0.0; ///< q_0, q_L <= q_0 <= q_1
+  double wavevector_high = 0.0;     ///< q_1
+
+  std::string file; ///< path of the map or spectrum, made absolute or
+                    ///< relative to the working directory by the reader
+  MapFormat format = MapFormat::automatic;
+  Levelling level = Levelling::plane;
+  Edges edges = Edges::periodic;
+  std::optional<double> height_unit; ///< m per unit of a plain file's numbers
+
+  double radius = 0.0;     ///< sphere
+  double amplitude = 0.0;  ///< waves
+  double wavelength = 0.0; ///< waves; length is a whole multiple of it
+};
+
+/// [material]: the block against a rigid face, or two elastic bodies reduced
+/// to one: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+struct MaterialSpec {
+  double contact_modulus = 0.0;        ///< E* [Pa] > 0, of the pair
+  std::optional<double> poisson_ratio; ///< of the block, -1 < nu < 0.5
+
+  /// Young's modulus of the one block that stands for the pair:
+  /// E = E* (1 - nu^2) [Pa]. Needs poisson_ratio.
+  double block_youngs_modulus() const;
+};
+
+enum class Control { nominal_pressure, mean_gap };
+
+/// [load]: the steps in the order they are run; a cycle "load-unload" is
+/// already written out. is_unloading[i] marks the way back.
+struct LoadProgram {
+  Control control = Control::nominal_pressure;
+  std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] a step
+  std::vector<bool> is_unloading;
+};
+
+enum class ContactLaw { penalty, hard, augmented };
+enum class TopFace { clamped, sliding, pressure };
+enum class Element { q1, q2 };
+enum class FemSolver { automatic, condensed, full };
+enum class TheorySpectrum { formula, surface };
+
+/// How an elastic method treats the interface.
+struct ContactSettings {
+  ContactLaw law = ContactLaw::hard;
+  Quantity penalty{100.0, Yardstick::contact_modulus_per_spacing}; ///< [Pa/m]
+  double tolerance = 1e-8; ///< complementarity, relative to h_rms and p_0
+  int max_iterations = 2000;
+};
+
+struct TheorySettings {
+  double gamma = 0.0; ///< parameter of (10), 0 < gamma <= 1
+  TheorySpectrum spectrum = TheorySpectrum::formula;
+};
+
+struct HalfspaceSettings {
+  ContactSettings contact;
+  std::optional<Quantity> thickness; ///< none: infinitely thick [m]
+  TopFace top = TopFace::clamped;    ///< of a block of finite thickness
+};
+
+struct FemSettings {
+  ContactSettings contact;
+  Element element = Element::q1;
+  double surface_cell_depth = 1.0; ///< in node spacings
+  double growth = 1.2;             ///< thickness ratio of successive layers
+  Quantity depth{1.0, Yardstick::length};
+  TopFace top = TopFace::clamped;
+  FemSolver solver = FemSolver::automatic;
+};
+
+/// One method to run. A table [fem] is the method "fem"; a table inside it,
+/// [fem.hard], is the method "fem.hard": [fem]'s keys with its own over them.
+struct MethodSpec {
+  std::string name;
+  std::variant<TheorySettings, HalfspaceSettings, FemSettings> settings;
+};
+
+/// [report]
+struct ReportSpec {
+  /// Number of load steps, spread over the program, whose pressure and gap
+  /// maps (of realisation 0) are kept.
+  int fields = 3;
+};
+
+/// One line of [expect]: the quantity must lie in low..high for each method.
+struct Expectation {
+  std::string quantity; ///< one of expectation_names()
+  double low = 0.0;
+  double high = 0.0;
+  std::vector<std::string> methods; ///< names of methods of this case
+};
+
+struct Case {
+  std::string path; ///< as given, for messages
+  std::string text; ///< the file, byte for byte
+  std::string name; ///< of its folder or file, e.g. "polymer"
+  std::string title;
+  SurfaceSpec surface;
+  MaterialSpec material;
+  LoadProgram load;
+  std::vector<MethodSpec> methods; ///< theory, halfspace, fem, then variants
+  ReportSpec report;
+  std::vector<Expectation> expectations;
+};
+
+} // namespace asperity::cases

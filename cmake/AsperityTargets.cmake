@@ -1,0 +1,62 @@
+# The three ways to add code to this project. Everything else is a plain list.
+option(ASPERITY_WERROR "Treat warnings in our own code as errors" OFF)
+
+add_library(asperity_flags INTERFACE)
+target_compile_features(asperity_flags INTERFACE cxx_std_20)
+target_compile_options(asperity_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  $<$<BOOL:${ASPERITY_WERROR}>:-Werror>)
+
+# asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
+#                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>])
+# Sources are named inside the room. DEPENDS is the whole permission to include:
+# list direct dependencies only. Position-independent, because the deal.II room
+# is loaded at run time.
+function(asperity_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "asperity_library(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  add_library(asperity_${name} STATIC ${arg_SOURCES})
+  add_library(asperity::${name} ALIAS asperity_${name})
+  set_target_properties(asperity_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(asperity_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(asperity_${name}
+    PUBLIC ${arg_DEPENDS} PRIVATE asperity_flags ${arg_PRIVATE_DEPENDS})
+  if(arg_PRECOMPILE)
+    target_precompile_headers(asperity_${name} PRIVATE ${arg_PRECOMPILE})
+  endif()
+endfunction()
+
+# asperity_test(theory/persson DEPENDS asperity::theory [TIER convergence] [RANKS 2])
+# builds tests/theory/persson_test.cpp; TIER becomes the ctest label.
+function(asperity_test path)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIER;RANKS" "DEPENDS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "asperity_test(${path}): unknown ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_TIER)
+    set(arg_TIER unit)
+  endif()
+  string(MAKE_C_IDENTIFIER "test_${path}" target)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
+  target_link_libraries(${target}
+    PRIVATE ${arg_DEPENDS} asperity_flags GTest::gtest_main)
+  set(launch "")
+  if(arg_RANKS)
+    set(launch ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${arg_RANKS})
+  endif()
+  add_test(NAME ${path} COMMAND ${launch} $<TARGET_FILE:${target}>
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(${path} PROPERTIES LABELS ${arg_TIER} TIMEOUT 600)
+endfunction()
+
+# asperity_benchmark(contact/solver DEPENDS asperity::contact) builds
+# tests/contact/solver_bench.cpp with Google Benchmark; run by hand, never by ctest.
+function(asperity_benchmark path)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS")
+  string(MAKE_C_IDENTIFIER "bench_${path}" target)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_bench.cpp)
+  target_link_libraries(${target}
+    PRIVATE ${arg_DEPENDS} asperity_flags benchmark::benchmark_main)
+endfunction()

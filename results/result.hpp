@@ -1,0 +1,94 @@
+#pragma once
+
+// What every method answers in, and what a result file holds once it is read.
+// Owns the observables' names; nothing here knows which method it is.
+
+#include "base/grid.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::results {
+
+enum class StepStatus { converged, not_converged };
+
+/// One load step: a row of the curve. Fields a method does not have are NaN
+/// (the theory has no perimeter) or 0 (iterations).
+struct CurvePoint {
+  int step = 0;                  ///< index in the load program
+  double nominal_pressure = 0.0; ///< p_0 [Pa]
+  double mean_gap = 0.0;         ///< mean of the gap, penetration negative [m]
+  double area_fraction = 0.0;    ///< counted (theory: (4)) [1]
+  double area_fraction_corrected = 0.0; ///< best estimate of the limit [1]
+  double contact_perimeter = 0.0;       ///< per nominal area [1/m]
+  double elastic_energy = 0.0;    ///< in the block per nominal area [J/m^2]
+  double contact_energy = 0.0;    ///< in the penalty springs [J/m^2]
+  double contact_stiffness = 0.0; ///< -dp_0/d(mean gap) >= 0 [Pa/m]
+  int iterations = 0;
+  double residual = 0.0; ///< complementarity, relative to h_rms [1]
+  double cpu_time = 0.0; ///< [s]
+  StepStatus status = StepStatus::converged;
+  bool is_unloading = false;
+  std::string note; ///< why it did not converge; empty otherwise
+};
+
+/// Maps of one load step, both grid.size() long.
+struct Fields {
+  int step = 0;
+  double nominal_pressure = 0.0; ///< [Pa]
+  std::vector<double> pressure;  ///< [Pa] >= 0
+  std::vector<double> gap; ///< [m], negative where a penalty is pressed in
+};
+
+/// One bin of the isotropic spectrum of a map.
+struct SpectrumPoint {
+  double wavevector = 0.0; ///< q [rad/m]
+  double spectrum = 0.0;   ///< C(q) [m^4]
+};
+
+/// The surface of one realisation with the statistics the report prints.
+struct SurfaceRecord {
+  Grid grid;
+  std::vector<double> heights; ///< [m], mean 0; empty where not kept
+  double rms_height = 0.0;     ///< [m]
+  double rms_slope = 0.0;      ///< both directions [1]
+  double rms_curvature = 0.0;  ///< half the Laplacian [1/m]
+  double skewness = 0.0;       ///< [1]
+  double kurtosis = 0.0;       ///< 3 for a Gaussian [1]
+  double highest = 0.0;        ///< max of the heights [m]
+  std::vector<SpectrumPoint> spectrum;
+};
+
+/// One method on one realisation.
+struct Curve {
+  std::vector<CurvePoint> points;
+  std::vector<Fields> fields;
+  double setup_cpu_time = 0.0; ///< [s]
+};
+
+struct MethodRecord {
+  std::string name;                ///< "fem", "fem.hard", "theory", ...
+  std::string kind;                ///< fem | halfspace | theory | md | ...
+  std::string description;         ///< one line for the report
+  std::vector<Curve> realizations; ///< theory from a formula: one
+};
+
+/// Key-value facts about what made the file, in the order they were written.
+using Provenance = std::vector<std::pair<std::string, std::string>>;
+
+struct Result {
+  std::string path; ///< where it was read from
+  std::string case_name;
+  std::string case_title;
+  std::string case_text;
+  std::string case_hash;
+  std::string status;           ///< running | complete | interrupted
+  double contact_modulus = 0.0; ///< E* [Pa]
+  Provenance provenance;
+  std::vector<SurfaceRecord> surfaces; ///< one a realisation; empty if the
+                                       ///< theory alone ran from a formula
+  std::vector<MethodRecord> methods;
+};
+
+} // namespace asperity::results
