@@ -88,6 +88,23 @@ TEST(HannWindow, IsBlindToAnOffsetAndFadesAtTheSeam) {
     EXPECT_LT(std::abs(plain.heights[grid.index(i, 0)]), 6e-4 * 5e-9);
 }
 
+// Claim: the window sits in the middle of the map: an odd map stays
+// odd about the centre, and a node has the weight of its place.
+// Tolerance: the means of 48 heights up to 8.5, 50 eps * 8.5 = 1e-13.
+TEST(HannWindow, IsCentredOnTheMap) {
+  HeightMap ramp{{8, 6, 1.0, 1.0}, {}};
+  for (int i = 0; i < 48; ++i)
+    ramp.heights.push_back(i % 8 - 3.5 + 2.0 * (i / 8 - 2.5));
+
+  const HeightMap map = with_edges(ramp, Edges::window);
+
+  for (std::size_t i = 0; i < 48; ++i)
+    EXPECT_NEAR(map.heights[i], -map.heights[47 - i], 1e-13);
+  // Node (2, 1): sin^2(pi 2.5/8) sin^2(pi 1.5/6) times its height.
+  const double weight = std::pow(std::sin(2.5 * std::numbers::pi / 8), 2) / 2;
+  EXPECT_NEAR(map.heights[10], weight * (-1.5 - 3.0), 1e-13);
+}
+
 TEST(Mirror, HasNoStepAtTheSeamAndTheHeightsOfTheMap) {
   HeightMap map = rough(0);
   for (int iy = 0; iy < 64; ++iy)

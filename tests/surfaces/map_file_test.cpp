@@ -117,6 +117,10 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
 
   EXPECT_EQ(message_of("1 2\n3 x4\n", scale),
             "map.txt:2: column 2: found 'x4', but must be a finite number");
+  for (const std::string word : {"3x", "0x10", "1.5.2", "--1", "+-1", "."})
+    EXPECT_EQ(message_of("1 " + word + "\n", scale),
+              "map.txt:1: column 2: found '" + word +
+                  "', but must be a finite number");
   EXPECT_EQ(message_of("1 2\n\n# missing\nnan 4\n", scale),
             "map.txt:4: column 1: found 'nan', but must be a finite number");
   EXPECT_EQ(message_of("1 inf\n", scale),
