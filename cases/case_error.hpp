@@ -39,7 +39,11 @@ private:
     int line;
     std::string text;
   };
+
   std::vector<Entry> entries_;
 };
+
+/// @throws CaseError  with this one mistake.
+[[noreturn]] void throw_mistake(const Place& place, const std::string& what);
 
 } // namespace asperity::cases

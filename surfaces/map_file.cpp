@@ -120,11 +120,16 @@ HeightMap from_plain(NumberTable table, const Grid& points,
         "surface.length is missing: {} is a plain matrix and does not say how "
         "wide it is",
         table.name));
+  if (!scale.height_unit)
+    throw cases::CaseError(fmt::format(
+        "surface.height_unit is missing: {} is a plain matrix and does not say "
+        "in what its heights are",
+        table.name));
   require_positive("length", *scale.length, "m");
   Grid grid = points;
   grid.length_x = *scale.length;
   grid.length_y = *scale.length * grid.points_y / grid.points_x;
-  const double unit = scale.height_unit.value_or(1.0);
+  const double unit = *scale.height_unit;
   require_positive("height_unit", unit, "m");
   for (double& height : table.numbers)
     height *= unit;

@@ -33,7 +33,8 @@ struct MapScale {
 /// scale.height_unit as well unless the file says no value units.
 ///
 /// A plain matrix is anything else: scale.length is its period in x, pixels
-/// are square, and numbers are metres unless scale.height_unit says otherwise.
+/// are square, and scale.height_unit is what its numbers count. Neither has a
+/// default.
 ///
 /// @param format  automatic: Gwyddion if a comment says a width
 /// @throws cases::CaseError  with name:line of what is wrong in the file, or
