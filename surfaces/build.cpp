@@ -36,10 +36,18 @@ Grid square_grid(const SurfaceSpec& surface) {
   return {points, points, length, length};
 }
 
+/// The wavevector, or the lower one that it undercuts by a rounding in print.
+double not_below(double wavevector, double lower) {
+  const bool is_meant_equal =
+      wavevector < lower && wavevector >= lower * (1.0 - printed_rounding);
+  return is_meant_equal ? lower : wavevector;
+}
+
 IsotropicSpectrum self_affine_spectrum(const SurfaceSpec& surface) {
-  const SelfAffineShape shape{surface.hurst, surface.wavevector_low,
-                              surface.wavevector_roll_off,
-                              surface.wavevector_high};
+  const double low = surface.wavevector_low;
+  const double roll_off = not_below(surface.wavevector_roll_off, low);
+  const SelfAffineShape shape{surface.hurst, low, roll_off,
+                              not_below(surface.wavevector_high, roll_off)};
   if (surface.rms_height)
     return SelfAffineSpectrum::with_rms_height(shape, *surface.rms_height)
         .isotropic();

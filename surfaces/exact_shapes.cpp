@@ -1,6 +1,7 @@
 #include "surfaces/exact_shapes.hpp"
 
 #include "base/require.hpp"
+#include "surfaces/isotropic_spectrum.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,8 @@ namespace {
 std::vector<double> cosine_along(const char* length_name, double length,
                                  int points, double wavelength) {
   const double waves = std::round(length / wavelength);
-  if (waves < 1.0 || std::abs(length / wavelength - waves) > 1e-9 * waves)
+  if (waves < 1.0 ||
+      std::abs(length / wavelength - waves) > printed_rounding * waves)
     refuse_argument(
         length_name, length,
         fmt::format("a whole multiple of wavelength = {:.6g} m", wavelength));

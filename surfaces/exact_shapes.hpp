@@ -16,8 +16,9 @@ HeightMap paraboloid(const Grid& grid, double radius);
 
 /// h = D cos(2 pi x/l): Westergaard's wave. Crests at x = 0.
 /// @param amplitude   D [m] > 0, half of crest to trough
-/// @param wavelength  l [m] > 0; length_x is a whole multiple of it, more than
-///                    two nodes long
+/// @param wavelength  l [m] > 0, more than two nodes; length_x is a whole
+///                    multiple of it but for the rounding of a printed number,
+///                    1e-4 at most, by which the wave is made to fit
 /// @throws std::domain_error  an argument is outside its range
 HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength);
 
@@ -25,7 +26,8 @@ HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength);
 /// Higginson (1985), flattened by p* = sqrt2 pi E* D/l. Crests at (0, 0) and
 /// (l/2, l/2).
 /// @param amplitude   D [m] > 0, half of crest to trough
-/// @param wavelength  l [m] > 0; both lengths are whole multiples of it
+/// @param wavelength  l [m] > 0; both lengths are whole multiples of it,
+///                    as in wave_1d
 /// @throws std::domain_error  an argument is outside its range
 HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength);
 

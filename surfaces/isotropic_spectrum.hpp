@@ -28,13 +28,16 @@ struct IsotropicSpectrum {
   double wavevector_high() const { return kinks.back(); }
 };
 
-/// Whether q lies in [low, high], both ends included with 1e-9 of slack: a
-/// wavevector that was meant to be an end (2 pi/length, a decimal of a case
-/// file) must not fall out of its band by rounding.
+/// Two wavevectors that a case writes with five digits are equal within this.
+constexpr double printed_rounding = 1e-4;
+
+/// Whether q lies in [low, high], both ends included. A wave that was meant to
+/// be an end must not fall out of its band by rounding: above there is 1e-9 of
+/// slack, below printed_rounding, because the few longest waves of a cell carry
+/// much of the height and "6.2832e5 1/m" is meant to let in 2 pi/(10 um).
 inline bool is_in_band(double wavevector, double low, double high) {
-  constexpr double slack = 1e-9;
-  return wavevector >= low * (1.0 - slack) &&
-         wavevector <= high * (1.0 + slack);
+  return wavevector >= low * (1.0 - printed_rounding) &&
+         wavevector <= high * (1.0 + 1e-9);
 }
 
 /// int_{start}^{end} q^(order + 1) (q/start)^exponent dq: the one integral that

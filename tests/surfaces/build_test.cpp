@@ -70,6 +70,22 @@ TEST(BuildSurface, RescalesOnDemandToTheAskedRms) {
   EXPECT_NEAR(slope / 0.1, 1.0, 1e-13);
 }
 
+// Claim: wavevectors printed with five digits mean the waves of the cell: 2 pi/
+// (10 um) = 6.28319e5 is in a band that begins at "6.2832e5", and a roll-off
+// printed as 6.2831e5 is that beginning. The wave (1, 0) carries the largest
+// part of the height; tolerance: h_rms changes with C_0 by the same 1e-4.
+TEST(BuildSurface, TakesWavevectorsAsTheyArePrinted) {
+  SurfaceSpec surface = self_affine();
+  surface.wavevector_roll_off = unit;
+  const double exact = statistics(build_surface(surface, 0)).rms_height;
+  surface.wavevector_low = 6.2832e5;
+  surface.wavevector_roll_off = 6.2831e5;
+
+  const double printed = statistics(build_surface(surface, 0)).rms_height;
+
+  EXPECT_NEAR(printed / exact, 1.0, 1e-4);
+}
+
 TEST(BuildSurface, DrawsRealizationsOnlyOfRandomKinds) {
   SurfaceSpec surface = self_affine();
   EXPECT_TRUE(is_random(surface.kind));

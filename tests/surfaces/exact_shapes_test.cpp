@@ -64,6 +64,14 @@ TEST(Waves, FollowTheirFormula) {
   EXPECT_EQ(line.heights[grid.index(1, 0)], line.heights[grid.index(25, 7)]);
 }
 
+// Claim: a third of 4 m printed with five digits fits three times.
+TEST(Waves, FitTheCellWhenTheirLengthIsPrinted) {
+  const HeightMap map = wave_1d({36, 4, 4.0, 2.0}, 3.0, 1.3333);
+
+  EXPECT_EQ(map.heights[0], map.heights[12]);
+  EXPECT_EQ(map.heights[0], map.heights[24]);
+}
+
 template <class Call>
 std::string message_of(Call call) {
   try {
