@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 #include <numbers>
-#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -49,6 +48,38 @@ std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
   return std::polar(std::sqrt(mean_square) * spread, two_pi * draw.second);
 }
 
+/// The half spectrum of the surface; nothing but zeros if no wave is in the
+/// band.
+std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
+                                             const Grid& grid,
+                                             const RandomKey& key,
+                                             cases::Amplitudes amplitudes) {
+  const double wavevector_high = spectrum.wavevector_high();
+  const int highest_x = highest_wavenumber(wavevector_high, grid.length_x);
+  const int highest_y = highest_wavenumber(wavevector_high, grid.length_y);
+  const double mode_area = two_pi * two_pi / grid.area();
+  std::vector<std::complex<double>> modes(grid.half_spectrum_size());
+  const auto mode_at = [&](int i, int j) -> std::complex<double>& {
+    const int row = j >= 0 ? j : j + grid.points_y;
+    return modes[static_cast<std::size_t>(row) *
+                     static_cast<std::size_t>(grid.points_x / 2 + 1) +
+                 static_cast<std::size_t>(i)];
+  };
+
+  for (int j = -highest_y; j <= highest_y; ++j)
+    for (int i = j > 0 ? 0 : 1; i <= highest_x; ++i) {
+      const double density = spectrum.density(std::hypot(
+          wavevector(i, grid.length_x), wavevector(j, grid.length_y)));
+      if (density <= 0.0)
+        continue;
+      mode_at(i, j) =
+          draw_coefficient(density * mode_area, key, i, j, amplitudes);
+      if (i == 0) // FFTW stores both of a pair in its column 0
+        mode_at(0, -j) = std::conj(mode_at(0, j));
+    }
+  return modes;
+}
+
 } // namespace
 
 int points_needed(double wavevector_high, double length) {
@@ -64,32 +95,11 @@ HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
   require_points("points_y", grid.points_y, wavevector_high, grid.length_y);
   require_not_negative("realization", key.realization, "1");
 
-  const int highest_x = highest_wavenumber(wavevector_high, grid.length_x);
-  const int highest_y = highest_wavenumber(wavevector_high, grid.length_y);
-  const int columns = grid.points_x / 2 + 1;
-  const double mode_area = two_pi * two_pi / grid.area();
-  std::vector<std::complex<double>> modes(grid.half_spectrum_size());
-  const auto mode_at = [&](int i, int j) -> std::complex<double>& {
-    const int row = j >= 0 ? j : j + grid.points_y;
-    return modes[static_cast<std::size_t>(row) *
-                     static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(i)];
-  };
-
-  bool has_modes = false;
-  for (int j = -highest_y; j <= highest_y; ++j)
-    for (int i = j > 0 ? 0 : 1; i <= highest_x; ++i) {
-      const double density = spectrum.density(std::hypot(
-          wavevector(i, grid.length_x), wavevector(j, grid.length_y)));
-      if (density <= 0.0)
-        continue;
-      has_modes = true;
-      mode_at(i, j) =
-          draw_coefficient(density * mode_area, key, i, j, amplitudes);
-      if (i == 0) // FFTW stores both of a pair in its column 0
-        mode_at(0, -j) = std::conj(mode_at(0, j));
-    }
-  if (!has_modes)
+  std::vector<std::complex<double>> modes =
+      draw_modes(spectrum, grid, key, amplitudes);
+  const bool is_empty = std::all_of(
+      modes.begin(), modes.end(), [](const auto& mode) { return mode == 0.0; });
+  if (is_empty)
     throw std::domain_error(fmt::format(
         "the band from {:.6g} to {:.6g} rad/m holds no wave that fits the "
         "periodic cell of {:.6g} m by {:.6g} m",
