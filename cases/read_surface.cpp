@@ -57,9 +57,10 @@ void SurfaceReader::complain_where_meaningless() {
 
 void SurfaceReader::read_grid() {
   const bool is_map = spec.kind == SurfaceKind::measured;
-  if (table.has("length"))
-    spec.length = table.number("length");
-  else if (is_built && !is_map)
+  if (table.has("length")) {
+    if (const double length = table.number("length"); length > 0.0)
+      spec.length = length;
+  } else if (is_built && !is_map)
     table.complain_missing("length");
   if (is_map)
     return;
@@ -67,7 +68,8 @@ void SurfaceReader::read_grid() {
     const int points = table.integer("points");
     if (points % 2 != 0)
       table.refuse(*table.node().find("points"), "must be even");
-    spec.points = points;
+    if (points > 0)
+      spec.points = points;
   } else if (is_built) {
     table.complain_missing("points");
   }
@@ -79,13 +81,13 @@ double SurfaceReader::length_of(const std::string& key) {
   if (quantity.yardstick == Yardstick::si)
     return quantity.value;
   const bool is_by_spacing = quantity.yardstick == Yardstick::spacing;
-  if (!spec.length || (is_by_spacing && !spec.points)) {
+  if (!table.has("length") || (is_by_spacing && !table.has("points")))
     table.refuse(*table.node().find(key), is_by_spacing
                                               ? "h needs surface.length and "
                                                 "surface.points"
                                               : "this needs surface.length");
-    return 0.0;
-  }
+  if (!spec.length || (is_by_spacing && !spec.points))
+    return 0.0; // complained of, here or where they were read
   return quantity.in_si(
       {.length = *spec.length,
        .spacing = is_by_spacing ? *spec.length / *spec.points : 0.0});

@@ -234,13 +234,13 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
     if (std::find(known.begin(), known.end(), candidate.key) != known.end())
       continue;
     const std::string home = table_of_key(candidate.key);
-    const std::string kind =
-        candidate.node.is_table() ? " is not a table" : " is not a key";
+    std::string what = "is not a key of this table; ";
+    if (node_.path.empty())
+      what = candidate.node.is_table() ? "is not a table of a case; "
+                                       : "is not a key at the top of a case; ";
     complain(candidate.node,
-             home.empty() ? kind.substr(1) + " of this table; nearest: " +
-                                nearest(candidate.key, known)
-                          : kind.substr(1) + " of this table; it belongs to [" +
-                                home + "]");
+             what + (home.empty() ? "nearest: " + nearest(candidate.key, known)
+                                  : "it belongs to [" + home + "]"));
   }
 }
 

@@ -42,7 +42,7 @@ Table report_table() {
           .keys = {
               {.name = "fields",
                .type = ValueType::fields,
-               .range = at_least(0),
+               .range = between(0, 1000000),
                .fallback = "3",
                .example = "3",
                .show = Show::yes,
