@@ -99,8 +99,11 @@ Json value_schema(const Key& key) {
   case ValueType::names:
     return {
         {"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}}}};
-  case ValueType::band:
-    return {{"$ref", "#/$defs/expect.band"}};
+  case ValueType::band: {
+    const Json one = {{"$ref", "#/$defs/expect.band"}};
+    return {
+        {"anyOf", {one, {{"type", "array"}, {"minItems", 1}, {"items", one}}}}};
+  }
   }
   return {};
 }

@@ -116,30 +116,39 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
                                 nearest(name, allowed)));
 }
 
+Expectation read_band(const Node& node, const ExpectationName& quantity,
+                      const Scene& scene, Mistakes& mistakes) {
+  TableReader band(node, vocabulary_table("expect.band"), mistakes);
+  band.refuse_unknown();
+  Expectation expectation{.quantity = quantity.name, .methods = {}};
+  read_ends(band, expectation);
+  check_scene(band, quantity, scene);
+  read_method_names(band, quantity, scene, expectation);
+  return expectation;
+}
+
 } // namespace
 
 std::vector<Expectation>
 read_expectations(const Node& table, SurfaceKind kind,
                   const std::vector<MethodSpec>& methods, Mistakes& mistakes) {
   const Scene scene{kind, methods};
-  TableReader(table, vocabulary_table("expect"), mistakes).refuse_unknown();
+  TableReader reader(table, vocabulary_table("expect"), mistakes);
+  reader.refuse_unknown();
   std::vector<Expectation> expectations;
   for (const NodeEntry& entry : table.entries) {
     const ExpectationName* const quantity = expectation_called(entry.key);
     if (!quantity)
       continue; // refused above
-    TableReader band(entry.node, vocabulary_table("expect.band"), mistakes);
-    if (!entry.node.is_table()) {
-      band.refuse(entry.node, "must be { value, within } or { below } or "
-                              "{ above }");
-      continue;
-    }
-    band.refuse_unknown();
-    Expectation expectation{.quantity = entry.key, .methods = {}};
-    read_ends(band, expectation);
-    check_scene(band, *quantity, scene);
-    read_method_names(band, *quantity, scene, expectation);
-    expectations.push_back(expectation);
+    const bool is_list =
+        entry.node.type == NodeType::list && !entry.node.list.empty();
+    for (const Node& band :
+         is_list ? entry.node.list : std::vector<Node>{entry.node})
+      if (band.is_table())
+        expectations.push_back(read_band(band, *quantity, scene, mistakes));
+      else
+        reader.refuse(band, "must be { value, within } or { below } or "
+                            "{ above }, or a list of such bands");
   }
   return expectations;
 }

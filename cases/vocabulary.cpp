@@ -57,7 +57,8 @@ Table expect_table() {
               .when = "Optional.",
               .description =
                   "What must come out: each key is a quantity and holds the "
-                  "band it must lie in. `asperity check` judges by it.",
+                  "band it must lie in, or a list of bands where methods "
+                  "differ. `asperity check` judges by it.",
               .keys = {}};
   for (const ExpectationName& entry : expectation_names())
     table.keys.push_back(
@@ -207,7 +208,8 @@ std::string allowed_text(const Key& key) {
   case ValueType::names:
     return "a list of strings";
   case ValueType::band:
-    return "{ value, within } or { below } or { above }";
+    return "{ value, within } or { below } or { above }, or a list of "
+           "such bands";
   }
   return "";
 }

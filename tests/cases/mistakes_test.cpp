@@ -162,7 +162,7 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
       {"expect.gama_slope={ below = 1 }",
        "expect.gama_slope is not a key of this table; nearest: gamma_slope"},
       {"expect.kappa=2", "expect.kappa = 2, but must be { value, within } or "
-                         "{ below } or { above }"},
+                         "{ below } or { above }, or a list of such bands"},
       {"expect.kappa={ value = 2, below = 3 }",
        "expect.kappa must have value and within, or below, or above (or both "
        "of these)"},

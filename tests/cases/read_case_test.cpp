@@ -167,6 +167,18 @@ TEST(ReadCase, GivesAnExpectationItsBandAndMethods) {
             (std::vector<std::string>{"halfspace", "fem"}));
 }
 
+TEST(ReadCase, TakesABandForEachMethod) {
+  const Case read =
+      rough({"expect={}", "expect.kappa=[{ below = 2, methods = [\"fem\"] }, "
+                          "{ above = 1, methods = [\"theory\"] }]"});
+
+  ASSERT_EQ(read.expectations.size(), 2U);
+  EXPECT_EQ(read.expectations[0].quantity, "kappa");
+  EXPECT_EQ(read.expectations[0].methods, std::vector<std::string>{"fem"});
+  EXPECT_EQ(read.expectations[1].quantity, "kappa");
+  EXPECT_EQ(read.expectations[1].low, 1.0);
+}
+
 // Claim: a theory from a formula builds no surface and is asked for no grid.
 TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
   const Case read =
