@@ -211,12 +211,39 @@ TEST(ReadCase, RoundTripsThroughItsText) {
   EXPECT_NE(case_hash(third), case_hash(first));
 }
 
+TEST(ReadCase, SaysThatAFileIsNotThere) {
+  const auto told = [](const std::string& path,
+                       const std::vector<std::string>& overrides) {
+    try {
+      (void)read_case(path, overrides);
+    } catch (const CaseError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string head = "1 mistake(s) in the case file\n  ";
+
+  EXPECT_EQ(told("no/case.toml", {}),
+            head + "no/case.toml: there is no such case file\n");
+  EXPECT_EQ(told("cases", {}), head + "cases: there is no such case file\n");
+  EXPECT_EQ(
+      told("cases/wave-1d/case.toml",
+           {"surface={ kind = \"measured\", file = \"no.txt\", level = "
+            "\"none\", edges = \"periodic\" }",
+            "expect="}),
+      head + "cases/wave-1d/case.toml: surface.file: there is no file "
+             "cases/wave-1d/no.txt (a relative path starts at the case file's "
+             "folder)\n");
+}
+
 // The digest of FIPS 180's example "abc", by sha1sum and by the standard.
 TEST(CaseHash, IsSha1OfTheText) {
   Case read;
   read.text = "abc";
 
   EXPECT_EQ(case_hash(read), "a9993e364706816aba3e25717850c26c9cd0d89d");
+  read.text = "case 0"; // its fifth word begins with a zero; by sha1sum
+  EXPECT_EQ(case_hash(read), "82fcb544fbd702b51a2174c4ec6a200c09bb501a");
 }
 
 } // namespace
