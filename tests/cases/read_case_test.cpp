@@ -191,6 +191,33 @@ TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
   EXPECT_EQ(read.methods.size(), 1U);
 }
 
+// Claim: a theory of the very surface builds it, and is asked for its grid.
+TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
+  const std::vector<std::string> theory_alone = {
+      "fem=",          "halfspace=",      "expect=",
+      "surface.seed=", "surface.points=", "surface.wavelength_short=80 nm"};
+  std::vector<std::string> of_the_surface = theory_alone;
+  of_the_surface.emplace_back("theory.spectrum=surface");
+
+  EXPECT_EQ(mistakes_of(rough_case, theory_alone), "");
+  EXPECT_EQ(mistakes_of(rough_case, of_the_surface),
+            "  case.toml:3: surface.points is missing: a whole number\n"
+            "  case.toml:3: surface.seed is missing: a whole number\n");
+}
+
+// Claim: line ends and a byte order mark of other systems change nothing.
+TEST(ReadCase, ReadsTextFromOtherSystems) {
+  std::string foreign = "\xEF\xBB\xBF";
+  for (const char letter : rough_case)
+    foreign += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
+
+  const Case read =
+      read_case_text(foreign + "#--set surface.seed=9\r\n", "case.toml");
+
+  EXPECT_EQ(read.surface.seed, 9U);
+  EXPECT_EQ(read.title, "A rough block");
+}
+
 // Claim: the text of a case says all that was run: reading it again gives the
 // same text, hash and numbers, and an override changes the hash.
 TEST(ReadCase, RoundTripsThroughItsText) {
