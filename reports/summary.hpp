@@ -70,6 +70,11 @@ struct Summary {
 /// True for shapes with an exact solution, where gamma and kappa mean nothing.
 bool is_exact_shape(const cases::SurfaceSpec& surface);
 
+/// C(q) [m^4] of a self-affine case's own formula, with
+/// <h^2> = 2 pi int q C dq: flat from q_L to q_0, then q^(-2-2H) to q_1, zero
+/// outside. NaN for another kind of surface.
+double formula_spectrum(const cases::SurfaceSpec& surface, double wavevector);
+
 /// E*, h_rms and h' that a method's realisation is measured in: those of the
 /// surface it ran on, or of the formula if that is what the theory used.
 /// Fields are NaN where neither is known.

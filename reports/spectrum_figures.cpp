@@ -1,0 +1,179 @@
+#include "reports/figures.hpp"
+#include "theory/pressure_distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+constexpr std::array<const char*, 3> load_colors{"#56B4E9", "#0072B2",
+                                                 "#35102b"};
+
+std::string join(const std::vector<std::string>& parts) {
+  std::string text = "plot ";
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : ", \\\n  ") + parts[i];
+  return text + "\n";
+}
+
+struct Histogram {
+  double bin = 0.0;            ///< width in the unit of the numbers
+  std::vector<double> density; ///< per unit; the sum times bin is the share > 0
+};
+
+// Density of the positive numbers over all of the map's points.
+Histogram histogram_of(const std::vector<double>& map, double unit,
+                       double bin) {
+  const double largest = *std::max_element(map.begin(), map.end()) / unit;
+  Histogram histogram;
+  histogram.bin = bin;
+  histogram.density.resize(static_cast<std::size_t>(largest / bin) + 1, 0.0);
+  const double share = 1.0 / (static_cast<double>(map.size()) * bin);
+  for (const double number : map)
+    if (number > 0.0)
+      histogram.density[static_cast<std::size_t>(number / unit / bin)] += share;
+  return histogram;
+}
+
+std::vector<std::size_t> three_of(std::size_t count) {
+  std::vector<std::size_t> chosen;
+  for (const std::size_t i : {std::size_t{0}, count / 2, count - 1})
+    if (count > 0 && (chosen.empty() || chosen.back() < i))
+      chosen.push_back(i);
+  return chosen;
+}
+
+const results::MethodRecord* first_with_maps(const results::Result& result) {
+  for (const results::MethodRecord& method : result.methods)
+    if (!method.realizations.empty() &&
+        !method.realizations.front().fields.empty() &&
+        !method.realizations.front().fields.front().pressure.empty())
+      return &method;
+  return nullptr;
+}
+
+} // namespace
+
+std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
+  const results::MethodRecord* method = first_with_maps(*entry.result);
+  if (method == nullptr || entry.result->surfaces.empty() ||
+      !(entry.result->surfaces.front().rms_slope > 0.0))
+    return std::nullopt;
+  const double slope = entry.result->surfaces.front().rms_slope;
+  const double modulus = entry.result->contact_modulus;
+  const double stress = modulus * slope; // E* h'
+  const double variance = theory::stress_variance(modulus, slope);
+
+  Figure figure;
+  figure.name = "pressure-distribution";
+  figure.title = "Distribution of the contact pressure";
+  CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' [1]"});
+  std::vector<std::string> plots;
+  const auto& maps = method->realizations.front().fields;
+  const std::vector<std::size_t> chosen = three_of(maps.size());
+  double furthest = 0.0;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const results::Fields& fields = maps[chosen[i]];
+    const double load = fields.nominal_pressure;
+    const std::string name = fmt::format("p/E* = {:.3g}", load / modulus);
+    const Histogram histogram = histogram_of(fields.pressure, stress, 0.05);
+    const std::size_t row = 2 * i;
+    for (std::size_t b = 0; b < histogram.density.size(); ++b)
+      table.add(method->name + ", " + name,
+                {static_cast<double>(row),
+                 (static_cast<double>(b) + 0.5) * histogram.bin,
+                 histogram.density[b]});
+    const double end = 0.05 * static_cast<double>(histogram.density.size());
+    furthest = std::max(furthest, std::min(end, load / stress + 2.0));
+    for (int k = 0; k <= 200; ++k) {
+      const double sigma = end * k / 200.0;
+      table.add(
+          "theory, " + name,
+          {static_cast<double>(row + 1), sigma,
+           stress * theory::pressure_density(sigma * stress, load, variance)});
+    }
+    plots.push_back(fmt::format(
+        "'pressure-distribution.csv' using ($2=={} ? $3 : NaN):4 with points "
+        "pointtype 6 pointsize 0.6 linewidth 1.2 linecolor rgb '{}' title {}",
+        row, load_colors[i], gnuplot_text(name)));
+    plots.push_back(fmt::format(
+        "'pressure-distribution.csv' using ($2=={} ? $3 : NaN):4 with lines "
+        "linewidth 1.5 linecolor rgb '{}' {}",
+        row + 1, load_colors[i],
+        i + 1 == chosen.size() ? "title 'theory, (1)'" : "notitle"));
+  }
+  figure.caption = fmt::format(
+      "Circles: {}, realisation 0, counted in bins of 0.05 E* h'; lines: (1) "
+      "at "
+      "the same load with G of the surface's slope {:.3g}. The area under a "
+      "curve is the contact fraction. The numerical points near σ = 0 hold the "
+      "nodes at the rim of the contact.",
+      method->name, slope);
+  figure.script = fmt::format(
+      "set xlabel {}\nset ylabel {}\nset key top right\nset xrange [0:{:.4g}]\n"
+      "set yrange [0:*]\n{}",
+      gnuplot_markup("contact pressure σ / (E* h')"),
+      gnuplot_markup("P(σ) E* h'"), furthest, join(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
+  const auto& surfaces = entry.result->surfaces;
+  const cases::SurfaceSpec& spec = entry.contact_case->surface;
+  Figure figure;
+  figure.name = "spectrum";
+  figure.title = "Its spectrum";
+  figure.width = 560;
+  figure.height = 420;
+  CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
+  std::vector<std::string> plots;
+  for (std::size_t r = 0; r < surfaces.size(); ++r) {
+    if (surfaces[r].spectrum.empty())
+      continue;
+    for (const results::SpectrumPoint& point : surfaces[r].spectrum)
+      if (point.spectrum > 0.0)
+        table.add(fmt::format("realisation {}", r),
+                  {static_cast<double>(r), point.wavevector, point.spectrum});
+    plots.push_back(fmt::format(
+        "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with points pointtype 6 "
+        "pointsize 0.5 linewidth 1 linecolor rgb '{}' title {}",
+        r, method_color(r), gnuplot_text(fmt::format("realisation {}", r))));
+  }
+  if (plots.empty())
+    return std::nullopt;
+  figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
+                   "|q|.";
+  double floor = 0.0; // of the axis: no interest in rounding beyond the cut-off
+  if (spec.kind == cases::SurfaceKind::self_affine) {
+    const auto index = static_cast<double>(surfaces.size());
+    const double ratio = spec.wavevector_high / spec.wavevector_low;
+    for (int k = 0; k <= 200; ++k) {
+      const double q = std::min(spec.wavevector_low *
+                                    std::pow(ratio, k / 200.0) * (1.0 + 1e-12),
+                                spec.wavevector_high);
+      table.add("formula", {index, q, formula_spectrum(spec, q)});
+    }
+    plots.push_back(fmt::format(
+        "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
+        "linecolor rgb '#222222' title 'formula'",
+        surfaces.size()));
+    floor = 0.03 * formula_spectrum(spec, spec.wavevector_high);
+    figure.caption += fmt::format(
+        " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",
+        spec.hurst, 2e6 * std::acos(-1.0) / spec.wavevector_roll_off);
+  }
+  figure.script = fmt::format(
+      "set logscale xy\nset format '10^{{%T}}'\nset xlabel {}\nset ylabel {}\n"
+      "set key bottom left\nset yrange [{}:*]\n{}",
+      gnuplot_markup("q [1/m]"), gnuplot_markup("C(q) [m^4]"),
+      floor > 0.0 ? fmt::format("{:.3g}", floor) : "*", join(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace asperity::reports
