@@ -11,11 +11,11 @@ namespace {
 
 using results::CurvePoint;
 
-constexpr double largest_gap = 2.0;      // of h_rms: finite size beyond
-constexpr double smallest_width = 0.5;   // of h_rms
-constexpr double first_tolerance = 0.01; // of h_rms
-constexpr double last_tolerance = 0.08;  // of h_rms
-constexpr std::size_t fewest_rows = 5;   // of the slope's window
+constexpr double largest_gap = 2.0;       // of h_rms: finite size beyond
+constexpr double smallest_width = 0.5;    // of h_rms
+constexpr double first_tolerance = 0.005; // of h_rms
+constexpr double last_tolerance = 0.08;   // of h_rms
+constexpr std::size_t fewest_rows = 4;    // of the slope's window
 constexpr std::size_t fewest_area_rows = 3;
 
 void require_scales(const SurfaceScales& scales) {
@@ -37,8 +37,7 @@ Window window_of(std::span<const CurvePoint> rows) {
 struct Stretch {
   std::size_t first = 0;
   std::size_t count = 0;
-  double width = 0.0; // in h_rms
-  LineFit line;       // u/h_rms against ln(p/E*)
+  LineFit line; // u/h_rms against ln(p/E*)
 };
 
 // Reduced coordinates of the fit: x = ln(p/E*), y = u/h_rms.
@@ -47,23 +46,29 @@ struct ReducedCurve {
   std::vector<double> gap;
 };
 
-std::optional<Stretch> widest_stretch(const ReducedCurve& curve,
-                                      double tolerance) {
-  std::optional<Stretch> best;
+// The longest straight run that starts at row `first`.
+std::optional<Stretch> stretch_from(const ReducedCurve& curve,
+                                    std::size_t first, double tolerance) {
+  std::optional<Stretch> longest;
   const std::span<const double> x = curve.log_pressure;
   const std::span<const double> y = curve.gap;
-  for (std::size_t first = 0; first + fewest_rows <= x.size(); ++first) {
-    for (std::size_t count = fewest_rows; first + count <= x.size(); ++count) {
-      const double width = y[first] - y[first + count - 1];
-      if (width < smallest_width || (best && width <= best->width))
-        continue;
-      const LineFit line =
-          fit_line(x.subspan(first, count), y.subspan(first, count));
-      if (line.largest_residual <= tolerance)
-        best = Stretch{first, count, width, line};
-    }
+  for (std::size_t count = fewest_rows; first + count <= x.size(); ++count) {
+    const LineFit line =
+        fit_line(x.subspan(first, count), y.subspan(first, count));
+    if (line.largest_residual > tolerance)
+      break;
+    if (y[first] - y[first + count - 1] >= smallest_width)
+      longest = Stretch{first, count, line};
   }
-  return best;
+  return longest;
+}
+
+std::optional<Stretch> outermost_stretch(const ReducedCurve& curve,
+                                         double tolerance) {
+  for (std::size_t first = 0; first < curve.gap.size(); ++first)
+    if (const auto stretch = stretch_from(curve, first, tolerance))
+      return stretch;
+  return std::nullopt;
 }
 
 SlopeFit slope_fit_of(const Stretch& stretch, std::span<const CurvePoint> rows,
@@ -117,13 +122,13 @@ SlopeFit fit_slope(std::span<const CurvePoint> points,
   }
   for (double tolerance = first_tolerance; tolerance <= last_tolerance;
        tolerance *= 2.0)
-    if (const auto stretch = widest_stretch(curve, tolerance))
+    if (const auto stretch = outermost_stretch(curve, tolerance))
       return slope_fit_of(*stretch, rows, tolerance);
 
   SlopeFit none;
   none.reason = rows.size() < fewest_rows
-                    ? "fewer than 5 rows below u = 2 h_rms"
-                    : "no straight stretch of 5 rows and 0.5 h_rms below "
+                    ? "fewer than 4 rows below u = 2 h_rms"
+                    : "no straight stretch of 4 rows and 0.5 h_rms below "
                       "u = 2 h_rms";
   return none;
 }

@@ -45,13 +45,17 @@ struct SlopeFit {
   std::string reason; ///< why there is no fit; empty if there is one
 };
 
-/// Fits the straight stretch. The window is the widest in u of all runs of
-/// neighbouring rows with
-///  - u <= 2 h_rms: beyond, the finite size of the block ends the exponential;
-///  - at least 5 rows and a width of 0.5 h_rms at least;
-///  - no row farther than 1 % of h_rms from the least-squares line, which ends
-///    the window where near contact bends the curve.
-/// If no run does, the 1 % is doubled, up to 8 %; `window.tolerance` tells.
+/// Fits the outermost straight stretch: (17) is the limit of small pressure,
+/// and the theory's own curve has a point of inflection further in, where it
+/// looks straight with a slope some 15 % above u_0. The window
+///  - starts at the largest u <= 2 h_rms: beyond, the finite size of the block
+///    ends the exponential;
+///  - goes on inwards as far as no row is farther than 0.5 % of h_rms from the
+///    least-squares line, which ends it where near contact bends the curve;
+///  - has at least 4 rows and a width of 0.5 h_rms at least. If the stretch
+///  from
+///    the largest u is too short, it starts at the next row, and so on.
+/// If there is none, the 0.5 % is doubled, up to 8 %; `window.tolerance` tells.
 SlopeFit fit_slope(std::span<const results::CurvePoint> points,
                    const SurfaceScales& scales);
 

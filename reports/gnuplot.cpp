@@ -106,7 +106,7 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
   write_file_atomically(
       folder / script_name,
       fmt::format("# gnuplot {}\nset terminal svg size {},{} fixed enhanced "
-                  "font 'Helvetica,13' background '#ffffff'\nset output "
+                  "font 'Helvetica,12' background '#ffffff'\nset output "
                   "'{}'\n{}{}set output\n",
                   script_name, figure.width, figure.height, svg_name, style,
                   figure.script));

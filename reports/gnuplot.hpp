@@ -18,8 +18,8 @@ struct Figure {
   std::string data;    ///< text of the CSV
   std::vector<std::pair<std::string, std::string>> maps; ///< suffix, CSV matrix
   std::string script;                                    ///< after the style
-  int width = 640;                                       ///< [px]
-  int height = 430;                                      ///< [px]
+  int width = 480;                                       ///< [px]
+  int height = 380;                                      ///< [px]
 };
 
 struct DrawnFigure {

@@ -24,6 +24,9 @@ Value fit_row(const Series& series, std::size_t realization,
   row.set("method", series.label);
   row.set("realization", std::to_string(realization));
   row.set("slope", fitted_text(fits.slope.gamma_slope));
+  row.set("asymptote", std::isfinite(fits.asymptotic_slope)
+                           ? fmt::format("{:.3g}", fits.asymptotic_slope)
+                           : "–");
   row.set("beta", fitted_text(fits.slope.beta));
   row.set("gamma", fitted_text(fits.parameter.gamma_theory));
   row.set("kappa", fitted_text(fits.area.kappa));

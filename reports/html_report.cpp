@@ -39,6 +39,8 @@ std::string remark_of(const Estimate& estimate) {
   if (estimate.has_value() && estimate.realizations > 1 &&
       estimate.has_interval())
     return fmt::format("{} realisations", estimate.realizations);
+  if (estimate.has_value() && estimate.has_interval())
+    return "± of the one fit";
   return estimate.remark;
 }
 

@@ -168,8 +168,6 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "surface";
   figure.title = "The surface";
-  figure.width = 480;
-  figure.height = 420;
   figure.maps.emplace_back("map", picture.csv);
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",

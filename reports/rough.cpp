@@ -14,28 +14,51 @@ namespace {
 using results::MethodRecord;
 using results::Result;
 
-RealizationFits fits_of(const Result& result, const MethodRecord& method,
-                        std::size_t realization, const SurfaceScales& scales) {
+double set_gamma(const cases::Case& rough_case, const MethodRecord& method) {
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
+        theory != nullptr && spec.name == method.name)
+      return theory->gamma;
+  return not_a_number;
+}
+
+SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
+                         const MethodRecord& method, std::size_t realization) {
+  if (uses_formula(rough_case, method))
+    return theory_of_formula(rough_case.surface, result.contact_modulus);
+  if (realization >= result.surfaces.size())
+    return {};
+  return theory_of_surface(result.surfaces[realization],
+                           result.contact_modulus);
+}
+
+RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
+                        const MethodRecord& method, std::size_t realization) {
   RealizationFits fits;
-  fits.scales = scales;
-  if (!(scales.rms_height > 0.0) || !(scales.rms_slope > 0.0)) {
+  fits.scales = scales_of(result, rough_case, method, realization);
+  const double height = fits.scales.rms_height;
+  if (!(height > 0.0) || !(fits.scales.rms_slope > 0.0)) {
     fits.slope.reason = fits.parameter.reason = fits.area.reason =
         "neither the surface nor its formula is in the result";
     return fits;
   }
   const auto& points = method.realizations[realization].points;
-  fits.slope = fit_slope(points, scales);
-  fits.area = fit_area(points, scales);
-  if (method.kind == "theory")
-    return fits; // its parameter is an input
-  const GapTheory theory = realization < result.surfaces.size()
-                               ? theory_of_surface(result.surfaces[realization],
-                                                   result.contact_modulus)
-                               : GapTheory();
-  if (theory)
-    fits.parameter = fit_parameter(points, scales, theory);
-  else
+  fits.slope = fit_slope(points, fits.scales);
+  fits.area = fit_area(points, fits.scales);
+  const SurfaceTheory theory =
+      theory_for(result, rough_case, method, realization);
+  if (method.kind == "theory") { // its parameter is an input
+    fits.asymptotic_slope =
+        set_gamma(rough_case, method) * theory.decay_length / height;
+    return fits;
+  }
+  if (!theory.gap) {
     fits.parameter.reason = "the heights are not in the result";
+    return fits;
+  }
+  fits.parameter = fit_parameter(points, fits.scales, theory.gap);
+  fits.asymptotic_slope =
+      fits.parameter.gamma_theory.value * theory.decay_length / height;
   return fits;
 }
 
@@ -98,10 +121,7 @@ void add_deviations(const MethodRecord& method, const MethodRecord& reference,
 Estimate set_parameter(const cases::Case& rough_case,
                        const MethodRecord& method) {
   Estimate estimate;
-  for (const cases::MethodSpec& spec : rough_case.methods)
-    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
-        theory != nullptr && spec.name == method.name)
-      estimate.value = theory->gamma;
+  estimate.value = set_gamma(rough_case, method);
   estimate.remark =
       estimate.has_value() ? "set in the case" : "not set in the case";
   return estimate;
@@ -120,8 +140,7 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
                           const MethodRecord* reference,
                           MethodSummary& summary) {
   for (std::size_t r = 0; r < method.realizations.size(); ++r)
-    summary.fits.push_back(
-        fits_of(result, method, r, scales_of(result, rough_case, method, r)));
+    summary.fits.push_back(fits_of(result, rough_case, method, r));
   auto& quantities = summary.quantities;
   quantities["gamma_slope"] =
       mean_of(summary.fits, &RealizationFits::slope, &SlopeFit::gamma_slope);

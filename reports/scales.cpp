@@ -49,18 +49,6 @@ SurfaceScales formula_scales(const SurfaceSpec& surface) {
   return scales;
 }
 
-bool uses_formula(const cases::Case& rough_case,
-                  const results::MethodRecord& method) {
-  if (method.kind != "theory")
-    return false;
-  for (const cases::MethodSpec& spec : rough_case.methods)
-    if (spec.name == method.name)
-      if (const auto* theory =
-              std::get_if<cases::TheorySettings>(&spec.settings))
-        return theory->spectrum == cases::TheorySpectrum::formula;
-  return false;
-}
-
 } // namespace
 
 double formula_spectrum(const SurfaceSpec& surface, double wavevector) {
@@ -73,6 +61,18 @@ double formula_spectrum(const SurfaceSpec& surface, double wavevector) {
                          (2.0 * std::numbers::pi * height_moment(surface));
   return plateau * std::pow(std::max(1.0, wavevector / roll_off),
                             -2.0 - 2.0 * surface.hurst);
+}
+
+bool uses_formula(const cases::Case& rough_case,
+                  const results::MethodRecord& method) {
+  if (method.kind != "theory")
+    return false;
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (spec.name == method.name)
+      if (const auto* theory =
+              std::get_if<cases::TheorySettings>(&spec.settings))
+        return theory->spectrum == cases::TheorySpectrum::formula;
+  return false;
 }
 
 bool is_exact_shape(const SurfaceSpec& surface) {

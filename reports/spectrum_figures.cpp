@@ -128,8 +128,6 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "spectrum";
   figure.title = "Its spectrum";
-  figure.width = 560;
-  figure.height = 420;
   CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
   std::vector<std::string> plots;
   for (std::size_t r = 0; r < surfaces.size(); ++r) {

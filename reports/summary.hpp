@@ -19,6 +19,9 @@ struct RealizationFits {
   SlopeFit slope;
   ParameterFit parameter;
   AreaFit area;
+  /// u_0/h_rms of (18) with the fitted gamma (for the theory: its own) [1]:
+  /// what the slope would tend to at vanishing pressure
+  double asymptotic_slope = not_a_number;
 };
 
 struct Cost {
@@ -74,6 +77,10 @@ bool is_exact_shape(const cases::SurfaceSpec& surface);
 /// <h^2> = 2 pi int q C dq: flat from q_L to q_0, then q^(-2-2H) to q_1, zero
 /// outside. NaN for another kind of surface.
 double formula_spectrum(const cases::SurfaceSpec& surface, double wavevector);
+
+/// True if the method is a theory that took the case's formula as spectrum.
+bool uses_formula(const cases::Case& rough_case,
+                  const results::MethodRecord& method);
 
 /// E*, h_rms and h' that a method's realisation is measured in: those of the
 /// surface it ran on, or of the formula if that is what the theory used.

@@ -51,6 +51,7 @@ Json to_json(const RealizationFits& fits, bool is_theory) {
   Json json = {
       {"rms_height [m]", number(fits.scales.rms_height)},
       {"rms_slope [1]", number(fits.scales.rms_slope)},
+      {"asymptotic_slope (18)", number(fits.asymptotic_slope)},
       {"slope",
        fit_json(fits.slope, std::pair("gamma_slope", fits.slope.gamma_slope),
                 std::pair("beta", fits.slope.beta))},

@@ -1,6 +1,7 @@
 #include "reports/surface_theory.hpp"
 
 #include "base/fourier.hpp"
+#include "reports/summary.hpp"
 #include "theory/persson.hpp"
 
 #include <cmath>
@@ -51,18 +52,39 @@ shells_of(const results::SurfaceRecord& surface) {
   return shells;
 }
 
-} // namespace
-
-GapTheory theory_of_surface(const results::SurfaceRecord& surface,
-                            double contact_modulus) {
-  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
-    return {};
-  const auto contact = std::make_shared<theory::PerssonContact>(
-      theory::HeightSpectrum(shells_of(surface)), contact_modulus, 1.0);
-  return [contact](double nominal_pressure) {
+SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
+                       double contact_modulus) {
+  const auto contact =
+      std::make_shared<theory::PerssonContact>(spectrum, contact_modulus, 1.0);
+  SurfaceTheory prepared;
+  prepared.decay_length = contact->gap_decay_length();
+  prepared.gap = [contact](double nominal_pressure) {
     const theory::GammaParts parts = contact->mean_gap_parts(nominal_pressure);
     return GapSplit{parts.linear, parts.cubic};
   };
+  return prepared;
+}
+
+} // namespace
+
+SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
+                                double contact_modulus) {
+  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
+    return {};
+  return prepared(theory::HeightSpectrum(shells_of(surface)), contact_modulus);
+}
+
+SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
+                                double contact_modulus) {
+  if (surface.kind != cases::SurfaceKind::self_affine)
+    return {};
+  return prepared(theory::HeightSpectrum(theory::SpectrumFormula{
+                      [surface](double wavevector) {
+                        return formula_spectrum(surface, wavevector);
+                      },
+                      {surface.wavevector_low, surface.wavevector_roll_off,
+                       surface.wavevector_high}}),
+                  contact_modulus);
 }
 
 } // namespace asperity::reports
