@@ -21,7 +21,6 @@ namespace {
 
 constexpr const char* style = R"(set encoding utf8
 set datafile separator comma
-set datafile missing 'nan'
 set border 3 linewidth 0.8 linecolor rgb '#444444'
 set tics nomirror out scale 0.6 textcolor rgb '#333333'
 set grid linewidth 0.5 linecolor rgb '#e4e4e4'

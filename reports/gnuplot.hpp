@@ -46,8 +46,7 @@ std::string gnuplot_markup(const std::string& text);
 /// Colour-blind-safe colours (Okabe, Ito 2008), dark to light.
 const char* method_color(std::size_t index);
 
-/// Rows of numbers as CSV: NaN is written "nan", which the style reads as
-/// missing.
+/// Rows of numbers as CSV: NaN is written "nan", where gnuplot breaks a line.
 class CsvTable {
 public:
   /// @param header  column names, each with its unit: "gap/h_rms [1]"

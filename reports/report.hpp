@@ -23,6 +23,16 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                       const std::filesystem::path& folder,
                                       const std::string& gnuplot = "gnuplot");
 
+/// The same from results alone: each result's own case text is read again.
+/// @throws cases::CaseError  a result's case text has mistakes
+std::vector<std::string> write_report(std::span<const results::Result> results,
+                                      const std::filesystem::path& folder,
+                                      const std::string& gnuplot = "gnuplot");
+
+/// The case a result was made from, read from its own text. `path` of the
+/// messages is that of the result.
+cases::Case case_of(const results::Result& result);
+
 /// A result with its case and its summary. Both arguments must outlive it.
 ReportEntry entry_of(const results::Result& result,
                      const cases::Case& contact_case);

@@ -107,6 +107,32 @@ inline theory::PerssonContact contact_of(const cases::SurfaceSpec& spec) {
           contact_modulus, gamma};
 }
 
+/// Shells of a map by another road than the fit's: the full DFT's rows, each
+/// with its own |q|, no symmetry used but F(-q) = conj F(q).
+inline std::vector<theory::SpectrumShell>
+shells_by_sum(const results::SurfaceRecord& surface) {
+  const RealFourier fourier(surface.grid);
+  std::vector<std::complex<double>> half(surface.grid.half_spectrum_size());
+  fourier.forward(surface.heights, half);
+  const int n = surface.grid.points_x;
+  const int columns = n / 2 + 1;
+  std::vector<theory::SpectrumShell> shells;
+  for (int jy = 0; jy < n; ++jy)
+    for (int jx = 0; jx < n; ++jx) {
+      const bool is_stored = jx < columns;
+      const int kx = is_stored ? jx : n - jx;
+      const int ky = is_stored ? jy : (n - jy) % n;
+      const double square =
+          std::norm(half[static_cast<std::size_t>(ky * columns + kx)]) /
+          std::pow(static_cast<double>(surface.grid.size()), 2);
+      const double q = std::hypot(wavevector(signed_wavenumber(jx, n), length),
+                                  wavevector(signed_wavenumber(jy, n), length));
+      if (q > 0.0 && square > 1e-40)
+        shells.push_back({q, square});
+    }
+  return shells;
+}
+
 /// The formula's curve, its gap shifted (in h_rms) and its area scaled.
 inline results::Curve curve(const theory::PerssonContact& contact, double shift,
                             double area_scale) {
