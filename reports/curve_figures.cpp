@@ -49,6 +49,15 @@ std::string with_interval(const Estimate& estimate) {
              : fmt::format("{:.3g}", estimate.value);
 }
 
+// The next of 1, 2, 5 times a power of ten at or above `step`.
+double round_step(double step) {
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= step)
+      return digit * power;
+  return 10.0 * power;
+}
+
 // Bars at the foot of the plot: each method's fit window, mean over its
 // realisations.
 std::string window_bars(std::span<const Series> series) {
@@ -144,10 +153,14 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     const double height_nm =
         entries.front().summary.methods.back().fits.front().scales.rms_height *
         1e9;
+    double furthest = 0.0;
+    for (const Series& one : series)
+      for (const SeriesRow& row : one.rows)
+        furthest = std::max(furthest, row.gap);
     figure.script += fmt::format(
-        "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics\nset border "
-        "7\nset x2label 'u [nm]'\n",
-        height_nm);
+        "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\nset "
+        "border 7\nset x2label 'u [nm]'\n",
+        height_nm, round_step(furthest * height_nm / 4.0));
   }
   figure.script += join(plots);
   figure.data = table.text();
@@ -189,7 +202,8 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
   figure.script =
       "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
       "\nset ylabel " + gnuplot_markup("(u − u_{theory}) / h_{rms}  [%]") +
-      "\nset key top right\nset xrange [0:*]\nset object 1 rectangle from 0.3, "
+      "\nset key top right\nset xrange [0:*]\nset offsets graph 0, 0, 0.3, "
+      "0.1\nset object 1 rectangle from 0.3, "
       "graph 0 to 1.5, graph 1 behind fillcolor rgb '#0072B2' fillstyle solid "
       "0.06 noborder\n" +
       join(plots);

@@ -1,3 +1,4 @@
+#include "cases/expectations.hpp"
 #include "reports/page_data.hpp"
 #include "reports/verdict.hpp"
 
@@ -98,6 +99,15 @@ List heads_of(const std::vector<Column>& columns) {
   return heads;
 }
 
+// "0.35 … 0.45" and "≤ 0.05" for a page.
+std::string typeset(std::string band) {
+  for (const auto& [plain, sign] :
+       {std::pair("..", " … "), std::pair("<=", "≤"), std::pair(">=", "≥")})
+    if (const std::size_t at = band.find(plain); at != std::string::npos)
+      band.replace(at, 2, sign);
+  return band;
+}
+
 List verdict_rows(const Summary& summary) {
   List rows;
   for (const Verdict& verdict : summary.verdicts) {
@@ -106,8 +116,11 @@ List verdict_rows(const Summary& summary) {
     row.set("sign", verdict.outcome == Outcome::ok ? "✓" : "✗");
     row.set("method", verdict.method);
     row.set("quantity", verdict.quantity);
+    const cases::ExpectationName* known =
+        cases::expectation_called(verdict.quantity);
+    row.set("meaning", known == nullptr ? "" : known->description);
     row.set("value", number_text(verdict.estimate));
-    row.set("band", band_text(verdict.low, verdict.high));
+    row.set("band", typeset(band_text(verdict.low, verdict.high)));
     row.set("remark", verdict.estimate.remark);
     rows.push_back(row);
   }

@@ -20,19 +20,24 @@ std::string join(const std::vector<std::string>& parts) {
   return text + "\n";
 }
 
+constexpr std::array<const char*, 3> load_signs{"pointtype 8", "pointtype 4",
+                                                "pointtype 6"};
+
+constexpr double bin = 0.1; // of the histogram, in E* h'
+
 struct Histogram {
-  double bin = 0.0;            ///< width in the unit of the numbers
-  std::vector<double> density; ///< per unit; the sum times bin is the share > 0
+  std::vector<double> density; ///< per unit; the sum times bin is 1
 };
 
-// Density of the positive numbers over all of the map's points.
-Histogram histogram_of(const std::vector<double>& map, double unit,
-                       double bin) {
+// Density of the positive numbers among themselves: what is not in contact does
+// not count.
+Histogram histogram_of(const std::vector<double>& map, double unit) {
   const double largest = *std::max_element(map.begin(), map.end()) / unit;
   Histogram histogram;
-  histogram.bin = bin;
   histogram.density.resize(static_cast<std::size_t>(largest / bin) + 1, 0.0);
-  const double share = 1.0 / (static_cast<double>(map.size()) * bin);
+  const auto in_contact =
+      std::count_if(map.begin(), map.end(), [](double p) { return p > 0.0; });
+  const double share = 1.0 / (static_cast<double>(in_contact) * bin);
   for (const double number : map)
     if (number > 0.0)
       histogram.density[static_cast<std::size_t>(number / unit / bin)] += share;
@@ -71,39 +76,36 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "pressure-distribution";
   figure.title = "Distribution of the contact pressure";
-  CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' [1]"});
+  CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' A_0/A [1]"});
   std::vector<std::string> plots;
   const auto& maps = method->realizations.front().fields;
   const std::vector<std::size_t> chosen = three_of(maps.size());
-  double furthest = 0.0;
+  const double furthest = maps[chosen.back()].nominal_pressure / stress + 2.0;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const results::Fields& fields = maps[chosen[i]];
     const double load = fields.nominal_pressure;
     const std::string name = fmt::format("p/E* = {:.3g}", load / modulus);
-    const Histogram histogram = histogram_of(fields.pressure, stress, 0.05);
-    const std::size_t row = 2 * i;
+    const Histogram histogram = histogram_of(fields.pressure, stress);
     for (std::size_t b = 0; b < histogram.density.size(); ++b)
       table.add(method->name + ", " + name,
-                {static_cast<double>(row),
-                 (static_cast<double>(b) + 0.5) * histogram.bin,
-                 histogram.density[b]});
-    const double end = 0.05 * static_cast<double>(histogram.density.size());
-    furthest = std::max(furthest, std::min(end, load / stress + 2.0));
+                {static_cast<double>(2 * i),
+                 (static_cast<double>(b) + 0.5) * bin, histogram.density[b]});
+    const double area = theory::area_fraction(load, variance);
     for (int k = 0; k <= 200; ++k) {
-      const double sigma = end * k / 200.0;
-      table.add(
-          "theory, " + name,
-          {static_cast<double>(row + 1), sigma,
-           stress * theory::pressure_density(sigma * stress, load, variance)});
+      const double sigma = furthest * k / 200.0;
+      table.add("theory, " + name,
+                {static_cast<double>(2 * i + 1), sigma,
+                 stress / area *
+                     theory::pressure_density(sigma * stress, load, variance)});
     }
     plots.push_back(fmt::format(
         "'pressure-distribution.csv' using ($2=={} ? $3 : NaN):4 with points "
-        "pointtype 6 pointsize 0.6 linewidth 1.2 linecolor rgb '{}' title {}",
-        row, load_colors[i], gnuplot_text(name)));
+        "{} pointsize 0.6 linewidth 1.2 linecolor rgb '{}' title {}",
+        2 * i, load_signs[i], load_colors[i], gnuplot_text(name)));
     plots.push_back(fmt::format(
         "'pressure-distribution.csv' using ($2=={} ? $3 : NaN):4 with lines "
         "linewidth 1.5 linecolor rgb '{}' {}",
-        row + 1, load_colors[i],
+        2 * i + 1, load_colors[i],
         i + 1 == chosen.size() ? "title 'theory, (1)'" : "notitle"));
   }
   figure.caption = fmt::format(
@@ -117,7 +119,7 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
       "set xlabel {}\nset ylabel {}\nset key top right\nset xrange [0:{:.4g}]\n"
       "set yrange [0:*]\n{}",
       gnuplot_markup("contact pressure σ / (E* h')"),
-      gnuplot_markup("P(σ) E* h'"), furthest, join(plots));
+      gnuplot_markup("P(σ) E* h' A_0 / A"), furthest, join(plots));
   figure.data = table.text();
   return figure;
 }

@@ -86,6 +86,8 @@ std::string number_text(const Estimate& estimate) {
   if (!estimate.has_interval())
     return fmt::format("{:.4g}", estimate.value);
   const double size = std::abs(estimate.value);
+  if (estimate.half_width < 1e-4 * size) // far below what is worth printing
+    return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
   if (size < 1e-3 || size >= 1e5)
     return fmt::format("{:.3g} ± {:.1g}", estimate.value, estimate.half_width);
   const int decimals =
@@ -99,7 +101,7 @@ std::string percent_text(const Estimate& estimate) {
     return "–";
   if (!estimate.has_interval())
     return fmt::format("{:.2g} %", 100.0 * estimate.value);
-  const int decimals = std::min(2, decimals_for(100.0 * estimate.half_width));
+  const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));
   return fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * estimate.value, decimals,
                      100.0 * estimate.half_width, decimals);
 }
