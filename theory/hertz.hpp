@@ -63,8 +63,30 @@ double square_array_constant();
 /// @param period           L, side of the square cell [m] > 0
 /// @throws std::domain_error  an argument outside its range or not finite
 /// @par Accuracy  what is left of delta is O((a/L)^3) of it: the neighbours
-///      also bend the face under the sphere.
+///      also bend the face under the sphere; square_array_contact() has that.
 double square_array_approach(double load, double contact_modulus,
                              double period);
+
+/// T = sum of n^-3 over the square lattice but its origin
+///   = 4 zeta(3/2) beta(3/2), to rounding.
+double square_array_curvature_constant();
+
+/// A sphere that is one of a square array.
+struct SquareArrayContact {
+  HertzContact spot;     ///< its pressure: Hertz on the radius R' below
+  double approach = 0.0; ///< delta_periodic, uniform displacement removed [m]
+};
+
+/// Each sphere's neighbours move its face by
+///     F/(pi E* L) [-S + (T/4)(r^2 + 2 a^2/5)/L^2 + O((a/L)^4)],
+/// so the spot is Hertzian on 1/R' = 1/R + T F/(2 pi E* L^3), and
+///     delta_periodic = a^2/R' - F/(pi E* L) [S - T a^2/(10 L^2)].
+///
+/// @param load, sphere_radius, contact_modulus  as in hertz_contact(), per cell
+/// @param period  L, side of the square cell [m] > 0
+/// @throws std::domain_error  an argument outside its range or not finite
+/// @par Accuracy  1.1 (a/L)^5 of the approach, measured up to a/L = 0.3
+SquareArrayContact square_array_contact(double load, double sphere_radius,
+                                        double contact_modulus, double period);
 
 } // namespace asperity::theory

@@ -21,7 +21,8 @@ class GapSums;
 /// with K = cubic_energy_constant(). The paper's 4.047 is eps(0.42).
 ///
 /// @param gamma  0 < gamma <= 1 [1]
-/// @return       eps [1], a few ulp times K/gamma; infinite below gamma 1.8e-3
+/// @return       eps [1], a few ulp times K/gamma; infinite below gamma
+/// = 1.7e-3
 /// @throws std::domain_error  gamma outside its range
 double persson_epsilon(double gamma);
 

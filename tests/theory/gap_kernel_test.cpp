@@ -76,10 +76,10 @@ TEST_P(GapKernel, IsHalfAnExponentialIntegralAtGammaOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sweep, GapKernel,
-                         ::testing::Values(1e-12, 1e-6, 1e-3, 0.1, 0.4, 0.7,
-                                           0.7072, 0.9, 1.2, 1.414, 1.4143, 2.0,
-                                           2.83, 3.9, 5.65, 5.66, 8.0, 11.31,
-                                           11.32, 15.0, 25.0));
+                         ::testing::Values(1e-150, 1e-12, 1e-6, 1e-3, 0.1, 0.4,
+                                           0.7, 0.7072, 0.9, 1.2, 1.414, 1.4143,
+                                           2.0, 2.83, 3.9, 5.65, 5.66, 8.0,
+                                           11.31, 11.32, 15.0, 25.0));
 
 // Claim: gap_kernel_slope is minus the derivative in ln x: its integral from
 // x to 2x is the kernel's fall. Tolerance: the two differences round at

@@ -139,6 +139,17 @@ TEST(PerssonShells, ConvergeToTheFormula) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.1);
 }
 
+// Claim: p(u) needs no asymptote to start from: below gamma = 1.7e-3 eps is
+// infinite, and u(p) nearly all cubic. Tolerance as in the identities' test.
+TEST(PerssonExtremes, PressureOfTheGapAtTinyGamma) {
+  const PerssonContact contact = contact_of_the_paper().with_gamma(1e-4);
+  for (const double gap : {1e-12, 1e-10, 5e-10}) {
+    const double pressure = contact.nominal_pressure(gap);
+
+    expect_relative(contact.mean_gap(pressure), gap, 1e-13);
+  }
+}
+
 // Claim: fit_gamma finds the gamma that made the points, and with a constant
 // error of the gap added it shifts by the least squares of that error.
 TEST(FitGamma, RecoversTheGammaOfACurve) {
