@@ -269,7 +269,7 @@ Figure area_figure(std::span<const Series> series) {
         fmt::format(" Dashed: the theory scaled by {:.3g} to {}'s fitted κ.",
                     scale, fitted->label);
   figure.script = fmt::format(
-      "set xlabel {}\nset ylabel {}\nset key bottom right\nset xrange "
+      "set xlabel {}\nset ylabel {}\nset key top left\nset xrange "
       "[0:{:.6g}]\nset yrange [0:{}]\n{}",
       gnuplot_markup("p / E*"), gnuplot_markup("A / A_0"),
       furthest > 0.0 ? 1.1 * furthest : 1.0, 1.2 * largest_area, join(plots));

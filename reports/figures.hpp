@@ -34,7 +34,8 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry);
 std::optional<Figure> surface_figure(const ReportEntry& entry);
 std::optional<Figure> spectrum_figure(const ReportEntry& entry);
 
-/// Pressure and gap maps of the kept loads, a figure a method.
+/// Pressure and gap maps of the kept loads, a figure a method; a variant such
+/// as "fem.hard" has none if its "fem" has.
 std::vector<Figure> map_figures(const ReportEntry& entry);
 
 /// Iterations and CPU time a step against p/E*.

@@ -12,6 +12,7 @@ namespace {
 using results::CurvePoint;
 
 constexpr double largest_gap = 2.0;       // of h_rms: finite size beyond
+constexpr double outer_start = 1.5;       // of h_rms: windows start beyond
 constexpr double smallest_width = 0.5;    // of h_rms
 constexpr double first_tolerance = 0.005; // of h_rms
 constexpr double last_tolerance = 0.08;   // of h_rms
@@ -64,8 +65,10 @@ std::optional<Stretch> stretch_from(const ReducedCurve& curve,
 }
 
 std::optional<Stretch> outermost_stretch(const ReducedCurve& curve,
-                                         double tolerance) {
-  for (std::size_t first = 0; first < curve.gap.size(); ++first)
+                                         double tolerance,
+                                         double lowest_start) {
+  for (std::size_t first = 0;
+       first < curve.gap.size() && curve.gap[first] >= lowest_start; ++first)
     if (const auto stretch = stretch_from(curve, first, tolerance))
       return stretch;
   return std::nullopt;
@@ -120,10 +123,12 @@ SlopeFit fit_slope(std::span<const CurvePoint> points,
         std::log(row.nominal_pressure / scales.contact_modulus));
     curve.gap.push_back(row.mean_gap / scales.rms_height);
   }
-  for (double tolerance = first_tolerance; tolerance <= last_tolerance;
-       tolerance *= 2.0)
-    if (const auto stretch = outermost_stretch(curve, tolerance))
-      return slope_fit_of(*stretch, rows, tolerance);
+  for (const double lowest_start : {outer_start, 0.0})
+    for (double tolerance = first_tolerance; tolerance <= last_tolerance;
+         tolerance *= 2.0)
+      if (const auto stretch =
+              outermost_stretch(curve, tolerance, lowest_start))
+        return slope_fit_of(*stretch, rows, tolerance);
 
   SlopeFit none;
   none.reason = rows.size() < fewest_rows

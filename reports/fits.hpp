@@ -52,10 +52,11 @@ struct SlopeFit {
 ///    ends the exponential;
 ///  - goes on inwards as far as no row is farther than 0.5 % of h_rms from the
 ///    least-squares line, which ends it where near contact bends the curve;
-///  - has at least 4 rows and a width of 0.5 h_rms at least. If the stretch
-///  from
-///    the largest u is too short, it starts at the next row, and so on.
+///  - has at least 4 rows and a width of 0.5 h_rms at least; where the stretch
+///    from the largest u is too short it starts at the next row, and so on,
+///    down to u = 1.5 h_rms.
 /// If there is none, the 0.5 % is doubled, up to 8 %; `window.tolerance` tells.
+/// Only if that fails too may the window start below 1.5 h_rms.
 SlopeFit fit_slope(std::span<const results::CurvePoint> points,
                    const SurfaceScales& scales);
 

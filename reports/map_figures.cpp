@@ -136,6 +136,23 @@ Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
 
 } // namespace
 
+namespace {
+
+// A variant, "fem.hard", whose maps would repeat those of its "fem".
+bool is_variant_of_shown(const results::Result& result,
+                         const results::MethodRecord& method) {
+  const std::string base = method.name.substr(0, method.name.find('.'));
+  return base != method.name &&
+         std::any_of(result.methods.begin(), result.methods.end(),
+                     [&](const results::MethodRecord& other) {
+                       return other.name == base &&
+                              !other.realizations.empty() &&
+                              !other.realizations.front().fields.empty();
+                     });
+}
+
+} // namespace
+
 std::vector<Figure> map_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   if (entry.result->surfaces.empty())
@@ -143,7 +160,8 @@ std::vector<Figure> map_figures(const ReportEntry& entry) {
   const results::SurfaceRecord& surface = entry.result->surfaces.front();
   for (const results::MethodRecord& method : entry.result->methods) {
     if (method.realizations.empty() ||
-        method.realizations.front().fields.empty())
+        method.realizations.front().fields.empty() ||
+        is_variant_of_shown(*entry.result, method))
       continue;
     const auto& maps = method.realizations.front().fields;
     const bool is_whole =

@@ -109,12 +109,11 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
         i + 1 == chosen.size() ? "title 'theory, (1)'" : "notitle"));
   }
   figure.caption = fmt::format(
-      "Circles: {}, realisation 0, counted in bins of 0.05 E* h'; lines: (1) "
-      "at "
-      "the same load with G of the surface's slope {:.3g}. The area under a "
-      "curve is the contact fraction. The numerical points near σ = 0 hold the "
-      "nodes at the rim of the contact.",
-      method->name, slope);
+      "Signs: {}, realisation 0, in bins of {} E* h'; lines: (1) at the same "
+      "load with G of the surface's slope {:.3g}. Each is divided by its own "
+      "contact fraction, so that the shapes compare and the area under a curve "
+      "is 1.",
+      method->name, bin, slope);
   figure.script = fmt::format(
       "set xlabel {}\nset ylabel {}\nset key top right\nset xrange [0:{:.4g}]\n"
       "set yrange [0:*]\n{}",

@@ -126,6 +126,25 @@ TEST(FitSlope, OpensItsGateForScatterAndSaysSo) {
   EXPECT_LE(fit.window.largest_deviation, fit.window.tolerance);
 }
 
+// Claim: a window further in does not win by being straighter. The curve here
+// has slope 0.4 outside u = 1.4 h_rms, where its rows are 0.7 % of h_rms off by
+// turns, which the first gate refuses, and is a line of slope 0.5 inside.
+// Tolerance: 0.7 % of h_rms at either end of 1.5 e-folds.
+TEST(FitSlope, PrefersTheOuterStretchToAStraighterInnerOne) {
+  std::vector<CurvePoint> points;
+  for (int i = 0; i < 4; ++i)
+    points.push_back(row(std::exp(-8.0 + 0.5 * i),
+                         1.99 - 0.2 * i + (i % 2 == 0 ? 0.007 : -0.007)));
+  for (int i = 1; i < 6; ++i)
+    points.push_back(row(std::exp(-6.5 + 0.5 * i), 1.383 - 0.25 * i));
+
+  const SlopeFit fit = fit_slope(points, scales);
+
+  EXPECT_EQ(fit.window.points, 4);
+  EXPECT_NEAR(fit.gamma_slope.value, 0.4, 2.0 * 0.007 / 1.5);
+  EXPECT_NEAR(fit.window.tolerance, 0.01, 1e-15);
+}
+
 TEST(FitSlope, SaysWhyThereIsNoFit) {
   const std::vector<CurvePoint> short_curve = exponential(0.01, 0.02, 3);
   std::vector<CurvePoint> staircase;
