@@ -1,5 +1,6 @@
 #include "reports/exact.hpp"
 #include "reports/figures.hpp"
+#include "reports/plot_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +11,6 @@ namespace asperity::reports {
 namespace {
 
 using cases::SurfaceKind;
-
-std::string join(const std::vector<std::string>& parts) {
-  std::string text = "plot ";
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : ", \\\n  ") + parts[i];
-  return text + "\n";
-}
 
 struct Range {
   double low = 0.0;
@@ -82,7 +76,7 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
   figure.script = "set xlabel " + gnuplot_markup("p / E*") + "\nset ylabel " +
                   gnuplot_markup(curves.axis) + "\nset key " +
                   (curves.name == "exact-gap" ? "top right" : "bottom right") +
-                  "\n" + join(plots);
+                  "\n" + plot_of(plots);
   figure.data = table.text();
   return figure;
 }

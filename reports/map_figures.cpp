@@ -1,4 +1,5 @@
 #include "reports/figures.hpp"
+#include "reports/plot_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -71,15 +72,6 @@ std::string image_of(const std::string& file, const Grid& grid,
 constexpr const char* map_style =
     "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset size "
     "ratio -1\nset colorbox\nset cbtics scale 0.4\n";
-
-// Index of first, middle and last of the kept maps.
-std::vector<std::size_t> three_of(std::size_t count) {
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : {std::size_t{0}, count / 2, count - 1})
-    if (count > 0 && (chosen.empty() || chosen.back() < i))
-      chosen.push_back(i);
-  return chosen;
-}
 
 Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
                   const results::SurfaceRecord& surface) {

@@ -1,4 +1,5 @@
 #include "reports/figures.hpp"
+#include "reports/plot_parts.hpp"
 #include "theory/pressure_distribution.hpp"
 
 #include <fmt/format.h>
@@ -12,13 +13,6 @@ namespace {
 
 constexpr std::array<const char*, 3> load_colors{"#56B4E9", "#0072B2",
                                                  "#35102b"};
-
-std::string join(const std::vector<std::string>& parts) {
-  std::string text = "plot ";
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : ", \\\n  ") + parts[i];
-  return text + "\n";
-}
 
 constexpr std::array<const char*, 3> load_signs{"pointtype 8", "pointtype 4",
                                                 "pointtype 6"};
@@ -42,14 +36,6 @@ Histogram histogram_of(const std::vector<double>& map, double unit) {
     if (number > 0.0)
       histogram.density[static_cast<std::size_t>(number / unit / bin)] += share;
   return histogram;
-}
-
-std::vector<std::size_t> three_of(std::size_t count) {
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : {std::size_t{0}, count / 2, count - 1})
-    if (count > 0 && (chosen.empty() || chosen.back() < i))
-      chosen.push_back(i);
-  return chosen;
 }
 
 const results::MethodRecord* first_with_maps(const results::Result& result) {
@@ -118,7 +104,7 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
       "set xlabel {}\nset ylabel {}\nset key top right\nset xrange [0:{:.4g}]\n"
       "set yrange [0:*]\n{}",
       gnuplot_markup("contact pressure σ / (E* h')"),
-      gnuplot_markup("P(σ) E* h' A_0 / A"), furthest, join(plots));
+      gnuplot_markup("P(σ) E* h' A_0 / A"), furthest, plot_of(plots));
   figure.data = table.text();
   return figure;
 }
@@ -170,7 +156,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
       "set logscale xy\nset format '10^{{%T}}'\nset xlabel {}\nset ylabel {}\n"
       "set key bottom left\nset yrange [{}:*]\n{}",
       gnuplot_markup("q [1/m]"), gnuplot_markup("C(q) [m^4]"),
-      floor > 0.0 ? fmt::format("{:.3g}", floor) : "*", join(plots));
+      floor > 0.0 ? fmt::format("{:.3g}", floor) : "*", plot_of(plots));
   figure.data = table.text();
   return figure;
 }

@@ -69,7 +69,7 @@ inline results::SurfaceRecord surface(const cases::SurfaceSpec& spec,
           wavevector(jx, length),
           wavevector(signed_wavenumber(jy, record.grid.points_y), length));
       auto& mode = modes[static_cast<std::size_t>(jy * columns + jx)];
-      mode *= std::sqrt(formula_spectrum(spec, q));
+      mode *= std::sqrt(formula_spectrum(spec, q)) / std::abs(mode);
       const double twice = jx == 0 ? 1.0 : 2.0;
       squares += twice * std::norm(mode);
       slopes += twice * q * q * std::norm(mode);
