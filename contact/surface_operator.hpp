@@ -48,6 +48,10 @@ public:
   /// C at half the Nyquist wavevector [m/Pa]: how much a node gives way to a
   /// pressure that alternates at the scale of the grid.
   virtual double short_wave_compliance() const = 0;
+
+  /// The same block seen at every second node in both directions, for a
+  /// coarse-to-fine start; null where there is none.
+  virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 };
 
 } // namespace asperity::contact

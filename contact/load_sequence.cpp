@@ -1,0 +1,111 @@
+#include "contact/load_sequence.hpp"
+
+#include "base/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// Tolerance of a coarse-to-fine start, relative to the rms height: finer
+/// gains no iteration on the fine grid.
+constexpr double coarse_accuracy = 1e-3;
+
+/// How far, in steps between the last two loads, their line is trusted.
+constexpr double longest_extrapolation = 2.5;
+
+double rms(std::span<const double> heights) {
+  double mean = 0.0;
+  for (const double height : heights)
+    mean += height;
+  mean /= static_cast<double>(heights.size());
+  double sum = 0.0;
+  for (const double height : heights)
+    sum += (height - mean) * (height - mean);
+  return std::sqrt(sum / static_cast<double>(heights.size()));
+}
+
+bool has_load(std::span<const double> pressure) {
+  return std::any_of(pressure.begin(), pressure.end(),
+                     [](double value) { return value > 0.0; });
+}
+
+} // namespace
+
+LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
+                           std::vector<double> heights,
+                           const Interface& interface, double gap_tolerance,
+                           int max_iterations)
+    : elasticity_(std::move(elasticity)),
+      heights_(std::move(heights)),
+      interface_(interface),
+      gap_tolerance_(gap_tolerance),
+      max_iterations_(max_iterations) {
+  require_positive("gap_tolerance", gap_tolerance_, "m");
+  if (interface_.law != Law::hard)
+    require_positive("penalty", interface_.penalty, "Pa/m");
+}
+
+double LoadSequence::local_compliance() const {
+  return interface_.law == Law::penalty ? 1.0 / interface_.penalty : 0.0;
+}
+
+ContactSolution LoadSequence::solve(const LoadTarget& target) {
+  if (target.kind != kind_)
+    history_.clear();
+  kind_ = target.kind;
+  const std::vector<double> start = start_for(target);
+  ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
+                         max_iterations_};
+  ContactSolution solution;
+  if (interface_.law == Law::augmented) {
+    problem.local_compliance = 1.0 / interface_.penalty;
+    solution = solve_augmented(*elasticity_, problem, target, start);
+  } else {
+    solution = solve_contact(*elasticity_, problem, target, start);
+  }
+  remember(target, solution);
+  return solution;
+}
+
+std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
+  if (history_.size() == 2) {
+    const Step& before = history_[0];
+    const Step& last = history_[1];
+    const double reach =
+        (target.amount - last.amount) / (last.amount - before.amount);
+    if (std::abs(reach) <= longest_extrapolation) {
+      std::vector<double> start = last.pressure;
+      for (std::size_t i = 0; i < start.size(); ++i)
+        start[i] =
+            std::max(0.0, start[i] + reach * (start[i] - before.pressure[i]));
+      if (has_load(start))
+        return start;
+    }
+  }
+  const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
+                               max_iterations_};
+  std::vector<double> start =
+      coarse_start(*elasticity_, problem, target,
+                   std::max(gap_tolerance_, coarse_accuracy * rms(heights_)));
+  if (start.empty() && !history_.empty())
+    start = history_.back().pressure;
+  return start;
+}
+
+void LoadSequence::remember(const LoadTarget& target,
+                            const ContactSolution& solution) {
+  if (!solution.converged || !has_load(solution.pressure)) {
+    history_.clear();
+    return;
+  }
+  if (!history_.empty() && history_.back().amount == target.amount)
+    history_.pop_back();
+  if (history_.size() == 2)
+    history_.erase(history_.begin());
+  history_.push_back({target.amount, solution.pressure});
+}
+
+} // namespace asperity::contact

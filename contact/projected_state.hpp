@@ -1,0 +1,66 @@
+#pragma once
+
+// The fields of one contact problem under iteration and the few operations
+// that both solvers make on them. Owns sums with nodal weights.
+
+#include "contact/solver.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace asperity::contact {
+
+/// Pressure, displacement and residual of a problem, kept consistent.
+class ProjectedState {
+public:
+  /// Checks the arguments and takes the start.
+  /// @throws std::domain_error  see solve_contact
+  ProjectedState(SurfaceOperator& elasticity, const ContactProblem& problem,
+                 const LoadTarget& target,
+                 std::span<const double> initial_pressure);
+
+  /// Residual gap + c p, rigid distance (under pressure control the mean over
+  /// the contact is made 0), error and the set of free nodes.
+  void update_residual();
+
+  /// p = max(0, p - step * direction) on the free nodes, then the prescribed
+  /// mean pressure by scaling. `compliance_direction` is C direction: while no
+  /// pressure was cut the displacement follows by recurrence. If it is empty
+  /// the displacement is computed.
+  void advance(double step, std::span<const double> direction,
+               std::span<const double> compliance_direction);
+
+  /// Sets `field` to 0 off the free nodes; under pressure control takes its
+  /// mean over them away, so that a step keeps the load.
+  void mask(std::span<double> field) const;
+
+  /// Sum of weight * a * b over all nodes.
+  double dot(std::span<const double> a, std::span<const double> b) const;
+
+  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
+
+  ContactSolution solution(bool converged, std::string note) &&;
+
+  SurfaceOperator& elasticity;
+  ContactProblem problem;
+  LoadTarget target;
+  std::vector<double> pressure;      ///< p [Pa]
+  std::vector<double> displacement;  ///< C p [m]
+  std::vector<double> residual;      ///< gap + c p on the free nodes, else 0
+  std::vector<std::uint8_t> is_free; ///< in contact, or overlapping
+  double rigid_distance = 0.0;       ///< u [m]
+  double gap_error = 0.0;            ///< [m]
+  int iterations = 0;
+  int transforms = 0;
+
+private:
+  double weight(std::size_t i) const {
+    return weights_.empty() ? 1.0 : weights_[i];
+  }
+
+  void scale_to_target();
+
+  std::span<const double> weights_;
+};
+
+} // namespace asperity::contact

@@ -1,0 +1,157 @@
+// Claims about contact/halfspace.hpp and contact/fourier_operator.hpp.
+#include "contact/halfspace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace asperity::contact {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Source: reference/contact.md, nu = 0.3, to its printed digits.
+TEST(SlabFactor, HasThePublishedValuesForTheLongestWave) {
+  const double nu = 0.3;
+  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarFace::clamped, nu), .9996,
+              5e-5);
+  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarFace::sliding, nu), .9999,
+              5e-5);
+  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarFace::pressure, nu), 1.0006,
+              5e-5);
+  EXPECT_NEAR(slab_compliance_factor(pi, FarFace::clamped, nu), .944, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi, FarFace::sliding, nu), .973, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi, FarFace::pressure, nu), 1.109, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarFace::clamped, nu), .632, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarFace::sliding, nu), .721, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarFace::pressure, nu), 2.60,
+              5e-3);
+}
+
+// A thin clamped layer is an oedometer, C = d (1+nu)(1-2nu)/(E (1-nu)); a thin
+// sliding one plane strain, d/E*; a thin free one a plate, 12/(E* d^3 q^4).
+// The next terms are of order x^2 = 1e-6 (clamped: times (1-nu)/(1-2nu)).
+TEST(SlabFactor, ThinLayersAreOedometerStripAndPlate) {
+  const double x = 1e-3;
+  const double nu = 0.3;
+  const double oedometer = x * (1 - 2 * nu) / (2 * (1 - nu) * (1 - nu));
+  EXPECT_NEAR(slab_compliance_factor(x, FarFace::clamped, nu) / oedometer, 1.0,
+              5e-6);
+  EXPECT_NEAR(slab_compliance_factor(x, FarFace::sliding, nu) / (x / 2), 1.0,
+              5e-6);
+  EXPECT_NEAR(slab_compliance_factor(x, FarFace::pressure, nu) * x * x * x / 6,
+              1.0, 5e-6);
+}
+
+// Both branches of the free slab's formula meet: 0.5 (series) and 20.
+TEST(SlabFactor, IsContinuousWhereItsFormulaChanges) {
+  for (const double x : {0.5, 20.0}) {
+    const double below =
+        slab_compliance_factor(x * (1 - 1e-12), FarFace::pressure, 0.3);
+    const double above =
+        slab_compliance_factor(x * (1 + 1e-12), FarFace::pressure, 0.3);
+    EXPECT_NEAR(below / above, 1.0, 1e-11) << x; // slope -3 times 2e-12
+  }
+}
+
+TEST(SlabFactor, TendsToTheHalfspace) {
+  for (const FarFace face :
+       {FarFace::clamped, FarFace::sliding, FarFace::pressure}) {
+    EXPECT_NEAR(slab_compliance_factor(25.0, face, 0.45), 1.0, 1e-14);
+    EXPECT_NEAR(slab_compliance_factor(1e6, face, 0.45), 1.0, 1e-14);
+  }
+}
+
+TEST(SlabFactor, RefusesWhatIsNoSlab) {
+  EXPECT_THROW(slab_compliance_factor(0.0, FarFace::clamped, 0.3),
+               std::domain_error);
+  EXPECT_THROW(slab_compliance_factor(1.0, FarFace::clamped, 0.6),
+               std::domain_error);
+}
+
+// Claim: cos(q x) of pressure gives 2/(E* q) cos(q x) of displacement, and a
+// uniform pressure none. Tolerance: rounding of sums over 128 nodes.
+TEST(HalfspaceOperator, AnswersAWaveWithAWave) {
+  const Grid grid{16, 8, 2.0, 1.0};
+  const double contact_modulus = 3.0;
+  FourierOperator elasticity =
+      halfspace_operator(grid, {contact_modulus, 0.0, infinity, {}});
+  const double qx = wavevector(3, grid.length_x);
+  const double qy = wavevector(-2, grid.length_y);
+  std::vector<double> pressure(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      pressure[grid.index(ix, iy)] = 5.0 + std::cos(qx * ix * grid.spacing_x() +
+                                                    qy * iy * grid.spacing_y());
+  std::vector<double> displacement(grid.size());
+
+  elasticity.displacement(pressure, displacement);
+
+  const double expected = 2.0 / (contact_modulus * std::hypot(qx, qy));
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_NEAR(displacement[i], expected * (pressure[i] - 5.0), 1e-14);
+}
+
+// Claim: pressure_estimate inverts displacement + c pressure, mean apart.
+TEST(FourierOperator, EstimateInvertsTheCompliance) {
+  const Grid grid{12, 10, 1.0, 1.5};
+  FourierOperator elasticity =
+      halfspace_operator(grid, {1.0, 0.3, 0.4, FarFace::clamped});
+  const double local_compliance = 0.02;
+  std::vector<double> pressure(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    pressure[i] = std::sin(3.0 * static_cast<double>(i * i));
+  double mean = 0.0;
+  for (const double value : pressure)
+    mean += value / static_cast<double>(grid.size());
+  std::vector<double> gap(grid.size());
+  std::vector<double> back(grid.size());
+
+  elasticity.displacement(pressure, gap);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    gap[i] += local_compliance * (pressure[i] - mean);
+  elasticity.pressure_estimate(gap, local_compliance, back);
+
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_NEAR(back[i], pressure[i] - mean, 1e-12);
+}
+
+// Claim: on the coarse grid a long wave meets the same compliance.
+TEST(FourierOperator, CoarseFormKeepsTheLongWaves) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  const FourierOperator fine =
+      halfspace_operator(grid, {1.0, 0.0, infinity, {}});
+
+  const std::unique_ptr<SurfaceOperator> coarse = fine.coarsened();
+
+  ASSERT_NE(coarse, nullptr);
+  EXPECT_EQ(coarse->grid(), (Grid{32, 32, 1.0, 1.0}));
+  std::vector<double> pressure(coarse->grid().size());
+  std::vector<double> displacement(pressure.size());
+  for (int iy = 0; iy < 32; ++iy)
+    for (int ix = 0; ix < 32; ++ix)
+      pressure[coarse->grid().index(ix, iy)] =
+          std::cos(2.0 * pi * (2 * ix - 3 * iy) / 32.0);
+  coarse->displacement(pressure, displacement);
+  const double expected = 2.0 / (2.0 * pi * std::hypot(2.0, 3.0));
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    EXPECT_NEAR(displacement[i], expected * pressure[i], 1e-14);
+  EXPECT_EQ(coarse->coarsened(), nullptr);
+}
+
+TEST(FourierOperator, RefusesASymbolThatIsNone) {
+  const Grid grid{4, 4, 1.0, 1.0};
+  EXPECT_THROW(FourierOperator(grid, {1.0, 2.0}), std::domain_error);
+  std::vector<double> symbol(grid.half_spectrum_size(), 1.0);
+  symbol[5] = -1.0;
+  EXPECT_THROW(FourierOperator(grid, symbol), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::contact

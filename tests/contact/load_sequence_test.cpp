@@ -1,0 +1,124 @@
+// Claims about contact/load_sequence.hpp: starts change the way, not the
+// answer; the laws mean what they say.
+#include "contact/load_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::contact {
+namespace {
+
+using Kind = LoadTarget::Kind;
+
+class Sequence : public ::testing::Test {
+protected:
+  static constexpr Grid grid{128, 128, 1.0, 1.0};
+  std::vector<double> heights = scenes::rough_heights(grid, {});
+  double rms_height = scenes::rms(heights);
+  double tolerance = 1e-9 * rms_height;
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+
+  LoadSequence sequence(Law law, double penalty = 0.0) const {
+    return {elasticity.clone(), heights, {law, penalty}, tolerance, 2000};
+  }
+
+  ContactSolution cold(double pressure, double local_compliance = 0.0) {
+    return solve_contact(elasticity,
+                         {heights, local_compliance, tolerance, 2000},
+                         {Kind::nominal_pressure, pressure});
+  }
+};
+
+// Tolerance: both answers are good to `tolerance` in the gap.
+TEST_F(Sequence, AnswersAsAColdStartDoes) {
+  LoadSequence program = sequence(Law::hard);
+  int warm_iterations = 0;
+  int cold_iterations = 0;
+  for (const double pressure : {0.01, 0.02, 0.04, 0.08, 0.16, 0.05, 0.01}) {
+    const ContactSolution warm =
+        program.solve({Kind::nominal_pressure, pressure});
+    const ContactSolution fresh = cold(pressure);
+
+    ASSERT_TRUE(warm.converged);
+    EXPECT_NEAR(warm.mean_gap, fresh.mean_gap, 2.0 * tolerance);
+    warm_iterations += warm.iterations;
+    cold_iterations += fresh.iterations;
+  }
+  EXPECT_LT(warm_iterations, cold_iterations);
+}
+
+TEST_F(Sequence, CoarseStartSavesFineIterations) {
+  const ContactProblem problem{heights, 0.0, tolerance, 2000};
+  const LoadTarget target{Kind::nominal_pressure, 0.02};
+
+  const std::vector<double> start =
+      coarse_start(elasticity, problem, target, 1e-3 * rms_height);
+  const ContactSolution from_coarse =
+      solve_contact(elasticity, problem, target, start);
+
+  ASSERT_EQ(start.size(), heights.size());
+  EXPECT_LT(from_coarse.iterations, cold(0.02).iterations);
+}
+
+TEST_F(Sequence, FollowsAGapProgram) {
+  LoadSequence by_pressure = sequence(Law::hard);
+  LoadSequence by_gap = sequence(Law::hard);
+  for (const double pressure : {0.01, 0.03, 0.1, 0.3}) {
+    const double gap =
+        by_pressure.solve({Kind::nominal_pressure, pressure}).mean_gap;
+    const ContactSolution solution = by_gap.solve({Kind::mean_gap, gap});
+
+    ASSERT_TRUE(solution.converged);
+    EXPECT_NEAR(solution.nominal_pressure / pressure, 1.0, 1e-6);
+  }
+}
+
+// Claim: a penalty shows -p/k as its gap, and k -> inf is the hard wall.
+TEST_F(Sequence, PenaltyIsALocalSpring) {
+  const double spacing = grid.spacing_x();
+  LoadSequence soft = sequence(Law::penalty, 100.0 / spacing);
+  EXPECT_EQ(soft.local_compliance(), spacing / 100.0);
+  const ContactSolution solution = soft.solve({Kind::nominal_pressure, 0.05});
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (solution.pressure[i] > 0.0)
+      ASSERT_NEAR(solution.gap[i], -solution.pressure[i] * spacing / 100.0,
+                  tolerance);
+    else
+      ASSERT_GE(solution.gap[i], -tolerance);
+  }
+  LoadSequence stiff = sequence(Law::penalty, 1e12 / spacing);
+  LoadSequence hard = sequence(Law::hard);
+  EXPECT_NEAR(stiff.solve({Kind::nominal_pressure, 0.05}).mean_gap,
+              hard.solve({Kind::nominal_pressure, 0.05}).mean_gap,
+              2.0 * tolerance);
+}
+
+// Claim: augmentation removes the penetration of any penalty, under either
+// control, and shows the gap against the surface as it is.
+TEST_F(Sequence, AugmentedPenaltyEndsAtTheHardWall) {
+  for (const double reduced_penalty : {1.0, 100.0}) {
+    LoadSequence augmented =
+        sequence(Law::augmented, reduced_penalty / grid.spacing_x());
+    const ContactSolution hard = cold(0.05);
+    const ContactSolution by_pressure =
+        augmented.solve({Kind::nominal_pressure, 0.05});
+    const ContactSolution by_gap =
+        augmented.solve({Kind::mean_gap, hard.mean_gap});
+
+    ASSERT_TRUE(by_pressure.converged) << by_pressure.note;
+    ASSERT_TRUE(by_gap.converged) << by_gap.note;
+    EXPECT_EQ(augmented.local_compliance(), 0.0);
+    EXPECT_NEAR(by_pressure.mean_gap, hard.mean_gap, 3.0 * tolerance);
+    EXPECT_NEAR(by_gap.nominal_pressure / 0.05, 1.0, 1e-6);
+    EXPECT_GE(*std::min_element(by_pressure.gap.begin(), by_pressure.gap.end()),
+              -tolerance);
+  }
+}
+
+} // namespace
+} // namespace asperity::contact
