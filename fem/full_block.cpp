@@ -118,9 +118,9 @@ NewtonBlock::displacement(std::span<const double> pressure) {
 }
 
 double NewtonBlock::mean_gap() const {
-  double mean = rigid_gap_;
+  double mean = 0.0;
   for (std::size_t i = 0; i < grid().size(); ++i)
-    mean += system_.nodal_areas()[i] * face_displacement(i) / grid().area();
+    mean += system_.nodal_areas()[i] * gap(i) / grid().area();
   return mean;
 }
 

@@ -34,8 +34,8 @@ struct BlockContact {
   int max_iterations = 2000; ///< Newton steps
 };
 
-/// Fields in the grid's order. gap = mean gap + w - heights, where w is the
-/// displacement without its mean (weighted by nodal area).
+/// Fields in the grid's order. gap = distance + w - heights, where w is the
+/// displacement without its mean; means are weighted by nodal area.
 struct BlockSolution {
   std::vector<double> pressure;  ///< [Pa] >= 0
   std::vector<double> gap;       ///< [m], negative where springs are pressed in
@@ -75,8 +75,7 @@ public:
   virtual std::vector<double>
   displacement(std::span<const double> pressure) = 0;
 
-  /// @param heights  grid().size() values [m], of zero mean: then the mean gap
-  ///                 is the distance of the mean planes
+  /// @param heights  grid().size() values [m]
   /// A call starts from the displacement the last one ended with.
   /// @throws std::domain_error  an argument is outside its range
   virtual BlockSolution solve(std::span<const double> heights,
