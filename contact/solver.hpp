@@ -52,8 +52,10 @@ struct ContactSolution {
 /// conjugation, exact step, pressures cut at 0. Nodes that overlap enter with
 /// what the direction gives them, so no scale for their entry is guessed.
 ///
-/// A residual that has not halved within 60 iterations sends the problem to
-/// polonsky_keer(), from where the iteration stood; the note says so.
+/// A residual that has not halved within 150 iterations sends the problem to
+/// polonsky_keer(), from where the iteration stood; the note says so. A slab
+/// thinner than length/20 with a free back bends like a plate and may end
+/// unconverged in either.
 ///
 /// @param elasticity       C; its scratch is used
 /// @param initial_pressure start [Pa], grid.size() values >= 0 with a positive

@@ -1,0 +1,56 @@
+#include "cases/expectations.hpp"
+
+namespace asperity::cases {
+
+const std::vector<ExpectationName>& expectation_names() {
+  using enum SurfaceKind;
+  static const std::vector<ExpectationName> names = {
+      {.name = "gamma_slope",
+       .description = "u_0 / h_rms of p ~ exp(-u / u_0), from ln p against u "
+                      "[1].",
+       .theory_answers = true},
+      {.name = "gamma_theory",
+       .description = "The parameter of (10) with which theory fits the "
+                      "method's u(p) best [1]."},
+      {.name = "beta",
+       .description = "p / E* that the exponential u(p) has at u = 0 [1].",
+       .theory_answers = true},
+      {.name = "kappa",
+       .description = "Slope of the area fraction at light load, against "
+                      "p / (E* rms slope) [1].",
+       .theory_answers = true},
+      {.name = "area_excess",
+       .description = "Counted area over theory's at light load, minus 1 [1].",
+       .needs_theory = true},
+      {.name = "gap_deviation",
+       .description = "Largest |u - u of theory| / h_rms where "
+                      "0.3 < u / h_rms < 1.5 [1].",
+       .needs_theory = true},
+      {.name = "mean_gap_error",
+       .description = "Largest |mean gap - exact| / amplitude [1].",
+       .surfaces = {wave_1d}},
+      {.name = "area_error",
+       .description = "Largest |corrected area fraction - exact| [1].",
+       .surfaces = {wave_1d, wave_2d, sphere}},
+      {.name = "contact_radius_error",
+       .description = "Largest relative error of Hertz's contact radius [1].",
+       .surfaces = {sphere}},
+      {.name = "approach_error",
+       .description = "Largest relative error of Hertz's approach [1].",
+       .surfaces = {sphere}},
+      {.name = "penetration",
+       .description = "Largest penetration / h_rms of all steps [1]."},
+      {.name = "iterations_max",
+       .description = "Most iterations a step took [1]."},
+  };
+  return names;
+}
+
+const ExpectationName* expectation_called(const std::string& name) {
+  for (const ExpectationName& entry : expectation_names())
+    if (entry.name == name)
+      return &entry;
+  return nullptr;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,26 @@
+#pragma once
+
+// The quantities a case may hold an expectation of. Owns their names, and
+// which methods and surfaces can answer each.
+
+#include "cases/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::cases {
+
+struct ExpectationName {
+  std::string name;
+  std::string description;     ///< one sentence, with the unit
+  bool theory_answers = false; ///< else: numerical methods only
+  bool needs_theory = false;   ///< the case must have a [theory] to compare to
+  std::vector<SurfaceKind> surfaces = {}; ///< empty: any
+};
+
+const std::vector<ExpectationName>& expectation_names();
+
+/// nullptr if there is no such quantity.
+const ExpectationName* expectation_called(const std::string& name);
+
+} // namespace asperity::cases

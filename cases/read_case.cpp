@@ -1,0 +1,134 @@
+#include "cases/read_case.hpp"
+
+#include "cases/case_text.hpp"
+#include "cases/read_parts.hpp"
+#include "cases/table_reader.hpp"
+#include "cases/toml_text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace asperity::cases {
+namespace {
+
+std::string name_of(const std::filesystem::path& path) {
+  if (path.filename() != "case.toml")
+    return path.stem().string();
+  return std::filesystem::absolute(path).parent_path().filename().string();
+}
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const Table& table : vocabulary())
+    if (!table.name.empty() && table.name.find('.') == std::string::npos)
+      names.push_back(table.name);
+  return names;
+}
+
+// The table of that name; an empty one if it is missing, with a complaint if
+// it must be there.
+Node table_called(const Node& file, const std::string& name, bool is_needed,
+                  Mistakes& mistakes) {
+  const Node* const found = file.find(name);
+  if (found && found->is_table())
+    return *found;
+  if (found)
+    mistakes.add(found->place, name + " = " + written(*found) +
+                                   ", but must be a table: [" + name + "]");
+  else if (is_needed)
+    mistakes.add(file.place, "the table [" + name + "] is missing");
+  Node empty;
+  empty.type = NodeType::other; // says: do not ask for its keys
+  empty.path = name;
+  empty.place = file.place;
+  return empty;
+}
+
+SurfaceKind kind_of(const Node& surface) {
+  const Key& key = vocabulary_key(vocabulary_table("surface"), "kind");
+  const Node* const found = surface.find("kind");
+  const auto match =
+      found ? std::find(key.words.begin(), key.words.end(), found->text)
+            : key.words.end();
+  return match == key.words.end()
+             ? SurfaceKind::self_affine
+             : static_cast<SurfaceKind>(match - key.words.begin());
+}
+
+void read_top(const Node& file, Case& read, Mistakes& mistakes) {
+  TableReader top(file, vocabulary_table(""), mistakes);
+  top.refuse_unknown(table_names());
+  top.integer("schema");
+  read.title = top.has("title") ? top.text("title") : read.name;
+}
+
+void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
+  const Node surface = table_called(file, "surface", true, mistakes);
+  const SurfaceKind kind = kind_of(surface);
+  read.methods = read_methods(file, kind, mistakes);
+  const Demands demands = demands_of(read.methods);
+  const std::string folder =
+      std::filesystem::path(read.path).parent_path().string();
+  if (surface.is_table())
+    read.surface =
+        read_surface(surface, folder, demands.is_surface_built, mistakes);
+  const Node material = table_called(file, "material", true, mistakes);
+  if (material.is_table())
+    read.material =
+        read_material(material, demands.is_poisson_needed, mistakes);
+  const Node load = table_called(file, "load", true, mistakes);
+  if (load.is_table())
+    read.load = read_load(load, mistakes);
+  const Node report = table_called(file, "report", false, mistakes);
+  if (report.is_table())
+    read.report = read_report(report, mistakes);
+  const Node expect = table_called(file, "expect", false, mistakes);
+  if (expect.is_table())
+    read.expectations = read_expectations(expect, kind, read.methods, mistakes);
+}
+
+void require_file(const Case& read) {
+  if (read.surface.file.empty() || std::filesystem::exists(read.surface.file))
+    return;
+  throw_mistake({read.path, 0},
+                "surface.file: there is no file " + read.surface.file +
+                    " (a relative path starts at the case file's folder)");
+}
+
+} // namespace
+
+Case read_case(const std::string& path,
+               const std::vector<std::string>& overrides) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || std::filesystem::is_directory(path) ||
+      !(text << stream.rdbuf()))
+    throw_mistake({path, 0}, "there is no such case file");
+  Case read = read_case_text(text.str(), path, overrides);
+  require_file(read);
+  return read;
+}
+
+Case read_case_text(const std::string& text, const std::string& path,
+                    const std::vector<std::string>& overrides) {
+  Case read;
+  read.path = path;
+  read.name = name_of(path);
+  read.text = text_with_overrides(text, overrides);
+
+  Node file = parse_toml(text, path);
+  Mistakes mistakes;
+  for (const std::string& entry : overrides_in(text))
+    apply_override(file, entry, mistakes);
+  for (const std::string& entry : overrides)
+    apply_override(file, entry, mistakes);
+
+  read_top(file, read, mistakes);
+  read_tables(file, read, mistakes);
+  mistakes.throw_if_any();
+  return read;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,156 @@
+#include "cases/expectations.hpp"
+#include "cases/nearest.hpp"
+#include "cases/read_parts.hpp"
+#include "cases/table_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace asperity::cases {
+namespace {
+
+struct Scene {
+  SurfaceKind surface;
+  const std::vector<MethodSpec>& methods;
+};
+
+bool is_theory(const MethodSpec& method) {
+  return std::holds_alternative<TheorySettings>(method.settings);
+}
+
+bool answers(const MethodSpec& method, const ExpectationName& quantity) {
+  return quantity.theory_answers || !is_theory(method);
+}
+
+/// Half the band's width: a number, or "5 %" of |value|.
+double half_width(TableReader& band, double value) {
+  const Node* const within = band.entry("within");
+  if (!within)
+    return 0.0;
+  if (within->is_number())
+    return band.number("within");
+  double percent = -1.0;
+  const char* const end = within->text.data() + within->text.size();
+  const auto [rest, error] = std::from_chars(within->text.data(), end, percent);
+  const std::string unit(rest, end);
+  if (error != std::errc{} || (unit != " %" && unit != "%") ||
+      !(percent >= 0.0 && std::isfinite(percent))) {
+    band.refuse(*within, "must be a number >= 0 or a string like \"5 %\"");
+    return 0.0;
+  }
+  return std::abs(value) * percent / 100.0;
+}
+
+void read_ends(TableReader& band, Expectation& expectation) {
+  const bool has_middle = band.has("value") || band.has("within");
+  const bool has_end = band.has("below") || band.has("above");
+  if (has_middle == has_end) {
+    band.complain(band.node(), "must have value and within, or below, or above "
+                               "(or both of these)");
+    return;
+  }
+  if (has_middle) {
+    const double middle = band.number("value");
+    const double half = half_width(band, middle);
+    expectation.low = middle - half;
+    expectation.high = middle + half;
+    return;
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  expectation.low = band.has("above") ? band.number("above") : -infinity;
+  expectation.high = band.has("below") ? band.number("below") : infinity;
+  if (expectation.low > expectation.high)
+    band.complain(band.node(), "is empty: above exceeds below");
+}
+
+void check_scene(TableReader& band, const ExpectationName& quantity,
+                 const Scene& scene) {
+  const auto& kinds = quantity.surfaces;
+  if (!kinds.empty() &&
+      std::find(kinds.begin(), kinds.end(), scene.surface) == kinds.end()) {
+    const auto& words =
+        vocabulary_key(vocabulary_table("surface"), "kind").words;
+    std::vector<std::string> allowed;
+    for (const SurfaceKind kind : kinds)
+      allowed.push_back(words[static_cast<std::size_t>(kind)]);
+    band.complain(band.node(), fmt::format("is known only for the surfaces {}",
+                                           fmt::join(allowed, ", ")));
+  }
+  if (quantity.needs_theory &&
+      std::none_of(scene.methods.begin(), scene.methods.end(), is_theory))
+    band.complain(band.node(),
+                  "compares with theory: the table [theory] is missing");
+}
+
+std::vector<std::string> answering(const ExpectationName& quantity,
+                                   const Scene& scene) {
+  std::vector<std::string> names;
+  for (const MethodSpec& method : scene.methods)
+    if (answers(method, quantity))
+      names.push_back(method.name);
+  return names;
+}
+
+void read_method_names(TableReader& band, const ExpectationName& quantity,
+                       const Scene& scene, Expectation& expectation) {
+  const std::vector<std::string> allowed = answering(quantity, scene);
+  if (!band.has("methods")) {
+    expectation.methods = allowed;
+    if (allowed.empty() && !scene.methods.empty())
+      band.complain(band.node(), "is answered by none of the case's methods");
+    return;
+  }
+  expectation.methods = band.names("methods");
+  for (const std::string& name : expectation.methods)
+    if (!name.empty() &&
+        std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+      band.complain(*band.node().find("methods"),
+                    fmt::format("names \"{}\", but those of this case that "
+                                "answer {} are: {}; nearest: {}",
+                                name, quantity.name, fmt::join(allowed, ", "),
+                                nearest(name, allowed)));
+}
+
+Expectation read_band(const Node& node, const ExpectationName& quantity,
+                      const Scene& scene, Mistakes& mistakes) {
+  TableReader band(node, vocabulary_table("expect.band"), mistakes);
+  band.refuse_unknown();
+  Expectation expectation{.quantity = quantity.name, .methods = {}};
+  read_ends(band, expectation);
+  check_scene(band, quantity, scene);
+  read_method_names(band, quantity, scene, expectation);
+  return expectation;
+}
+
+} // namespace
+
+std::vector<Expectation>
+read_expectations(const Node& table, SurfaceKind kind,
+                  const std::vector<MethodSpec>& methods, Mistakes& mistakes) {
+  const Scene scene{kind, methods};
+  TableReader reader(table, vocabulary_table("expect"), mistakes);
+  reader.refuse_unknown();
+  std::vector<Expectation> expectations;
+  for (const NodeEntry& entry : table.entries) {
+    const ExpectationName* const quantity = expectation_called(entry.key);
+    if (!quantity)
+      continue; // refused above
+    const bool is_list =
+        entry.node.type == NodeType::list && !entry.node.list.empty();
+    for (const Node& band :
+         is_list ? entry.node.list : std::vector<Node>{entry.node})
+      if (band.is_table())
+        expectations.push_back(read_band(band, *quantity, scene, mistakes));
+      else
+        reader.refuse(band, "must be { value, within } or { below } or "
+                            "{ above }, or a list of such bands");
+  }
+  return expectations;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,153 @@
+#include "cases/read_parts.hpp"
+#include "cases/table_reader.hpp"
+
+#include <algorithm>
+
+namespace asperity::cases {
+namespace {
+
+ContactSettings read_contact(TableReader& table) {
+  ContactSettings contact;
+  contact.law = table.choice("contact", contact.law);
+  if (table.has("penalty"))
+    contact.penalty = table.quantity("penalty");
+  else if (contact.law != ContactLaw::hard)
+    table.complain_missing("penalty", ", which this contact needs");
+  contact.tolerance = table.number("tolerance");
+  contact.max_iterations = table.integer("max_iterations");
+  return contact;
+}
+
+TheorySettings read_theory(TableReader& table, SurfaceKind kind) {
+  const bool has_formula =
+      kind == SurfaceKind::self_affine || kind == SurfaceKind::spectrum;
+  TheorySettings theory;
+  theory.gamma = table.number("gamma");
+  theory.spectrum =
+      has_formula ? TheorySpectrum::formula : TheorySpectrum::surface;
+  if (table.has("spectrum"))
+    theory.spectrum = table.choice("spectrum", theory.spectrum);
+  if (theory.spectrum == TheorySpectrum::formula && !has_formula)
+    table.refuse(*table.node().find("spectrum"),
+                 "must be \"surface\": only the kinds self-affine and spectrum "
+                 "have a formula");
+  return theory;
+}
+
+HalfspaceSettings read_halfspace(TableReader& table) {
+  HalfspaceSettings halfspace;
+  halfspace.contact = read_contact(table);
+  if (table.has("thickness"))
+    halfspace.thickness = table.quantity("thickness");
+  halfspace.top = table.choice("top", halfspace.top);
+  return halfspace;
+}
+
+FemSettings read_fem(TableReader& table) {
+  FemSettings fem;
+  fem.contact = read_contact(table);
+  fem.element = table.choice("element", fem.element);
+  fem.surface_cell_depth = table.number("surface_cell_depth");
+  fem.growth = table.number("growth");
+  fem.depth = table.quantity("depth");
+  fem.top = table.choice("top", fem.top);
+  fem.solver = table.choice("solver", fem.solver);
+  return fem;
+}
+
+MethodSpec read_method(const Node& node, const std::string& kind,
+                       SurfaceKind surface, Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table(kind), mistakes);
+  table.refuse_unknown();
+  if (kind == "theory")
+    return {node.path, read_theory(table, surface)};
+  if (kind == "halfspace")
+    return {node.path, read_halfspace(table)};
+  return {node.path, read_fem(table)};
+}
+
+// A variant's name is a sub-table that is no key: [fem.hard].
+bool is_variant(const NodeEntry& entry, const Table& table) {
+  return entry.node.is_table() &&
+         std::none_of(table.keys.begin(), table.keys.end(),
+                      [&](const Key& key) { return key.name == entry.key; });
+}
+
+void check_variant_name(const NodeEntry& entry, Mistakes& mistakes) {
+  if (entry.key.empty() ||
+      entry.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
+          std::string::npos)
+    mistakes.add(entry.node.place, entry.node.path +
+                                       " names a variant, but must be of the "
+                                       "letters a-z, digits and hyphens");
+}
+
+/// The base's keys with the variant's own over them. Inherited keys keep their
+/// place and path, so that what is wrong with one is said once, where it is.
+Node inherited(const Node& base, const Node& variant) {
+  Node merged = variant;
+  for (const NodeEntry& entry : base.entries)
+    if (!merged.find(entry.key))
+      merged.entries.push_back(entry);
+  return merged;
+}
+
+void read_family(const Node& node, const std::string& kind, SurfaceKind surface,
+                 std::vector<std::vector<MethodSpec>>& ranks,
+                 Mistakes& mistakes) {
+  const Table& table = vocabulary_table(kind);
+  Node base = node;
+  std::erase_if(base.entries, [&](const NodeEntry& entry) {
+    return is_variant(entry, table);
+  });
+  ranks[0].push_back(read_method(base, kind, surface, mistakes));
+  for (const NodeEntry& entry : node.entries) {
+    if (!is_variant(entry, table))
+      continue;
+    check_variant_name(entry, mistakes);
+    ranks[1].push_back(
+        read_method(inherited(base, entry.node), kind, surface, mistakes));
+  }
+}
+
+} // namespace
+
+std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
+                                     Mistakes& mistakes) {
+  std::vector<std::vector<MethodSpec>> ranks(2); // the methods, their variants
+  bool has_any = false;
+  for (const Table& table : vocabulary()) {
+    const Node* const node = table.is_method ? file.find(table.name) : nullptr;
+    if (!node)
+      continue;
+    has_any = true;
+    if (node->is_table())
+      read_family(*node, table.name, kind, ranks, mistakes);
+    else
+      mistakes.add(node->place, table.name + " = " + written(*node) +
+                                    ", but must be a table: [" + table.name +
+                                    "]");
+  }
+  if (!has_any)
+    mistakes.add(file.place, "no method is named; allowed: [theory], "
+                             "[halfspace], [fem]");
+  std::vector<MethodSpec> methods = ranks[0];
+  methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());
+  return methods;
+}
+
+Demands demands_of(const std::vector<MethodSpec>& methods) {
+  Demands demands{methods.empty(), false};
+  for (const MethodSpec& method : methods) {
+    const auto* const theory = std::get_if<TheorySettings>(&method.settings);
+    const auto* const slab = std::get_if<HalfspaceSettings>(&method.settings);
+    if (!theory || theory->spectrum == TheorySpectrum::surface)
+      demands.is_surface_built = true;
+    if (std::holds_alternative<FemSettings>(method.settings) ||
+        (slab && slab->thickness))
+      demands.is_poisson_needed = true;
+  }
+  return demands;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,34 @@
+#pragma once
+
+// The tables of a case, one reader each. Private to the case reader; each
+// complains into the list it is given and returns the best it could make.
+
+#include "cases/case.hpp"
+#include "cases/node.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::cases {
+
+/// What the methods ask of the rest of the case.
+struct Demands {
+  bool is_surface_built = true;   ///< some method needs a realisation
+  bool is_poisson_needed = false; ///< [fem], or a slab of finite thickness
+};
+
+std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
+                                     Mistakes& mistakes);
+Demands demands_of(const std::vector<MethodSpec>& methods);
+
+SurfaceSpec read_surface(const Node& table, const std::string& folder,
+                         bool is_surface_built, Mistakes& mistakes);
+MaterialSpec read_material(const Node& table, bool is_poisson_needed,
+                           Mistakes& mistakes);
+LoadProgram read_load(const Node& table, Mistakes& mistakes);
+ReportSpec read_report(const Node& table, Mistakes& mistakes);
+std::vector<Expectation>
+read_expectations(const Node& table, SurfaceKind kind,
+                  const std::vector<MethodSpec>& methods, Mistakes& mistakes);
+
+} // namespace asperity::cases

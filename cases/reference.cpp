@@ -1,0 +1,109 @@
+#include "cases/reference.hpp"
+
+#include "cases/case_error.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace asperity::cases {
+namespace {
+
+const std::string header = "quantity,value,unit,uncertainty,source";
+
+// The fields of a line; none if a quote is not closed.
+std::optional<std::vector<std::string>> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_quote = line[i] == '"';
+    if (is_quote && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
+      fields.back() += line[++i];
+    else if (is_quote)
+      is_quoted = !is_quoted;
+    else if (line[i] == ',' && !is_quoted)
+      fields.emplace_back();
+    else
+      fields.back() += line[i];
+  }
+  if (is_quoted)
+    return std::nullopt;
+  return fields;
+}
+
+double number_in(const std::string& field, const std::string& column,
+                 const Place& place, Mistakes& mistakes) {
+  double number = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [rest, error] = std::from_chars(field.data(), end, number);
+  const bool is_good = error == std::errc{} && rest == end &&
+                       std::isfinite(number) &&
+                       (column == "value" || number >= 0.0);
+  if (!is_good)
+    mistakes.add(place, fmt::format("{} = {}, but must be a number{}", column,
+                                    field, column == "value" ? "" : " >= 0"));
+  return number;
+}
+
+void read_line(const std::string& line, const Place& place,
+               std::vector<ReferenceValue>& values, Mistakes& mistakes) {
+  const auto fields = fields_of(line);
+  if (!fields || fields->size() != 5) {
+    mistakes.add(place,
+                 "must have the fields " + header +
+                     (fields ? fmt::format(", but has {}", fields->size())
+                             : ", but a quote is not closed"));
+    return;
+  }
+  const std::vector<std::string>& field = *fields;
+  for (const std::size_t column : {0U, 2U, 4U})
+    if (field[column].empty())
+      mistakes.add(place, "has no " + std::string(column == 0U   ? "quantity"
+                                                  : column == 2U ? "unit"
+                                                                 : "source"));
+  values.push_back(
+      {field[0], number_in(field[1], "value", place, mistakes), field[2],
+       number_in(field[3], "uncertainty", place, mistakes), field[4]});
+}
+
+} // namespace
+
+std::vector<ReferenceValue> read_reference(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf()))
+    throw_mistake({path, 0}, "there is no such table of references");
+  return read_reference_text(text.str(), path);
+}
+
+std::vector<ReferenceValue> read_reference_text(const std::string& text,
+                                                const std::string& path) {
+  std::vector<ReferenceValue> values;
+  Mistakes mistakes;
+  std::istringstream lines(text);
+  int line_number = 0;
+  bool has_header = false;
+  for (std::string line; std::getline(lines, line);) {
+    const Place place{fmt::format("{}:{}", path, ++line_number), line_number};
+    if (!line.empty() && line.back() == '\r')
+      line.pop_back();
+    if (line.empty() || line.front() == '#')
+      continue;
+    if (!has_header && line != header)
+      mistakes.add(place,
+                   "\"" + line + "\", but the first line must be " + header);
+    else if (has_header)
+      read_line(line, place, values, mistakes);
+    has_header = true;
+  }
+  if (!has_header)
+    mistakes.add({path + ":1", 1}, "is empty, but must begin with " + header);
+  mistakes.throw_if_any();
+  return values;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,29 @@
+#pragma once
+
+// The published and exact numbers beside a case: reference.csv.
+
+#include <string>
+#include <vector>
+
+namespace asperity::cases {
+
+/// One line of reference.csv.
+struct ReferenceValue {
+  std::string quantity; ///< an expectation's name, or a name of its own
+  double value = 0.0;
+  std::string unit;         ///< "1" for none
+  double uncertainty = 0.0; ///< in the same unit, 0 for an exact value
+  std::string source;       ///< paper and place, or the formula
+};
+
+/// Read a file whose first line is quantity,value,unit,uncertainty,source and
+/// whose fields may stand in double quotes ("" inside them is one quote). Empty
+/// lines and lines that begin with # are skipped.
+/// @throws CaseError  every mistake with its line
+std::vector<ReferenceValue> read_reference(const std::string& path);
+
+/// The same from a text; `path` is for messages.
+std::vector<ReferenceValue> read_reference_text(const std::string& text,
+                                                const std::string& path);
+
+} // namespace asperity::cases

@@ -1,0 +1,202 @@
+#include "cases/toml_text.hpp"
+
+#include <toml.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace asperity::cases {
+namespace {
+
+// toml11 explains itself over several lines, the first like "[error]
+// toml::parse_table: invalid line format", one later "   ^--- expected
+// newline".
+std::string short_reason(const std::string& explanation) {
+  std::istringstream lines(explanation);
+  std::string reason;
+  std::string line;
+  std::getline(lines, reason);
+  reason.erase(0, std::min(reason.find(' ') + 1, reason.size()));
+  if (reason.rfind("toml::", 0) == 0)
+    reason.erase(0, reason.find(": ") + 2);
+  std::string hint;
+  while (std::getline(lines, line))
+    if (const auto caret = line.find("^--- "); caret != std::string::npos)
+      hint = " (" + line.substr(caret + 5) + ")";
+  return reason + hint;
+}
+
+Node node_from(const toml::value& value, const std::string& file,
+               const std::string& path);
+
+void fill_table(Node& node, const toml::value& value, const std::string& file) {
+  for (const auto& [key, entry] : value.as_table()) {
+    const std::string path = node.path.empty() ? key : node.path + "." + key;
+    node.entries.push_back({key, node_from(entry, file, path)});
+  }
+  std::sort(node.entries.begin(), node.entries.end(),
+            [](const NodeEntry& a, const NodeEntry& b) {
+              return std::pair(a.node.place.line, a.key) <
+                     std::pair(b.node.place.line, b.key);
+            });
+}
+
+void fill_integer(Node& node, std::int64_t integer) {
+  // toml11 gives the largest integer for everything that is larger still.
+  if (integer == std::numeric_limits<std::int64_t>::max()) {
+    node.text = "an integer beyond 64 bits";
+    return;
+  }
+  node.type = NodeType::integer;
+  node.integer = integer;
+}
+
+Node node_from(const toml::value& value, const std::string& file,
+               const std::string& path) {
+  Node node;
+  node.path = path;
+  node.place.line = static_cast<int>(value.location().line());
+  node.place.text = file + ":" + std::to_string(node.place.line);
+  if (value.is_boolean()) {
+    node.type = NodeType::boolean;
+    node.boolean = value.as_boolean();
+  } else if (value.is_integer()) {
+    fill_integer(node, value.as_integer());
+  } else if (value.is_floating()) {
+    node.type = NodeType::floating;
+    node.floating = value.as_floating();
+  } else if (value.is_string()) {
+    node.type = NodeType::text;
+    node.text = value.as_string().str;
+  } else if (value.is_array()) {
+    node.type = NodeType::list;
+    for (const toml::value& element : value.as_array())
+      node.list.push_back(node_from(element, file, path));
+  } else if (value.is_table()) {
+    node.type = NodeType::table;
+    fill_table(node, value, file);
+  } else {
+    node.text = "a date or time";
+  }
+  return node;
+}
+
+void move_to(Node& node, const Place& place, const std::string& path) {
+  node.place = place;
+  node.path = path;
+  for (Node& element : node.list)
+    move_to(element, place, path);
+  for (NodeEntry& entry : node.entries)
+    move_to(entry.node, place, path + "." + entry.key);
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos)
+    return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Node value_or_text(const std::string& text, const Place& place,
+                   const std::string& path) {
+  try {
+    return parse_toml_value(text, place, path);
+  } catch (const CaseError&) { // no TOML: a string that needs no quotes
+    Node node;
+    node.type = NodeType::text;
+    node.text = text;
+    move_to(node, place, path);
+    return node;
+  }
+}
+
+std::vector<std::string> split_at_dots(const std::string& path) {
+  std::vector<std::string> keys;
+  std::istringstream stream(path);
+  for (std::string key; std::getline(stream, key, '.');)
+    keys.push_back(trimmed(key));
+  return keys;
+}
+
+void put(Node& table, const std::string& key, Node node) {
+  if (Node* const present = table.find(key))
+    *present = std::move(node);
+  else
+    table.entries.push_back({key, std::move(node)});
+}
+
+// The table that holds the last key of the path, made on the way; nullptr
+// after a complaint.
+Node* table_for(Node& file, const std::vector<std::string>& keys,
+                const Place& place, Mistakes& mistakes) {
+  Node* table = &file;
+  for (std::size_t level = 0; level + 1 < keys.size(); ++level) {
+    const std::string path =
+        table->path.empty() ? keys[level] : table->path + "." + keys[level];
+    if (!table->find(keys[level])) {
+      Node made;
+      made.type = NodeType::table;
+      move_to(made, place, path);
+      put(*table, keys[level], std::move(made));
+    }
+    table = table->find(keys[level]);
+    if (!table->is_table()) {
+      mistakes.add(place, path + " is not a table, but " + written(*table));
+      return nullptr;
+    }
+  }
+  return table;
+}
+
+} // namespace
+
+Node parse_toml(const std::string& text, const std::string& path) {
+  std::istringstream stream(text);
+  try {
+    return node_from(toml::parse(stream, path), path, "");
+  } catch (const toml::syntax_error& error) {
+    const int line = static_cast<int>(error.location().line());
+    throw_mistake({path + ":" + std::to_string(line), line},
+                  "is not TOML: " + short_reason(error.what()));
+  }
+}
+
+Node parse_toml_value(const std::string& text, const Place& place,
+                      const std::string& path) {
+  const Node file = parse_toml("value = " + text, place.text);
+  if (file.entries.size() != 1)
+    throw_mistake(place, "more than one value: " + text);
+  Node node = file.entries.front().node;
+  move_to(node, place, path);
+  return node;
+}
+
+void apply_override(Node& file, const std::string& override_text,
+                    Mistakes& mistakes) {
+  const Place place{"--set", 0};
+  const auto equals = override_text.find('=');
+  const std::string path = trimmed(override_text.substr(0, equals));
+  const std::vector<std::string> keys = split_at_dots(path);
+  const bool has_empty_key =
+      keys.empty() || std::find(keys.begin(), keys.end(), "") != keys.end();
+  if (equals == std::string::npos || has_empty_key ||
+      override_text.find('\n') != std::string::npos) {
+    mistakes.add(place,
+                 "\"" + override_text + "\" is not key.path=value on one line");
+    return;
+  }
+  Node* const table = table_for(file, keys, place, mistakes);
+  if (!table)
+    return;
+  const std::string value = trimmed(override_text.substr(equals + 1));
+  if (value.empty())
+    std::erase_if(table->entries, [&](const NodeEntry& entry) {
+      return entry.key == keys.back();
+    });
+  else
+    put(*table, keys.back(), value_or_text(value, place, path));
+}
+
+} // namespace asperity::cases

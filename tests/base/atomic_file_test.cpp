@@ -1,0 +1,91 @@
+// Claims about base/atomic_file.hpp: the whole file or none, and no litter.
+#include "base/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFile : public ::testing::Test {
+protected:
+  void SetUp() override { fs::create_directories(folder_); }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::ptrdiff_t n_files() const {
+    return std::distance(fs::directory_iterator(folder_), {});
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     temporary_beside("atomic_file_test").filename();
+};
+
+TEST_F(AtomicFile, HoldsExactlyTheTextAndNothingElseIsLeft) {
+  const std::string text("line\nzero \0 byte\r\n", 18);
+
+  write_file_atomically(folder_ / "out.txt", "longer than what follows it");
+  write_file_atomically(folder_ / "out.txt", text);
+
+  EXPECT_EQ(content(folder_ / "out.txt"), text);
+  EXPECT_EQ(n_files(), 1);
+}
+
+// A folder in the way makes the rename fail after the text is written.
+TEST_F(AtomicFile, NamesThePathAndLeavesNoTemporaryWhenItFails) {
+  const fs::path taken = folder_ / "taken";
+  fs::create_directories(taken / "inner");
+
+  try {
+    write_file_atomically(taken, "text");
+    FAIL() << "a folder was replaced by a file";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find(taken.string()),
+              std::string::npos);
+  }
+  EXPECT_EQ(n_files(), 1);
+  EXPECT_THROW(write_file_atomically(folder_ / "missing" / "out.txt", "text"),
+               std::system_error);
+}
+
+// Each reader must see one writer's text whole: equal letters, full length.
+TEST_F(AtomicFile, IsNeverSeenInPartsByReadersWhileWritersRace) {
+  const fs::path path = folder_ / "out.txt";
+  const std::size_t length = 20000;
+  write_file_atomically(path, std::string(length, 'a'));
+
+  std::vector<std::thread> writers;
+  for (const char letter : {'b', 'c'})
+    writers.emplace_back([&path, letter] {
+      for (int i = 0; i < 30; ++i)
+        write_file_atomically(path, std::string(length, letter));
+    });
+  bool is_whole = true;
+  for (int i = 0; i < 200; ++i) {
+    const std::string text = content(path);
+    is_whole = is_whole && text.size() == length &&
+               text == std::string(length, text.front());
+  }
+  for (std::thread& writer : writers)
+    writer.join();
+
+  EXPECT_TRUE(is_whole);
+  EXPECT_EQ(n_files(), 1);
+}
+
+} // namespace
+} // namespace asperity

@@ -1,0 +1,53 @@
+// Claims about cases/case.hpp: yardsticks and the one block of a pair.
+#include "cases/case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace asperity::cases {
+namespace {
+
+constexpr Scales scales{2e9, 1e-5, 2e-8, 3.4e-8};
+
+// Claim: a quantity is its number times its yardstick. Exact: one product.
+TEST(Quantity, IsItsNumberTimesItsYardstick) {
+  EXPECT_EQ((Quantity{7.0, Yardstick::si}.in_si(scales)), 7.0);
+  EXPECT_EQ((Quantity{0.5, Yardstick::contact_modulus}.in_si(scales)), 1e9);
+  EXPECT_EQ((Quantity{2.0, Yardstick::length}.in_si(scales)), 2e-5);
+  EXPECT_EQ((Quantity{2.0, Yardstick::spacing}.in_si(scales)), 4e-8);
+  EXPECT_EQ((Quantity{0.5, Yardstick::rms_height}.in_si(scales)), 1.7e-8);
+  EXPECT_DOUBLE_EQ(
+      (Quantity{100.0, Yardstick::contact_modulus_per_spacing}.in_si(scales)),
+      1e19); // 100 * 2e9 Pa / 2e-8 m
+}
+
+TEST(Quantity, RefusesAYardstickThatIsNotKnown) {
+  const Quantity quantity{2.0, Yardstick::rms_height};
+
+  EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);
+}
+
+// Claim: the block of modulus E (1 - nu^2) has the pair's E*; it is what
+// E* = E / (1 - nu^2) says, solved for E.
+TEST(MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
+  const MaterialSpec material{2e9, 0.3};
+
+  const double youngs_modulus = material.block_youngs_modulus();
+
+  EXPECT_DOUBLE_EQ(youngs_modulus / (1.0 - 0.3 * 0.3), 2e9);
+}
+
+TEST(MaterialSpec, NeedsPoissonsRatioForTheBlock) {
+  try {
+    (void)MaterialSpec{2e9, {}}.block_youngs_modulus();
+    FAIL() << "a block without Poisson's ratio was accepted";
+  } catch (const std::domain_error& error) {
+    EXPECT_NE(std::string(error.what()).find("poisson_ratio"),
+              std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,136 @@
+// Claims about what is generated from the vocabulary: schema, template and
+// docs/case.md.
+#include "cases/case_schema.hpp"
+#include "cases/documents.hpp"
+#include "cases/read_case.hpp"
+#include "cases/vocabulary.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace asperity::cases {
+namespace {
+
+const nlohmann::json& schema() {
+  static const nlohmann::json parsed = nlohmann::json::parse(json_schema());
+  return parsed;
+}
+
+/// Where the schema keeps a table's keys; null if it has no such table.
+nlohmann::json properties_of(const std::string& table) {
+  const auto at = [](const std::string& pointer) {
+    const nlohmann::json::json_pointer place(pointer);
+    return schema().contains(place) ? schema().at(place) : nlohmann::json();
+  };
+  if (table.empty())
+    return at("/properties");
+  if (table == "expect.band")
+    return at("/$defs/expect.band/properties");
+  if (table == "load.sweep")
+    return at("/properties/load/properties/mean_gap/anyOf/2/properties");
+  if (table == "material.counter")
+    return at("/properties/material/properties/counter/properties");
+  return at("/properties/" + table + "/properties");
+}
+
+TEST(JsonSchema, HasEveryKeyOfTheVocabulary) {
+  for (const Table& table : vocabulary()) {
+    const nlohmann::json properties = properties_of(table.name);
+    for (const Key& key : table.keys) {
+      ASSERT_TRUE(properties.contains(key.name))
+          << table.name << "." << key.name;
+      EXPECT_TRUE(properties.at(key.name).contains("description"));
+    }
+  }
+}
+
+TEST(JsonSchema, SaysRangesWordsAndDefaults) {
+  const nlohmann::json fem = properties_of("fem");
+
+  EXPECT_EQ(schema().at("$schema"),
+            "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(fem.at("element").at("enum"), nlohmann::json({"Q1", "Q2"}));
+  EXPECT_EQ(fem.at("growth").at("minimum"), 1.0);
+  EXPECT_EQ(fem.at("tolerance").at("exclusiveMinimum"), 0.0);
+  EXPECT_EQ(fem.at("depth").at("default"), "1 length");
+  EXPECT_EQ(schema().at("/properties/theory/required"_json_pointer),
+            nlohmann::json({"gamma"}));
+}
+
+// A variant has no required keys: it inherits them.
+TEST(JsonSchema, LetsAVariantLeaveOutWhatItInherits) {
+  EXPECT_FALSE(
+      schema().at("/$defs/theory.variant"_json_pointer).contains("required"));
+}
+
+TEST(Vocabulary, NamesEachKeyOnceAndDescribesIt) {
+  for (const Table& table : vocabulary()) {
+    std::set<std::string> seen;
+    for (const Key& key : table.keys) {
+      EXPECT_TRUE(seen.insert(key.name).second) << key.name;
+      EXPECT_EQ(key.description.back(), '.') << key.name;
+      EXPECT_FALSE(key.need == Need::conditional && key.when.empty())
+          << key.name;
+    }
+  }
+}
+
+TEST(Template, ReadsWithoutAMistake) {
+  const std::string text = case_template("my \"own\" \\ case");
+
+  const Case read = read_case_text(text, "case.toml");
+
+  EXPECT_EQ(read.title, "my \"own\" \\ case");
+  EXPECT_EQ(read.methods.size(), 3U);
+}
+
+// Claim: what the template shows behind a # is good too, a line at a time.
+// Alternatives of a key that is there are the one mistake that is expected.
+TEST(Template, ShowsGoodExamplesInItsComments) {
+  std::istringstream lines(case_template("x"));
+  std::string table;
+  int examples = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind('[', 0) == 0)
+      table = line.substr(1, line.size() - 2) + ".";
+    const auto equals = line.find(" = ");
+    const bool is_example =
+        line.rfind("# ", 0) == 0 && equals != std::string::npos &&
+        line.substr(2, equals - 2).find(' ') == std::string::npos;
+    if (!is_example)
+      continue;
+    ++examples;
+    try {
+      (void)read_case_text(case_template("x"), "case.toml",
+                           {table + line.substr(2)});
+    } catch (const CaseError& error) {
+      EXPECT_NE(std::string(error.what()).find("are both given"),
+                std::string::npos)
+          << line << "\n"
+          << error.what();
+    }
+  }
+  EXPECT_GE(examples, 20);
+}
+
+// Golden: format only. ASPERITY_UPDATE_GOLDEN=1 writes the page anew.
+TEST(CaseReference, IsTheCommittedPage) {
+  const std::string path = "docs/case.md";
+  if (std::getenv("ASPERITY_UPDATE_GOLDEN") != nullptr)
+    std::ofstream(path) << case_reference_markdown();
+
+  std::ostringstream committed;
+  committed << std::ifstream(path).rdbuf();
+
+  EXPECT_EQ(committed.str(), case_reference_markdown())
+      << "write it anew: ASPERITY_UPDATE_GOLDEN=1 ctest -R cases/documents";
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,232 @@
+// Claims about what a bad case is answered: the words themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "tests/cases/case_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+/// What a rough case with these overrides is told, a line each.
+std::string told(const std::vector<std::string>& overrides) {
+  return mistakes_of(rough_case, overrides);
+}
+
+TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {
+  const std::string text = "schema = 2\n"
+                           "[surfaces]\n"
+                           "[surface]\n"
+                           "kind = \"wave-1d\"\n"
+                           "lenght = \"1 um\"\n"
+                           "points = 7\n"
+                           "amplitude = \"1 MPa\"\n"
+                           "wavelength = \"0.5 um\"\n"
+                           "[material]\n"
+                           "poisson_ratio = 0.7\n"
+                           "[load]\n"
+                           "cycle = \"lode\"\n"
+                           "[halfspace]\n"
+                           "contact = 3\n";
+
+  EXPECT_EQ(
+      mistakes_of(text),
+      "  case.toml:1: schema = 2, but must be 1 [1]\n"
+      "  case.toml:2: surfaces is not a table of a case; nearest: "
+      "surface\n"
+      "  case.toml:3: surface.length is missing: a number [m] or a string with "
+      "one of: m, mm, um, nm, angstrom\n"
+      "  case.toml:5: surface.lenght is not a key of this table; nearest: "
+      "length\n"
+      "  case.toml:6: surface.points = 7, but must be even\n"
+      "  case.toml:7: surface.amplitude = \"1 MPa\" has the unit MPa of a "
+      "pressure, but must have one of: m, mm, um, nm, angstrom, length, h\n"
+      "  case.toml:9: material.youngs_modulus is missing (or "
+      "contact_modulus): a number [Pa] or a string with one of: Pa, kPa, MPa, "
+      "GPa\n"
+      "  case.toml:10: material.poisson_ratio = 0.7, but must be between -1 "
+      "and 0.5, ends excluded [1]\n"
+      "  case.toml:11: load.nominal_pressure is missing (or mean_gap): a "
+      "quantity, a list of them, or { from, to, steps, spacing }\n"
+      "  case.toml:12: load.cycle = \"lode\", but must be load | load-unload; "
+      "nearest: load\n"
+      "  case.toml:14: halfspace.contact = 3, but must be penalty | hard | "
+      "augmented\n");
+}
+
+TEST(Mistakes, NameTheMissingTables) {
+  EXPECT_EQ(mistakes_of("schema = 1\n"),
+            "  case.toml:1: the table [surface] is missing\n"
+            "  case.toml:1: no method is named; allowed: [theory], "
+            "[halfspace], [fem]\n"
+            "  case.toml:1: the table [material] is missing\n"
+            "  case.toml:1: the table [load] is missing\n");
+}
+
+TEST(Mistakes, SayTheTableAKeyBelongsTo) {
+  EXPECT_EQ(told({"fem.gamma=0.4"}),
+            "  --set: fem.gamma is not a key of this table; it belongs to "
+            "[theory]\n");
+}
+
+TEST(Mistakes, OfAnInheritedKeyAreSaidOnce) {
+  EXPECT_EQ(told({"fem.growth=9", "fem.hard.contact=hard"}),
+            "  --set: fem.growth = 9, but must be between 1 and 4 [1]\n");
+}
+
+// One override, one answer: every kind of mistake that a rough case can hold.
+TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
+  const std::vector<std::pair<std::string, std::string>> answers = {
+      {"surface.seed=-1", "surface.seed = -1, but must be a whole number >= 0"},
+      {"surface.points=12.5",
+       "surface.points = 12.5, but must be a whole number"},
+      {"surface.points=2",
+       "surface.points = 2, but must be between 4 and 65536 [1]"},
+      {"surface.hurst=nan",
+       "surface.hurst = nan, but must be > 0 and <= 1 [1]"},
+      {"surface.length=0", "surface.length = 0, but must be > 0 [m]"},
+      {"surface.length=\"3 h\"",
+       "surface.length = \"3 h\" has the unit h of a length, but must have one "
+       "of: m, mm, um, nm, angstrom"},
+      {"surface.rescale=yes",
+       "surface.rescale = \"yes\", but must be true | false"},
+      {"surface.rms_slope=0.1",
+       "surface.rms_slope and surface.rms_height are both given, but one says "
+       "it all"},
+      {"surface.wavevector_low=1.3e6",
+       "surface.wavelength_long and surface.wavevector_low are both given, but "
+       "one says it all"},
+      {"surface.wavelength_long=20 um",
+       "surface.wavelength_long = \"20 um\", but the longest wave that fits is "
+       "\"1 length\", 628318.5 1/m"},
+      {"surface.wavelength_short=1.9 h",
+       "surface.wavelength_short = \"1.9 h\", but the shortest wave of the "
+       "grid is \"2 h\", 1.608495e+08 1/m"},
+      {"surface.kind=rough",
+       "surface.kind = \"rough\", but must be self-affine | spectrum | "
+       "measured | sphere | wave-1d | wave-2d; nearest: sphere"},
+      {"surface.radius=1", "surface.radius = 1 means nothing for kind = "
+                           "\"self-affine\"; it belongs to sphere"},
+      {"surface=3", "surface = 3, but must be a table: [surface]"},
+      {"material.contact_modulus=1e9",
+       "material.youngs_modulus and material.contact_modulus are both given, "
+       "but one says it all"},
+      {"material.counter=1",
+       "material.counter = 1, but must be a table: [material.counter]"},
+      {"load.mean_gap=1e-8",
+       "load.mean_gap and load.nominal_pressure are both given, but one says "
+       "it all"},
+      {"load.nominal_pressure=[]",
+       "load.nominal_pressure = [], but must be a quantity, a list of them, or "
+       "{ from, to, steps, spacing }"},
+      {"load.nominal_pressure=[1e6, \"-1 Pa\"]",
+       "load.nominal_pressure = \"-1 Pa\", but must be > 0 [Pa]"},
+      {"load.nominal_pressure.to=1 GPa",
+       "load.nominal_pressure.to = \"1 GPa\", but must be measured as from is, "
+       "both in SI or both in the same unit of the problem"},
+      {"load.nominal_pressure.steps=1",
+       "load.nominal_pressure.steps = 1, but must be between 2 and 10000 [1]"},
+      {"load.nominal_pressure.step=4",
+       "load.nominal_pressure.step is not a key of this table; nearest: steps"},
+      {"theory.gamma=", "theory.gamma is missing: a number"},
+      {"theory.gamma=0", "theory.gamma = 0, but must be > 0 and <= 1 [1]"},
+      {"fem.penalty=", "fem.penalty is missing, which this contact needs: a "
+                       "number [Pa/m] or a string with one of: Pa/m, E*/h"},
+      {"fem.Hard.contact=hard",
+       "fem.Hard names a variant, but must be of the letters a-z, digits and "
+       "hyphens"},
+      {"fem.tolerance=1", "fem.tolerance = 1, but must be > 0 and <= 0.01 [1]"},
+      {"fem.growth=1979-05-27", "fem.growth = a date or time, but must be a "
+                                "number"},
+      {"halfspace=true", "halfspace = true, but must be a table: [halfspace]"},
+      {"report.fields=some", "report.fields = \"some\", but must be a whole "
+                             "number, \"none\" or \"all\""},
+      {"report.fields=-1",
+       "report.fields = -1, but must be between 0 and 1000000 [1]"},
+      {"title=3", "title = 3, but must be a string"},
+  };
+  for (const auto& [entry, answer] : answers) {
+    const std::string mistakes = told({entry});
+    const std::string last_line =
+        mistakes.substr(mistakes.find(answer.substr(0, 6)));
+    EXPECT_NE(mistakes.find(": " + answer + "\n"), std::string::npos)
+        << entry << "\n"
+        << last_line;
+  }
+}
+
+TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
+  const std::vector<std::pair<std::string, std::string>> answers = {
+      {"expect.gama_slope={ below = 1 }",
+       "expect.gama_slope is not a key of this table; nearest: gamma_slope"},
+      {"expect.kappa=2", "expect.kappa = 2, but must be { value, within } or "
+                         "{ below } or { above }, or a list of such bands"},
+      {"expect.kappa={ value = 2, below = 3 }",
+       "expect.kappa must have value and within, or below, or above (or both "
+       "of these)"},
+      {"expect.kappa={ value = 2 }",
+       "expect.kappa.within is missing: a number or a string like \"5 %\""},
+      {"expect.kappa={ value = 2, within = \"5\" }",
+       "expect.kappa.within = \"5\", but must be a number >= 0 or a string "
+       "like \"5 %\""},
+      {"expect.kappa={ above = 2, below = 1 }",
+       "expect.kappa is empty: above exceeds below"},
+      {"expect.kappa={ above = 2, methods = [\"fam\"] }",
+       "expect.kappa.methods names \"fam\", but those of this case that answer "
+       "kappa are: theory, halfspace, fem; nearest: fem"},
+      {"expect.penetration={ below = 1, methods = [\"theory\"] }",
+       "expect.penetration.methods names \"theory\", but those of this case "
+       "that answer penetration are: halfspace, fem; nearest: fem"},
+      {"expect.kappa={ above = 2, methods = \"fem\" }",
+       "expect.kappa.methods = \"fem\", but must be a list of strings"},
+      {"expect.mean_gap_error={ below = 1 }",
+       "expect.mean_gap_error is known only for the surfaces wave-1d"},
+  };
+  for (const auto& [entry, answer] : answers)
+    EXPECT_EQ(told({entry}), "  --set: " + answer + "\n") << entry;
+}
+
+TEST(Mistakes, SayThatAnExpectationNeedsTheTheory) {
+  const std::string mistakes =
+      told({"theory=", "expect=", "expect.area_excess={ below = 1 }"});
+
+  EXPECT_EQ(mistakes, "  --set: expect.area_excess compares with theory: the "
+                      "table [theory] is missing\n");
+}
+
+TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
+  EXPECT_EQ(told({"surface.wavelength_roll_off=6 um"}),
+            "  case.toml:3: surface has its wavevectors in the wrong order: "
+            "q_L = 1.25664e+06 1/m, but must not exceed q_0 = 1.0472e+06 "
+            "1/m\n");
+}
+
+TEST(Mistakes, RefuseASecondBodyBesideThePairsModulus) {
+  EXPECT_EQ(told({"material.youngs_modulus=", "material.contact_modulus=1e9",
+                  "material.counter={ youngs_modulus = 1e9, poisson_ratio = "
+                  "0.3 }"}),
+            "  --set: material.counter means nothing beside "
+            "material.contact_modulus, which is that of the pair\n");
+}
+
+TEST(Mistakes, AskForPoissonsRatioOnlyWhereItCounts) {
+  const std::vector<std::string> modulus_alone = {
+      "material.youngs_modulus=", "material.poisson_ratio=",
+      "material.contact_modulus=1e9"};
+  std::vector<std::string> without_fem = modulus_alone;
+  without_fem.insert(without_fem.end(), {"fem=", "expect="});
+  std::vector<std::string> with_slab = without_fem;
+  with_slab.emplace_back("halfspace.thickness=1 length");
+  const std::string answer =
+      "  case.toml:14: material.poisson_ratio is missing, which a block of "
+      "finite depth needs: a number\n";
+
+  EXPECT_EQ(told(modulus_alone), answer);
+  EXPECT_EQ(told(with_slab), answer);
+  EXPECT_EQ(told(without_fem), "");
+}
+
+} // namespace
+} // namespace asperity::cases

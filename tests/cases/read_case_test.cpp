@@ -1,0 +1,223 @@
+// Claims about cases/read_case.hpp: what a good case becomes.
+#include "cases/case_hash.hpp"
+#include "cases/read_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "tests/cases/case_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Case rough(const std::vector<std::string>& overrides = {}) {
+  return read_case_text(rough_case, "some/rough/case.toml", overrides);
+}
+
+const FemSettings& fem_of(const Case& read, std::size_t index) {
+  return std::get<FemSettings>(read.methods.at(index).settings);
+}
+
+// Tolerances of this file: one rounding a product, DOUBLE_EQ's four ulp.
+TEST(ReadCase, GivesTheSurfaceInSi) {
+  const Case read = rough();
+
+  EXPECT_EQ(read.name, "rough");
+  EXPECT_EQ(read.title, "A rough block");
+  EXPECT_EQ(read.surface.kind, SurfaceKind::self_affine);
+  EXPECT_EQ(read.surface.length, 10e-6);
+  EXPECT_EQ(read.surface.points, 512);
+  EXPECT_EQ(read.surface.seed, 7U);
+  EXPECT_EQ(read.surface.realizations, 3);
+  EXPECT_EQ(read.surface.rms_height, 34e-9);
+  EXPECT_FALSE(read.surface.rms_slope);
+  EXPECT_EQ(read.surface.hurst, 0.95);
+  EXPECT_DOUBLE_EQ(read.surface.wavevector_low, 2.0 * pi / 5e-6);
+  EXPECT_DOUBLE_EQ(read.surface.wavevector_roll_off, 2.0 * pi / 2.5e-6);
+  EXPECT_DOUBLE_EQ(read.surface.wavevector_high, 2.0 * pi / (8e-5 / 512));
+}
+
+TEST(ReadCase, TakesWavevectorsAsTheyAre) {
+  const Case read = rough(
+      {"surface.wavelength_long=", "surface.wavevector_low=1.2566e6 1/m"});
+
+  EXPECT_EQ(read.surface.wavevector_low, 1.2566e6);
+}
+
+TEST(ReadCase, SpacesALoadProgramAsAsked) {
+  const LoadProgram logarithmic = rough().load;
+  const LoadProgram linear =
+      rough({"load.nominal_pressure.spacing=linear"}).load;
+
+  ASSERT_EQ(logarithmic.targets.size(), 3U);
+  EXPECT_EQ(logarithmic.control, Control::nominal_pressure);
+  EXPECT_EQ(logarithmic.targets[0].value, 1e-3);
+  EXPECT_EQ(logarithmic.targets[0].yardstick, Yardstick::contact_modulus);
+  EXPECT_DOUBLE_EQ(logarithmic.targets[1].value, 1e-2);
+  EXPECT_EQ(logarithmic.targets[2].value, 0.1);
+  EXPECT_DOUBLE_EQ(linear.targets[1].value, 0.0505);
+}
+
+TEST(ReadCase, WritesTheWayBackOut) {
+  const LoadProgram load =
+      rough({"load.nominal_pressure=[1e6, \"2 MPa\", \"0.5 E*\"]",
+             "load.cycle=load-unload"})
+          .load;
+
+  ASSERT_EQ(load.targets.size(), 5U);
+  EXPECT_EQ(load.targets[1].value, 2e6);
+  EXPECT_EQ(load.targets[2].value, 0.5);
+  EXPECT_EQ(load.targets[3].value, 2e6);
+  EXPECT_EQ(load.targets[4].value, 1e6);
+  EXPECT_EQ(load.is_unloading,
+            (std::vector<bool>{false, false, false, true, true}));
+}
+
+TEST(ReadCase, ControlsTheMeanGapToo) {
+  const LoadProgram load =
+      rough({"load.nominal_pressure=", "load.mean_gap=2 h_rms"}).load;
+
+  ASSERT_EQ(load.targets.size(), 1U);
+  EXPECT_EQ(load.control, Control::mean_gap);
+  EXPECT_EQ(load.targets[0].yardstick, Yardstick::rms_height);
+}
+
+// Claim: E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
+TEST(ReadCase, ReducesTheMaterialToItsContactModulus) {
+  const std::vector<std::string> alone = {"material.youngs_modulus=",
+                                          "material.contact_modulus=3 GPa"};
+  const double one = 2e9 / (1.0 - 0.09);
+  const double two = 5e9 / (1.0 - 0.04);
+
+  EXPECT_DOUBLE_EQ(rough().material.contact_modulus, one);
+  EXPECT_EQ(rough().material.poisson_ratio, 0.3);
+  EXPECT_EQ(rough(alone).material.contact_modulus, 3e9);
+  EXPECT_DOUBLE_EQ(rough({"material.counter.youngs_modulus=5e9",
+                          "material.counter.poisson_ratio=0.2"})
+                       .material.contact_modulus,
+                   one * two / (one + two));
+}
+
+TEST(ReadCase, LetsAVariantInheritItsTable) {
+  const Case read = rough({"fem.hard.contact=hard", "theory.g42.gamma=0.42"});
+
+  ASSERT_EQ(read.methods.size(), 5U);
+  EXPECT_EQ(read.methods[0].name, "theory");
+  EXPECT_EQ(read.methods[1].name, "halfspace");
+  EXPECT_EQ(read.methods[2].name, "fem");
+  EXPECT_EQ(read.methods[3].name, "theory.g42");
+  EXPECT_EQ(read.methods[4].name, "fem.hard");
+  EXPECT_EQ(fem_of(read, 2).contact.law, ContactLaw::penalty);
+  EXPECT_EQ(fem_of(read, 4).contact.law, ContactLaw::hard);
+  EXPECT_EQ(fem_of(read, 4).growth, 1.3);
+}
+
+// Claim: an empty [fem] is FemSettings{}: the vocabulary's defaults and those
+// of case.hpp agree, to which nothing but this test holds them.
+TEST(ReadCase, HasTheDefaultsOfTheStructs) {
+  const Case read = rough({"fem={}", "expect="});
+  const FemSettings& fem = fem_of(read, 2);
+  const FemSettings plain;
+  const auto& slab = std::get<HalfspaceSettings>(read.methods[1].settings);
+
+  EXPECT_EQ(fem.contact.law, plain.contact.law);
+  EXPECT_EQ(fem.contact.tolerance, plain.contact.tolerance);
+  EXPECT_EQ(fem.contact.max_iterations, plain.contact.max_iterations);
+  EXPECT_EQ(fem.element, plain.element);
+  EXPECT_EQ(fem.surface_cell_depth, plain.surface_cell_depth);
+  EXPECT_EQ(fem.growth, plain.growth);
+  EXPECT_EQ(fem.depth.value, plain.depth.value);
+  EXPECT_EQ(fem.depth.yardstick, plain.depth.yardstick);
+  EXPECT_EQ(fem.top, plain.top);
+  EXPECT_EQ(fem.solver, plain.solver);
+  EXPECT_EQ(slab.top, HalfspaceSettings{}.top);
+  EXPECT_EQ(read.report.fields, ReportSpec{}.fields);
+  EXPECT_EQ(read.surface.amplitudes, SurfaceSpec{}.amplitudes);
+  EXPECT_EQ(read.surface.rescale, SurfaceSpec{}.rescale);
+}
+
+TEST(ReadCase, KeepsAsManyMapsAsAsked) {
+  EXPECT_EQ(rough({"report.fields=none"}).report.fields, 0);
+  EXPECT_EQ(rough({"report.fields=5"}).report.fields, 5);
+  EXPECT_EQ(rough({"report.fields=all"}).report.fields, all_fields);
+}
+
+TEST(ReadCase, GivesAnExpectationItsBandAndMethods) {
+  const Case read = rough({"expect.kappa={ value = 2, within = \"5 %\" }",
+                           "expect.penetration={ below = 0.1 }"});
+
+  ASSERT_EQ(read.expectations.size(), 3U);
+  EXPECT_EQ(read.expectations[0].quantity, "gamma_slope");
+  EXPECT_DOUBLE_EQ(read.expectations[0].low, 0.35);
+  EXPECT_DOUBLE_EQ(read.expectations[0].high, 0.45);
+  EXPECT_EQ(read.expectations[0].methods,
+            (std::vector<std::string>{"fem", "theory"}));
+  EXPECT_DOUBLE_EQ(read.expectations[1].low, 1.9);
+  EXPECT_DOUBLE_EQ(read.expectations[1].high, 2.1);
+  EXPECT_EQ(read.expectations[1].methods,
+            (std::vector<std::string>{"theory", "halfspace", "fem"}));
+  EXPECT_TRUE(std::isinf(read.expectations[2].low));
+  EXPECT_EQ(read.expectations[2].high, 0.1);
+  EXPECT_EQ(read.expectations[2].methods,
+            (std::vector<std::string>{"halfspace", "fem"}));
+}
+
+TEST(ReadCase, TakesABandForEachMethod) {
+  const Case read =
+      rough({"expect={}", "expect.kappa=[{ below = 2, methods = [\"fem\"] }, "
+                          "{ above = 1, methods = [\"theory\"] }]"});
+
+  ASSERT_EQ(read.expectations.size(), 2U);
+  EXPECT_EQ(read.expectations[0].quantity, "kappa");
+  EXPECT_EQ(read.expectations[0].methods, std::vector<std::string>{"fem"});
+  EXPECT_EQ(read.expectations[1].quantity, "kappa");
+  EXPECT_EQ(read.expectations[1].low, 1.0);
+}
+
+// Claim: a theory from a formula builds no surface and is asked for no grid.
+TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
+  const Case read =
+      rough({"fem=", "halfspace=", "expect=", "surface.length=",
+             "surface.points=", "surface.seed=", "surface.wavelength_long=5 um",
+             "surface.wavelength_short=80 nm"});
+
+  EXPECT_FALSE(read.surface.length);
+  EXPECT_FALSE(read.surface.points);
+  EXPECT_EQ(read.methods.size(), 1U);
+}
+
+// Claim: the text of a case says all that was run: reading it again gives the
+// same text, hash and numbers, and an override changes the hash.
+TEST(ReadCase, RoundTripsThroughItsText) {
+  const std::vector<std::string> overrides = {"surface.points=256",
+                                              "surface.length=20 um"};
+  const Case first = rough(overrides);
+
+  const Case second = read_case_text(first.text, first.path);
+  const Case third = read_case_text(first.text, first.path, {"surface.seed=8"});
+
+  EXPECT_EQ(second.surface.points, 256);
+  EXPECT_EQ(second.surface.length, 20e-6);
+  EXPECT_EQ(second.surface.wavevector_high, first.surface.wavevector_high);
+  EXPECT_EQ(second.text, first.text);
+  EXPECT_EQ(case_hash(second), case_hash(first));
+  EXPECT_EQ(third.surface.points, 256);
+  EXPECT_EQ(third.surface.seed, 8U);
+  EXPECT_NE(case_hash(third), case_hash(first));
+}
+
+// The digest of FIPS 180's example "abc", by sha1sum and by the standard.
+TEST(CaseHash, IsSha1OfTheText) {
+  Case read;
+  read.text = "abc";
+
+  EXPECT_EQ(case_hash(read), "a9993e364706816aba3e25717850c26c9cd0d89d");
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,63 @@
+// Claims about cases/reference.hpp.
+#include "cases/case_error.hpp"
+#include "cases/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asperity::cases {
+namespace {
+
+const std::string head = "quantity,value,unit,uncertainty,source\n";
+
+std::string mistakes_of(const std::string& text) {
+  try {
+    (void)read_reference_text(text, "reference.csv");
+  } catch (const CaseError& error) {
+    const std::string message = error.what();
+    return message.substr(message.find('\n') + 1);
+  }
+  return "";
+}
+
+TEST(Reference, ReadsQuotedFieldsAndSkipsComments) {
+  const std::vector<ReferenceValue> values = read_reference_text(
+      "# published numbers\r\n" + head +
+          "\ngamma_slope,0.4,1,0.02,\"Yang, Persson: \"\"about\"\" 0.4\"\r\n",
+      "reference.csv");
+
+  ASSERT_EQ(values.size(), 1U);
+  EXPECT_EQ(values[0].quantity, "gamma_slope");
+  EXPECT_EQ(values[0].value, 0.4);
+  EXPECT_EQ(values[0].unit, "1");
+  EXPECT_EQ(values[0].uncertainty, 0.02);
+  EXPECT_EQ(values[0].source, "Yang, Persson: \"about\" 0.4");
+}
+
+TEST(Reference, SaysEveryMistakeWithItsLine) {
+  EXPECT_EQ(mistakes_of(head + "a,x,1,0,s\nb,1,1,-1,s\nc,1\nd,1,,0,\n"
+                               "e,1,1,0,\"s\n"),
+            "  reference.csv:2: value = x, but must be a number\n"
+            "  reference.csv:3: uncertainty = -1, but must be a number >= 0\n"
+            "  reference.csv:4: must have the fields " +
+                head.substr(0, head.size() - 1) +
+                ", but has 2\n"
+                "  reference.csv:5: has no unit\n"
+                "  reference.csv:5: has no source\n"
+                "  reference.csv:6: must have the fields " +
+                head.substr(0, head.size() - 1) +
+                ", but a quote is not closed\n");
+}
+
+TEST(Reference, NeedsItsHeader) {
+  EXPECT_EQ(mistakes_of("a,1,1,0,s\n"),
+            "  reference.csv:1: \"a,1,1,0,s\", but the first line must be " +
+                head);
+  EXPECT_EQ(mistakes_of(""),
+            "  reference.csv:1: is empty, but must begin with " + head);
+  EXPECT_THROW(read_reference("no/such/reference.csv"), CaseError);
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,155 @@
+// Claims about the folders in cases/: each reads without a mistake, is
+// complete, and its exact references are what its own numbers give.
+#include "cases/read_case.hpp"
+#include "cases/reference.hpp"
+#include "cases/vocabulary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <string>
+
+namespace asperity::cases {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::set<std::string> shipped = {
+    "hertz", "polymer", "polymer-nominal", "self-affine", "wave-1d", "wave-2d"};
+
+Case shipped_case(const std::string& name) {
+  return read_case("cases/" + name + "/case.toml");
+}
+
+double reference_of(const std::string& name, const std::string& quantity) {
+  for (const ReferenceValue& reference :
+       read_reference("cases/" + name + "/reference.csv"))
+    if (reference.quantity == quantity)
+      return reference.value;
+  ADD_FAILURE() << name << " has no reference " << quantity;
+  return NAN;
+}
+
+double pressure_of(const Case& read, std::size_t step) {
+  return read.load.targets.at(step).in_si(
+      {.contact_modulus = read.material.contact_modulus});
+}
+
+TEST(ShippedCases, AreTheFoldersThatAreThere) {
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator("cases"))
+    if (entry.is_directory())
+      found.insert(entry.path().filename().string());
+
+  EXPECT_EQ(found, shipped);
+}
+
+TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
+  for (const std::string& name : shipped) {
+    const Case read = shipped_case(name);
+
+    EXPECT_EQ(read.name, name);
+    EXPECT_GE(read.methods.size(), 2U) << name;
+    EXPECT_EQ(read.surface.points, 512) << name;
+    EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
+    EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
+  }
+}
+
+// Claim: the polymer's cut-offs are 2, 4.5 and 128 times 2 pi / 10 um, the
+// nominal one's 1, 5.88 and 128. Tolerance: the 16 digits written.
+TEST(ShippedCases, HaveThePolymersSpectra) {
+  const double unit = 2.0 * pi / 10e-6;
+  const SurfaceSpec surrogate = shipped_case("polymer").surface;
+  const SurfaceSpec nominal = shipped_case("polymer-nominal").surface;
+
+  EXPECT_NEAR(surrogate.wavevector_low / unit, 2.0, 1e-14);
+  EXPECT_NEAR(surrogate.wavevector_roll_off / unit, 4.5, 1e-14);
+  EXPECT_NEAR(surrogate.wavevector_high / unit, 128.0, 1e-12);
+  EXPECT_NEAR(nominal.wavevector_low / unit, 1.0, 1e-14);
+  EXPECT_NEAR(nominal.wavevector_roll_off / unit, 5.88, 1e-14);
+  EXPECT_NEAR(nominal.wavevector_high / unit, 128.0, 1e-12);
+}
+
+// Claim: a^3 = 3 F R / (4 E*) at the case's own loads. Rounding only.
+TEST(ShippedCases, GiveHertzsReferences) {
+  const Case hertz = shipped_case("hertz");
+  const double area = *hertz.surface.length * *hertz.surface.length;
+  const std::size_t last = hertz.load.targets.size() - 1;
+  for (const auto& [step, name] :
+       {std::pair<std::size_t, std::string>{0, "first_step"},
+        std::pair<std::size_t, std::string>{last, "last_step"}}) {
+    const double radius =
+        std::cbrt(0.75 * pressure_of(hertz, step) * area *
+                  hertz.surface.radius / hertz.material.contact_modulus);
+
+    EXPECT_NEAR(reference_of("hertz", "contact_radius_" + name) / radius, 1.0,
+                1e-14);
+    EXPECT_NEAR(reference_of("hertz", "approach_" + name) /
+                    (radius * radius / hertz.surface.radius),
+                1.0, 1e-14);
+  }
+}
+
+// Claim: the waves' loads are P = 0.01 to 0.95 of the pressure of full contact.
+TEST(ShippedCases, LoadTheWavesFromOneToNinetyFivePerCent) {
+  for (const std::string name : {"wave-1d", "wave-2d"}) {
+    const Case wave = shipped_case(name);
+    const double full_contact = (name == "wave-1d" ? 1.0 : std::sqrt(2.0)) *
+                                pi * wave.material.contact_modulus *
+                                wave.surface.amplitude /
+                                wave.surface.wavelength;
+
+    EXPECT_NEAR(pressure_of(wave, 0) / full_contact, 0.01, 1e-15);
+    EXPECT_NEAR(pressure_of(wave, 11) / full_contact, 0.95, 1e-13);
+  }
+}
+
+TEST(ShippedCases, GiveTheWavesReferences) {
+  for (const auto& [reduced_pressure, digits] :
+       {std::pair<double, std::string>{0.01, "0.01"},
+        std::pair<double, std::string>{0.5, "0.5"},
+        std::pair<double, std::string>{0.95, "0.95"}}) {
+    const std::string end = "_at_reduced_pressure_" + digits;
+
+    // sin^2 of a quarter turn times the fraction is P: the formula inverted.
+    const double fraction = reference_of("wave-1d", "area_fraction" + end);
+    EXPECT_NEAR(std::pow(std::sin(pi / 2.0 * fraction), 2), reduced_pressure,
+                1e-15);
+    // The gap is the integral of -ln from P to 1: -dg/dP = -ln P, g(1) = 0.
+    const double gap = reference_of("wave-1d", "mean_gap_over_amplitude" + end);
+    double sum = 0.0;
+    const int n_steps = 20000; // midpoint rule: error 1e-6 at P = 0.01
+    const double step = (1.0 - reduced_pressure) / n_steps;
+    for (int i = 0; i < n_steps; ++i)
+      sum -= std::log(reduced_pressure + (i + 0.5) * step) * step;
+    EXPECT_NEAR(gap, sum, 1e-6);
+  }
+}
+
+// Claim: the block that the case vocabulary was agreed on reads as it stands,
+// and what the vocabulary has beyond it is this list: whoever adds a key adds
+// it here, deliberately. (A key counts as agreed where the block has its word.)
+TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
+  const Case agreed = read_case("tests/cases/agreed_block.toml");
+  EXPECT_EQ(agreed.methods.size(), 3U);
+
+  std::set<std::string> beyond;
+  const std::string block = agreed.text;
+  for (const Table& table : vocabulary())
+    for (const Key& key : table.keys)
+      if (table.name != "expect" && block.find(key.name) == std::string::npos)
+        beyond.insert(table.name + "." + key.name);
+
+  EXPECT_EQ(beyond, (std::set<std::string>{
+                        "expect.band.above", "expect.band.below",
+                        "halfspace.max_iterations", "fem.max_iterations",
+                        "report.fields", "surface.amplitudes",
+                        "surface.height_unit", "surface.rescale"}));
+}
+
+} // namespace
+} // namespace asperity::cases

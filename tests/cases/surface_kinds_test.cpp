@@ -1,0 +1,160 @@
+// Claims about [surface]: what each kind asks for, and what it refuses.
+#include "cases/vocabulary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cases/case_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+SurfaceSpec surface_of(const std::string& keys) {
+  return read_case_text(shape_case(keys), "cases/it/case.toml").surface;
+}
+
+TEST(SurfaceKinds, ReadTheExactShapes) {
+  const std::string grid = "length = 1e-3\npoints = 64\n";
+
+  const SurfaceSpec sphere =
+      surface_of("kind = \"sphere\"\nradius = \"10 length\"\n" + grid);
+  const SurfaceSpec wave = surface_of("kind = \"wave-2d\"\namplitude = \"0.5 "
+                                      "h\"\nwavelength = \"0.25 length\"\n" +
+                                      grid);
+
+  EXPECT_EQ(sphere.kind, SurfaceKind::sphere);
+  EXPECT_DOUBLE_EQ(sphere.radius, 1e-2);
+  EXPECT_EQ(wave.kind, SurfaceKind::wave_2d);
+  EXPECT_DOUBLE_EQ(wave.amplitude, 0.5e-3 / 64);
+  EXPECT_DOUBLE_EQ(wave.wavelength, 0.25e-3);
+}
+
+TEST(SurfaceKinds, ReadAMapBesideTheCase) {
+  const SurfaceSpec map = surface_of("kind = \"measured\"\nfile = \"map.txt\"\n"
+                                     "format = \"plain\"\nlevel = \"bow\"\n"
+                                     "edges = \"mirror\"\nlength = \"20 um\"\n"
+                                     "height_unit = \"1 nm\"\n");
+
+  EXPECT_EQ(map.file, "cases/it/map.txt");
+  EXPECT_EQ(map.format, MapFormat::plain);
+  EXPECT_EQ(map.level, Levelling::bow);
+  EXPECT_EQ(map.edges, Edges::mirror);
+  EXPECT_EQ(map.length, 20e-6);
+  EXPECT_EQ(map.height_unit, 1e-9);
+  EXPECT_FALSE(map.points);
+}
+
+TEST(SurfaceKinds, LeaveAnAbsolutePathAsItIs) {
+  EXPECT_EQ(surface_of("kind = \"spectrum\"\nfile = \"/a/c.txt\"\n"
+                       "length = 1e-6\npoints = 8\nseed = 1\n")
+                .file,
+            "/a/c.txt");
+}
+
+TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
+  EXPECT_EQ(mistakes_of(shape_case(
+                "kind = \"measured\"\nfile = \"m\"\nlevel = \"none\"\n"
+                "edges = \"window\"\npoints = 8\nseed = 3\n")),
+            "  case.toml:7: surface.points = 8 means nothing for kind = "
+            "\"measured\" (the file fixes the points, and nothing in it is "
+            "random); it belongs to self-affine, spectrum, sphere, wave-1d, "
+            "wave-2d\n"
+            "  case.toml:8: surface.seed = 3 means nothing for kind = "
+            "\"measured\" (the file fixes the points, and nothing in it is "
+            "random); it belongs to self-affine, spectrum\n");
+}
+
+TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
+  const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
+                          "level = \"none\"\nedges = \"periodic\"\n";
+
+  EXPECT_EQ(mistakes_of(shape_case(map + "format = \"plain\"\n")),
+            "  case.toml:2: surface.length is missing, which a plain map does "
+            "not say: a number [m] or a string with one of: m, mm, um, nm, "
+            "angstrom\n"
+            "  case.toml:2: surface.height_unit is missing, which a plain map "
+            "does not say: a number [m] or a string with one of: m, mm, um, "
+            "nm, angstrom\n");
+  EXPECT_EQ(
+      mistakes_of(shape_case(map + "format = \"gwyddion\"\nlength = 1.0\n")),
+      "  case.toml:8: surface.length = 1, but a gwyddion map says it itself: "
+      "leave it out\n");
+}
+
+TEST(SurfaceKinds, AskAMapForItsLevellingAndEdges) {
+  EXPECT_EQ(mistakes_of(shape_case("kind = \"measured\"\nfile = \"m\"\n")),
+            "  case.toml:2: surface.level is missing: none | plane | bow\n"
+            "  case.toml:2: surface.edges is missing: periodic | window | "
+            "mirror\n");
+}
+
+TEST(SurfaceKinds, FitAWholeNumberOfWaves) {
+  EXPECT_EQ(mistakes_of(shape_case("kind = \"wave-1d\"\nlength = 1.0\n"
+                                   "points = 8\namplitude = 1e-3\n"
+                                   "wavelength = 0.4\n")),
+            "  case.toml:7: surface.wavelength = 0.4, but surface.length must "
+            "be a whole multiple of it, and is 2.5 of it\n");
+}
+
+TEST(SurfaceKinds, HaveAFormulaForTheoryOrNot) {
+  const std::string shape =
+      shape_case("kind = \"sphere\"\nradius = 1\nlength = 1\npoints = 8\n");
+  const Case read =
+      read_case_text(shape + "[theory]\ngamma = 0.4\n", "case.toml");
+
+  EXPECT_EQ(std::get<TheorySettings>(read.methods[0].settings).spectrum,
+            TheorySpectrum::surface);
+  EXPECT_EQ(
+      mistakes_of(shape + "[theory]\ngamma = 0.4\nspectrum = \"formula\"\n"),
+      "  case.toml:14: theory.spectrum = \"formula\", but must be \"surface\": "
+      "only the kinds self-affine and spectrum have a formula\n");
+}
+
+TEST(SurfaceKinds, NeedALengthForRelativeLengths) {
+  EXPECT_EQ(mistakes_of("schema = 1\n[surface]\nkind = \"self-affine\"\n"
+                        "rms_slope = 0.1\nhurst = 1\n"
+                        "wavelength_long = \"1 length\"\n"
+                        "wavelength_roll_off = 1e-6\n"
+                        "wavelength_short = \"8 h\"\n"
+                        "[material]\ncontact_modulus = 1e9\n"
+                        "[load]\nnominal_pressure = 1e6\n"
+                        "[theory]\ngamma = 0.4\n"),
+            "  case.toml:6: surface.wavelength_long = \"1 length\", but this "
+            "needs surface.length\n"
+            "  case.toml:8: surface.wavelength_short = \"8 h\", but h needs "
+            "surface.length and surface.points\n");
+}
+
+// Claim: a word stands for the enumerator of its name: the vocabulary's order
+// is that of case.hpp.
+TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
+  const auto word = [](const std::string& table, const std::string& key,
+                       auto enumerator) {
+    return vocabulary_key(vocabulary_table(table), key)
+        .words.at(static_cast<std::size_t>(enumerator));
+  };
+
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::self_affine), "self-affine");
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::spectrum), "spectrum");
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::measured), "measured");
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::sphere), "sphere");
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::wave_1d), "wave-1d");
+  EXPECT_EQ(word("surface", "kind", SurfaceKind::wave_2d), "wave-2d");
+  EXPECT_EQ(word("surface", "amplitudes", Amplitudes::gaussian), "gaussian");
+  EXPECT_EQ(word("surface", "format", MapFormat::automatic), "auto");
+  EXPECT_EQ(word("surface", "format", MapFormat::plain), "plain");
+  EXPECT_EQ(word("surface", "level", Levelling::plane), "plane");
+  EXPECT_EQ(word("surface", "edges", Edges::window), "window");
+  EXPECT_EQ(word("fem", "contact", ContactLaw::penalty), "penalty");
+  EXPECT_EQ(word("fem", "contact", ContactLaw::hard), "hard");
+  EXPECT_EQ(word("fem", "contact", ContactLaw::augmented), "augmented");
+  EXPECT_EQ(word("fem", "top", TopFace::sliding), "sliding");
+  EXPECT_EQ(word("fem", "element", Element::q2), "Q2");
+  EXPECT_EQ(word("fem", "solver", FemSolver::automatic), "auto");
+  EXPECT_EQ(word("fem", "solver", FemSolver::condensed), "condensed");
+  EXPECT_EQ(word("theory", "spectrum", TheorySpectrum::surface), "surface");
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,146 @@
+// Claims about cases/units.hpp: exact conversion, and what a wrong unit is
+// told.
+#include "cases/units.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace asperity::cases {
+namespace {
+
+const std::vector<Yardstick> by_the_grid = {Yardstick::length,
+                                            Yardstick::spacing};
+
+QuantityReading length_from(const std::string& text) {
+  return read_quantity(text, Dimension::length, by_the_grid);
+}
+
+// Claim: a decimal unit gives the double nearest to the decimal number, which
+// the C library's reading of "14e-9" is. Exact, because the powers of ten up to
+// 1e22 are doubles and one division or product rounds once.
+TEST(Units, ConvertWholeNumbersWithOneRounding) {
+  struct Example {
+    const char* text;
+    Dimension dimension;
+    const char* in_si;
+  };
+
+  for (const Example& example :
+       std::vector<Example>{{"14 nm", Dimension::length, "14e-9"},
+                            {"3 angstrom", Dimension::length, "3e-10"},
+                            {"7 um", Dimension::length, "7e-6"},
+                            {"7 \u00b5m", Dimension::length, "7e-6"},
+                            {"7 \u03bcm", Dimension::length, "7e-6"},
+                            {"9 mm", Dimension::length, "9e-3"},
+                            {"2 m", Dimension::length, "2"},
+                            {"5 Pa", Dimension::pressure, "5"},
+                            {"5 kPa", Dimension::pressure, "5e3"},
+                            {"5 MPa", Dimension::pressure, "5e6"},
+                            {"2 GPa", Dimension::pressure, "2e9"},
+                            {"3 N", Dimension::force, "3"},
+                            {"4 J/m^2", Dimension::energy_per_area, "4"},
+                            {"1.2566e6 1/m", Dimension::wavevector, "1.2566e6"},
+                            {"8 Pa/m", Dimension::stiffness, "8"}}) {
+    const QuantityReading reading =
+        read_quantity(example.text, example.dimension, {});
+
+    ASSERT_TRUE(reading.quantity) << example.text << " " << reading.mistake;
+    EXPECT_EQ(reading.quantity->value, std::strtod(example.in_si, nullptr))
+        << example.text;
+    EXPECT_EQ(reading.quantity->yardstick, Yardstick::si);
+  }
+}
+
+TEST(Units, KeepTheProblemsOwnYardsticks) {
+  const QuantityReading load = read_quantity("0.3 E*", Dimension::pressure,
+                                             {Yardstick::contact_modulus});
+  const QuantityReading penalty =
+      read_quantity("100E*/h", Dimension::stiffness,
+                    {Yardstick::contact_modulus_per_spacing});
+  const QuantityReading gap =
+      read_quantity(" 2\th_rms ", Dimension::length, {Yardstick::rms_height});
+
+  EXPECT_EQ(load.quantity->value, 0.3);
+  EXPECT_EQ(load.quantity->yardstick, Yardstick::contact_modulus);
+  EXPECT_EQ(penalty.quantity->value, 100.0);
+  EXPECT_EQ(penalty.quantity->yardstick,
+            Yardstick::contact_modulus_per_spacing);
+  EXPECT_EQ(gap.quantity->yardstick, Yardstick::rms_height);
+}
+
+TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
+  const std::string allowed = "m, mm, um, nm, angstrom, length, h";
+
+  EXPECT_EQ(length_from("14 nn").mistake,
+            "has the unknown unit \"nn\"; allowed: " + allowed +
+                "; nearest: nm");
+  EXPECT_EQ(length_from("14 MPa").mistake,
+            "has the unit MPa of a pressure, but must have one of: " + allowed);
+  EXPECT_EQ(length_from("14").mistake,
+            "has no unit; allowed: " + allowed +
+                " (a number without quotes is in m)");
+  EXPECT_EQ(length_from("nm").mistake, "does not begin with a number");
+  EXPECT_EQ(length_from("inf nm").mistake, "does not begin with a number");
+  EXPECT_EQ(length_from("1e999 m").mistake, "is out of the range of numbers");
+  EXPECT_EQ(length_from("").mistake, "does not begin with a number");
+}
+
+// A yardstick is refused where the key does not offer it, though it is known.
+TEST(Units, OfferAYardstickOnlyWhereTheKeyDoes) {
+  EXPECT_EQ(read_quantity("2 E*", Dimension::pressure, {}).mistake,
+            "has the unit E* of a pressure, but must have one of: Pa, kPa, "
+            "MPa, GPa");
+}
+
+TEST(Units, NameTheNearestDespiteTheCase) {
+  EXPECT_NE(read_quantity("2 Gpa", Dimension::pressure, {})
+                .mistake.find("nearest: GPa"),
+            std::string::npos);
+}
+
+// Claim: what write_quantity writes, read_quantity reads to the last bit.
+RC_GTEST_PROP(UnitsProperty, WrittenQuantitiesReadBack, (double number)) {
+  RC_PRE(std::isfinite(number));
+  const Unit unit = *rc::gen::elementOf(units());
+  const Quantity quantity{number, unit.yardstick};
+
+  const QuantityReading reading =
+      read_quantity(write_quantity(quantity, unit.dimension), unit.dimension,
+                    {unit.yardstick});
+
+  RC_ASSERT(reading.quantity.has_value());
+  RC_ASSERT(reading.quantity->value == number);
+  RC_ASSERT(reading.quantity->yardstick == unit.yardstick);
+}
+
+// Claim: an integer of any unit is worth factor times the SI unit, with the
+// factor of the metric prefix from its own list.
+RC_GTEST_PROP(UnitsProperty, PrefixesAreThePowersOfTen, (int number)) {
+  const auto [symbol, exponent] = *rc::gen::element(
+      std::pair<std::string, std::string>{"nm", "e-9"},
+      std::pair<std::string, std::string>{"um", "e-6"},
+      std::pair<std::string, std::string>{"mm", "e-3"},
+      std::pair<std::string, std::string>{"angstrom", "e-10"});
+  const std::string digits = std::to_string(number);
+
+  const QuantityReading reading = length_from(digits + " " + symbol);
+
+  RC_ASSERT(reading.quantity->value ==
+            std::strtod((digits + exponent).c_str(), nullptr));
+}
+
+// Claim: no text makes the reader do anything but read or refuse with a reason.
+RC_GTEST_PROP(UnitsProperty, AnyTextIsReadOrRefused,
+              (const std::string& text)) {
+  const QuantityReading reading = length_from(text);
+
+  RC_ASSERT(reading.quantity.has_value() == reading.mistake.empty());
+}
+
+} // namespace
+} // namespace asperity::cases

@@ -1,0 +1,184 @@
+// Claims about results/observables.hpp, on shapes whose area, perimeter and
+// energy are known by geometry or by integral.
+#include "results/observables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/results/shapes.hpp"
+
+namespace asperity::results {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Claim: a rectangle of a x b cells has its own area and 2 (a h_x + b h_y),
+// also where it lies across the periodic border. Tolerance: rounding of a sum
+// of equal terms and of two divisions.
+TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
+  const Grid grid{20, 12, 2.0, 3.0};               // cells of 0.1 m x 0.25 m
+  for (const double centre_x : {0.65, 1.65, 1.95}) // 6 columns: inside, at
+    for (const double centre_y : {1.0, 0.25, 2.75, 0.0}) { // the border, across
+      const auto pressure = shape(grid, [&](double x, double y) {
+        return std::abs(periodic_distance(x, centre_x, 2.0)) < 0.3 &&
+               std::abs(periodic_distance(y, centre_y, 3.0)) < 0.3; // 3 rows
+      });
+
+      EXPECT_NEAR(counted_area_fraction(pressure), 6 * 3 / 240.0, 4 * epsilon);
+      EXPECT_NEAR(contact_perimeter(grid, pressure),
+                  2.0 * (0.6 + 0.75) / grid.area(), 4 * epsilon);
+    }
+}
+
+TEST(ContactPerimeter, VanishesWithoutContactAndInFullContact) {
+  const Grid grid{8, 8, 1.0, 1.0};
+
+  EXPECT_EQ(contact_perimeter(grid, std::vector<double>(64, 0.0)), 0.0);
+  EXPECT_EQ(contact_perimeter(grid, std::vector<double>(64, 2.0)), 0.0);
+  EXPECT_EQ(counted_area_fraction(std::vector<double>(64, 2.0)), 1.0);
+}
+
+// Claim: the perimeter drawn on the grid of a disc that holds its nodes is the
+// perimeter of its bounding box, 8 R to within one spacing a side, so that the
+// isotropic perimeter is 2 pi R; the count is right to Gauss's bound
+// |N - pi r^2| <= 2 sqrt(2) pi r of the circle problem.
+TEST(ContactPerimeter, OfADiscIsThatOfItsBoundingBox) {
+  const Grid grid{256, 256, 1.0, 1.0};
+  const double radius = 0.3;
+  const double spacing = grid.spacing_x();
+
+  const auto pressure = shape(grid, [&](double x, double y) {
+    return std::hypot(x - 0.503, y - 0.498) < radius;
+  });
+
+  const double perimeter = contact_perimeter(grid, pressure);
+  EXPECT_NEAR(perimeter, 8.0 * radius, 4.0 * spacing);
+  EXPECT_NEAR(isotropic_perimeter(perimeter), 2 * std::numbers::pi * radius,
+              std::numbers::pi * spacing);
+  EXPECT_NEAR(counted_area_fraction(pressure),
+              std::numbers::pi * radius * radius,
+              2 * std::numbers::sqrt2 * std::numbers::pi * radius * spacing);
+}
+
+/// True if the cell of side h about (x, y) meets the disc about the origin.
+bool touches_disc(double x, double y, double h, double radius) {
+  const double nearest_x = std::max(std::abs(x) - 0.5 * h, 0.0);
+  const double nearest_y = std::max(std::abs(y) - 0.5 * h, 0.0);
+  return std::hypot(nearest_x, nearest_y) < radius;
+}
+
+// Claim: where every cell that a disc touches is counted, the corrected area
+// with the coefficient 1/2 is right. By Minkowski's sum of disc and cell the
+// mean count over positions is pi R^2 + 4 R h + h^2 and the mean perimeter
+// 8 R + 4 h, so the correction leaves -h^2. Tolerance: three standard errors
+// of the mean of the very sample, which is some 1 % of the 4 R h taken away.
+TEST(CorrectedArea, RemovesTheTouchedCellsOfADisc) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  const double spacing = grid.spacing_x();
+  const double radius = 0.25;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(0.0, spacing);
+  const int n_samples = 200;
+
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (int i = 0; i < n_samples; ++i) {
+    const double centre_x = 0.5 + shift(random);
+    const double centre_y = 0.5 + shift(random);
+    const auto pressure = shape(grid, [&](double x, double y) {
+      return touches_disc(x - centre_x, y - centre_y, spacing, radius);
+    });
+    const double error = corrected_area_fraction(
+                             counted_area_fraction(pressure),
+                             contact_perimeter(grid, pressure), spacing, 0.5) -
+                         std::numbers::pi * radius * radius;
+    sum += error;
+    sum_of_squares += error * error;
+  }
+
+  const double mean = sum / n_samples;
+  const double standard_error =
+      std::sqrt((sum_of_squares / n_samples - mean * mean) / n_samples);
+  EXPECT_NEAR(mean, -spacing * spacing, 3.0 * standard_error);
+  EXPECT_LT(standard_error, 0.01 * 4.0 * radius * spacing);
+}
+
+TEST(CorrectedArea, StaysBetweenZeroAndTheCount) {
+  EXPECT_EQ(corrected_area_fraction(0.01, 10.0, 0.1, 0.2), 0.0);
+  EXPECT_EQ(corrected_area_fraction(0.5, 0.0, 0.1, 0.2), 0.5);
+  EXPECT_THROW(corrected_area_fraction(1.1, 1.0, 0.1, 0.2), std::domain_error);
+}
+
+// Claim: the kernels' coefficients are the published ones. 0.118 and the
+// nodes of the interpolation by their printed digits.
+TEST(AreaCoefficient, IsThatOfItsSource) {
+  EXPECT_NEAR(geometric_area_coefficient(), 0.118, 0.0005);
+  EXPECT_NEAR(q1_area_coefficient(0.5), 0.2425, epsilon);
+  EXPECT_NEAR(q1_area_coefficient(1.0), 0.205, epsilon);
+  EXPECT_NEAR(q1_area_coefficient(1.5), 0.16, epsilon);
+  EXPECT_NEAR(q1_area_coefficient(1.25), (0.205 + 0.16) / 2, epsilon);
+  EXPECT_EQ(q1_area_coefficient(9.0), q1_area_coefficient(1.5));
+  EXPECT_THROW(q1_area_coefficient(0.0), std::domain_error);
+}
+
+// Claim: p = a (1 + cos qx) and w = C a cos qx give 1/2 <p w> = C a^2/4 and
+// 1/2 <p^2>/k = 3 a^2/(4 k). A DFT grid sums a trigonometric polynomial
+// exactly; tolerance: rounding of 256 terms.
+TEST(Energy, OfAWaveIsItsIntegral) {
+  const Grid grid{16, 16, 1.0, 1.0};
+  const double amplitude = 3e6;    // Pa
+  const double compliance = 2e-13; // m/Pa
+  const double local_compliance = 5e-14;
+  std::vector<double> pressure(grid.size());
+  std::vector<double> displacement(grid.size());
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 16; ++ix) {
+      const double wave = std::cos(2 * std::numbers::pi * ix / 16.0);
+      pressure[grid.index(ix, iy)] = amplitude * (1.0 + wave);
+      displacement[grid.index(ix, iy)] = compliance * amplitude * wave;
+    }
+
+  const double scale = amplitude * amplitude * compliance;
+  EXPECT_NEAR(elastic_energy(pressure, displacement) / scale, 0.25,
+              256 * epsilon);
+  EXPECT_NEAR(contact_energy(pressure, local_compliance) /
+                  (amplitude * amplitude * local_compliance),
+              0.75, 256 * epsilon);
+  EXPECT_EQ(contact_energy(pressure, 0.0), 0.0);
+}
+
+// Claim: weights count nodes by their area: a field of nodes of areas 1/2 and
+// 3/2 has the mean of the same field on nodes drawn in that number.
+TEST(NodalWeights, CountANodeByItsArea) {
+  const std::vector<double> weights{0.5, 1.5};
+  const std::vector<double> pressure{0.0, 4.0};
+
+  EXPECT_DOUBLE_EQ(weighted_mean(pressure, weights), 3.0);
+  EXPECT_DOUBLE_EQ(counted_area_fraction(pressure, weights), 0.75);
+  EXPECT_DOUBLE_EQ(elastic_energy(pressure, pressure, weights), 6.0);
+  EXPECT_DOUBLE_EQ(contact_energy(pressure, 2.0, weights), 12.0);
+}
+
+TEST(MapSizes, AreCheckedByName) {
+  const Grid grid{4, 4, 1.0, 1.0};
+  const std::vector<double> pressure(15, 1.0);
+  try {
+    contact_perimeter(grid, pressure);
+    FAIL() << "a map of another size was accepted";
+  } catch (const std::domain_error& error) {
+    EXPECT_STREQ(error.what(), "pressure.size() = 15, but must be equal to 16");
+  }
+  EXPECT_THROW(weighted_mean({}), std::domain_error);
+  EXPECT_THROW(weighted_mean(pressure, std::vector<double>(14, 1.0)),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::results

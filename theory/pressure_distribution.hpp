@@ -1,0 +1,55 @@
+#pragma once
+
+// Persson's distribution of contact pressure in closed form, (1)-(5): pure
+// functions of the nominal pressure and of the stress variance G.
+
+namespace asperity::theory {
+
+/// What the roughness does to the pressure distribution:
+///
+///     G = (pi/4) E*^2 int q^3 C dq = E*^2 rms_slope^2/8              (2)
+///
+/// @param contact_modulus  E* [Pa] > 0
+/// @param rms_slope        both directions [1] > 0
+/// @return                 G [Pa^2]; full contact has the variance 2 G
+/// @throws std::domain_error  an argument outside its range or not finite
+double stress_variance(double contact_modulus, double rms_slope);
+
+/// Density of the contact pressure sigma > 0, normalised to the area fraction:
+///
+///     P = [e^{-(sigma - p)^2/4G} - e^{-(sigma + p)^2/4G}]/(2 sqrt(pi G))  (1)
+///
+/// @param contact_pressure  sigma [Pa] >= 0
+/// @param nominal_pressure  p [Pa] >= 0
+/// @param variance          G [Pa^2] > 0
+/// @return                  P [1/Pa] >= 0
+/// @throws std::domain_error  an argument outside its range or not finite
+/// @par Accuracy  a few ulp, also where the exponentials nearly cancel
+double pressure_density(double contact_pressure, double nominal_pressure,
+                        double variance);
+
+/// A/A_0 = erf(p/(2 sqrt G)), (4). Small pressures: p/sqrt(pi G), (5).
+///
+/// @param nominal_pressure  p [Pa] >= 0
+/// @param variance          G [Pa^2] > 0
+/// @return                  A/A_0 [1] 0..1
+/// @throws std::domain_error  an argument outside its range or not finite
+/// @par Accuracy  a few ulp (one erf). Model: exact in full contact only.
+/// @see  B. N. J. Persson, J. Chem. Phys. 115, 3840 (2001)
+double area_fraction(double nominal_pressure, double variance);
+
+/// int_0^inf sigma^n P dsigma for n = 0, 1, 2, which are the area fraction, the
+/// nominal pressure, and the mean square (p^2 + 2G) erf(p/2 sqrt G) +
+/// 2p sqrt(G/pi) e^{-p^2/4G}.
+struct PressureMoments {
+  double area_fraction = 0.0;        ///< [1]
+  double nominal_pressure = 0.0;     ///< [Pa]
+  double mean_square_pressure = 0.0; ///< over the whole nominal area [Pa^2]
+};
+
+/// @param nominal_pressure  p [Pa] >= 0
+/// @param variance          G [Pa^2] > 0
+/// @throws std::domain_error  an argument outside its range or not finite
+PressureMoments pressure_moments(double nominal_pressure, double variance);
+
+} // namespace asperity::theory

@@ -1,0 +1,58 @@
+#pragma once
+
+// Westergaard's contact of an elastic half-space and a rigid sinusoidal wave,
+// h = D cos(2 pi x/lambda): exact at every load, in closed form.
+
+namespace asperity::theory {
+
+/// @see H. M. Westergaard, J. Appl. Mech. 6, 49 (1939); K. L. Johnson, Contact
+///      Mechanics (1985), Sec. 13.2. Plane strain, no friction, no adhesion.
+///
+/// All members throw std::domain_error for an argument that is outside its
+/// range or not finite, and are exact to rounding. P = p/p* throughout; from
+/// P = 1 on the contact is full.
+class WestergaardContact {
+public:
+  /// @param amplitude        D, half the height from trough to crest [m] > 0
+  /// @param wavelength       lambda [m] > 0
+  /// @param contact_modulus  E* [Pa] > 0
+  WestergaardContact(double amplitude, double wavelength,
+                     double contact_modulus);
+
+  /// p* = pi E* D/lambda [Pa], the load of full contact.
+  double full_contact_pressure() const { return full_contact_pressure_; }
+
+  /// (2/pi) asin sqrt(P) [1] 0..1.
+  /// @param nominal_pressure  p [Pa] >= 0, here and below
+  double area_fraction(double nominal_pressure) const;
+
+  /// D (1 - P + P ln P) [m], between the mean planes; 0 in full contact.
+  double mean_gap(double nominal_pressure) const;
+
+  /// -dp/d(mean gap) = p*/(D ln(1/P)) [Pa/m], infinite in full contact, 0 at
+  /// no load.
+  double contact_stiffness(double nominal_pressure) const;
+
+  /// Energy per nominal area D p* P^2 (1/4 - ln(P)/2) [J/m^2]; D p*/4 in full
+  /// contact.
+  double elastic_energy(double nominal_pressure) const;
+
+  /// Contact pressure, psi = pi x/lambda,
+  ///     2 p* cos(psi) sqrt(P - sin^2 psi),  0 where P < sin^2 psi,
+  ///     p + p* cos(2 psi) in full contact [Pa].
+  /// @param position  x from a crest [m], any
+  double contact_pressure(double position, double nominal_pressure) const;
+
+  /// Gap, with t = abs(sin(pi x/lambda)):
+  ///     2 D [t sqrt(t^2 - P) - P arcosh(t/sqrt(P))],  0 in contact [m].
+  double gap(double position, double nominal_pressure) const;
+
+private:
+  double reduced_pressure(double nominal_pressure) const; // P, at most 1
+
+  double amplitude_;
+  double wavelength_;
+  double full_contact_pressure_;
+};
+
+} // namespace asperity::theory
