@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asperity::results {
@@ -71,10 +72,9 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
       throw cases::CaseError(fmt::format("{} is missing", curve.place(needed)));
 
   std::vector<CurvePoint> points;
-  for (const double length =
-           static_cast<double>(curve.numbers(length_column).size());
-       static_cast<double>(points.size()) < length;)
-    points.push_back(blank_point(static_cast<int>(points.size())));
+  const std::size_t length = curve.numbers(length_column).size();
+  for (std::size_t i = 0; i < length; ++i)
+    points.push_back(blank_point(static_cast<int>(i)));
   for (const CurveColumn& column : curve_columns())
     if (curve.has(std::string(column.name)))
       read_column(curve, column, points);

@@ -2,8 +2,8 @@
 
 #include "base/fourier.hpp"
 #include "results/build_info.hpp"
+#include "results/hdf5_file.hpp"
 
-#include <H5public.h>
 #include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -39,20 +39,13 @@ std::string host_system() {
   return fmt::format("{} {} {}", name.sysname, name.release, name.machine);
 }
 
-std::string hdf5_version() {
-  unsigned major = 0;
-  unsigned minor = 0;
-  unsigned release = 0;
-  H5get_libversion(&major, &minor, &release);
-  return fmt::format("{}.{}.{}", major, minor, release);
-}
-
 } // namespace
 
 Provenance program_facts() {
   return {
       {"program", "asperity " ASPERITY_PROJECT_VERSION},
       {"commit", build_commit},
+      {"dirty", build_dirty},
       {"compiler", "g++ " __VERSION__},
       {"build type", ASPERITY_BUILD_TYPE},
       {"FFTW", fourier_library()},
@@ -60,6 +53,7 @@ Provenance program_facts() {
       {"Boost", BOOST_LIB_VERSION},
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000,
                           FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"toml11", ASPERITY_TOML11_VERSION},
       {"processor", processor()},
       {"cores", std::to_string(std::thread::hardware_concurrency())},
       {"memory", memory()},

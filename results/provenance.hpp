@@ -9,9 +9,10 @@
 
 namespace asperity::results {
 
-/// Facts of the program and the machine: version, commit (with "dirty" if the
-/// sources had uncommitted changes, "unknown" outside a checkout), compiler,
-/// build type, library versions, processor, cores, memory, host system.
+/// Facts of the program and the machine: version, commit, dirty ("yes" if the
+/// sources had uncommitted changes; both are "unknown" outside a checkout),
+/// compiler, build type, library versions, processor, cores, memory, host
+/// system. A report warns of numbers from a dirty program.
 Provenance program_facts();
 
 /// "2026-01-31T12:34:56Z" [UTC]

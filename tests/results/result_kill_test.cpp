@@ -88,7 +88,7 @@ TEST_F(ResultKill, AtAnyMomentKeepsEveryStepThatWasDone) {
   int last_reported = -1;
   int n_kills_in_a_step = 0;
 
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < 30; ++run) {
     const int last = last_step_of_killed_run(
         folder_, n_steps(random), std::chrono::microseconds(delay_us(random)));
     EXPECT_GT(last, last_reported);
