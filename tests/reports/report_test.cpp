@@ -145,6 +145,21 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
   EXPECT_NE(html.find("area_excess"), std::string::npos);
 }
 
+// Claim: figures of exact shapes do not overwrite each other's files.
+TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  rough.surface.amplitude = 34e-9 * std::numbers::sqrt2;
+  rough.surface.wavelength = synthetic::length;
+  const std::vector<ReportEntry> entries{entry_of(result, rough),
+                                         entry_of(result, rough)};
+
+  write_report(entries, folder);
+
+  for (const char* one : {"1-polymer", "2-polymer"})
+    EXPECT_TRUE(fs::exists(folder / "figures" / one / "exact-gap.svg")) << one;
+}
+
 TEST_F(Report, ComparesSeveralResults) {
   const results::Result first = synthetic::rough_result(rough, 2);
   results::Result second = synthetic::rough_result(rough, 1);
