@@ -116,9 +116,10 @@ TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
   EXPECT_TRUE(fs::exists(folder / "figures" / "pressure-gap.csv"));
 }
 
-TEST_F(Report, ShowsFailedStepsAndInterruptedRuns) {
+TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.status = "interrupted";
+  result.provenance.emplace_back("dirty", "yes");
   results::CurvePoint& failed = result.methods[1].realizations[0].points[3];
   failed.status = results::StepStatus::not_converged;
   failed.note = "residual stands at <1e-4>";
@@ -128,6 +129,7 @@ TEST_F(Report, ShowsFailedStepsAndInterruptedRuns) {
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("The run is not complete (status: interrupted)"),
             std::string::npos);
+  EXPECT_NE(html.find("do not quote these numbers"), std::string::npos);
   EXPECT_NE(html.find("fem: 1 of 16 steps did not converge"),
             std::string::npos);
   EXPECT_NE(html.find("residual stands at &lt;1e-4&gt;"), std::string::npos);
