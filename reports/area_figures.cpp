@@ -8,6 +8,25 @@
 #include <cmath>
 
 namespace asperity::reports {
+namespace {
+
+std::string area_caption(const Series* fitted, double scale) {
+  std::string caption =
+      "Signs: contact counted node by node. Coloured lines: the "
+      "same with the area at the contact's rim corrected.";
+  if (fitted != nullptr && quantity(*fitted, "area_excess").has_value())
+    caption += fmt::format(
+        " Counted, {} has {:+.0f} % of contact against the theory at light "
+        "load.",
+        fitted->label, 100.0 * quantity(*fitted, "area_excess").value);
+  if (std::isfinite(scale))
+    caption +=
+        fmt::format(" Dashed: the theory scaled by {:.3g} to {}'s fitted κ.",
+                    scale, fitted->label);
+  return caption;
+}
+
+} // namespace
 
 Figure area_figure(std::span<const Series> series) {
   constexpr double largest_area = 0.4; // where the near-linear part is over
@@ -55,17 +74,7 @@ Figure area_figure(std::span<const Series> series) {
                     line_style(one) + " title " +
                     gnuplot_text(one.label + ", corrected"));
   }
-  figure.caption = "Signs: contact counted node by node. Coloured lines: the "
-                   "same with the area at the contact's rim corrected.";
-  if (fitted != nullptr && quantity(*fitted, "area_excess").has_value())
-    figure.caption += fmt::format(
-        " Counted, {} has {:+.0f} % of contact against the theory at light "
-        "load.",
-        fitted->label, 100.0 * quantity(*fitted, "area_excess").value);
-  if (std::isfinite(scale))
-    figure.caption +=
-        fmt::format(" Dashed: the theory scaled by {:.3g} to {}'s fitted κ.",
-                    scale, fitted->label);
+  figure.caption = area_caption(fitted, scale);
   figure.script =
       fmt::format("set xlabel {}\nset ylabel {}\nset key top left\nset xrange "
                   "[0:{:.6g}]\nset yrange [0:{}]\n{}",

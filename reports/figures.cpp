@@ -37,13 +37,15 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
   return group;
 }
 
-FigureGroup maps_of(const ReportEntry& entry, std::size_t index,
-                    bool is_one_of_many) {
+FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
+                           bool is_one_of_many) {
   FigureGroup group{"Surface and contact", "", {}};
   if (is_one_of_many) {
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
+  if (is_exact_shape(entry.contact_case->surface))
+    group.figures = exact_figures(entry);
   append(group.figures, surface_figure(entry));
   append(group.figures, spectrum_figure(entry));
   if (!is_exact_shape(entry.contact_case->surface))
@@ -61,10 +63,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
   std::vector<FigureGroup> groups;
   groups.push_back(shared_curves(entries, series));
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (is_exact_shape(entries[i].contact_case->surface))
-      for (Figure& figure : exact_figures(entries[i]))
-        groups.front().figures.push_back(std::move(figure));
-    groups.push_back(maps_of(entries[i], i, has_many));
+    groups.push_back(figures_of_one(entries[i], i, has_many));
   }
   FigureGroup cost{"Cost", "", {}};
   append(cost.figures, cost_figure(series));

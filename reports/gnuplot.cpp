@@ -32,11 +32,13 @@ set errorbars 0
 constexpr const char* font_list =
     "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
 
+// gnuplot 5.4 misreads a doubled quote at the start of a quoted string, so a
+// quote becomes a typographic one, which ends nothing.
 std::string in_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (c == '\'')
-      quoted += "''";
+      quoted += "’";
     else
       quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }

@@ -37,7 +37,8 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program = "gnuplot");
 
 /// A quoted string for a gnuplot script that shows `text` as it is: nothing in
-/// it is read as markup or run as a command.
+/// it is read as markup or run as a command. A straight single quote is shown
+/// as a typographic one.
 std::string gnuplot_text(const std::string& text);
 
 /// The same for text that is markup already, such as "h_{rms}".

@@ -36,6 +36,18 @@ const std::vector<Column>& columns_of(bool is_exact) {
   return is_exact ? exact : rough;
 }
 
+// The columns that some method has a word on.
+std::vector<Column> answered(std::vector<Column> columns,
+                             const Summary& summary) {
+  std::erase_if(columns, [&](const Column& column) {
+    return std::none_of(summary.methods.begin(), summary.methods.end(),
+                        [&](const MethodSummary& method) {
+                          return method.quantities.contains(column.quantity);
+                        });
+  });
+  return columns;
+}
+
 std::string remark_of(const Estimate& estimate) {
   if (estimate.has_value() && estimate.realizations > 1 &&
       estimate.has_interval())
@@ -137,7 +149,9 @@ void set_banner(Value& entry, const Summary& summary) {
     entry.set("banner", "The case states no expectations.");
   } else if (summary.all_ok()) {
     entry.set("banner_class", "good");
-    entry.set("banner", fmt::format("All {} expectations are met.", all));
+    entry.set("banner", all == 1
+                            ? "The one expectation is met."
+                            : fmt::format("All {} expectations are met.", all));
   } else {
     entry.set("banner_class", "bad");
     entry.set("banner", fmt::format("{} of {} expectations are not met.",
@@ -192,7 +206,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
                  bool is_one_of_many) {
   const Summary& summary = entry.summary;
   const bool is_exact = is_exact_shape(entry.contact_case->surface);
-  const std::vector<Column>& columns = columns_of(is_exact);
+  const std::vector<Column> columns = answered(columns_of(is_exact), summary);
   Value page;
   page.set("name", summary.case_name);
   page.set("title", summary.case_title);

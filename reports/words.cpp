@@ -32,7 +32,7 @@ std::string surface_words(const cases::SurfaceSpec& surface) {
   case SurfaceKind::measured:
     return "measured surface";
   case SurfaceKind::sphere:
-    return fmt::format("sphere of radius {:.4g} µm", surface.radius * 1e6);
+    return fmt::format("sphere of radius {:.6g} µm", surface.radius * 1e6);
   case SurfaceKind::wave_1d:
     return fmt::format("one-dimensional wave, amplitude {:.4g} nm, length "
                        "{:.4g} µm",

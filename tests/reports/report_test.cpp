@@ -116,9 +116,10 @@ TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
   EXPECT_TRUE(fs::exists(folder / "figures" / "pressure-gap.csv"));
 }
 
-TEST_F(Report, ShowsFailedStepsAndInterruptedRuns) {
+TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.status = "interrupted";
+  result.provenance.emplace_back("dirty", "yes");
   results::CurvePoint& failed = result.methods[1].realizations[0].points[3];
   failed.status = results::StepStatus::not_converged;
   failed.note = "residual stands at <1e-4>";
@@ -128,6 +129,7 @@ TEST_F(Report, ShowsFailedStepsAndInterruptedRuns) {
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("The run is not complete (status: interrupted)"),
             std::string::npos);
+  EXPECT_NE(html.find("do not quote these numbers"), std::string::npos);
   EXPECT_NE(html.find("fem: 1 of 16 steps did not converge"),
             std::string::npos);
   EXPECT_NE(html.find("residual stands at &lt;1e-4&gt;"), std::string::npos);
@@ -143,6 +145,21 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("H = 0.95, roll-off at 2.22 µm"), std::string::npos);
   EXPECT_NE(html.find("area_excess"), std::string::npos);
+}
+
+// Claim: figures of exact shapes do not overwrite each other's files.
+TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  rough.surface.amplitude = 34e-9 * std::numbers::sqrt2;
+  rough.surface.wavelength = synthetic::length;
+  const std::vector<ReportEntry> entries{entry_of(result, rough),
+                                         entry_of(result, rough)};
+
+  write_report(entries, folder);
+
+  for (const char* one : {"1-polymer", "2-polymer"})
+    EXPECT_TRUE(fs::exists(folder / "figures" / one / "exact-gap.svg")) << one;
 }
 
 TEST_F(Report, ComparesSeveralResults) {
