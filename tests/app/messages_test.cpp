@@ -29,7 +29,7 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   const Ended refused = run("run broken.toml");
 
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_TRUE(says(refused, "broken.toml:17")) << refused.output;
+  EXPECT_TRUE(says(refused, "broken.toml:16")) << refused.output;
   EXPECT_TRUE(says(refused, "poisson_ratio")) << refused.output;
   EXPECT_TRUE(says(refused, "rms_slope")) << refused.output;
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));

@@ -130,10 +130,11 @@ TEST_F(RunCommand, RunsAVariantBesideItsMethod) {
 }
 
 TEST_F(RunCommand, FollowsAMeanGapAndBack) {
-  const Ended done = run("run small.toml --methods halfspace,theory --out result "
-                       "--set load.nominal_pressure= "
-                       "--set 'load.mean_gap=[\"2 h_rms\", \"1 h_rms\"]' "
-                       "--set load.cycle=load-unload");
+  const Ended done =
+      run("run small.toml --methods halfspace,theory --out result "
+          "--set load.nominal_pressure= "
+          "--set 'load.mean_gap=[\"2 h_rms\", \"1 h_rms\"]' "
+          "--set load.cycle=load-unload");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
   const Result written = result("result");
@@ -155,7 +156,7 @@ TEST_F(RunCommand, SurvivesAKillAndResumes) {
   int kept = 0;
   for (const char* seconds : {"0.2", "0.3", "0.4", "0.6", "0.8", "1.2"}) {
     const Ended killed = run(long_run + "--out killed --resume",
-                           std::string("timeout -s KILL ") + seconds);
+                             std::string("timeout -s KILL ") + seconds);
     if (std::filesystem::exists(folder / "killed/result.h5"))
       kept = steps_in(result("killed")); // readable, or this throws
     if (killed.exit_code == 0)
@@ -184,7 +185,7 @@ TEST_F(RunCommand, RefusesToResumeAnotherCase) {
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
 
   const Ended other = run("run small.toml --methods theory --out result "
-                        "--set theory.gamma=0.5 --resume");
+                          "--set theory.gamma=0.5 --resume");
 
   EXPECT_EQ(other.exit_code, 2) << other.output;
 }
