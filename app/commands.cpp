@@ -8,7 +8,7 @@
 #include "cases/case_schema.hpp"
 #include "cases/documents.hpp"
 #include "cases/read_case.hpp"
-#include "reports/html_report.hpp"
+#include "reports/report.hpp"
 #include "reports/verdict.hpp"
 #include "results/csv.hpp"
 #include "results/result_reader.hpp"
@@ -29,8 +29,7 @@ ExitCode worse(ExitCode one, ExitCode other) {
 }
 
 reports::Summary summary_of(const results::Result& result) {
-  return reports::summarize(
-      result, cases::read_case_text(result.case_text, result.path));
+  return reports::summarize(result, reports::case_of(result));
 }
 
 bool has_failed_steps(const reports::Summary& summary) {
@@ -57,12 +56,12 @@ void print_verdicts(const reports::Summary& summary) {
 /// Everything beside result.h5: table, summary, report.
 reports::Summary write_outputs(const fs::path& folder) {
   const results::Result result = results::read_result(folder);
+  const cases::Case rough_case = reports::case_of(result);
+  reports::ReportEntry entry = reports::entry_of(result, rough_case);
   results::write_curves_csv(result, folder / "curves.csv");
-  const reports::Summary summary = summary_of(result);
-  write_file_atomically(folder / "summary.json",
-                        reports::summary_json(summary));
-  reports::write_report({&result, 1}, folder);
-  return summary;
+  for (const std::string& failure : reports::write_report({&entry, 1}, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  return entry.summary;
 }
 
 ExitCode run_one(const cases::Case& rough_case, const RunOptions& options) {
@@ -118,7 +117,8 @@ ExitCode report_results(const std::vector<std::string>& paths,
                           : paths.size() > 1        ? fs::path("out/comparison")
                           : fs::is_directory(first) ? first
                                                     : first.parent_path();
-  reports::write_report(read, folder);
+  for (const std::string& failure : reports::write_report(read, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return exit_good;
 }

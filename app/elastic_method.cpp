@@ -2,7 +2,6 @@
 
 #include "cases/case_error.hpp"
 #include "contact/halfspace.hpp"
-#include "fem/plugin.hpp"
 #include "results/observables.hpp"
 
 #include <fmt/format.h>
@@ -66,8 +65,7 @@ public:
       : block_(std::move(block)),
         heights_(surface.record.heights),
         rms_height_(surface.scales.rms_height),
-        contact_{settings.law, settings.penalty.in_si(surface.scales),
-                 settings.tolerance, settings.max_iterations} {}
+        contact_(fem::block_contact(settings, surface.scales)) {}
 
   contact::ContactSolution solve(const contact::LoadTarget& target) override {
     const bool by_pressure =
@@ -215,9 +213,8 @@ MethodDescription describe(const cases::MethodSpec& method) {
           0.0, false};
 }
 
-SolverFactory::SolverFactory(const cases::MaterialSpec& material,
-                             int threads_for_setup)
-    : material_(material), threads_for_setup_(threads_for_setup) {}
+SolverFactory::SolverFactory(const cases::MaterialSpec& material)
+    : material_(material) {}
 
 std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
@@ -228,9 +225,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const auto& block = std::get<FemSettings>(method.settings);
   if (is_full(block))
     return std::make_unique<FullSolver>(
-        fem::load_fem_room().full(surface.record.grid, block, surface.scales,
-                                  material_.block_youngs_modulus(),
-                                  *material_.poisson_ratio),
+        fem::load_fem_room().full(request(block, surface, threads)),
         block.contact, surface);
   return std::make_unique<OperatorSolver>(
       shared_operator(method, surface, threads), block.contact, surface);
@@ -258,9 +253,15 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                                   block_of(*half, material_, surface.scales)),
         threads);
   return fem::load_fem_room().condensed(
-      grid, std::get<FemSettings>(method.settings), surface.scales,
-      material_.block_youngs_modulus(), *material_.poisson_ratio,
-      {threads_for_setup_, threads});
+      request(std::get<FemSettings>(method.settings), surface, threads));
+}
+
+fem::BlockRequest SolverFactory::request(const FemSettings& settings,
+                                         const SurfaceOfCase& surface,
+                                         int threads) const {
+  return {surface.record.grid,      settings,
+          surface.scales,           material_.block_youngs_modulus(),
+          *material_.poisson_ratio, threads};
 }
 
 } // namespace asperity::app

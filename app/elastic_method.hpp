@@ -6,6 +6,7 @@
 
 #include "app/surfaces_of_case.hpp"
 #include "contact/load_sequence.hpp"
+#include "fem/plugin.hpp"
 
 #include <map>
 #include <memory>
@@ -42,10 +43,9 @@ MethodDescription describe(const cases::MethodSpec& method);
 /// shared. Safe to call from any thread.
 class SolverFactory {
 public:
-  /// @param threads_for_setup  used while an operator is set up
-  SolverFactory(const cases::MaterialSpec& material, int threads_for_setup);
+  explicit SolverFactory(const cases::MaterialSpec& material);
 
-  /// @param threads  a transform may use
+  /// @param threads  that set-up and transforms may use
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface, int threads);
 
@@ -57,8 +57,10 @@ private:
   build_operator(const cases::MethodSpec& method, const SurfaceOfCase& surface,
                  int threads) const;
 
+  fem::BlockRequest request(const cases::FemSettings& settings,
+                            const SurfaceOfCase& surface, int threads) const;
+
   cases::MaterialSpec material_;
-  int threads_for_setup_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<contact::SurfaceOperator>> operators_;
 };

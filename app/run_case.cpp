@@ -83,7 +83,7 @@ public:
                  case_.material.contact_modulus},
                 options.resume ? results::ResultWriter::Mode::resume
                                : results::ResultWriter::Mode::create),
-        solvers_(case_.material, pool_.threads()),
+        solvers_(case_.material),
         progress_(n_steps(), case_.material.contact_modulus),
         field_steps_(steps_with_fields(case_.report.fields,
                                        case_.load.targets.size())) {}

@@ -7,13 +7,13 @@ namespace {
 
 class Messages : public ProgramTest {
 protected:
-  bool says(const Run& run, const std::string& words) const {
+  bool says(const Ended& run, const std::string& words) const {
     return run.output.find(words) != std::string::npos;
   }
 };
 
 TEST_F(Messages, NameTheNearestShippedCase) {
-  const Run lost = run("run polymers");
+  const Ended lost = run("run polymers");
 
   EXPECT_EQ(lost.exit_code, 2);
   EXPECT_TRUE(says(lost, "nearest shipped case: polymer")) << lost.output;
@@ -26,10 +26,10 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   text.replace(text.find("rms_slope"), 9, "rms_slop");
   write("broken.toml", text);
 
-  const Run refused = run("run broken.toml");
+  const Ended refused = run("run broken.toml");
 
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_TRUE(says(refused, "broken.toml:17")) << refused.output;
+  EXPECT_TRUE(says(refused, "broken.toml:16")) << refused.output;
   EXPECT_TRUE(says(refused, "poisson_ratio")) << refused.output;
   EXPECT_TRUE(says(refused, "rms_slope")) << refused.output;
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
@@ -38,7 +38,7 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
 TEST_F(Messages, NameTheMethodsACaseHas) {
   write("small.toml", small_case);
 
-  const Run refused = run("run small.toml --methods fen");
+  const Ended refused = run("run small.toml --methods fen");
 
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(says(refused, "nearest: fem")) << refused.output;
@@ -47,8 +47,8 @@ TEST_F(Messages, NameTheMethodsACaseHas) {
 TEST_F(Messages, NewCaseRunsAndIsNeverOverwritten) {
   ASSERT_EQ(run("new mine").exit_code, 0);
 
-  const Run again = run("new mine");
-  const Run done = run("run mine");
+  const Ended again = run("new mine");
+  const Ended done = run("run mine");
 
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_TRUE(says(again, "is there already")) << again.output;
@@ -64,7 +64,7 @@ TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {
 }
 
 TEST_F(Messages, ListAndSchemaPrintWhatTheyPromise) {
-  const Run listed = run("list");
+  const Ended listed = run("list");
   for (const char* name : {"polymer", "polymer-nominal", "hertz", "wave-1d",
                            "wave-2d", "self-affine"})
     EXPECT_TRUE(says(listed, name)) << name;
@@ -76,7 +76,7 @@ TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
                            "[expect]\niterations_max = { below = 1, methods = "
                            "[\"halfspace\"] }\n");
 
-  const Run checked = run("check strict.toml --junit junit.xml");
+  const Ended checked = run("check strict.toml --junit junit.xml");
 
   EXPECT_EQ(checked.exit_code, 1) << checked.output;
   EXPECT_TRUE(says(checked, "failed")) << checked.output;
@@ -85,7 +85,7 @@ TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
 }
 
 TEST_F(Messages, ReportOfNothingSaysSo) {
-  const Run lost = run("report nowhere");
+  const Ended lost = run("report nowhere");
 
   EXPECT_EQ(lost.exit_code, 2);
   EXPECT_TRUE(says(lost, "nowhere")) << lost.output;

@@ -13,7 +13,7 @@
 
 namespace asperity::app {
 
-struct Run {
+struct Ended {
   int exit_code = -1; ///< 128 + signal if it was killed
   std::string output; ///< standard output and error together
 };
@@ -37,7 +37,8 @@ protected:
   ~ProgramTest() override { std::filesystem::remove_all(folder); }
 
   /// `before` goes before the program: environment, or "timeout -s INT 1".
-  Run run(const std::string& arguments, const std::string& before = "") const {
+  Ended run(const std::string& arguments,
+            const std::string& before = "") const {
     const std::filesystem::path log = folder / "log.txt";
     const std::string command = "cd " + folder.string() + " && " + before +
                                 " " ASPERITY_PROGRAM " " + arguments + " > " +

@@ -49,7 +49,7 @@ void expect_same_curves(const Result& one, const Result& other,
 }
 
 TEST_F(RunCommand, WritesEverythingItPromises) {
-  const Run done = run("run small.toml --out result");
+  const Ended done = run("run small.toml --out result");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
   for (const char* file :
@@ -101,14 +101,14 @@ TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingThatCounts) {
 }
 
 TEST_F(RunCommand, SkipsWhatTheSceneDoesNotNeed) {
-  const Run theory =
+  const Ended theory =
       run("run small.toml --methods theory --out theory", "env LD_DEBUG=files");
 
   ASSERT_EQ(theory.exit_code, 0) << theory.output;
   EXPECT_EQ(theory.output.find("libdeal"), std::string::npos);
   EXPECT_TRUE(result("theory").surfaces.empty());
 
-  const Run block =
+  const Ended block =
       run("run small.toml --methods fem --out fem", "env LD_DEBUG=files");
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
@@ -116,7 +116,7 @@ TEST_F(RunCommand, SkipsWhatTheSceneDoesNotNeed) {
 TEST_F(RunCommand, RunsAVariantBesideItsMethod) {
   write("variant.toml", small_case + "[fem.hard]\ncontact = \"hard\"\n");
 
-  const Run done = run("run variant.toml --methods fem --out result");
+  const Ended done = run("run variant.toml --methods fem --out result");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
   const Result written = result("result");
@@ -130,10 +130,11 @@ TEST_F(RunCommand, RunsAVariantBesideItsMethod) {
 }
 
 TEST_F(RunCommand, FollowsAMeanGapAndBack) {
-  const Run done = run("run small.toml --methods halfspace,theory --out result "
-                       "--set load.nominal_pressure= "
-                       "--set 'load.mean_gap=[\"2 h_rms\", \"1 h_rms\"]' "
-                       "--set load.cycle=load-unload");
+  const Ended done =
+      run("run small.toml --methods halfspace,theory --out result "
+          "--set load.nominal_pressure= "
+          "--set 'load.mean_gap=[\"2 h_rms\", \"1 h_rms\"]' "
+          "--set load.cycle=load-unload");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
   const Result written = result("result");
@@ -154,14 +155,14 @@ TEST_F(RunCommand, SurvivesAKillAndResumes) {
   ASSERT_EQ(run(long_run + "--out whole").exit_code, 0);
   int kept = 0;
   for (const char* seconds : {"0.2", "0.3", "0.4", "0.6", "0.8", "1.2"}) {
-    const Run killed = run(long_run + "--out killed --resume",
-                           std::string("timeout -s KILL ") + seconds);
+    const Ended killed = run(long_run + "--out killed --resume",
+                             std::string("timeout -s KILL ") + seconds);
     if (std::filesystem::exists(folder / "killed/result.h5"))
       kept = steps_in(result("killed")); // readable, or this throws
     if (killed.exit_code == 0)
       break;
   }
-  const Run resumed = run(long_run + "--out killed --resume");
+  const Ended resumed = run(long_run + "--out killed --resume");
 
   ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
   EXPECT_GT(kept, 0);
@@ -172,7 +173,7 @@ TEST_F(RunCommand, SurvivesAKillAndResumes) {
 TEST_F(RunCommand, StopsInOrderOnCtrlC) {
   const std::string long_run =
       "run small.toml --set surface.points=512 --methods halfspace ";
-  const Run stopped =
+  const Ended stopped =
       run(long_run + "--out result", "timeout -s INT --preserve-status 0.8");
 
   EXPECT_EQ(stopped.exit_code, 130) << stopped.output;
@@ -183,8 +184,8 @@ TEST_F(RunCommand, StopsInOrderOnCtrlC) {
 TEST_F(RunCommand, RefusesToResumeAnotherCase) {
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
 
-  const Run other = run("run small.toml --methods theory --out result "
-                        "--set theory.gamma=0.5 --resume");
+  const Ended other = run("run small.toml --methods theory --out result "
+                          "--set theory.gamma=0.5 --resume");
 
   EXPECT_EQ(other.exit_code, 2) << other.output;
 }

@@ -1,0 +1,92 @@
+#pragma once
+
+// The whole three-dimensional block in contact, solved naively: the judge of
+// the condensed block, and `solver = "full"`. Nothing of deal.II shows here.
+
+#include "fem/elastic_layers.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::fem {
+
+/// How the block's linear systems are solved.
+enum class LinearSolver {
+  automatic, ///< direct for small blocks, multigrid beyond
+  direct,    ///< UMFPACK
+  multigrid, ///< CG to 1e-12 of the load, Trilinos ML smoothed aggregation
+};
+
+/// What is prescribed at one step.
+struct BlockLoad {
+  cases::Control control = cases::Control::nominal_pressure;
+  double target = 0.0; ///< p_0 [Pa] > 0, or mean gap [m]
+};
+
+/// The interface law, in SI.
+struct BlockContact {
+  cases::ContactLaw law = cases::ContactLaw::penalty;
+  double penalty = 0.0;      ///< k [Pa/m] > 0; the spring of the augmentation
+                             ///< where the law is hard or augmented
+  double tolerance = 1e-8;   ///< of gap, relative to h_rms, and of force
+  int max_iterations = 2000; ///< Newton steps
+};
+
+/// Fields in the grid's order. gap = distance + w - heights, where w is the
+/// displacement without its mean; means are weighted by nodal area.
+struct BlockSolution {
+  std::vector<double> pressure;  ///< [Pa] >= 0
+  std::vector<double> gap;       ///< [m], negative where springs are pressed in
+  double mean_gap = 0.0;         ///< [m]
+  double nominal_pressure = 0.0; ///< [Pa]
+  double residual = 0.0; ///< larger of the gap's violation over h_rms and of
+                         ///< the unbalanced nodal force over the largest [1]
+  int iterations = 0;    ///< Newton steps, each one factorisation
+  bool converged = false;
+  std::string note; ///< why it did not converge; empty otherwise
+};
+
+/// Node-wise contact of the block on rigid heights by semi-smooth Newton:
+///
+///     K u = sum_i a_i p_i e_i - P g,    p_i = (lambda_i - k gap_i)+,   (F.1)
+///     gap_i = d + u_i - h_i,            P A = sum_i a_i p_i,
+///
+/// with K deal.II's stiffness, a_i the nodal areas, d the rigid approach, P g
+/// the balancing load on a pressed top, and P or the mean gap prescribed. One
+/// step solves (F.1) exactly for a contact set; it ends when the set stands
+/// still. lambda = 0 for a penalty; otherwise lambda <- p until no gap in
+/// contact exceeds the tolerance (augmented Lagrangian).
+class FullBlock {
+public:
+  virtual ~FullBlock() = default;
+
+  virtual const Grid& grid() const = 0;
+
+  virtual std::size_t unknowns() const = 0;
+
+  /// Row sums of the contact face's mass matrix over their mean, mean 1.
+  virtual std::span<const double> nodal_weights() const = 0;
+
+  /// The displacement under a given pressure, without its mean.
+  /// @param pressure  grid().size() values [Pa]
+  /// @return          grid().size() values [m]; empty if CG gave up
+  virtual std::vector<double>
+  displacement(std::span<const double> pressure) = 0;
+
+  /// @param heights  grid().size() values [m]
+  /// A call starts from the displacement the last one ended with.
+  /// @throws std::domain_error  an argument is outside its range
+  virtual BlockSolution solve(std::span<const double> heights,
+                              const BlockLoad& load,
+                              const BlockContact& contact) = 0;
+};
+
+/// @param degree 1 or 2; the grid's nodes are all nodes of the contact face
+/// @throws std::domain_error  the grid or the block is outside its range
+std::unique_ptr<FullBlock>
+make_full_block(const Grid& grid, int degree, const LayeredBlock& block,
+                LinearSolver linear_solver = LinearSolver::automatic);
+
+} // namespace asperity::fem

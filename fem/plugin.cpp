@@ -1,0 +1,64 @@
+#include "fem/plugin.hpp"
+
+#include "contact/fourier_operator.hpp"
+#include "fem/condensed_q1.hpp"
+#include "fem/q2_operator.hpp"
+#include "meshes/graded_layers.hpp"
+
+#include <deal.II/base/config.h>
+
+#include <Trilinos_version.h>
+
+namespace asperity::fem {
+namespace {
+
+int degree(const BlockRequest& request) {
+  return request.settings.element == cases::Element::q1 ? 1 : 2;
+}
+
+/// surface_cell_depth counts node spacings: the planes of nodes next to the
+/// contact face are that far apart, so 1 is a cubic cell for Q1 and Q2 alike.
+LayeredBlock layered_block(const BlockRequest& request) {
+  const cases::FemSettings& settings = request.settings;
+  const double surface_cell =
+      settings.surface_cell_depth * degree(request) * request.grid.spacing_x();
+  return homogeneous_block(
+      meshes::graded_layers(surface_cell, settings.growth,
+                            settings.depth.in_si(request.scales)),
+      request.youngs_modulus, request.poisson_ratio, settings.top);
+}
+
+class DealiiRoom final : public FemRoom {
+public:
+  std::unique_ptr<contact::SurfaceOperator>
+  condensed(const BlockRequest& request) const override {
+    const LayeredBlock block = layered_block(request);
+    if (degree(request) == 1)
+      return std::make_unique<contact::FourierOperator>(
+          request.grid,
+          condensed_compliance_q1(request.grid, block, request.threads),
+          request.threads);
+    return std::make_unique<Q2Operator>(
+        condensed_compliance_q2(request.grid, block, request.threads),
+        request.threads);
+  }
+
+  std::unique_ptr<FullBlock> full(const BlockRequest& request) const override {
+    return make_full_block(request.grid, degree(request),
+                           layered_block(request));
+  }
+
+  std::string versions() const override {
+    return "deal.II " DEAL_II_PACKAGE_VERSION
+           ", Trilinos " TRILINOS_VERSION_STRING;
+  }
+};
+
+} // namespace
+} // namespace asperity::fem
+
+/// The module's one symbol.
+extern "C" const asperity::fem::FemRoom* asperity_fem_room() {
+  static const asperity::fem::DealiiRoom room;
+  return &room;
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+// The finite elements as the rest of the program sees them: loaded at run
+// time, so that only commands that compute with them pay deal.II's start.
+
+#include "cases/case.hpp"
+#include "contact/surface_operator.hpp"
+#include "fem/full_block.hpp"
+
+#include <memory>
+#include <string>
+
+namespace asperity::fem {
+
+/// One block to build: the case's [fem] on one realisation of the surface.
+struct BlockRequest {
+  Grid grid;
+  cases::FemSettings settings;
+  cases::Scales scales;
+  double youngs_modulus = 0.0; ///< E [Pa] > 0
+  double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
+  int threads = 1;             ///< changes no bit of an answer
+};
+
+/// What the module gives. Each call throws std::domain_error, in words, for a
+/// block that cannot be built (layers that do not fit, an odd grid for Q2).
+class FemRoom {
+public:
+  virtual ~FemRoom() = default;
+
+  /// Road 2: settings.solver automatic or condensed.
+  virtual std::unique_ptr<contact::SurfaceOperator>
+  condensed(const BlockRequest& request) const = 0;
+
+  /// Road 1: settings.solver full.
+  virtual std::unique_ptr<FullBlock>
+  full(const BlockRequest& request) const = 0;
+
+  /// "deal.II 9.4.1, Trilinos 13.2.0": for the provenance.
+  virtual std::string versions() const = 0;
+};
+
+/// The interface law of the case in the units the whole block takes.
+BlockContact block_contact(const cases::ContactSettings& settings,
+                           const cases::Scales& scales);
+
+/// The room, loaded at the first call: the module asperity_fem from the folder
+/// of the running program, from ../fem beside it (the build tree), or from
+/// ../lib/asperity beside it (an installation).
+/// @throws std::runtime_error  none could be loaded; says where it looked and
+///                             what the loader answered
+const FemRoom& load_fem_room();
+
+} // namespace asperity::fem

@@ -1,0 +1,49 @@
+#include "fem/plugin.hpp"
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+using RoomEntry = const FemRoom* (*)();
+
+/// The module is never closed: its libraries do not survive that.
+const FemRoom* open_room() {
+  const std::filesystem::path here =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::string looked;
+  for (const char* folder : {".", "../fem", "../../fem", "../lib/asperity"}) {
+    const std::filesystem::path module =
+        (here / folder / "asperity_fem.so").lexically_normal();
+    if (!std::filesystem::exists(module)) {
+      looked += "\n  " + module.string() + ": no such file";
+      continue;
+    }
+    void* const handle = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const entry =
+        handle != nullptr ? dlsym(handle, "asperity_fem_room") : nullptr;
+    if (entry != nullptr)
+      return reinterpret_cast<RoomEntry>(entry)();
+    const char* const why = dlerror();
+    looked += "\n  " + module.string() + ": " + (why != nullptr ? why : "?");
+  }
+  throw std::runtime_error(
+      "The finite elements could not be loaded; looked for" + looked);
+}
+
+} // namespace
+
+BlockContact block_contact(const cases::ContactSettings& settings,
+                           const cases::Scales& scales) {
+  return {settings.law, settings.penalty.in_si(scales), settings.tolerance,
+          settings.max_iterations};
+}
+
+const FemRoom& load_fem_room() {
+  static const FemRoom& room = *open_room();
+  return room;
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,82 @@
+#include "meshes/graded_layers.hpp"
+
+#include "base/require.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace asperity::meshes {
+namespace {
+
+constexpr int most_layers = 100000;
+
+/// 1 + g + ... + g^(n-1).
+double geometric_sum(double growth, int n_layers) {
+  double sum = 0.0;
+  for (int i = 0; i < n_layers; ++i)
+    sum = sum * growth + 1.0;
+  return sum;
+}
+
+/// Smallest n with geometric_sum(growth, n) >= ratio, forgiving rounding.
+int layers_needed(double growth, double ratio) {
+  int n_layers = 0;
+  double sum = 0.0;
+  double term = 1.0;
+  while (sum < ratio * (1.0 - 1e-12) && n_layers <= most_layers) {
+    sum += term;
+    term *= growth;
+    ++n_layers;
+  }
+  return n_layers;
+}
+
+/// The growth in [0, highest] that solves (M.1): the sum grows with it.
+double fitted_growth(double highest, int n_layers, double ratio) {
+  double low = 0.0;
+  double high = highest;
+  for (int i = 0; i < 200 && low < high; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high)
+      break;
+    (geometric_sum(middle, n_layers) < ratio ? low : high) = middle;
+  }
+  return high;
+}
+
+} // namespace
+
+std::vector<double> graded_layers(double surface_thickness, double growth,
+                                  double depth) {
+  require_positive("surface_thickness", surface_thickness, "m");
+  require_between("growth", growth, 1.0, 10.0, "1");
+  require_positive("depth", depth, "m");
+  const double ratio = depth / surface_thickness;
+  if (ratio < 1.0 - 1e-12)
+    refuse_argument("depth", depth,
+                    "at least the thickness of the surface layer, " +
+                        std::to_string(surface_thickness) + " m");
+  const int n_layers = layers_needed(growth, ratio);
+  if (n_layers > most_layers)
+    refuse_argument("depth", depth, "reachable with 100000 layers");
+  if (n_layers == 1)
+    return {depth};
+  if (ratio < 1.5)
+    refuse_argument("depth", depth,
+                    "either one surface layer or at least 1.5 of them, " +
+                        std::to_string(1.5 * surface_thickness) + " m");
+
+  const double fitted = fitted_growth(growth, n_layers, ratio);
+  std::vector<double> thickness(static_cast<std::size_t>(n_layers));
+  double next = surface_thickness;
+  for (double& layer : thickness) {
+    layer = next;
+    next *= fitted;
+  }
+  const double all_but_last =
+      std::accumulate(thickness.begin(), thickness.end() - 1, 0.0);
+  thickness.back() = depth - all_but_last;
+  return thickness;
+}
+
+} // namespace asperity::meshes

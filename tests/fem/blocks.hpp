@@ -1,0 +1,56 @@
+#pragma once
+
+// Blocks and pressures that several tests of the room press.
+
+#include "fem/elastic_layers.hpp"
+#include "meshes/graded_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace asperity::fem {
+
+constexpr double soft_modulus = 2.0e9; // Pa
+
+/// A block of graded layers whose moduli differ from layer to layer.
+inline LayeredBlock layered_block(double surface_thickness, double depth,
+                                  cases::TopFace top) {
+  LayeredBlock block;
+  block.top = top;
+  const std::vector<double> thickness =
+      meshes::graded_layers(surface_thickness, 1.4, depth);
+  for (std::size_t i = 0; i < thickness.size(); ++i)
+    block.layers.push_back(elastic_layer(
+        thickness[i], soft_modulus * (1.0 + 0.3 * static_cast<double>(i % 3)),
+        0.45 - 0.1 * static_cast<double>(i % 4)));
+  return block;
+}
+
+/// Independent uniform numbers in 0..1.
+inline std::vector<double> random_field(std::size_t size, unsigned int seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<double> field(size);
+  std::generate(field.begin(), field.end(), [&] { return uniform(engine); });
+  return field;
+}
+
+inline double largest_magnitude(std::span<const double> field) {
+  double largest = 0.0;
+  for (const double value : field)
+    largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+inline double largest_difference(std::span<const double> a,
+                                 std::span<const double> b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+} // namespace asperity::fem
