@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <regex>
+#include <string>
+#include <string_view>
 
 namespace asperity::results {
 namespace {
@@ -17,28 +19,37 @@ std::string fact(const Provenance& facts, const std::string& name) {
   return found == facts.end() ? "" : found->second;
 }
 
+/// True if `text` has the shape: '9' stands for a digit, 'x' for a hexadecimal
+/// one, anything else for itself.
+bool has_shape(std::string_view text, std::string_view shape) {
+  return std::equal(text.begin(), text.end(), shape.begin(), shape.end(),
+                    [](unsigned char letter, char expected) {
+                      if (expected == '9')
+                        return std::isdigit(letter) != 0;
+                      if (expected == 'x')
+                        return std::isxdigit(letter) != 0;
+                      return letter == static_cast<unsigned char>(expected);
+                    });
+}
+
 TEST(ProgramFacts, SayWhatMadeTheResult) {
   const Provenance facts = program_facts();
 
-  EXPECT_TRUE(std::regex_match(fact(facts, "commit"),
-                               std::regex("unknown|[0-9a-f]{12}")))
-      << fact(facts, "commit");
-  EXPECT_TRUE(
-      std::regex_match(fact(facts, "dirty"), std::regex("yes|no|unknown")));
-  EXPECT_EQ(fact(facts, "commit") == "unknown",
-            fact(facts, "dirty") == "unknown");
+  const std::string commit = fact(facts, "commit");
+  EXPECT_TRUE(commit == "unknown" || has_shape(commit, "xxxxxxxxxxxx"))
+      << commit;
+  const std::string dirty = fact(facts, "dirty");
+  EXPECT_TRUE(dirty == "unknown" || dirty == "yes" || dirty == "no") << dirty;
+  EXPECT_EQ(commit == "unknown", dirty == "unknown");
   EXPECT_EQ(fact(facts, "FFTW").substr(0, 4), "fftw");
-  EXPECT_TRUE(
-      std::regex_match(fact(facts, "HDF5"), std::regex("1\\.[0-9]+\\.[0-9]+")));
+  EXPECT_EQ(fact(facts, "HDF5").substr(0, 2), "1.");
   for (const char* name : {"program", "compiler", "build type", "Boost", "fmt",
                            "toml11", "processor", "cores", "memory", "system"})
     EXPECT_NE(fact(facts, name), "") << name;
 }
 
 TEST(UtcNow, IsIso8601) {
-  EXPECT_TRUE(std::regex_match(
-      utc_now(), std::regex("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5]"
-                            "[0-9]:[0-6][0-9]Z")));
+  EXPECT_TRUE(has_shape(utc_now(), "2099-99-99T99:99:99Z"));
 }
 
 // Claim: the CPU time is the process's own, so work raises it.
