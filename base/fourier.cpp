@@ -79,4 +79,8 @@ void RealFourier::backward(std::span<std::complex<double>> spectrum,
                        field.data());
 }
 
+std::string fourier_library() {
+  return fftw_version;
+}
+
 } // namespace asperity

@@ -8,6 +8,7 @@
 #include <complex>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace asperity {
 
@@ -45,5 +46,8 @@ private:
   Grid grid_;
   std::unique_ptr<Plans> plans_;
 };
+
+/// Name and version of the library behind RealFourier.
+std::string fourier_library();
 
 } // namespace asperity

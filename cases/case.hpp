@@ -161,7 +161,8 @@ struct Expectation {
 
 struct Case {
   std::string path; ///< as given, for messages
-  std::string text; ///< the file, byte for byte
+  std::string text; ///< the file, byte for byte, then a line "#--set key=value"
+                    ///< for each override: read again, it is the same case
   std::string name; ///< of its folder or file, e.g. "polymer"
   std::string title;
   SurfaceSpec surface;

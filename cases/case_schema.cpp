@@ -41,7 +41,8 @@ Json quantity_schema(const Key& key) {
   std::string choice;
   for (const Unit& unit : units())
     if (is_allowed(unit, key.dimension, key.yardsticks))
-      choice += (choice.empty() ? "" : "|") + escaped(unit.symbol);
+      choice +=
+          fmt::format("{}{}", choice.empty() ? "" : "|", escaped(unit.symbol));
   const Json text = {
       {"type", "string"},
       {"pattern", fmt::format("{}({}) *$", number_pattern, choice)}};

@@ -76,6 +76,7 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
     const auto& words =
         vocabulary_key(vocabulary_table("surface"), "kind").words;
     std::vector<std::string> allowed;
+    allowed.reserve(kinds.size());
     for (const SurfaceKind kind : kinds)
       allowed.push_back(words[static_cast<std::size_t>(kind)]);
     band.complain(band.node(), fmt::format("is known only for the surfaces {}",

@@ -21,7 +21,7 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 
-SurfaceSpec read_surface(const Node& table, const std::string& folder,
+SurfaceSpec read_surface(const Node& node, const std::string& folder,
                          bool is_surface_built, Mistakes& mistakes);
 MaterialSpec read_material(const Node& table, bool is_poisson_needed,
                            Mistakes& mistakes);

@@ -94,8 +94,8 @@ std::vector<ReferenceValue> read_reference_text(const std::string& text,
     if (line.empty() || line.front() == '#')
       continue;
     if (!has_header && line != header)
-      mistakes.add(place,
-                   "\"" + line + "\", but the first line must be " + header);
+      mistakes.add(place, fmt::format("\"{}\", but the first line must be {}",
+                                      line, header));
     else if (has_header)
       read_line(line, place, values, mistakes);
     has_header = true;

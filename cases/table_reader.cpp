@@ -197,6 +197,7 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
     return {};
   }
   std::vector<Quantity> targets;
+  targets.reserve(static_cast<std::size_t>(steps));
   for (int step = 0; step < steps; ++step)
     targets.push_back(
         {interpolated(from, to, static_cast<double>(step) / (steps - 1),
@@ -238,9 +239,9 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
     if (node_.path.empty())
       what = candidate.node.is_table() ? "is not a table of a case; "
                                        : "is not a key at the top of a case; ";
-    complain(candidate.node,
-             what + (home.empty() ? "nearest: " + nearest(candidate.key, known)
-                                  : "it belongs to [" + home + "]"));
+    what += home.empty() ? "nearest: " : "it belongs to [";
+    what += home.empty() ? nearest(candidate.key, known) : home + "]";
+    complain(candidate.node, what);
   }
 }
 

@@ -28,15 +28,15 @@ public:
   double number(const std::string& key);
   /// In its yardstick; {0, si} after a complaint.
   Quantity quantity(const std::string& key);
-  int integer(const std::string& key);
+  int integer(const std::string& name);
   bool boolean(const std::string& key);
   std::string text(const std::string& key);
   std::vector<std::string> names(const std::string& key);
-  std::vector<Quantity> program(const std::string& key);
+  std::vector<Quantity> program(const std::string& name);
 
   /// The word's index in the vocabulary, which is the enumeration's order;
   /// empty after a complaint.
-  std::optional<int> word(const std::string& key);
+  std::optional<int> word(const std::string& name);
 
   /// The word as an enumerator, `otherwise` after a complaint.
   template <class Enumeration>
@@ -46,12 +46,12 @@ public:
   }
 
   /// The entry itself or its default, nullptr after saying that it is missing.
-  const Node* entry(const std::string& key);
+  const Node* entry(const std::string& name);
 
   /// A quantity or number that stands somewhere inside the key's value.
   Quantity quantity_in(const Node& node, const Key& key);
 
-  void complain_missing(const std::string& key, const std::string& why = "");
+  void complain_missing(const std::string& name, const std::string& why = "");
   void complain(const Node& where, const std::string& what);
   /// "surface.points = 7, but must be even"
   void refuse(const Node& found, const std::string& rule);

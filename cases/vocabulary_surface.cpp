@@ -8,7 +8,7 @@ const std::vector<Yardstick> by_the_grid = {Yardstick::length,
 const std::vector<std::string> random_kinds = {"self-affine", "spectrum"};
 const std::vector<std::string> wave_kinds = {"wave-1d", "wave-2d"};
 
-std::vector<Key> common_keys() {
+std::vector<Key> kind_and_grid_keys() {
   return {
       {.name = "kind",
        .type = ValueType::word,
@@ -38,6 +38,11 @@ std::vector<Key> common_keys() {
        .show = Show::yes,
        .description = "Nodes a side, even; their distance is h = length / "
                       "points."},
+  };
+}
+
+std::vector<Key> random_keys() {
+  return {
       {.name = "seed",
        .type = ValueType::integer,
        .range = at_least(0),
@@ -228,7 +233,8 @@ Table surface_table() {
   Table table{.name = "surface",
               .when = "Always needed.",
               .description = "The rough, rigid surface.",
-              .keys = common_keys()};
+              .keys = kind_and_grid_keys()};
+  append(table.keys, random_keys());
   append(table.keys, self_affine_keys());
   add_cut_off(table.keys,
               {"wavevector_low", "wavelength_long", "\"1.2566e6 1/m\"",

@@ -35,9 +35,10 @@ double weighted_mean(std::span<const double> field,
 double counted_area_fraction(std::span<const double> pressure,
                              std::span<const double> weights) {
   require_size("pressure", pressure.size(), pressure.size());
-  return mean_over(pressure.size(), weights, [&](std::size_t i) {
+  const double share = mean_over(pressure.size(), weights, [&](std::size_t i) {
     return pressure[i] > 0.0 ? 1.0 : 0.0;
   });
+  return std::clamp(share, 0.0, 1.0); // weights have mean 1 to rounding only
 }
 
 double contact_perimeter(const Grid& grid, std::span<const double> pressure) {

@@ -191,6 +191,33 @@ TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
   EXPECT_EQ(read.methods.size(), 1U);
 }
 
+// Claim: a theory of the very surface builds it, and is asked for its grid.
+TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
+  const std::vector<std::string> theory_alone = {
+      "fem=",          "halfspace=",      "expect=",
+      "surface.seed=", "surface.points=", "surface.wavelength_short=80 nm"};
+  std::vector<std::string> of_the_surface = theory_alone;
+  of_the_surface.emplace_back("theory.spectrum=surface");
+
+  EXPECT_EQ(mistakes_of(rough_case, theory_alone), "");
+  EXPECT_EQ(mistakes_of(rough_case, of_the_surface),
+            "  case.toml:3: surface.points is missing: a whole number\n"
+            "  case.toml:3: surface.seed is missing: a whole number\n");
+}
+
+// Claim: line ends and a byte order mark of other systems change nothing.
+TEST(ReadCase, ReadsTextFromOtherSystems) {
+  std::string foreign = "\xEF\xBB\xBF";
+  for (const char letter : rough_case)
+    foreign += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
+
+  const Case read =
+      read_case_text(foreign + "#--set surface.seed=9\r\n", "case.toml");
+
+  EXPECT_EQ(read.surface.seed, 9U);
+  EXPECT_EQ(read.title, "A rough block");
+}
+
 // Claim: the text of a case says all that was run: reading it again gives the
 // same text, hash and numbers, and an override changes the hash.
 TEST(ReadCase, RoundTripsThroughItsText) {
@@ -211,12 +238,39 @@ TEST(ReadCase, RoundTripsThroughItsText) {
   EXPECT_NE(case_hash(third), case_hash(first));
 }
 
+TEST(ReadCase, SaysThatAFileIsNotThere) {
+  const auto told = [](const std::string& path,
+                       const std::vector<std::string>& overrides) {
+    try {
+      (void)read_case(path, overrides);
+    } catch (const CaseError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string head = "1 mistake(s) in the case file\n  ";
+
+  EXPECT_EQ(told("no/case.toml", {}),
+            head + "no/case.toml: there is no such case file\n");
+  EXPECT_EQ(told("cases", {}), head + "cases: there is no such case file\n");
+  EXPECT_EQ(
+      told("cases/wave-1d/case.toml",
+           {"surface={ kind = \"measured\", file = \"no.txt\", level = "
+            "\"none\", edges = \"periodic\" }",
+            "expect="}),
+      head + "cases/wave-1d/case.toml: surface.file: there is no file "
+             "cases/wave-1d/no.txt (a relative path starts at the case file's "
+             "folder)\n");
+}
+
 // The digest of FIPS 180's example "abc", by sha1sum and by the standard.
 TEST(CaseHash, IsSha1OfTheText) {
   Case read;
   read.text = "abc";
 
   EXPECT_EQ(case_hash(read), "a9993e364706816aba3e25717850c26c9cd0d89d");
+  read.text = "case 0"; // its fifth word begins with a zero; by sha1sum
+  EXPECT_EQ(case_hash(read), "82fcb544fbd702b51a2174c4ec6a200c09bb501a");
 }
 
 } // namespace

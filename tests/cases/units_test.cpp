@@ -87,6 +87,8 @@ TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(length_from("nm").mistake, "does not begin with a number");
   EXPECT_EQ(length_from("inf nm").mistake, "does not begin with a number");
   EXPECT_EQ(length_from("1e999 m").mistake, "is out of the range of numbers");
+  EXPECT_EQ(read_quantity("1e300 GPa", Dimension::pressure, {}).mistake,
+            "is out of the range of numbers");
   EXPECT_EQ(length_from("").mistake, "does not begin with a number");
 }
 

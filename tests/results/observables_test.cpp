@@ -166,6 +166,19 @@ TEST(NodalWeights, CountANodeByItsArea) {
   EXPECT_DOUBLE_EQ(contact_energy(pressure, 2.0, weights), 12.0);
 }
 
+// Claim: full contact is 1, also where the weights sum to more by rounding, so
+// that the correction takes it. Here 36 weights of mean 1 + 1 ulp.
+TEST(NodalWeights, OfRoundedSumsGiveNoAreaAboveOne) {
+  const std::vector<double> weights(36, 1.0 + epsilon);
+  const std::vector<double> pressure(36, 1.0);
+  ASSERT_GT(weighted_mean(pressure, weights), 1.0);
+
+  const double area = counted_area_fraction(pressure, weights);
+
+  EXPECT_EQ(area, 1.0);
+  EXPECT_EQ(corrected_area_fraction(area, 0.0, 0.1, 0.2), 1.0);
+}
+
 TEST(MapSizes, AreCheckedByName) {
   const Grid grid{4, 4, 1.0, 1.0};
   const std::vector<double> pressure(15, 1.0);

@@ -1,0 +1,174 @@
+#include "app/commands.hpp"
+
+#include "app/case_library.hpp"
+#include "app/interrupt.hpp"
+#include "app/run_case.hpp"
+#include "base/atomic_file.hpp"
+#include "cases/case_error.hpp"
+#include "cases/case_schema.hpp"
+#include "cases/documents.hpp"
+#include "cases/read_case.hpp"
+#include "reports/report.hpp"
+#include "reports/verdict.hpp"
+#include "results/csv.hpp"
+#include "results/result_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The worse of two ends: what cannot be trusted before what is out of band.
+ExitCode worse(ExitCode one, ExitCode other) {
+  return std::max(one, other);
+}
+
+reports::Summary summary_of(const results::Result& result) {
+  return reports::summarize(result, reports::case_of(result));
+}
+
+bool has_failed_steps(const reports::Summary& summary) {
+  return std::any_of(
+      summary.methods.begin(), summary.methods.end(),
+      [](const auto& method) { return method.cost.failed_steps > 0; });
+}
+
+ExitCode exit_code_of(const reports::Summary& summary) {
+  if (has_failed_steps(summary))
+    return exit_numerics_gave_up;
+  return summary.all_ok() ? exit_good : exit_expectation_failed;
+}
+
+void print_verdicts(const reports::Summary& summary) {
+  for (const reports::Verdict& verdict : summary.verdicts)
+    fmt::print("{}\n", reports::check_line(verdict));
+  for (const auto& method : summary.methods)
+    if (method.cost.failed_steps > 0)
+      fmt::print("{}: {} of {} steps did not converge\n", method.name,
+                 method.cost.failed_steps, method.cost.steps);
+}
+
+/// Everything beside result.h5: table, summary, report.
+reports::Summary write_outputs(const fs::path& folder) {
+  const results::Result result = results::read_result(folder);
+  const cases::Case rough_case = reports::case_of(result);
+  reports::ReportEntry entry = reports::entry_of(result, rough_case);
+  results::write_curves_csv(result, folder / "curves.csv");
+  for (const std::string& failure : reports::write_report({&entry, 1}, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  return entry.summary;
+}
+
+ExitCode run_one(const cases::Case& rough_case, const RunOptions& options) {
+  fmt::print("{}: {}\n", rough_case.name, rough_case.title);
+  const RunOutcome outcome = run_case(rough_case, options);
+  const reports::Summary summary = write_outputs(options.folder);
+  print_verdicts(summary);
+  fmt::print("report: {}\n", (options.folder / "report.html").string());
+  if (outcome.is_interrupted) {
+    fmt::print("interrupted; go on with --resume\n");
+    return exit_interrupted;
+  }
+  return exit_code_of(summary);
+}
+
+fs::path default_folder(const cases::Case& rough_case) {
+  return fs::path("out") / rough_case.name;
+}
+
+bool is_result(const fs::path& path) {
+  return path.extension() == ".h5" || fs::exists(path / "result.h5");
+}
+
+} // namespace
+
+ExitCode run_cases(const RunCommand& command) {
+  std::vector<cases::Case> read;
+  for (const std::string& word : command.cases)
+    read.push_back(
+        cases::read_case(find_case(word).string(), command.overrides));
+  catch_interrupts();
+  ExitCode end = exit_good;
+  for (const cases::Case& rough_case : read) {
+    const fs::path folder = command.out.empty() ? default_folder(rough_case)
+                            : read.size() == 1
+                                ? fs::path(command.out)
+                                : fs::path(command.out) / rough_case.name;
+    end = worse(end, run_one(rough_case, {folder, command.methods,
+                                          command.resume, command.threads}));
+    if (is_interrupted())
+      break;
+  }
+  return end;
+}
+
+ExitCode report_results(const std::vector<std::string>& paths,
+                        const std::string& out) {
+  std::vector<results::Result> read;
+  for (const std::string& path : paths)
+    read.push_back(results::read_result(path));
+  const fs::path first = paths.front();
+  const fs::path folder = !out.empty()              ? fs::path(out)
+                          : paths.size() > 1        ? fs::path("out/comparison")
+                          : fs::is_directory(first) ? first
+                                                    : first.parent_path();
+  for (const std::string& failure : reports::write_report(read, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return exit_good;
+}
+
+ExitCode check_targets(const std::vector<std::string>& targets,
+                       const std::string& junit) {
+  std::vector<reports::Summary> summaries;
+  ExitCode end = exit_good;
+  for (const std::string& target : targets) {
+    if (is_result(target)) {
+      summaries.push_back(summary_of(results::read_result(target)));
+    } else {
+      const cases::Case rough_case =
+          cases::read_case(find_case(target).string());
+      const fs::path folder = default_folder(rough_case);
+      catch_interrupts();
+      if (run_case(rough_case, {folder, {}, false, 0}).is_interrupted)
+        return exit_interrupted;
+      summaries.push_back(write_outputs(folder));
+    }
+    fmt::print("{}\n", summaries.back().case_name);
+    print_verdicts(summaries.back());
+    end = worse(end, exit_code_of(summaries.back()));
+  }
+  if (!junit.empty())
+    write_file_atomically(junit, reports::junit_xml(summaries));
+  return end;
+}
+
+ExitCode list_cases() {
+  for (const ShippedCase& shipped : shipped_cases())
+    fmt::print("{:<20} {}\n", shipped.name, shipped.title);
+  return exit_good;
+}
+
+ExitCode new_case(const std::string& name) {
+  const fs::path file = fs::path(name) / "case.toml";
+  if (fs::exists(file))
+    throw cases::CaseError(file.string() +
+                           " is there already; choose another name");
+  fs::create_directories(file.parent_path());
+  write_file_atomically(
+      file, cases::case_template(fs::path(name).filename().string()));
+  fmt::print("{}\nrun it with: asperity run {}\n", file.string(), name);
+  return exit_good;
+}
+
+ExitCode print_schema() {
+  fmt::print("{}\n", cases::json_schema());
+  return exit_good;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,41 @@
+#pragma once
+
+// What each command of the program does, from words to an exit code.
+
+#include "app/exit_code.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+struct RunCommand {
+  std::vector<std::string> cases; ///< files, folders, names of shipped cases
+  std::vector<std::string> methods;
+  std::vector<std::string> overrides; ///< "key.path=value"
+  std::string out; ///< empty: out/<case>; several cases: a folder in it each
+  bool resume = false;
+  int threads = 0;
+};
+
+/// Every case is read before the first is run.
+ExitCode run_cases(const RunCommand& command);
+
+/// One report over several results, in `out` (empty: beside a single result,
+/// else out/comparison).
+ExitCode report_results(const std::vector<std::string>& results,
+                        const std::string& out);
+
+/// @param targets  results (file or folder), or cases, which are run first
+/// @param junit    file for JUnit XML; empty: none
+ExitCode check_targets(const std::vector<std::string>& targets,
+                       const std::string& junit);
+
+ExitCode list_cases();
+
+/// Writes name/case.toml. @throws cases::CaseError  it is there already
+ExitCode new_case(const std::string& name);
+
+ExitCode print_schema();
+
+} // namespace asperity::app

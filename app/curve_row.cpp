@@ -1,0 +1,37 @@
+#include "app/curve_row.hpp"
+
+#include "results/observables.hpp"
+
+#include <limits>
+
+namespace asperity::app {
+
+results::CurvePoint curve_row(const contact::ContactSolution& solution,
+                              const StepSolver& solver,
+                              const MethodDescription& method,
+                              const SurfaceOfCase& surface) {
+  const Grid& grid = surface.record.grid;
+  const std::span<const double> weights = solver.nodal_weights();
+  results::CurvePoint row;
+  row.nominal_pressure = solution.nominal_pressure;
+  row.mean_gap = solution.mean_gap;
+  row.area_fraction =
+      results::counted_area_fraction(solution.pressure, weights);
+  row.contact_perimeter = results::contact_perimeter(grid, solution.pressure);
+  row.area_fraction_corrected = results::corrected_area_fraction(
+      row.area_fraction, row.contact_perimeter, surface.scales.spacing,
+      method.area_coefficient);
+  row.elastic_energy = results::elastic_energy(solution.pressure,
+                                               solution.displacement, weights);
+  row.contact_energy = results::contact_energy(
+      solution.pressure, solver.local_compliance(), weights);
+  row.contact_stiffness = std::numeric_limits<double>::quiet_NaN();
+  row.iterations = solution.iterations;
+  row.residual = solution.gap_error / surface.scales.rms_height;
+  row.status = solution.converged ? results::StepStatus::converged
+                                  : results::StepStatus::not_converged;
+  row.note = solution.note;
+  return row;
+}
+
+} // namespace asperity::app

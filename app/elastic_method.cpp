@@ -1,0 +1,267 @@
+#include "app/elastic_method.hpp"
+
+#include "cases/case_error.hpp"
+#include "contact/halfspace.hpp"
+#include "results/observables.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+using cases::ContactSettings;
+using cases::FemSettings;
+using cases::HalfspaceSettings;
+
+contact::Interface interface_of(const ContactSettings& settings,
+                                const cases::Scales& scales) {
+  const double penalty = settings.penalty.in_si(scales);
+  switch (settings.law) {
+  case cases::ContactLaw::penalty:
+    return {contact::Law::penalty, penalty};
+  case cases::ContactLaw::augmented:
+    return {contact::Law::augmented, penalty};
+  case cases::ContactLaw::hard:
+    break;
+  }
+  return {contact::Law::hard, 0.0};
+}
+
+/// Any surface operator under the contact room's solver.
+class OperatorSolver final : public StepSolver {
+public:
+  OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
+                 const ContactSettings& settings, const SurfaceOfCase& surface)
+      : weights_(elasticity->nodal_weights().begin(),
+                 elasticity->nodal_weights().end()),
+        sequence_(std::move(elasticity), surface.record.heights,
+                  interface_of(settings, surface.scales),
+                  settings.tolerance * surface.scales.rms_height,
+                  settings.max_iterations) {}
+
+  contact::ContactSolution solve(const contact::LoadTarget& target) override {
+    return sequence_.solve(target);
+  }
+
+  double local_compliance() const override {
+    return sequence_.local_compliance();
+  }
+
+  std::span<const double> nodal_weights() const override { return weights_; }
+
+private:
+  std::vector<double> weights_;
+  contact::LoadSequence sequence_;
+};
+
+/// The three-dimensional block.
+class FullSolver final : public StepSolver {
+public:
+  FullSolver(std::unique_ptr<fem::FullBlock> block,
+             const ContactSettings& settings, const SurfaceOfCase& surface)
+      : block_(std::move(block)),
+        heights_(surface.record.heights),
+        rms_height_(surface.scales.rms_height),
+        contact_(fem::block_contact(settings, surface.scales)) {}
+
+  contact::ContactSolution solve(const contact::LoadTarget& target) override {
+    const bool by_pressure =
+        target.kind == contact::LoadTarget::Kind::nominal_pressure;
+    fem::BlockSolution block =
+        block_->solve(heights_,
+                      {by_pressure ? cases::Control::nominal_pressure
+                                   : cases::Control::mean_gap,
+                       target.amount},
+                      contact_);
+    contact::ContactSolution solution;
+    solution.displacement.resize(block.gap.size());
+    for (std::size_t i = 0; i < block.gap.size(); ++i)
+      solution.displacement[i] = block.gap[i] + heights_[i] - block.mean_gap;
+    solution.pressure = std::move(block.pressure);
+    solution.gap = std::move(block.gap);
+    solution.nominal_pressure = block.nominal_pressure;
+    solution.mean_gap = block.mean_gap;
+    solution.gap_error = block.residual * rms_height_;
+    solution.iterations = block.iterations;
+    solution.converged = block.converged;
+    solution.note = std::move(block.note);
+    return solution;
+  }
+
+  double local_compliance() const override {
+    return contact_.law == cases::ContactLaw::penalty ? 1.0 / contact_.penalty
+                                                      : 0.0;
+  }
+
+  std::span<const double> nodal_weights() const override {
+    return block_->nodal_weights();
+  }
+
+private:
+  std::unique_ptr<fem::FullBlock> block_;
+  std::vector<double> heights_;
+  double rms_height_;
+  fem::BlockContact contact_;
+};
+
+std::string in_words(const ContactSettings& settings) {
+  const auto penalty = [&] {
+    const char* unit = settings.penalty.yardstick ==
+                               cases::Yardstick::contact_modulus_per_spacing
+                           ? "E*/h"
+                           : "Pa/m";
+    return fmt::format("{:g} {}", settings.penalty.value, unit);
+  };
+  switch (settings.law) {
+  case cases::ContactLaw::penalty:
+    return "penalty " + penalty();
+  case cases::ContactLaw::augmented:
+    return "augmented Lagrangian on a penalty of " + penalty();
+  case cases::ContactLaw::hard:
+    break;
+  }
+  return "hard wall";
+}
+
+bool is_full(const FemSettings& settings) {
+  return settings.solver == cases::FemSolver::full;
+}
+
+MethodDescription describe_fem(const FemSettings& settings) {
+  const bool is_q1 = settings.element == cases::Element::q1;
+  const std::string solver =
+      is_full(settings) ? "the full three-dimensional block"
+      : settings.solver == cases::FemSolver::condensed
+          ? "condensed to the contact face"
+          : "condensed to the contact face (auto: the block is laterally "
+            "uniform)";
+  return {"fem",
+          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
+                      "{:g}, {}",
+                      is_q1 ? "Q1" : "Q2", solver, settings.surface_cell_depth,
+                      settings.growth, in_words(settings.contact)),
+          is_q1 ? results::q1_area_coefficient(settings.surface_cell_depth)
+                : results::q2_area_coefficient,
+          is_full(settings)};
+}
+
+contact::FarFace far_face_of(cases::TopFace top) {
+  switch (top) {
+  case cases::TopFace::sliding:
+    return contact::FarFace::sliding;
+  case cases::TopFace::pressure:
+    return contact::FarFace::pressure;
+  case cases::TopFace::clamped:
+    break;
+  }
+  return contact::FarFace::clamped;
+}
+
+contact::ElasticBlock block_of(const HalfspaceSettings& settings,
+                               const cases::MaterialSpec& material,
+                               const cases::Scales& scales) {
+  contact::ElasticBlock block;
+  block.contact_modulus = material.contact_modulus;
+  block.poisson_ratio = material.poisson_ratio.value_or(0.0);
+  block.thickness = settings.thickness
+                        ? settings.thickness->in_si(scales)
+                        : std::numeric_limits<double>::infinity();
+  block.far_face = far_face_of(settings.top);
+  return block;
+}
+
+/// Equal for equal operators: grid and block, not the interface.
+std::string operator_key(const cases::MethodSpec& method,
+                         const SurfaceOfCase& surface) {
+  const Grid& grid = surface.record.grid;
+  const std::string place =
+      fmt::format("{} {} {} {}", grid.points_x, grid.points_y, grid.length_x,
+                  grid.length_y);
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return fmt::format("halfspace {} {} {}", place,
+                       half->thickness ? half->thickness->in_si(surface.scales)
+                                       : 0.0,
+                       static_cast<int>(half->top));
+  const auto& block = std::get<FemSettings>(method.settings);
+  return fmt::format("fem {} {} {} {} {} {}", place,
+                     static_cast<int>(block.element), block.surface_cell_depth,
+                     block.growth, block.depth.in_si(surface.scales),
+                     static_cast<int>(block.top));
+}
+
+} // namespace
+
+MethodDescription describe(const cases::MethodSpec& method) {
+  if (const auto* block = std::get_if<FemSettings>(&method.settings))
+    return describe_fem(*block);
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return {"halfspace",
+            fmt::format("continuum {}, spectral, {}",
+                        half->thickness ? "slab" : "half-space",
+                        in_words(half->contact)),
+            results::halfspace_area_coefficient, false};
+  const auto& theory = std::get<cases::TheorySettings>(method.settings);
+  return {"theory",
+          fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
+                      theory.gamma,
+                      theory.spectrum == cases::TheorySpectrum::formula
+                          ? "by the formula"
+                          : "measured on the surface"),
+          0.0, false};
+}
+
+SolverFactory::SolverFactory(const cases::MaterialSpec& material)
+    : material_(material) {}
+
+std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
+                                                const SurfaceOfCase& surface,
+                                                int threads) {
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return std::make_unique<OperatorSolver>(
+        shared_operator(method, surface, threads), half->contact, surface);
+  const auto& block = std::get<FemSettings>(method.settings);
+  if (is_full(block))
+    return std::make_unique<FullSolver>(
+        fem::load_fem_room().full(request(block, surface, threads)),
+        block.contact, surface);
+  return std::make_unique<OperatorSolver>(
+      shared_operator(method, surface, threads), block.contact, surface);
+}
+
+std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::shared_operator(const cases::MethodSpec& method,
+                               const SurfaceOfCase& surface, int threads) {
+  const std::lock_guard lock(mutex_);
+  std::unique_ptr<contact::SurfaceOperator>& kept =
+      operators_[operator_key(method, surface)];
+  if (!kept)
+    kept = build_operator(method, surface, threads);
+  return kept->clone();
+}
+
+std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::build_operator(const cases::MethodSpec& method,
+                              const SurfaceOfCase& surface, int threads) const {
+  const Grid& grid = surface.record.grid;
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return std::make_unique<contact::FourierOperator>(
+        grid,
+        contact::block_compliance(grid,
+                                  block_of(*half, material_, surface.scales)),
+        threads);
+  return fem::load_fem_room().condensed(
+      request(std::get<FemSettings>(method.settings), surface, threads));
+}
+
+fem::BlockRequest SolverFactory::request(const FemSettings& settings,
+                                         const SurfaceOfCase& surface,
+                                         int threads) const {
+  return {surface.record.grid,      settings,
+          surface.scales,           material_.block_youngs_modulus(),
+          *material_.poisson_ratio, threads};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,118 @@
+// The command line: words to commands, failures to exit codes.
+#include "app/commands.hpp"
+#include "cases/case_error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+
+namespace asperity::app {
+namespace {
+
+/// The chosen command, to be called once the words are parsed.
+using Action = std::function<ExitCode()>;
+
+void add_run(CLI::App& program, RunCommand& run, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "run", "run cases and write result, tables and report of each");
+  command->add_option("case", run.cases, "case file, folder, or a shipped case")
+      ->required();
+  command
+      ->add_option("--methods", run.methods,
+                   "only these, by name or kind: fem,theory")
+      ->delimiter(',');
+  command
+      ->add_option("--set", run.overrides,
+                   "key=value over the case file, e.g. surface.points=128")
+      ->allow_extra_args(false);
+  command->add_option("--out", run.out, "folder (default: out/<case>)");
+  command->add_flag("--resume", run.resume,
+                    "go on with the steps an earlier run left out");
+  command->add_option("--threads", run.threads, "default: all cores")
+      ->check(CLI::PositiveNumber);
+  command->callback([&] { action = [&] { return run_cases(run); }; });
+}
+
+void add_report(CLI::App& program, std::vector<std::string>& results,
+                std::string& out, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "report", "write the report of results, several beside each other");
+  command->add_option("result", results, "result.h5 or its folder")->required();
+  command->add_option("--out", out,
+                      "folder (default: that of a single result, else "
+                      "out/comparison)");
+  command->callback(
+      [&] { action = [&] { return report_results(results, out); }; });
+}
+
+void add_check(CLI::App& program, std::vector<std::string>& targets,
+               std::string& junit, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "check", "hold results against the case's expectations; exit 1 if one "
+               "falls out");
+  command
+      ->add_option("target", targets,
+                   "result (file or folder), or a case to run")
+      ->required();
+  command->add_option("--junit", junit, "file for JUnit XML");
+  command->callback(
+      [&] { action = [&] { return check_targets(targets, junit); }; });
+}
+
+void add_small_commands(CLI::App& program, std::string& name, Action& action) {
+  program.add_subcommand("list", "the shipped cases")->callback([&] {
+    action = list_cases;
+  });
+  program.add_subcommand("schema", "JSON Schema of a case file")->callback([&] {
+    action = print_schema;
+  });
+  CLI::App* command =
+      program.add_subcommand("new", "write a commented case to start from");
+  command->add_option("name", name, "folder to make")->required();
+  command->callback([&] { action = [&] { return new_case(name); }; });
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(
+      "Asperity: rough contact by finite elements, half-space and Persson's "
+      "theory,\nfrom one case file, side by side in one report");
+  program.name("asperity");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", ASPERITY_VERSION);
+  program.footer("exit codes: 0 good, 1 an expectation failed, 2 bad input, "
+                 "3 the numerics gave up");
+  Action action;
+  RunCommand run;
+  std::vector<std::string> paths;
+  std::string out;
+  add_run(program, run, action);
+  add_report(program, paths, out, action);
+  add_check(program, paths, out, action);
+  add_small_commands(program, out, action);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? exit_good : exit_bad_input;
+  }
+  return action();
+}
+
+} // namespace
+} // namespace asperity::app
+
+int main(int argc, char** argv) {
+  try {
+    return asperity::app::run(argc, argv);
+  } catch (const asperity::cases::CaseError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::domain_error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "asperity: {}\n", error.what());
+  }
+  return asperity::app::exit_bad_input;
+}

@@ -1,0 +1,241 @@
+#include "app/run_case.hpp"
+
+#include "app/cpu_clock.hpp"
+#include "app/curve_row.hpp"
+#include "app/elastic_method.hpp"
+#include "app/interrupt.hpp"
+#include "app/progress.hpp"
+#include "app/provenance_of_run.hpp"
+#include "app/theory_method.hpp"
+#include "app/worker_pool.hpp"
+#include "cases/case_error.hpp"
+#include "cases/case_hash.hpp"
+#include "cases/nearest.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+using results::CurvePoint;
+
+std::string kind_of(const std::string& method_name) {
+  return method_name.substr(0, method_name.find('.'));
+}
+
+std::vector<MethodSpec> chosen_methods(const cases::Case& rough_case,
+                                       const std::vector<std::string>& names) {
+  std::set<std::string> known;
+  for (const MethodSpec& method : rough_case.methods) {
+    known.insert(method.name);
+    known.insert(kind_of(method.name));
+  }
+  for (const std::string& name : names)
+    if (!known.contains(name))
+      throw cases::CaseError(
+          "--methods " + name + ": " + rough_case.path +
+          " has no such method; nearest: " +
+          cases::nearest(name, {known.begin(), known.end()}));
+  std::vector<MethodSpec> chosen;
+  for (const MethodSpec& method : rough_case.methods)
+    if (names.empty() ||
+        std::find(names.begin(), names.end(), method.name) != names.end() ||
+        std::find(names.begin(), names.end(), kind_of(method.name)) !=
+            names.end())
+      chosen.push_back(method);
+  return chosen;
+}
+
+/// Load steps, spread evenly over the program, whose maps are kept.
+std::set<std::size_t> steps_with_fields(int n_fields, std::size_t n_steps) {
+  std::set<std::size_t> steps;
+  const std::size_t wanted =
+      std::min(n_steps, static_cast<std::size_t>(std::max(n_fields, 0)));
+  for (std::size_t k = 0; k < wanted; ++k)
+    steps.insert((2 * k + 1) * n_steps / (2 * wanted));
+  return steps;
+}
+
+contact::LoadTarget target_of(const cases::LoadProgram& load, std::size_t step,
+                              const cases::Scales& scales) {
+  return {load.control == cases::Control::nominal_pressure
+              ? contact::LoadTarget::Kind::nominal_pressure
+              : contact::LoadTarget::Kind::mean_gap,
+          load.targets[step].in_si(scales)};
+}
+
+/// Everything the jobs of one run share.
+class Run {
+public:
+  Run(const cases::Case& rough_case, const RunOptions& options,
+      std::vector<MethodSpec> methods)
+      : case_(rough_case),
+        methods_(std::move(methods)),
+        pool_(options.threads),
+        surfaces_(build_surfaces(case_of_run())),
+        writer_(options.folder,
+                {case_.name, case_.title, case_.text, cases::case_hash(case_),
+                 case_.material.contact_modulus},
+                options.resume ? results::ResultWriter::Mode::resume
+                               : results::ResultWriter::Mode::create),
+        solvers_(case_.material),
+        progress_(n_steps(), case_.material.contact_modulus),
+        field_steps_(steps_with_fields(case_.report.fields,
+                                       case_.load.targets.size())) {}
+
+  RunOutcome execute();
+
+private:
+  /// The case with the methods that were asked for: decides on surfaces.
+  cases::Case case_of_run() const {
+    cases::Case reduced = case_;
+    reduced.methods = methods_;
+    return reduced;
+  }
+
+  int n_steps() const;
+  int n_realizations(const MethodSpec& method) const;
+  void begin();
+  void run_theory(const MethodSpec& method, int realization);
+  void run_elastic(const MethodSpec& method, int realization);
+  void run_step(StepSolver& solver, const MethodSpec& method, int realization,
+                std::size_t step);
+
+  const cases::Case& case_;
+  std::vector<MethodSpec> methods_;
+  WorkerPool pool_;
+  std::vector<SurfaceOfCase> surfaces_;
+  results::ResultWriter writer_;
+  SolverFactory solvers_;
+  Progress progress_;
+  std::set<std::size_t> field_steps_;
+  std::atomic<int> failed_steps_ = 0;
+};
+
+int Run::n_realizations(const MethodSpec& method) const {
+  const auto* theory = std::get_if<cases::TheorySettings>(&method.settings);
+  const bool by_formula =
+      theory != nullptr && theory->spectrum == cases::TheorySpectrum::formula;
+  return by_formula ? 1 : case_.surface.realizations;
+}
+
+int Run::n_steps() const {
+  int jobs = 0;
+  for (const MethodSpec& method : methods_)
+    jobs += n_realizations(method);
+  return jobs * static_cast<int>(case_.load.targets.size());
+}
+
+void Run::begin() {
+  for (std::size_t r = 0; r < surfaces_.size(); ++r)
+    writer_.record_surface(static_cast<int>(r), surfaces_[r].record);
+  for (const MethodSpec& method : methods_) {
+    const MethodDescription description = describe(method);
+    writer_.begin_method(method.name, description.kind, description.text);
+  }
+}
+
+RunOutcome Run::execute() {
+  RunClock clock;
+  writer_.record_provenance(
+      provenance_at_start(case_, pool_.threads(), methods_));
+  begin();
+  std::vector<WorkerPool::Job> jobs;
+  std::vector<WorkerPool::Job> lone_jobs;
+  for (const MethodSpec& method : methods_)
+    for (int r = 0; r < n_realizations(method); ++r) {
+      if (std::holds_alternative<cases::TheorySettings>(method.settings))
+        jobs.push_back([this, &method, r] { run_theory(method, r); });
+      else
+        (describe(method).runs_alone ? lone_jobs : jobs)
+            .push_back([this, &method, r] { run_elastic(method, r); });
+    }
+  pool_.run(jobs);
+  for (const WorkerPool::Job& job : lone_jobs)
+    job();
+  const bool was_interrupted = is_interrupted();
+  writer_.record_provenance(clock.facts());
+  writer_.finish(was_interrupted ? "interrupted" : "complete");
+  return {was_interrupted, failed_steps_};
+}
+
+void Run::run_theory(const MethodSpec& method, int realization) {
+  const auto& settings = std::get<cases::TheorySettings>(method.settings);
+  const bool by_formula = settings.spectrum == cases::TheorySpectrum::formula;
+  const CpuClock clock;
+  const std::size_t r = static_cast<std::size_t>(realization);
+  const theory::HeightSpectrum spectrum =
+      by_formula ? formula_of_case(case_) : spectrum_of(surfaces_[r]);
+  const cases::Scales scales =
+      by_formula ? formula_scales(case_, spectrum) : surfaces_[r].scales;
+  std::vector<CurvePoint> rows =
+      theory_rows(settings, case_.load, spectrum, scales);
+  std::erase_if(rows, [&](const CurvePoint& row) {
+    return writer_.has_step(method.name, realization, row.step);
+  });
+  if (rows.empty())
+    return;
+  writer_.record_setup_time(method.name, realization, clock.seconds());
+  writer_.append_steps(method.name, realization, rows);
+  for (const CurvePoint& row : rows) {
+    failed_steps_ += row.status == results::StepStatus::not_converged;
+    progress_.step_done(method.name, realization, row, scales.rms_height);
+  }
+}
+
+void Run::run_elastic(const MethodSpec& method, int realization) {
+  const std::size_t n_targets = case_.load.targets.size();
+  const auto is_done = [&](std::size_t step) {
+    return writer_.has_step(method.name, realization, static_cast<int>(step));
+  };
+  std::size_t first = 0;
+  while (first < n_targets && is_done(first))
+    ++first;
+  if (first == n_targets || is_interrupted())
+    return;
+
+  const CpuClock clock(pool_.threads_a_job());
+  const std::unique_ptr<StepSolver> solver =
+      solvers_.make(method, surfaces_[static_cast<std::size_t>(realization)],
+                    pool_.threads_a_job());
+  writer_.record_setup_time(method.name, realization, clock.seconds());
+  for (std::size_t step = first; step < n_targets && !is_interrupted(); ++step)
+    if (!is_done(step))
+      run_step(*solver, method, realization, step);
+}
+
+void Run::run_step(StepSolver& solver, const MethodSpec& method,
+                   int realization, std::size_t step) {
+  const SurfaceOfCase& surface =
+      surfaces_[static_cast<std::size_t>(realization)];
+  const CpuClock clock(pool_.threads_a_job());
+  contact::ContactSolution solution =
+      solver.solve(target_of(case_.load, step, surface.scales));
+  CurvePoint row = curve_row(solution, solver, describe(method), surface);
+  row.step = static_cast<int>(step);
+  row.is_unloading = case_.load.is_unloading[step];
+  row.cpu_time = clock.seconds();
+  failed_steps_ += solution.converged ? 0 : 1;
+  if (realization == 0 && field_steps_.contains(step))
+    writer_.append_step_with_fields(
+        method.name, realization, row, surface.record.grid,
+        {row.step, row.nominal_pressure, std::move(solution.pressure),
+         std::move(solution.gap)});
+  else
+    writer_.append_step(method.name, realization, row);
+  progress_.step_done(method.name, realization, row, surface.scales.rms_height);
+}
+
+} // namespace
+
+RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
+  return Run(rough_case, options, chosen_methods(rough_case, options.methods))
+      .execute();
+}
+
+} // namespace asperity::app

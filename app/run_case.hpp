@@ -1,0 +1,34 @@
+#pragma once
+
+// One case from its file to its result file: what is to be done, on how many
+// threads, in which order. Owns the job list.
+
+#include "cases/case.hpp"
+#include "results/result_writer.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+struct RunOptions {
+  std::filesystem::path folder;     ///< of result.h5
+  std::vector<std::string> methods; ///< names or kinds; empty: all
+  bool resume = false;
+  int threads = 0; ///< 0: as many as the machine has
+};
+
+struct RunOutcome {
+  bool is_interrupted = false;
+  int failed_steps = 0; ///< not converged
+};
+
+/// Runs the methods of a case and writes each step to folder/result.h5 as it
+/// is done. Jobs (a method on a realisation) run beside each other; a method
+/// whose library allows one at a time runs after the others. Which job runs
+/// where changes nothing in the numbers.
+/// @throws cases::CaseError  an unknown method name; what a room refuses
+RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options);
+
+} // namespace asperity::app

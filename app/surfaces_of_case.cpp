@@ -1,0 +1,80 @@
+#include "app/surfaces_of_case.hpp"
+
+#include "surfaces/build.hpp"
+#include "surfaces/shells.hpp"
+#include "surfaces/statistics.hpp"
+
+#include <algorithm>
+
+namespace asperity::app {
+namespace {
+
+results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
+  const surfaces::Statistics numbers = surfaces::statistics(map);
+  results::SurfaceRecord record;
+  record.grid = map.grid;
+  record.heights = map.heights;
+  record.rms_height = numbers.rms_height;
+  record.rms_slope = numbers.rms_slope;
+  record.rms_curvature = numbers.rms_curvature;
+  record.skewness = numbers.skewness;
+  record.kurtosis = numbers.kurtosis;
+  record.highest = numbers.highest;
+  for (const surfaces::Shell& shell : surfaces::spectral_shells(map))
+    record.spectrum.push_back(
+        {shell.wavevector, surfaces::shell_density(shell, map.grid)});
+  return record;
+}
+
+} // namespace
+
+bool needs_surfaces(const cases::Case& rough_case) {
+  return std::any_of(rough_case.methods.begin(), rough_case.methods.end(),
+                     [](const cases::MethodSpec& method) {
+                       const auto* theory =
+                           std::get_if<cases::TheorySettings>(&method.settings);
+                       return theory == nullptr ||
+                              theory->spectrum ==
+                                  cases::TheorySpectrum::surface;
+                     });
+}
+
+std::vector<SurfaceOfCase> build_surfaces(const cases::Case& rough_case) {
+  std::vector<SurfaceOfCase> built;
+  if (!needs_surfaces(rough_case))
+    return built;
+  for (int r = 0; r < rough_case.surface.realizations; ++r) {
+    SurfaceOfCase surface;
+    surface.record = record_of(surfaces::build_surface(rough_case.surface, r));
+    surface.scales = {
+        rough_case.material.contact_modulus, surface.record.grid.length_x,
+        surface.record.grid.spacing_x(), surface.record.rms_height};
+    built.push_back(std::move(surface));
+  }
+  return built;
+}
+
+theory::HeightSpectrum formula_of_case(const cases::Case& rough_case) {
+  const surfaces::IsotropicSpectrum spectrum =
+      surfaces::formula_spectrum(rough_case.surface);
+  return theory::HeightSpectrum(
+      theory::SpectrumFormula{spectrum.density, spectrum.kinks});
+}
+
+theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
+  std::vector<theory::SpectrumShell> shells;
+  for (const surfaces::Shell& shell :
+       surfaces::spectral_shells({surface.record.grid, surface.record.heights}))
+    shells.push_back({shell.wavevector, shell.mean_square_height});
+  return theory::HeightSpectrum(std::move(shells));
+}
+
+cases::Scales formula_scales(const cases::Case& rough_case,
+                             const theory::HeightSpectrum& spectrum) {
+  const double length = rough_case.surface.length.value_or(0.0);
+  const int points = rough_case.surface.points.value_or(0);
+  return {rough_case.material.contact_modulus, length,
+          points > 0 ? length / points : 0.0, spectrum.rms_height()};
+}
+
+} // namespace asperity::app

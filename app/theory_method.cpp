@@ -1,0 +1,62 @@
+#include "app/theory_method.hpp"
+
+#include "app/cpu_clock.hpp"
+#include "theory/persson.hpp"
+
+#include <limits>
+
+namespace asperity::app {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+results::CurvePoint row_at(const theory::PerssonContact& contact,
+                           double nominal_pressure) {
+  results::CurvePoint row;
+  row.nominal_pressure = nominal_pressure;
+  row.mean_gap = contact.mean_gap(nominal_pressure);
+  row.area_fraction = contact.area_fraction(nominal_pressure);
+  row.area_fraction_corrected = row.area_fraction;
+  row.contact_perimeter = not_a_number;
+  row.elastic_energy = contact.elastic_energy(nominal_pressure);
+  row.contact_stiffness = contact.contact_stiffness(nominal_pressure);
+  return row;
+}
+
+results::CurvePoint row_without_pressure(double mean_gap) {
+  results::CurvePoint row;
+  row.nominal_pressure = not_a_number;
+  row.mean_gap = mean_gap;
+  row.area_fraction = row.area_fraction_corrected = not_a_number;
+  row.contact_perimeter = row.elastic_energy = not_a_number;
+  row.contact_stiffness = not_a_number;
+  row.status = results::StepStatus::not_converged;
+  row.note = "the theory has no pressure for a mean gap <= 0";
+  return row;
+}
+
+} // namespace
+
+std::vector<results::CurvePoint> theory_rows(
+    const cases::TheorySettings& settings, const cases::LoadProgram& load,
+    const theory::HeightSpectrum& spectrum, const cases::Scales& scales) {
+  const theory::PerssonContact contact(spectrum, scales.contact_modulus,
+                                       settings.gamma);
+  std::vector<results::CurvePoint> rows;
+  for (std::size_t step = 0; step < load.targets.size(); ++step) {
+    const CpuClock clock;
+    const double target = load.targets[step].in_si(scales);
+    const bool by_gap = load.control == cases::Control::mean_gap;
+    results::CurvePoint row =
+        !by_gap         ? row_at(contact, target)
+        : target <= 0.0 ? row_without_pressure(target)
+                        : row_at(contact, contact.nominal_pressure(target));
+    row.step = static_cast<int>(step);
+    row.is_unloading = load.is_unloading[step];
+    row.cpu_time = clock.seconds();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+} // namespace asperity::app

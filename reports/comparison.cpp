@@ -1,0 +1,125 @@
+#include "reports/comparison.hpp"
+
+#include "reports/fits.hpp"
+
+// Boost 1.74's pchip.hpp calls isnan without std::, which <math.h> declares.
+// clang-format off
+#include <math.h>
+#include <boost/math/interpolators/pchip.hpp>
+// clang-format on
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+using Function = std::function<double(double)>;
+
+// Two rows this close in ln p are one pressure: it is far above the rounding
+// of a file's decimals and far below any step of a program.
+constexpr double same_pressure = 1e-9;
+
+Function straight(std::vector<double> x, std::vector<double> y) {
+  return [x = std::move(x), y = std::move(y)](double at) {
+    const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, at);
+    const auto i = static_cast<std::size_t>(upper - x.begin());
+    return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+  };
+}
+
+Function smooth(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() < 2)
+    return [](double) { return not_a_number; };
+  if (x.size() < 4)
+    return straight(x, y);
+  using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
+  auto curve =
+      std::make_shared<Pchip>(std::vector<double>(x), std::vector<double>(y));
+  return [curve](double at) { return (*curve)(at); };
+}
+
+Function interpolant(const std::vector<double>& x,
+                     const std::vector<double>& y) {
+  return [x, y, between = smooth(x, y)](double at) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (std::abs(x[i] - at) <= same_pressure)
+        return y[i];
+    if (x.empty() || at < x.front() || at > x.back())
+      return not_a_number;
+    return between(at);
+  };
+}
+
+} // namespace
+
+CurveFunction::CurveFunction(std::span<const CurvePoint> points) {
+  std::vector<double> gap_pressure;
+  std::vector<double> gap;
+  std::vector<double> area_pressure;
+  std::vector<double> log_area;
+  for (const CurvePoint& row : loading_rows(points)) {
+    const double log_pressure = std::log(row.nominal_pressure);
+    if (!gap_pressure.empty() &&
+        log_pressure - gap_pressure.back() <= same_pressure)
+      continue; // the same load twice
+    gap_pressure.push_back(log_pressure);
+    gap.push_back(row.mean_gap);
+    if (row.area_fraction > 0.0) {
+      area_pressure.push_back(log_pressure);
+      log_area.push_back(std::log(row.area_fraction));
+    }
+  }
+  gap_of_log_pressure_ = interpolant(gap_pressure, gap);
+  log_area_of_log_pressure_ = interpolant(area_pressure, log_area);
+}
+
+double CurveFunction::gap(double nominal_pressure) const {
+  return gap_of_log_pressure_(std::log(nominal_pressure));
+}
+
+double CurveFunction::area_fraction(double nominal_pressure) const {
+  return std::exp(log_area_of_log_pressure_(std::log(nominal_pressure)));
+}
+
+std::vector<Deviation> deviations(std::span<const CurvePoint> points,
+                                  const CurveFunction& reference) {
+  std::vector<Deviation> rows;
+  for (const CurvePoint& row : loading_rows(points))
+    rows.push_back({row.nominal_pressure, row.mean_gap,
+                    reference.gap(row.nominal_pressure), row.area_fraction,
+                    reference.area_fraction(row.nominal_pressure)});
+  return rows;
+}
+
+double largest_gap_deviation(std::span<const Deviation> rows,
+                             double rms_height) {
+  double largest = not_a_number;
+  for (const Deviation& row : rows) {
+    const double reduced_gap = row.gap / rms_height;
+    if (reduced_gap < comparison_gap_low || reduced_gap > comparison_gap_high)
+      continue;
+    // fmax takes the number where the other argument is NaN
+    largest =
+        std::fmax(largest, std::abs(row.gap - row.reference_gap) / rms_height);
+  }
+  return largest;
+}
+
+double light_load_area_excess(std::span<const Deviation> rows) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Deviation& row : rows) {
+    const double excess = row.area_fraction / row.reference_area_fraction - 1.0;
+    if (!(row.area_fraction > 0.0 && row.area_fraction <= light_load_area) ||
+        !std::isfinite(excess))
+      continue;
+    sum += excess;
+    ++count;
+  }
+  return count > 0 ? sum / count : not_a_number;
+}
+
+} // namespace asperity::reports

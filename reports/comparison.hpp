@@ -1,0 +1,58 @@
+#pragma once
+
+// One curve held against another: a method against the theory that ran on the
+// same case, or against an exact solution. Owns what "deviation" means.
+
+#include "reports/estimate.hpp"
+#include "results/result.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// A curve as functions of the nominal pressure. Between rows: monotone cubic
+/// (PCHIP) in ln p for the gap, and in ln p for ln(A/A_0); straight if there
+/// are fewer than four rows. At a row: the row. Outside: NaN, nothing is
+/// extrapolated.
+class CurveFunction {
+public:
+  explicit CurveFunction(std::span<const results::CurvePoint> points);
+
+  double gap(double nominal_pressure) const;           ///< u [m]
+  double area_fraction(double nominal_pressure) const; ///< A/A_0 [1]
+
+private:
+  std::function<double(double)> gap_of_log_pressure_;
+  std::function<double(double)> log_area_of_log_pressure_;
+};
+
+/// One loading row beside the reference at the same pressure.
+struct Deviation {
+  double nominal_pressure = 0.0;                 ///< [Pa]
+  double gap = 0.0;                              ///< [m]
+  double reference_gap = not_a_number;           ///< [m]
+  double area_fraction = 0.0;                    ///< counted [1]
+  double reference_area_fraction = not_a_number; ///< [1]
+};
+
+std::vector<Deviation> deviations(std::span<const results::CurvePoint> points,
+                                  const CurveFunction& reference);
+
+/// The range of u/h_rms over which curves are held against theory: below it
+/// the contact is nearly complete, above it the finite size speaks.
+inline constexpr double comparison_gap_low = 0.3;
+inline constexpr double comparison_gap_high = 1.5;
+
+/// Largest |u - u_ref| / h_rms over the rows with u/h_rms in that range; NaN if
+/// no row is in it.
+double largest_gap_deviation(std::span<const Deviation> rows,
+                             double rms_height);
+
+/// Mean of A/A_ref - 1, counted area, over the rows with 0 < A/A_0 <= 15 %;
+/// NaN if there is none.
+double light_load_area_excess(std::span<const Deviation> rows);
+
+} // namespace asperity::reports

@@ -1,0 +1,177 @@
+#include "reports/gnuplot.hpp"
+
+#include "base/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace asperity::reports {
+namespace {
+
+constexpr const char* style = R"(set encoding utf8
+set datafile separator comma
+set border 3 linewidth 0.8 linecolor rgb '#444444'
+set tics nomirror out scale 0.6 textcolor rgb '#333333'
+set grid linewidth 0.5 linecolor rgb '#e4e4e4'
+set key noopaque reverse Left width -4 samplen 1.6 spacing 1.25 textcolor rgb '#222222'
+set errorbars 0
+)";
+
+// The fonts a browser should try, in place of the one name gnuplot can hold.
+constexpr const char* font_list =
+    "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
+
+// gnuplot 5.4 misreads a doubled quote at the start of a quoted string, so a
+// quote becomes a typographic one, which ends nothing.
+std::string in_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      quoted += "’";
+    else
+      quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void replace_all(std::string& text, const std::string& from,
+                 const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// Runs `program script` inside `folder`; returns what went wrong, or "".
+std::string run(const std::string& program, const std::string& script,
+                const std::filesystem::path& folder,
+                const std::filesystem::path& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null",
+                                   O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO,
+                                   messages.filename().c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  std::string program_copy = program;
+  std::string script_copy = script;
+  std::array<char*, 3> arguments{program_copy.data(), script_copy.data(),
+                                 nullptr};
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, program.c_str(), &actions, nullptr,
+                                   arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0)
+    return fmt::format("{} cannot be started: {}", program,
+                       std::generic_category().message(failure));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    return "";
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    return program + " cannot be started";
+  return fmt::format("{} failed: {}", program, read_text(messages));
+}
+
+} // namespace
+
+DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
+                 const std::string& program) {
+  DrawnFigure drawn{figure.name, figure.title, figure.caption, "", ""};
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / (figure.name + ".csv"), figure.data);
+  for (const auto& [suffix, matrix] : figure.maps)
+    write_file_atomically(
+        folder / fmt::format("{}-{}.csv", figure.name, suffix), matrix);
+  const std::string svg_name = figure.name + ".svg";
+  const std::string script_name = figure.name + ".gp";
+  write_file_atomically(
+      folder / script_name,
+      fmt::format("# gnuplot {}\nset terminal svg size {},{} fixed enhanced "
+                  "font 'Helvetica,12' background '#ffffff'\nset output "
+                  "'{}'\n{}{}set output\n",
+                  script_name, figure.width, figure.height, svg_name, style,
+                  figure.script));
+
+  const std::filesystem::path svg_path = folder / svg_name;
+  const std::filesystem::path messages =
+      temporary_beside(folder / (figure.name + ".log"));
+  std::error_code ignored;
+  std::filesystem::remove(svg_path, ignored);
+  drawn.problem = run(program, script_name, folder, messages);
+  std::filesystem::remove(messages, ignored);
+  if (!drawn.problem.empty())
+    return drawn;
+  drawn.svg = read_text(svg_path);
+  if (drawn.svg.find("</svg>") == std::string::npos) {
+    drawn.svg.clear();
+    drawn.problem = program + " drew nothing";
+    return drawn;
+  }
+  replace_all(drawn.svg, "font-family=\"Helvetica\"",
+              fmt::format("font-family=\"{}\"", font_list));
+  replace_all(drawn.svg, "<title>Gnuplot</title>",
+              "<title>" + figure.name + "</title>");
+  write_file_atomically(svg_path, drawn.svg);
+  return drawn;
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\^_{}@&~").find(c) != std::string_view::npos)
+      escaped += '\\';
+    escaped += c;
+  }
+  return in_quotes(escaped);
+}
+
+std::string gnuplot_markup(const std::string& text) {
+  return in_quotes(text);
+}
+
+const char* method_color(std::size_t index) {
+  static constexpr std::array<const char*, 6> colors{
+      "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+  return colors[index % colors.size()];
+}
+
+CsvTable::CsvTable(const std::vector<std::string>& header) {
+  for (const std::string& name : header)
+    text_ += (text_.empty() ? "" : ",") + name;
+  text_ += "\n";
+}
+
+void CsvTable::add(const std::string& label,
+                   const std::vector<double>& numbers) {
+  text_ += '"';
+  for (const char c : label)
+    text_ +=
+        c == '"'
+            ? std::string("\"\"")
+            : std::string(1, static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
+  text_ += '"';
+  for (const double number : numbers)
+    text_ += std::isfinite(number) ? fmt::format(",{:.10g}", number) : ",nan";
+  text_ += "\n";
+}
+
+} // namespace asperity::reports

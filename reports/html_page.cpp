@@ -1,0 +1,153 @@
+#include "reports/html_report.hpp"
+#include "reports/page_data.hpp"
+#include "reports/report_template.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+
+std::string fitted_text(const FittedValue& fitted) {
+  return std::isfinite(fitted.value) ? fmt::format("{:.3g}", fitted.value)
+                                     : "–";
+}
+
+Value fit_row(const Series& series, std::size_t realization,
+              const RealizationFits& fits) {
+  const Window& window = fits.slope.window;
+  Value row;
+  row.set("method", series.label);
+  row.set("realization", std::to_string(realization));
+  row.set("slope", fitted_text(fits.slope.gamma_slope));
+  row.set("asymptote", std::isfinite(fits.asymptotic_slope)
+                           ? fmt::format("{:.3g}", fits.asymptotic_slope)
+                           : "–");
+  row.set("beta", fitted_text(fits.slope.beta));
+  row.set("gamma", fitted_text(fits.parameter.gamma_theory));
+  row.set("kappa", fitted_text(fits.area.kappa));
+  row.set("kappa_counted", fitted_text(fits.area.kappa_counted));
+  const bool has_window = window.points > 0;
+  const double height = fits.scales.rms_height;
+  row.set("window",
+          has_window ? fmt::format("{:.2f} … {:.2f}", window.gap_low / height,
+                                   window.gap_high / height)
+                     : "–");
+  row.set("rows", has_window ? std::to_string(window.points) : "–");
+  row.set("deviation", has_window
+                           ? fmt::format("{:.2g} of {:.2g}",
+                                         100.0 * window.largest_deviation,
+                                         100.0 * window.tolerance)
+                           : "–");
+  std::string reason = fits.slope.reason;
+  for (const std::string& more : {fits.parameter.reason, fits.area.reason})
+    if (!more.empty() && reason.find(more) == std::string::npos)
+      reason += (reason.empty() ? "" : "; ") + more;
+  if (!reason.empty())
+    row.set("reason", reason);
+  return row;
+}
+
+bool is_wide(const std::string& svg) {
+  const std::size_t at = svg.find("width=\"");
+  return at != std::string::npos && std::stoi(svg.substr(at + 7, 5)) > 700;
+}
+
+// The picture as a data URI. Percent-encoding leaves an embedded PNG's base64
+// as it is, where base64 again would add a third.
+std::string data_uri(const std::string& svg) {
+  std::string uri = "data:image/svg+xml;charset=utf-8,";
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain =
+        byte > 0x20 && byte < 0x7f &&
+        std::string_view("%#\"<>&'`{}|\\^").find(c) == std::string_view::npos;
+    if (is_plain)
+      uri += c;
+    else
+      uri += fmt::format("%{:02X}", byte);
+  }
+  return uri;
+}
+
+} // namespace
+
+List fit_rows(std::span<const Series> series) {
+  List rows;
+  for (const Series& one : series)
+    for (std::size_t r = 0; r < one.method->fits.size(); ++r)
+      rows.push_back(fit_row(one, r, one.method->fits[r]));
+  return rows;
+}
+
+List failed_step_rows(std::span<const ReportEntry> entries) {
+  List rows;
+  for (const ReportEntry& entry : entries)
+    for (const results::MethodRecord& method : entry.result->methods)
+      for (std::size_t r = 0; r < method.realizations.size(); ++r)
+        for (const results::CurvePoint& point : method.realizations[r].points) {
+          if (point.status == results::StepStatus::converged)
+            continue;
+          Value row;
+          row.set("method", method.name);
+          row.set("realization", std::to_string(r));
+          row.set("step", std::to_string(point.step));
+          row.set("pressure",
+                  fmt::format("{:.3g}", point.nominal_pressure /
+                                            entry.result->contact_modulus));
+          row.set("residual", fmt::format("{:.2g}", point.residual));
+          row.set("note", point.note);
+          rows.push_back(row);
+        }
+  return rows;
+}
+
+List group_data(std::span<const DrawnGroup> groups) {
+  List list;
+  for (const DrawnGroup& group : groups) {
+    List figures;
+    for (const DrawnFigure& drawn : group.figures) {
+      Value figure;
+      figure.set("title", drawn.title);
+      figure.set("caption", drawn.caption);
+      figure.set("is_wide", is_wide(drawn.svg));
+      if (!drawn.svg.empty())
+        figure.set("picture", data_uri(drawn.svg));
+      else
+        figure.set("problem", drawn.problem);
+      figures.push_back(figure);
+    }
+    Value entry;
+    entry.set("heading", group.heading);
+    entry.set("figures", figures);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+std::string html_page(std::span<const ReportEntry> entries,
+                      std::span<const DrawnGroup> groups) {
+  const std::vector<Series> series = series_of(entries);
+  const bool has_many = entries.size() > 1;
+  Value page;
+  page.set("page_title",
+           has_many ? fmt::format("{} results compared", entries.size())
+                    : entries.front().summary.case_title);
+  List list;
+  for (const ReportEntry& entry : entries)
+    list.push_back(entry_data(entry, series, has_many));
+  page.set("entries", list);
+  page.set("groups", group_data(groups));
+  page.set("fits", fit_rows(series));
+  const List failed = failed_step_rows(entries);
+  page.set("has_failed_steps", !failed.empty());
+  page.set("failed_steps", failed);
+  kainjow::mustache::mustache view{std::string(report_template)};
+  return view.render(page);
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,23 @@
+#pragma once
+
+// The two halves of the page's data meet here: what is said of each result,
+// and the tables of fits, failed steps and figures. Internal to the page.
+
+#include "reports/html_report.hpp"
+
+#include <kainjow/mustache.hpp>
+
+namespace asperity::reports {
+
+/// Head of one result: sentence, banner, methods, verdicts, provenance.
+kainjow::mustache::data entry_data(const ReportEntry& entry,
+                                   std::span<const Series> series,
+                                   bool is_one_of_many);
+
+kainjow::mustache::list fit_rows(std::span<const Series> series);
+
+kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
+
+kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);
+
+} // namespace asperity::reports

@@ -1,0 +1,32 @@
+#pragma once
+
+// Small pieces that several figures are put together from. Internal to them.
+
+#include "reports/series.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// "using" clause for one series of a CSV whose second column is its index:
+/// rows of another have no x and are not drawn. Columns like "$5:4".
+std::string of_series(std::size_t index, const std::string& columns);
+
+/// One plot command of its parts.
+std::string plot_of(const std::vector<std::string>& parts);
+
+/// A method's quantity by its name; one without a value if it has none.
+const Estimate& quantity(const Series& series, const std::string& name);
+
+/// The first that is not theory and has rows, or null.
+const Series* first_numerical(std::span<const Series> series);
+
+/// The theory that ran on the same case as `method`, or null.
+const Series* theory_of(std::span<const Series> series, const Series& method);
+
+/// First, middle and last of `count` things, each once.
+std::vector<std::size_t> three_of(std::size_t count);
+
+} // namespace asperity::reports

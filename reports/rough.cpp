@@ -1,0 +1,163 @@
+#include "reports/rough.hpp"
+
+#include "reports/comparison.hpp"
+#include "reports/surface_theory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::MethodRecord;
+using results::Result;
+
+double set_gamma(const cases::Case& rough_case, const MethodRecord& method) {
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
+        theory != nullptr && spec.name == method.name)
+      return theory->gamma;
+  return not_a_number;
+}
+
+SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
+                         const MethodRecord& method, std::size_t realization) {
+  if (uses_formula(rough_case, method))
+    return theory_of_formula(rough_case.surface, result.contact_modulus);
+  if (realization >= result.surfaces.size())
+    return {};
+  return theory_of_surface(result.surfaces[realization],
+                           result.contact_modulus);
+}
+
+RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
+                        const MethodRecord& method, std::size_t realization) {
+  RealizationFits fits;
+  fits.scales = scales_of(result, rough_case, method, realization);
+  const double height = fits.scales.rms_height;
+  if (!(height > 0.0) || !(fits.scales.rms_slope > 0.0)) {
+    fits.slope.reason = fits.parameter.reason = fits.area.reason =
+        "neither the surface nor its formula is in the result";
+    return fits;
+  }
+  const auto& points = method.realizations[realization].points;
+  fits.slope = fit_slope(points, fits.scales);
+  fits.area = fit_area(points, fits.scales);
+  const SurfaceTheory theory =
+      theory_for(result, rough_case, method, realization);
+  if (method.kind == "theory") { // its parameter is an input
+    fits.asymptotic_slope =
+        set_gamma(rough_case, method) * theory.decay_length / height;
+    return fits;
+  }
+  if (!theory.gap) {
+    fits.parameter.reason = "the heights are not in the result";
+    return fits;
+  }
+  fits.parameter = fit_parameter(points, fits.scales, theory.gap);
+  fits.asymptotic_slope =
+      fits.parameter.gamma_theory.value * theory.decay_length / height;
+  return fits;
+}
+
+// Mean of one fitted value over realisations; the reason of the first fit that
+// has none stands in the remark if no fit has a value.
+template <class Fit>
+Estimate mean_of(const std::vector<RealizationFits>& fits,
+                 Fit RealizationFits::*fit, FittedValue Fit::*fitted) {
+  std::vector<FittedValue> values;
+  std::string reason;
+  for (const RealizationFits& realization : fits) {
+    values.push_back((realization.*fit).*fitted);
+    if (reason.empty())
+      reason = (realization.*fit).reason;
+  }
+  Estimate estimate = mean_over_realizations(values);
+  if (!estimate.has_value() && !reason.empty())
+    estimate.remark = reason;
+  return estimate;
+}
+
+Estimate largest_of(const std::vector<double>& values,
+                    const std::string& missing) {
+  Estimate estimate;
+  for (const double number : values) {
+    estimate.value = std::fmax(estimate.value, number);
+    estimate.realizations += std::isfinite(number);
+  }
+  estimate.remark =
+      estimate.has_value()
+          ? fmt::format("largest of {} realisation{}", estimate.realizations,
+                        estimate.realizations == 1 ? "" : "s")
+          : missing;
+  return estimate;
+}
+
+void add_deviations(const MethodRecord& method, const MethodRecord& reference,
+                    MethodSummary& summary) {
+  std::vector<double> gap_deviations;
+  std::vector<FittedValue> area_excesses;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const CurveFunction theory(curve_of(reference, r).points);
+    const std::vector<Deviation> rows =
+        deviations(method.realizations[r].points, theory);
+    gap_deviations.push_back(
+        largest_gap_deviation(rows, summary.fits[r].scales.rms_height));
+    area_excesses.push_back({light_load_area_excess(rows), not_a_number, 0});
+  }
+  summary.quantities["gap_deviation"] =
+      largest_of(gap_deviations,
+                 fmt::format("no row with {} < u/h_rms < {} that the theory "
+                             "also has",
+                             comparison_gap_low, comparison_gap_high));
+  Estimate excess = mean_over_realizations(area_excesses);
+  if (!excess.has_value())
+    excess.remark = "no row with A/A_0 <= 15 % that the theory also has";
+  summary.quantities["area_excess"] = excess;
+}
+
+Estimate set_parameter(const cases::Case& rough_case,
+                       const MethodRecord& method) {
+  Estimate estimate;
+  estimate.value = set_gamma(rough_case, method);
+  estimate.remark =
+      estimate.has_value() ? "set in the case" : "not set in the case";
+  return estimate;
+}
+
+} // namespace
+
+const results::Curve& curve_of(const MethodRecord& method,
+                               std::size_t realization) {
+  return method
+      .realizations[std::min(realization, method.realizations.size() - 1)];
+}
+
+void add_rough_quantities(const Result& result, const cases::Case& rough_case,
+                          const MethodRecord& method,
+                          const MethodRecord* reference,
+                          MethodSummary& summary) {
+  for (std::size_t r = 0; r < method.realizations.size(); ++r)
+    summary.fits.push_back(fits_of(result, rough_case, method, r));
+  auto& quantities = summary.quantities;
+  quantities["gamma_slope"] =
+      mean_of(summary.fits, &RealizationFits::slope, &SlopeFit::gamma_slope);
+  quantities["beta"] =
+      mean_of(summary.fits, &RealizationFits::slope, &SlopeFit::beta);
+  quantities["kappa"] =
+      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa);
+  quantities["kappa_counted"] =
+      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted);
+  if (method.kind == "theory") {
+    quantities["gamma_theory"] = set_parameter(rough_case, method);
+    return;
+  }
+  quantities["gamma_theory"] = mean_of(
+      summary.fits, &RealizationFits::parameter, &ParameterFit::gamma_theory);
+  if (reference != nullptr)
+    add_deviations(method, *reference, summary);
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,112 @@
+#include "reports/summary.hpp"
+
+#include "reports/exact.hpp"
+#include "reports/rough.hpp"
+#include "reports/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::MethodRecord;
+using results::Result;
+
+double median(std::vector<double> numbers) {
+  if (numbers.empty())
+    return not_a_number;
+  std::sort(numbers.begin(), numbers.end());
+  const std::size_t half = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[half]
+                                 : 0.5 * (numbers[half - 1] + numbers[half]);
+}
+
+Cost cost_of(const MethodRecord& method) {
+  Cost cost;
+  std::vector<double> step_times;
+  for (const results::Curve& curve : method.realizations) {
+    cost.setup_cpu_time += curve.setup_cpu_time;
+    for (const results::CurvePoint& point : curve.points) {
+      ++cost.steps;
+      cost.failed_steps +=
+          point.status == results::StepStatus::not_converged ? 1 : 0;
+      cost.largest_iterations =
+          std::max(cost.largest_iterations, point.iterations);
+      cost.cpu_time += point.cpu_time;
+      step_times.push_back(point.cpu_time);
+    }
+  }
+  cost.cpu_time += cost.setup_cpu_time;
+  cost.step_cpu_time = median(step_times);
+  return cost;
+}
+
+// Deepest overlap of the kept gap maps, in h_rms of realisation r.
+Estimate penetration_of(const Result& result, const MethodRecord& method) {
+  Estimate estimate;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    if (r >= result.surfaces.size())
+      break;
+    const double rms_height = result.surfaces[r].rms_height;
+    bool has_map = false;
+    for (const results::Fields& fields : method.realizations[r].fields) {
+      if (fields.gap.empty())
+        continue;
+      const double lowest =
+          *std::min_element(fields.gap.begin(), fields.gap.end());
+      estimate.value =
+          std::fmax(estimate.value, std::fmax(0.0, -lowest) / rms_height);
+      has_map = true;
+    }
+    estimate.realizations += has_map ? 1 : 0;
+  }
+  estimate.remark = estimate.has_value() ? "deepest of the kept maps"
+                                         : "no gap map is in the result";
+  return estimate;
+}
+
+MethodSummary summarize_method(const Result& result,
+                               const cases::Case& rough_case,
+                               const MethodRecord& method,
+                               const MethodRecord* reference) {
+  MethodSummary summary;
+  summary.name = method.name;
+  summary.kind = method.kind;
+  summary.description = method.description;
+  summary.cost = cost_of(method);
+  if (is_exact_shape(rough_case.surface))
+    add_exact_quantities(result, rough_case, method, summary);
+  else
+    add_rough_quantities(result, rough_case, method, reference, summary);
+  if (method.kind != "theory") {
+    Estimate iterations;
+    iterations.value = summary.cost.largest_iterations;
+    iterations.realizations = static_cast<int>(method.realizations.size());
+    iterations.remark = "largest of all steps";
+    summary.quantities["iterations_max"] = iterations;
+    summary.quantities["penetration"] = penetration_of(result, method);
+  }
+  return summary;
+}
+
+} // namespace
+
+Summary summarize(const Result& result, const cases::Case& rough_case) {
+  Summary summary;
+  summary.case_name = result.case_name;
+  summary.case_title = result.case_title;
+  summary.case_hash = result.case_hash;
+  summary.status = result.status;
+  summary.provenance = result.provenance;
+  const MethodRecord* reference = reference_theory(result);
+  if (reference != nullptr)
+    summary.reference_method = reference->name;
+  for (const MethodRecord& method : result.methods)
+    summary.methods.push_back(
+        summarize_method(result, rough_case, method, reference));
+  summary.verdicts = judge(rough_case.expectations, summary.methods);
+  return summary;
+}
+
+} // namespace asperity::reports

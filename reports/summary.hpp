@@ -1,0 +1,99 @@
+#pragma once
+
+// Everything the report, the check and summary.json say about one result, as
+// plain data. Owns the step from curves to numbers with names.
+
+#include "cases/case.hpp"
+#include "reports/fits.hpp"
+#include "results/result.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// The fits of one method on one realisation.
+struct RealizationFits {
+  SurfaceScales scales;
+  SlopeFit slope;
+  ParameterFit parameter;
+  AreaFit area;
+  /// u_0/h_rms of (18) with the fitted gamma (for the theory: its own) [1]:
+  /// what the slope would tend to at vanishing pressure
+  double asymptotic_slope = not_a_number;
+};
+
+struct Cost {
+  int steps = 0;
+  int failed_steps = 0;        ///< not converged
+  int largest_iterations = 0;  ///< of one step
+  double cpu_time = 0.0;       ///< set-up and steps of all realisations [s]
+  double setup_cpu_time = 0.0; ///< of all realisations [s]
+  double step_cpu_time = 0.0;  ///< median over steps [s]
+};
+
+/// One method over all its realisations. `quantities` has the names that
+/// [expect] uses; a quantity that means nothing for the case is not in it,
+/// one that could not be had is there without a value and with the reason.
+struct MethodSummary {
+  std::string name;
+  std::string kind;
+  std::string description;
+  std::map<std::string, Estimate> quantities;
+  std::vector<RealizationFits> fits; ///< one a realisation; rough cases only
+  Cost cost;
+};
+
+enum class Outcome { ok, failed, missing };
+
+/// One expectation held against one method. Missing counts as failed.
+struct Verdict {
+  std::string quantity;
+  std::string method;
+  Estimate estimate;
+  double low = 0.0;
+  double high = 0.0;
+  Outcome outcome = Outcome::missing;
+};
+
+struct Summary {
+  std::string case_name;
+  std::string case_title;
+  std::string case_hash;
+  std::string status; ///< of the result: running | complete | interrupted
+  results::Provenance provenance;
+  std::string reference_method; ///< theory the others are held against, or ""
+  std::vector<MethodSummary> methods;
+  std::vector<Verdict> verdicts;
+
+  bool all_ok() const; ///< no verdict is failed or missing
+};
+
+/// True for shapes with an exact solution, where gamma and kappa mean nothing.
+bool is_exact_shape(const cases::SurfaceSpec& surface);
+
+/// C(q) [m^4] of a self-affine case's own formula, with
+/// <h^2> = 2 pi int q C dq: flat from q_L to q_0, then q^(-2-2H) to q_1, zero
+/// outside. NaN for another kind of surface.
+double formula_spectrum(const cases::SurfaceSpec& surface, double wavevector);
+
+/// True if the method is a theory that took the case's formula as spectrum.
+bool uses_formula(const cases::Case& rough_case,
+                  const results::MethodRecord& method);
+
+/// E*, h_rms and h' that a method's realisation is measured in: those of the
+/// surface it ran on, or of the formula if that is what the theory used.
+/// Fields are NaN where neither is known.
+SurfaceScales scales_of(const results::Result& result,
+                        const cases::Case& rough_case,
+                        const results::MethodRecord& method,
+                        std::size_t realization);
+
+/// The theory record that other methods are compared with: the one called
+/// "theory", else the first of that kind; null if there is none.
+const results::MethodRecord* reference_theory(const results::Result& result);
+
+Summary summarize(const results::Result& result, const cases::Case& rough_case);
+
+} // namespace asperity::reports

@@ -1,0 +1,123 @@
+#include "reports/verdict.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json to_json(const Estimate& estimate) {
+  return {{"value", number(estimate.value)},
+          {"half_width_95", number(estimate.half_width)},
+          {"realizations", estimate.realizations},
+          {"remark", estimate.remark}};
+}
+
+Json to_json(const Window& window) {
+  return {{"mean_gap_low [m]", number(window.gap_low)},
+          {"mean_gap_high [m]", number(window.gap_high)},
+          {"nominal_pressure_low [Pa]", number(window.pressure_low)},
+          {"nominal_pressure_high [Pa]", number(window.pressure_high)},
+          {"largest_deviation [h_rms]", number(window.largest_deviation)},
+          {"tolerance [h_rms]", number(window.tolerance)},
+          {"points", window.points}};
+}
+
+Json to_json(const FittedValue& fitted) {
+  return {{"value", number(fitted.value)},
+          {"standard_error", number(fitted.standard_error)},
+          {"degrees_of_freedom", fitted.degrees_of_freedom}};
+}
+
+// A fit without an answer is its reason and nothing else.
+template <class Fit, class... Named>
+Json fit_json(const Fit& fit, const Named&... named) {
+  if (!fit.reason.empty())
+    return {{"reason", fit.reason}};
+  Json json;
+  ((json[named.first] = to_json(named.second)), ...);
+  json["window"] = to_json(fit.window);
+  return json;
+}
+
+Json to_json(const RealizationFits& fits, bool is_theory) {
+  Json json = {
+      {"rms_height [m]", number(fits.scales.rms_height)},
+      {"rms_slope [1]", number(fits.scales.rms_slope)},
+      {"asymptotic_slope (18)", number(fits.asymptotic_slope)},
+      {"slope",
+       fit_json(fits.slope, std::pair("gamma_slope", fits.slope.gamma_slope),
+                std::pair("beta", fits.slope.beta))},
+      {"area", fit_json(fits.area, std::pair("kappa", fits.area.kappa),
+                        std::pair("kappa_counted", fits.area.kappa_counted))}};
+  if (!is_theory)
+    json["parameter"] = fit_json(
+        fits.parameter, std::pair("gamma_theory", fits.parameter.gamma_theory));
+  return json;
+}
+
+Json to_json(const Cost& cost) {
+  return {{"steps", cost.steps},
+          {"failed_steps", cost.failed_steps},
+          {"largest_iterations", cost.largest_iterations},
+          {"cpu_time [s]", number(cost.cpu_time)},
+          {"setup_cpu_time [s]", number(cost.setup_cpu_time)},
+          {"median_step_cpu_time [s]", number(cost.step_cpu_time)}};
+}
+
+Json to_json(const MethodSummary& method) {
+  Json json = {{"name", method.name},
+               {"kind", method.kind},
+               {"description", method.description},
+               {"quantities", Json::object()},
+               {"fits", Json::array()},
+               {"cost", to_json(method.cost)}};
+  for (const auto& [name, estimate] : method.quantities)
+    json["quantities"][name] = to_json(estimate);
+  for (const RealizationFits& fits : method.fits)
+    json["fits"].push_back(to_json(fits, method.kind == "theory"));
+  return json;
+}
+
+Json to_json(const Verdict& verdict) {
+  return {{"quantity", verdict.quantity},
+          {"method", verdict.method},
+          {"value", number(verdict.estimate.value)},
+          {"half_width_95", number(verdict.estimate.half_width)},
+          {"low", number(verdict.low)},
+          {"high", number(verdict.high)},
+          {"verdict", outcome_word(verdict.outcome)},
+          {"remark", verdict.estimate.remark}};
+}
+
+} // namespace
+
+std::string summary_json(const Summary& summary) {
+  Json json = {{"format", "asperity-summary"},
+               {"format_version", 1},
+               {"case", summary.case_name},
+               {"title", summary.case_title},
+               {"case_hash", summary.case_hash},
+               {"status", summary.status},
+               {"reference_theory", summary.reference_method},
+               {"all_ok", summary.all_ok()},
+               {"expectations", Json::array()},
+               {"methods", Json::array()},
+               {"provenance", Json::object()}};
+  for (const Verdict& verdict : summary.verdicts)
+    json["expectations"].push_back(to_json(verdict));
+  for (const MethodSummary& method : summary.methods)
+    json["methods"].push_back(to_json(method));
+  for (const auto& [key, fact] : summary.provenance)
+    json["provenance"][key] = fact;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace asperity::reports

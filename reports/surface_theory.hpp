@@ -1,0 +1,27 @@
+#pragma once
+
+// Persson's theory of the very surface a method ran on, for the fit of gamma.
+
+#include "cases/case.hpp"
+#include "reports/fits.hpp"
+
+namespace asperity::reports {
+
+/// What fits need of the theory of one surface. Empty `gap`: the theory of
+/// this surface cannot be had.
+struct SurfaceTheory {
+  GapTheory gap;                      ///< u(p) of (14) for gamma = 1 and 0
+  double decay_length = not_a_number; ///< u_0 of (18) at gamma = 1 [m]; u_0 is
+                                      ///< proportional to gamma
+};
+
+/// From the exact spectrum of the heights: no binning, one shell a length of
+/// wavevector. Empty if the heights were not kept.
+SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
+                                double contact_modulus);
+
+/// From the formula of a self-affine case; empty for other kinds.
+SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
+                                double contact_modulus);
+
+} // namespace asperity::reports

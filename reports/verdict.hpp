@@ -1,0 +1,35 @@
+#pragma once
+
+// Expectations held against what was measured, and how the verdict is told: a
+// line on the terminal, JUnit XML for a CI server, JSON for programs.
+
+#include "reports/summary.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// One verdict an expectation and method, in the order of the case.
+/// The value itself must lie in the band; its interval is shown, not used.
+std::vector<Verdict> judge(std::span<const cases::Expectation> expectations,
+                           std::span<const MethodSummary> methods);
+
+/// "ok" | "failed" | "missing"
+const char* outcome_word(Outcome outcome);
+
+/// "0.35..0.45", "<= 1e-04" or ">= 2"; an end that is infinite is left out.
+std::string band_text(double low, double high);
+
+/// "ok      fem       gamma_slope   0.412 +- 0.021 in 0.35..0.45"
+std::string check_line(const Verdict& verdict);
+
+/// One test suite a result, one test case a verdict.
+std::string junit_xml(std::span<const Summary> summaries);
+
+/// Fits with intervals and windows, expectations with verdicts, timings and
+/// provenance. Numbers that do not exist are null.
+std::string summary_json(const Summary& summary);
+
+} // namespace asperity::reports

@@ -1,0 +1,63 @@
+#include "results/csv.hpp"
+
+#include "base/atomic_file.hpp"
+#include "results/curve_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace asperity::results {
+namespace {
+
+/// The numbers of a row between realization and status, as headed.
+constexpr std::array number_headers{"step",
+                                    "nominal_pressure [Pa]",
+                                    "mean_gap [m]",
+                                    "area_fraction [1]",
+                                    "area_fraction_corrected [1]",
+                                    "contact_perimeter [1/m]",
+                                    "elastic_energy [J/m^2]",
+                                    "contact_stiffness [Pa/m]",
+                                    "iterations",
+                                    "residual",
+                                    "cpu_time [s]"};
+
+std::string quoted(const std::string& field) {
+  if (field.find_first_of(",\"\r\n") == std::string::npos)
+    return field;
+  std::string text = "\"";
+  for (const char letter : field)
+    text += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return text + '"';
+}
+
+/// The column that a header names before its unit.
+const CurveColumn& headed_column(std::string_view header) {
+  return curve_column(header.substr(0, header.find(' ')));
+}
+
+} // namespace
+
+std::string curves_csv(const Result& result) {
+  std::string text = "method,realization";
+  for (const char* header : number_headers)
+    text += fmt::format(",{}", header);
+  text += ",status\r\n";
+
+  for (const MethodRecord& method : result.methods)
+    for (std::size_t i = 0; i < method.realizations.size(); ++i)
+      for (const CurvePoint& point : method.realizations[i].points) {
+        text += fmt::format("{},{}", quoted(method.name), i);
+        for (const char* header : number_headers)
+          text += fmt::format(",{}", headed_column(header).get(point));
+        text += fmt::format(",{}\r\n", status_word(point.status));
+      }
+  return text;
+}
+
+void write_curves_csv(const Result& result, const std::filesystem::path& path) {
+  write_file_atomically(path, curves_csv(result));
+}
+
+} // namespace asperity::results

@@ -1,0 +1,33 @@
+#pragma once
+
+// What made a result: program, compiler, libraries, machine, cost. Owns the
+// names of these facts in the file.
+
+#include "results/result.hpp"
+
+#include <chrono>
+
+namespace asperity::results {
+
+/// Facts of the program and the machine: version, commit, dirty ("yes" if the
+/// sources had uncommitted changes; both are "unknown" outside a checkout),
+/// compiler, build type, library versions, processor, cores, memory, host
+/// system. A report warns of numbers from a dirty program.
+Provenance program_facts();
+
+/// "2026-01-31T12:34:56Z" [UTC]
+std::string utc_now();
+
+/// What a run costs, from construction on.
+class RunClock {
+public:
+  RunClock();
+
+  /// Wall time [s], CPU time of the process so far [s], its peak memory [MiB].
+  Provenance facts() const;
+
+private:
+  std::chrono::steady_clock::time_point start_;
+};
+
+} // namespace asperity::results

@@ -1,0 +1,15 @@
+#pragma once
+
+// Inside results/ only: the names of docs/results.md that writer and reader
+// must agree on.
+
+namespace asperity::results::layout {
+
+constexpr const char* file_name = "result.h5";
+constexpr const char* format = "asperity-result";
+constexpr int format_version = 1;
+
+/// Realisations and steps beyond this are taken for another file's groups.
+constexpr int most_realizations = 1'000'000;
+
+} // namespace asperity::results::layout

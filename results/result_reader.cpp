@@ -1,0 +1,130 @@
+#include "results/result_reader.hpp"
+
+#include "cases/case_error.hpp"
+#include "results/contact_stiffness.hpp"
+#include "results/curve_storage.hpp"
+#include "results/hdf5_file.hpp"
+#include "results/map_storage.hpp"
+#include "results/result_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace asperity::results {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string text_or(const Hdf5Group& group, const std::string& name,
+                    const std::string& otherwise) {
+  return group.has_attribute(name) ? group.text_attribute(name) : otherwise;
+}
+
+/// The children named 0, 1, ... of `group`, read each to its place in a list.
+template <class Item, class Read>
+std::vector<Item> read_indexed(const Hdf5Group& group, Read read) {
+  std::vector<Item> items;
+  for (const std::string& name : group.children())
+    if (const std::optional<int> index = index_of(name)) {
+      const auto place = static_cast<std::size_t>(*index);
+      items.resize(std::max(items.size(), place + 1));
+      items[place] = read(group.open(name), *index);
+    }
+  return items;
+}
+
+void require_format(const Hdf5Group& file) {
+  const std::string format = text_or(file, "format", "");
+  if (format != layout::format)
+    throw cases::CaseError(fmt::format("{} = \"{}\", but must be \"{}\"",
+                                       file.place("format"), format,
+                                       layout::format));
+  const double version = number_or(file, "format_version", none);
+  if (!(version >= 1 && version < layout::format_version + 1))
+    throw cases::CaseError(fmt::format("{} = {}, but must lie between 1 and {}",
+                                       file.place("format_version"), version,
+                                       layout::format_version));
+}
+
+Curve read_curve(const Hdf5Group& group) {
+  Curve curve;
+  curve.setup_cpu_time = number_or(group, "setup_cpu_time", 0.0);
+  if (group.has("curve"))
+    curve.points = read_points(group.open("curve"));
+  fill_contact_stiffness(curve.points);
+  if (group.has("fields"))
+    curve.fields = read_fields(group.open("fields"));
+  return curve;
+}
+
+MethodRecord read_method(const Hdf5Group& group, const std::string& name) {
+  MethodRecord method;
+  method.name = name;
+  method.kind = text_or(group, "kind", name.substr(0, name.find('.')));
+  method.description = text_or(group, "description", "");
+  method.realizations = read_indexed<Curve>(
+      group, [](const Hdf5Group& curve, int) { return read_curve(curve); });
+  return method;
+}
+
+Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
+  require_format(file);
+  Result result;
+  result.path = path.string();
+  result.case_name = text_or(file, "name", path.stem().string());
+  result.case_title = text_or(file, "title", result.case_name);
+  result.case_text = text_or(file, "case_text", "");
+  result.case_hash = text_or(file, "case_hash", "");
+  result.status = text_or(file, "status", "complete");
+  if (!file.has_attribute("contact_modulus"))
+    throw cases::CaseError(
+        fmt::format("{} [Pa] is missing", file.place("contact_modulus")));
+  result.contact_modulus = file.number_attribute("contact_modulus");
+  if (!file.has("methods"))
+    throw cases::CaseError(fmt::format("{} is missing", file.place("methods")));
+
+  if (file.has("provenance")) {
+    const Hdf5Group provenance = file.open("provenance");
+    for (const std::string& name : provenance.attributes())
+      result.provenance.emplace_back(name, provenance.text_attribute(name));
+  }
+  if (file.has("surfaces"))
+    result.surfaces = read_indexed<SurfaceRecord>(
+        file.open("surfaces"),
+        [](const Hdf5Group& group, int) { return read_surface(group); });
+  const Hdf5Group methods = file.open("methods");
+  for (const std::string& name : methods.children())
+    result.methods.push_back(read_method(methods.open(name), name));
+  return result;
+}
+
+} // namespace
+
+Result read_result(const std::filesystem::path& path) {
+  const bool is_folder = std::filesystem::is_directory(path);
+  const std::filesystem::path file_path =
+      is_folder ? path / layout::file_name : path;
+  if (!std::filesystem::exists(file_path))
+    throw cases::CaseError(file_path.string() + ": there is no such file");
+  const std::lock_guard lock(hdf5_mutex());
+  try {
+    const Hdf5File file(file_path, Hdf5File::Mode::read);
+    return read_file(file, file_path);
+  } catch (const Hdf5Error& error) {
+    throw cases::CaseError(error.what());
+  }
+}
+
+StepsDone steps_done(const Result& result) {
+  StepsDone done;
+  for (const MethodRecord& method : result.methods)
+    for (std::size_t i = 0; i < method.realizations.size(); ++i)
+      for (const CurvePoint& point : method.realizations[i].points)
+        done[{method.name, static_cast<int>(i)}].insert(point.step);
+  return done;
+}
+
+} // namespace asperity::results

@@ -1,0 +1,95 @@
+// Claims about how the program answers mistakes: in words, with exit code 2,
+// and with nothing half-written.
+#include "tests/app/program.hpp"
+
+namespace asperity::app {
+namespace {
+
+class Messages : public ProgramTest {
+protected:
+  bool says(const Ended& run, const std::string& words) const {
+    return run.output.find(words) != std::string::npos;
+  }
+};
+
+TEST_F(Messages, NameTheNearestShippedCase) {
+  const Ended lost = run("run polymers");
+
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_TRUE(says(lost, "nearest shipped case: polymer")) << lost.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
+  std::string text = small_case;
+  text.replace(text.find("poisson_ratio = 0.3"), 19, "poisson_ratio = 0.7");
+  text.replace(text.find("rms_slope"), 9, "rms_slop");
+  write("broken.toml", text);
+
+  const Ended refused = run("run broken.toml");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "broken.toml:16")) << refused.output;
+  EXPECT_TRUE(says(refused, "poisson_ratio")) << refused.output;
+  EXPECT_TRUE(says(refused, "rms_slope")) << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, NameTheMethodsACaseHas) {
+  write("small.toml", small_case);
+
+  const Ended refused = run("run small.toml --methods fen");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "nearest: fem")) << refused.output;
+}
+
+TEST_F(Messages, NewCaseRunsAndIsNeverOverwritten) {
+  ASSERT_EQ(run("new mine").exit_code, 0);
+
+  const Ended again = run("new mine");
+  const Ended done = run("run mine");
+
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(says(again, "is there already")) << again.output;
+  EXPECT_NE(done.exit_code, 2) << done.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/mine/report.html"));
+}
+
+TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {
+  EXPECT_EQ(run("runn polymer").exit_code, 2);
+  EXPECT_EQ(run("run polymer --treads 2").exit_code, 2);
+  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("--help").exit_code, 0);
+}
+
+TEST_F(Messages, ListAndSchemaPrintWhatTheyPromise) {
+  const Ended listed = run("list");
+  for (const char* name : {"polymer", "polymer-nominal", "hertz", "wave-1d",
+                           "wave-2d", "self-affine"})
+    EXPECT_TRUE(says(listed, name)) << name;
+  EXPECT_TRUE(says(run("schema"), "\"$schema\""));
+}
+
+TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
+  write("strict.toml", small_case +
+                           "[expect]\niterations_max = { below = 1, methods = "
+                           "[\"halfspace\"] }\n");
+
+  const Ended checked = run("check strict.toml --junit junit.xml");
+
+  EXPECT_EQ(checked.exit_code, 1) << checked.output;
+  EXPECT_TRUE(says(checked, "failed")) << checked.output;
+  EXPECT_NE(text_of(folder / "junit.xml").find("<failure"), std::string::npos);
+  EXPECT_EQ(run("check out/strict").exit_code, 1);
+}
+
+TEST_F(Messages, ReportOfNothingSaysSo) {
+  const Ended lost = run("report nowhere");
+
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_TRUE(says(lost, "nowhere")) << lost.output;
+}
+
+} // namespace
+} // namespace asperity::app

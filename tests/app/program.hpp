@@ -1,0 +1,88 @@
+#pragma once
+
+// Runs the built program as a user would, in a folder of its own.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace asperity::app {
+
+struct Ended {
+  int exit_code = -1; ///< 128 + signal if it was killed
+  std::string output; ///< standard output and error together
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A test with an empty folder to work in, removed at its end.
+class ProgramTest : public ::testing::Test {
+protected:
+  ProgramTest() {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
+    folder = mkdtemp(pattern.data());
+  }
+
+  ~ProgramTest() override { std::filesystem::remove_all(folder); }
+
+  /// `before` goes before the program: environment, or "timeout -s INT 1".
+  Ended run(const std::string& arguments,
+            const std::string& before = "") const {
+    const std::filesystem::path log = folder / "log.txt";
+    const std::string command = "cd " + folder.string() + " && " + before +
+                                " " ASPERITY_PROGRAM " " + arguments + " > " +
+                                log.string() + " 2>&1";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            text_of(log)};
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+
+  std::filesystem::path folder;
+};
+
+/// A case of seconds: every method, two realisations, four loads.
+inline const std::string small_case = R"(schema = 1
+title = "small"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 64
+seed = 3
+realizations = 2
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.25 length"
+wavelength_short = "8 h"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = { from = "1e-3 E*", to = "5e-2 E*", steps = 4, spacing = "log" }
+[theory]
+gamma = 0.42
+[halfspace]
+contact = "hard"
+[fem]
+contact = "penalty"
+penalty = "100 E*/h"
+[report]
+fields = 1
+)";
+
+} // namespace asperity::app

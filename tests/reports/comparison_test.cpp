@@ -1,0 +1,97 @@
+// Claims about reports/comparison.hpp: what lies between rows, what is refused,
+// and what a deviation is.
+#include "reports/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+
+constexpr double rms_height = 34e-9; // m
+constexpr double decay = 0.4 * rms_height;
+
+CurvePoint row(double pressure, double gap, double area) {
+  CurvePoint point;
+  point.nominal_pressure = pressure;
+  point.mean_gap = gap;
+  point.area_fraction = area;
+  return point;
+}
+
+// u = u_0 ln(p_0/p), A = 2e-9 p: straight in the coordinates of the header.
+std::vector<CurvePoint> reference_rows(int count) {
+  std::vector<CurvePoint> rows;
+  for (int i = 0; i < count; ++i) {
+    const double pressure = 1e6 * std::pow(2.0, i);
+    rows.push_back(
+        row(pressure, decay * std::log(1e8 / pressure), 2e-9 * pressure));
+  }
+  return rows;
+}
+
+// Claim: what is straight in ln p stays exact between rows, for few rows and
+// many. Tolerance: rounding of exp and ln at ln A = -6, 1e-14.
+TEST(CurveFunction, IsExactBetweenRowsOfAnExponential) {
+  for (const int count : {2, 3, 4, 7}) {
+    const CurveFunction curve(reference_rows(count));
+    for (const double pressure : {1e6, 1.1e6, 1.9e6, 2e6}) {
+      EXPECT_NEAR(curve.gap(pressure) / decay, std::log(1e8 / pressure), 1e-13);
+      EXPECT_NEAR(curve.area_fraction(pressure) / (2e-9 * pressure), 1.0,
+                  1e-13);
+    }
+  }
+}
+
+TEST(CurveFunction, DoesNotExtrapolate) {
+  const CurveFunction curve(reference_rows(4));
+
+  EXPECT_TRUE(std::isnan(curve.gap(0.9e6)));
+  EXPECT_TRUE(std::isnan(curve.gap(8.1e6)));
+  EXPECT_FALSE(std::isnan(curve.gap(8e6)));
+  EXPECT_TRUE(std::isnan(CurveFunction({}).gap(1e6)));
+}
+
+// Claim: only rows with 0.3 < u/h_rms < 1.5 count, and rows the reference does
+// not reach are left out. u/h_rms of the rows here: 0.2, 1.0, 1.4, 1.7 with
+// offsets 0.5, 0.03, -0.05, 0.5 of h_rms. Tolerance: rounding.
+TEST(LargestGapDeviation, LooksOnlyAtTheRangeItNames) {
+  const std::vector<Deviation> rows{
+      {1.0, 0.2 * rms_height, 0.7 * rms_height, 0.0, 0.0},
+      {1.0, 1.0 * rms_height, 1.03 * rms_height, 0.0, 0.0},
+      {1.0, 1.4 * rms_height, 1.35 * rms_height, 0.0, 0.0},
+      {1.0, 1.2 * rms_height, not_a_number, 0.0, 0.0},
+      {1.0, 1.7 * rms_height, 2.2 * rms_height, 0.0, 0.0}};
+
+  EXPECT_NEAR(largest_gap_deviation(rows, rms_height), 0.05, 1e-13);
+  EXPECT_TRUE(std::isnan(largest_gap_deviation({}, rms_height)));
+}
+
+// Claim: the mean over rows up to 15 % counted area, others ignored.
+TEST(LightLoadAreaExcess, AveragesTheLightRows) {
+  const std::vector<Deviation> rows{{1.0, 0.0, 0.0, 0.02 * 1.2, 0.02},
+                                    {2.0, 0.0, 0.0, 0.10 * 1.3, 0.10},
+                                    {3.0, 0.0, 0.0, 0.16, 0.05},
+                                    {4.0, 0.0, 0.0, 0.0, 0.01}};
+
+  EXPECT_NEAR(light_load_area_excess(rows), 0.25, 1e-14);
+}
+
+TEST(Deviations, PutEachRowBesideTheReferenceAtItsPressure) {
+  std::vector<CurvePoint> rows = reference_rows(5);
+  for (CurvePoint& point : rows)
+    point.mean_gap += 1e-9;
+  const CurveFunction reference(reference_rows(4));
+
+  const std::vector<Deviation> found = deviations(rows, reference);
+
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_NEAR(found[2].gap - found[2].reference_gap, 1e-9, 1e-21);
+  EXPECT_TRUE(std::isnan(found[4].reference_gap));
+}
+
+} // namespace
+} // namespace asperity::reports

@@ -1,0 +1,93 @@
+// Claims about reports/estimate.hpp: lines, their errors, and intervals that
+// cover what they promise.
+#include "reports/estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace asperity::reports {
+namespace {
+
+// Claim: slope, intercept and errors of the four points (0,1) (1,3) (2,2)
+// (3,5). By hand: slope 11/10, intercept 11/10, residual squares 2.7,
+// slope error sqrt(1.35/5). Tolerance: rounding.
+TEST(FitLine, EqualsTheSumsDoneByHand) {
+  const std::vector<double> x{0.0, 1.0, 2.0, 3.0};
+  const std::vector<double> y{1.0, 3.0, 2.0, 5.0};
+
+  const LineFit fit = fit_line(x, y);
+
+  EXPECT_NEAR(fit.slope, 1.1, 1e-14);
+  EXPECT_NEAR(fit.intercept, 1.1, 1e-14);
+  EXPECT_NEAR(fit.slope_error, std::sqrt(1.35 / 5.0), 1e-14);
+  EXPECT_NEAR(fit.intercept_error, std::sqrt(1.35 * (0.25 + 2.25 / 5.0)),
+              1e-14);
+  EXPECT_NEAR(fit.largest_residual, 1.3, 1e-14);
+}
+
+TEST(FitLine, RefusesWhatIsNoLine) {
+  const std::vector<double> one{1.0};
+  const std::vector<double> same{2.0, 2.0, 2.0};
+
+  EXPECT_THROW(fit_line(one, one), std::domain_error);
+  EXPECT_THROW(fit_line(same, same), std::domain_error);
+}
+
+// Claim: Student's t for 1 and 2 degrees of freedom, whose quantiles are
+// closed: tan(pi 0.475), and 2 a sqrt(2/(4 b)) with a = .475, b = a^2.
+TEST(StudentHalfWidth, EqualsTheClosedQuantiles) {
+  const double one = std::tan(std::acos(-1.0) * 0.475);
+  const double alpha = 0.975 * 0.025 * 4.0;
+  const double two = 0.95 * std::sqrt(2.0 / alpha);
+
+  EXPECT_NEAR(student_half_width(1.0, 1), one, 1e-9);
+  EXPECT_NEAR(student_half_width(3.0, 2), 3.0 * two, 1e-9);
+  EXPECT_TRUE(std::isnan(student_half_width(1.0, 0)));
+}
+
+// Claim: the interval covers the truth in 95 % of ensembles, also for three
+// realisations. Tolerance: 3 sigma of 4000 trials, 3 sqrt(.95 .05/4000) = 1 %.
+TEST(MeanOverRealizations, CoversTheTruthAsOftenAsItSays) {
+  std::mt19937_64 generator(20080101);
+  std::normal_distribution<double> gamma(0.4, 0.03);
+  const int trials = 4000;
+  for (const int realizations : {2, 3, 8}) {
+    int covered = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::vector<FittedValue> fits;
+      for (int i = 0; i < realizations; ++i)
+        fits.push_back({gamma(generator), 1e-9, 5});
+      const Estimate estimate = mean_over_realizations(fits);
+      covered += std::abs(estimate.value - 0.4) <= estimate.half_width;
+    }
+    EXPECT_NEAR(covered / static_cast<double>(trials), 0.95, 0.0104)
+        << realizations << " realisations";
+  }
+}
+
+TEST(MeanOverRealizations, SaysWhenTheIntervalIsOnlyTheFitsOwn) {
+  const std::vector<FittedValue> one{{0.41, 0.01, 2}};
+
+  const Estimate estimate = mean_over_realizations(one);
+
+  EXPECT_EQ(estimate.realizations, 1);
+  EXPECT_NEAR(estimate.half_width, student_half_width(0.01, 2), 1e-15);
+  EXPECT_NE(estimate.remark.find("fit's own"), std::string::npos);
+}
+
+TEST(MeanOverRealizations, LeavesOutAndCountsFitsWithoutAnswer) {
+  const std::vector<FittedValue> fits{{0.4, 0.0, 1}, {}, {0.5, 0.0, 1}};
+
+  const Estimate estimate = mean_over_realizations(fits);
+
+  EXPECT_NEAR(estimate.value, 0.45, 1e-15);
+  EXPECT_EQ(estimate.realizations, 2);
+  EXPECT_NE(estimate.remark.find("1 without an answer"), std::string::npos);
+  EXPECT_FALSE(mean_over_realizations({}).has_value());
+}
+
+} // namespace
+} // namespace asperity::reports

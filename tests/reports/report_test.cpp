@@ -1,0 +1,184 @@
+// Claims about reports/report.hpp: the folder holds what is promised, the page
+// stands alone, says every verdict, and survives a missing gnuplot.
+#include "reports/html_report.hpp"
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <pugixml.hpp>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Report : public ::testing::Test {
+protected:
+  Report() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::temp_directory_path() /
+             (std::string("asperity-report-") + info->name());
+    fs::remove_all(folder);
+  }
+
+  ~Report() override {
+    if (std::getenv("ASPERITY_KEEP_REPORTS") == nullptr)
+      fs::remove_all(folder);
+  }
+
+  std::vector<std::string> write(const results::Result& result,
+                                 const std::string& gnuplot = "gnuplot") {
+    const ReportEntry entry = entry_of(result, rough);
+    return write_report(std::span(&entry, 1), folder, gnuplot);
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  fs::path folder;
+};
+
+TEST_F(Report, HoldsPageFiguresScriptsAndData) {
+  const std::vector<std::string> problems =
+      write(synthetic::rough_result(rough, 3));
+
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  EXPECT_TRUE(fs::exists(folder / "summary.json"));
+  for (const char* name :
+       {"pressure-gap", "gap-deviation", "area-pressure", "area-coefficient",
+        "pressure-distribution", "surface", "spectrum", "maps-fem", "cost"})
+    for (const char* ending : {".svg", ".csv", ".gp"})
+      EXPECT_GT(
+          fs::file_size(folder / "figures" / (std::string(name) + ending)), 40U)
+          << name << ending;
+  EXPECT_LT(fs::file_size(folder / "report.html"), 5'000'000U);
+}
+
+// Claim: the page is well-formed, names nothing outside itself and runs no
+// script: the only addresses are the names of the pictures' XML namespaces.
+TEST_F(Report, StandsAlone) {
+  write(synthetic::rough_result(rough, 2));
+  const std::string html = text_of(folder / "report.html");
+
+  pugi::xml_document document;
+  const auto outcome = document.load_string(html.c_str());
+
+  ASSERT_TRUE(outcome) << outcome.description() << " at " << outcome.offset;
+  for (std::size_t at = html.find("://"); at != std::string::npos;
+       at = html.find("://", at + 1))
+    EXPECT_EQ(html.substr(at - 4, 18), "http://www.w3.org/");
+  EXPECT_TRUE(document.select_nodes("//script | //link | //iframe").empty());
+  for (const auto& image : document.select_nodes("//img/@src"))
+    EXPECT_EQ(std::string(image.attribute().value()).rfind("data:image/svg", 0),
+              0U);
+}
+
+// Claim: each verdict stands in the page by word, beside method and quantity,
+// and the banner counts those that are not met: one of four, by construction.
+TEST_F(Report, SaysEveryVerdict) {
+  write(synthetic::rough_result(rough, 2));
+  pugi::xml_document document;
+  document.load_string(text_of(folder / "report.html").c_str());
+
+  std::vector<std::string> words;
+  for (const auto& cell :
+       document.select_nodes("//td[contains(@class, 'word')]"))
+    words.emplace_back(cell.node().text().get());
+
+  EXPECT_EQ(words,
+            (std::vector<std::string>{"✓ ok", "✓ ok", "✓ ok", "✗ failed"}));
+  const std::string banner =
+      document.select_node("//p[contains(@class, 'banner')]")
+          .node()
+          .text()
+          .get();
+  EXPECT_EQ(banner, "1 of 4 expectations are not met.");
+  EXPECT_STREQ(document.select_node("//h1").node().text().get(),
+               rough.title.c_str());
+}
+
+TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
+  const std::vector<std::string> problems =
+      write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
+
+  ASSERT_FALSE(problems.empty());
+  EXPECT_NE(problems.front().find("no-such-gnuplot"), std::string::npos);
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("no-such-gnuplot cannot be started"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "figures" / "pressure-gap.csv"));
+}
+
+TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.status = "interrupted";
+  result.provenance.emplace_back("dirty", "yes");
+  results::CurvePoint& failed = result.methods[1].realizations[0].points[3];
+  failed.status = results::StepStatus::not_converged;
+  failed.note = "residual stands at <1e-4>";
+
+  write(result);
+
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("The run is not complete (status: interrupted)"),
+            std::string::npos);
+  EXPECT_NE(html.find("do not quote these numbers"), std::string::npos);
+  EXPECT_NE(html.find("fem: 1 of 16 steps did not converge"),
+            std::string::npos);
+  EXPECT_NE(html.find("residual stands at &lt;1e-4&gt;"), std::string::npos);
+}
+
+// Claim: the case comes back from the result's own text.
+TEST_F(Report, ReadsTheCaseFromTheResult) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.case_text = text_of("cases/polymer/case.toml");
+
+  write_report(std::span(&result, 1), folder);
+
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("H = 0.95, roll-off at 2.22 µm"), std::string::npos);
+  EXPECT_NE(html.find("area_excess"), std::string::npos);
+}
+
+// Claim: figures of exact shapes do not overwrite each other's files.
+TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  rough.surface.amplitude = 34e-9 * std::numbers::sqrt2;
+  rough.surface.wavelength = synthetic::length;
+  const std::vector<ReportEntry> entries{entry_of(result, rough),
+                                         entry_of(result, rough)};
+
+  write_report(entries, folder);
+
+  for (const char* one : {"1-polymer", "2-polymer"})
+    EXPECT_TRUE(fs::exists(folder / "figures" / one / "exact-gap.svg")) << one;
+}
+
+TEST_F(Report, ComparesSeveralResults) {
+  const results::Result first = synthetic::rough_result(rough, 2);
+  results::Result second = synthetic::rough_result(rough, 1);
+  second.case_name = "other/case";
+  const std::vector<ReportEntry> entries{entry_of(first, rough),
+                                         entry_of(second, rough)};
+
+  const std::vector<std::string> problems = write_report(entries, folder);
+
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("2 results compared"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "figures" / "2-other-case" / "maps-fem.svg"));
+  const std::string data = text_of(folder / "figures" / "pressure-gap.csv");
+  EXPECT_NE(data.find("\"polymer: fem\""), std::string::npos);
+  EXPECT_NE(data.find("\"other/case: fem\""), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports

@@ -1,0 +1,141 @@
+// Claims about reports/verdict.hpp: what is ok, what is not, and that each
+// form of telling it is well formed. Golden where the form is the promise.
+#include "reports/verdict.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <pugixml.hpp>
+
+namespace asperity::reports {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+MethodSummary method_with(const std::string& name, double gamma) {
+  MethodSummary method;
+  method.name = name;
+  method.kind = "fem";
+  Estimate estimate;
+  estimate.value = gamma;
+  estimate.half_width = 0.02;
+  estimate.realizations = 3;
+  method.quantities["gamma_slope"] = estimate;
+  Estimate none;
+  none.remark = "the heights are not in the result";
+  method.quantities["gamma_theory"] = none;
+  return method;
+}
+
+cases::Expectation expect(const std::string& quantity, double low,
+                          double high) {
+  return {quantity, low, high, {"fem"}};
+}
+
+Verdict verdict_of(double gamma, double low, double high) {
+  const std::vector<MethodSummary> methods{method_with("fem", gamma)};
+  const std::vector<cases::Expectation> expectations{
+      expect("gamma_slope", low, high)};
+  return judge(expectations, methods).front();
+}
+
+TEST(Judge, TakesTheEndsOfTheBandAndNothingBeyond) {
+  EXPECT_EQ(verdict_of(0.35, 0.35, 0.45).outcome, Outcome::ok);
+  EXPECT_EQ(verdict_of(0.45, 0.35, 0.45).outcome, Outcome::ok);
+  EXPECT_EQ(verdict_of(0.4501, 0.35, 0.45).outcome, Outcome::failed);
+  EXPECT_EQ(verdict_of(0.3499, 0.35, 0.45).outcome, Outcome::failed);
+  EXPECT_EQ(verdict_of(0.5, -infinity, 0.6).outcome, Outcome::ok);
+}
+
+TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
+  const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
+  std::vector<cases::Expectation> expectations{
+      expect("gamma_theory", 0.0, 1.0), expect("approach_error", 0.0, 1.0),
+      expect("gamma_slope", 0.0, 1.0)};
+  expectations.back().methods = {"md"};
+
+  const std::vector<Verdict> verdicts = judge(expectations, methods);
+
+  for (const Verdict& verdict : verdicts)
+    EXPECT_EQ(verdict.outcome, Outcome::missing);
+  EXPECT_EQ(verdicts[0].estimate.remark, "the heights are not in the result");
+  EXPECT_EQ(verdicts[1].estimate.remark, "the method does not answer this");
+  EXPECT_EQ(verdicts[2].estimate.remark, "the method is not in the result");
+}
+
+TEST(CheckLine, ReadsAsPromised) {
+  EXPECT_EQ(check_line(verdict_of(0.4123, 0.35, 0.45)),
+            "ok       fem            gamma_slope          0.4123 +- 0.02 in "
+            "0.35..0.45");
+  EXPECT_EQ(check_line(verdict_of(0.5, -infinity, 0.45)),
+            "failed   fem            gamma_slope          0.5 +- 0.02 <= 0.45");
+}
+
+Summary nasty_summary() {
+  Summary summary;
+  summary.case_name = "a<b>&\"c\"";
+  summary.case_title = "bell \a and \xC3\xA4";
+  summary.status = "complete";
+  summary.provenance = {{"commit", "abc"}, {"dirty", "no"}};
+  summary.methods = {method_with("fem", 0.5)};
+  const std::vector<cases::Expectation> expectations{
+      expect("gamma_slope", 0.35, 0.45), expect("gamma_slope", 0.4, 0.6),
+      expect("gamma_theory", 0.3, 0.5)};
+  summary.verdicts = judge(expectations, summary.methods);
+  return summary;
+}
+
+// Claim: a strict parser reads it back, names unharmed, counts right.
+TEST(JunitXml, IsWellFormedWhateverTheNames) {
+  const std::vector<Summary> summaries{nasty_summary()};
+
+  pugi::xml_document document;
+  const auto outcome = document.load_string(junit_xml(summaries).c_str());
+
+  ASSERT_TRUE(outcome) << outcome.description();
+  const pugi::xml_node suite = document.child("testsuites").child("testsuite");
+  EXPECT_STREQ(suite.attribute("name").value(), "a<b>&\"c\"");
+  EXPECT_EQ(suite.attribute("tests").as_int(), 3);
+  EXPECT_EQ(suite.attribute("failures").as_int(), 1);
+  EXPECT_EQ(suite.attribute("errors").as_int(), 1);
+  EXPECT_EQ(document.select_nodes("//testcase").size(), 3U);
+  EXPECT_EQ(document.select_nodes("//failure[@message]").size(), 1U);
+}
+
+// Claim: the JSON parses, a number that does not exist is null, and the names
+// a program would look for are there.
+TEST(SummaryJson, SaysNullForWhatDoesNotExist) {
+  const auto json = nlohmann::json::parse(summary_json(nasty_summary()));
+
+  EXPECT_EQ(json["format"], "asperity-summary");
+  EXPECT_EQ(json["all_ok"], false);
+  EXPECT_EQ(json["expectations"][0]["verdict"], "failed");
+  EXPECT_EQ(json["expectations"][1]["verdict"], "ok");
+  EXPECT_TRUE(json["expectations"][2]["value"].is_null());
+  EXPECT_EQ(json["methods"][0]["quantities"]["gamma_slope"]["value"], 0.5);
+  EXPECT_EQ(json["provenance"]["commit"], "abc");
+}
+
+TEST(SummaryJson, GoldenOfAnEstimate) {
+  const auto json =
+      nlohmann::ordered_json::parse(summary_json(nasty_summary()));
+
+  EXPECT_EQ(
+      json["methods"][0]["quantities"]["gamma_slope"].dump(),
+      R"({"value":0.5,"half_width_95":0.02,"realizations":3,"remark":""})");
+}
+
+TEST(Summary, IsNotOkWhileAnythingIsMissing) {
+  Summary summary = nasty_summary();
+  std::erase_if(summary.verdicts,
+                [](const Verdict& v) { return v.outcome == Outcome::failed; });
+
+  EXPECT_FALSE(summary.all_ok());
+  std::erase_if(summary.verdicts,
+                [](const Verdict& v) { return v.outcome == Outcome::missing; });
+  EXPECT_TRUE(summary.all_ok());
+}
+
+} // namespace
+} // namespace asperity::reports

@@ -1,0 +1,95 @@
+// Claims about results/csv.hpp: the very bytes, and numbers that come back.
+#include "results/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include "tests/results/sample_result.hpp"
+
+namespace asperity::results {
+namespace {
+
+constexpr const char* header =
+    "method,realization,step,nominal_pressure [Pa],mean_gap [m],"
+    "area_fraction [1],area_fraction_corrected [1],contact_perimeter [1/m],"
+    "elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,"
+    "cpu_time [s],status\r\n";
+
+TEST(CurvesCsv, IsThisTable) {
+  CurvePoint loaded;
+  loaded.step = 3;
+  loaded.nominal_pressure = 2.5e6;
+  loaded.mean_gap = -1e-9;
+  loaded.area_fraction = 0.1;
+  loaded.area_fraction_corrected = 0.09;
+  loaded.contact_perimeter = 5e5;
+  loaded.elastic_energy = 1.5e-3;
+  loaded.contact_stiffness = 1e15;
+  loaded.iterations = 17;
+  loaded.residual = 2e-9;
+  loaded.cpu_time = 0.25;
+  loaded.status = StepStatus::not_converged;
+  CurvePoint theory;
+  theory.nominal_pressure = 1.0;
+  theory.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
+  Result result;
+  result.methods = {
+      {"theory", "theory", "", {Curve{{theory}, {}, 0.0}}},
+      {"fem, \"thin\"", "fem", "", {Curve{}, Curve{{loaded}, {}, 0.0}}}};
+
+  EXPECT_EQ(curves_csv(result),
+            std::string(header) +
+                "theory,0,0,1,0,0,0,nan,0,0,0,0,0,converged\r\n"
+                "\"fem, \"\"thin\"\"\",1,3,2500000,-1e-09,0.1,0.09,500000,"
+                "0.0015,1000000000000000,17,2e-09,0.25,not_converged\r\n");
+}
+
+// Claim: every double of a row is the one that went in, also where it needs
+// all 17 digits or lies at the end of its range. An own reader: split at ','.
+TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
+  CurvePoint point;
+  point.nominal_pressure = 1e6 / 3.0;
+  point.mean_gap = -std::numbers::pi * 1e-9;
+  point.area_fraction = std::nextafter(0.1, 1.0);
+  point.area_fraction_corrected = std::numeric_limits<double>::denorm_min();
+  point.contact_perimeter = std::numeric_limits<double>::max();
+  point.elastic_energy = 5e-324 * 7;
+  point.contact_stiffness = 123456789012345678.0;
+  point.residual = 1.0 / 7.0;
+  point.cpu_time = 1e-3;
+  Result result;
+  result.methods = {{"fem", "fem", "", {Curve{{point}, {}, 0.0}}}};
+  std::filesystem::create_directories(folder_);
+
+  write_curves_csv(result, folder_ / "curves.csv");
+
+  std::ifstream file(folder_ / "curves.csv", std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line + "\n", header);
+  std::getline(file, line);
+  std::istringstream row(line);
+  std::vector<double> numbers;
+  for (std::string field; std::getline(row, field, ',');)
+    numbers.push_back(std::strtod(field.c_str(), nullptr));
+  ASSERT_EQ(numbers.size(), 14U);
+  EXPECT_EQ(numbers[3], point.nominal_pressure);
+  EXPECT_EQ(numbers[4], point.mean_gap);
+  EXPECT_EQ(numbers[5], point.area_fraction);
+  EXPECT_EQ(numbers[6], point.area_fraction_corrected);
+  EXPECT_EQ(numbers[7], point.contact_perimeter);
+  EXPECT_EQ(numbers[8], point.elastic_energy);
+  EXPECT_EQ(numbers[9], point.contact_stiffness);
+  EXPECT_EQ(numbers[11], point.residual);
+  EXPECT_EQ(numbers[12], point.cpu_time);
+}
+
+} // namespace
+} // namespace asperity::results

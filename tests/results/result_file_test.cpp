@@ -1,0 +1,264 @@
+// Claims about results/result_writer.hpp and result_reader.hpp: what is
+// written is what is read, step by step and from any thread.
+#include "results/hdf5_file.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "tests/results/sample_result.hpp"
+
+namespace asperity::results {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+using ResultFile = ResultFolder;
+
+TEST_F(ResultFile, SaysTheCaseAndIsRunningUntilItIsFinished) {
+  ResultWriter writer(folder_ / "new" / "folder", sample_case());
+  EXPECT_EQ(read_result(writer.path()).status, "running");
+  writer.finish("complete");
+
+  const Result result = read_result(folder_ / "new" / "folder");
+
+  EXPECT_EQ(result.path, writer.path().string());
+  EXPECT_EQ(result.case_name, sample_case().name);
+  EXPECT_EQ(result.case_title, sample_case().title);
+  EXPECT_EQ(result.case_text, sample_case().text);
+  EXPECT_EQ(result.case_hash, sample_case().hash);
+  EXPECT_EQ(result.contact_modulus, sample_case().contact_modulus);
+  EXPECT_EQ(result.status, "complete");
+  EXPECT_TRUE(result.methods.empty());
+}
+
+// A plain attribute of the library ends at 64 KiB; a case may be longer.
+TEST_F(ResultFile, HoldsALongCaseText) {
+  CaseInfo info = sample_case();
+  info.text = std::string(300'000, '#') + "end";
+
+  const ResultWriter writer(folder_, info);
+
+  EXPECT_EQ(read_result(folder_).case_text, info.text);
+}
+
+TEST_F(ResultFile, GivesBackEveryRowBitForBit) {
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem.hard", "fem", "Q1, a wall");
+  writer.begin_method("a-theory", "theory", "");
+  CurvePoint with_gaps = sample_point(3);
+  with_gaps.contact_perimeter = none;
+  writer.append_step("fem.hard", 1, sample_point(0));
+  writer.append_step("fem.hard", 1, sample_point(2));
+  writer.append_steps("fem.hard", 1, std::vector{with_gaps, sample_point(1)});
+  writer.record_setup_time("fem.hard", 1, 0.75);
+
+  const Result result = read_result(folder_);
+
+  ASSERT_EQ(result.methods.size(), 2U);
+  EXPECT_EQ(result.methods[0].name, "fem.hard"); // not by the alphabet
+  EXPECT_EQ(result.methods[0].kind, "fem");
+  EXPECT_EQ(result.methods[0].description, "Q1, a wall");
+  EXPECT_TRUE(result.methods[1].realizations.empty());
+  ASSERT_EQ(result.methods[0].realizations.size(), 2U);
+  EXPECT_TRUE(result.methods[0].realizations[0].points.empty());
+  const Curve& curve = result.methods[0].realizations[1];
+  EXPECT_EQ(curve.setup_cpu_time, 0.75);
+  ASSERT_EQ(curve.points.size(), 4U);
+  expect_same(curve.points[0], sample_point(0)); // in the order of steps
+  expect_same(curve.points[1], sample_point(1));
+  expect_same(curve.points[2], sample_point(2));
+  expect_same(curve.points[3], with_gaps);
+}
+
+SurfaceRecord sample_surface(int points_x, int points_y) {
+  SurfaceRecord surface;
+  surface.grid = {points_x, points_y, 1e-6, 2e-6};
+  for (std::size_t i = 0; i < surface.grid.size(); ++i)
+    surface.heights.push_back(1e-9 * std::sin(static_cast<double>(i)));
+  surface.rms_height = 0.7e-9;
+  surface.rms_slope = 0.1;
+  surface.rms_curvature = 3e6;
+  surface.skewness = -0.2;
+  surface.kurtosis = 2.9;
+  surface.highest = 1e-9;
+  surface.spectrum = {{6e6, 1e-30}, {12e6, 2e-31}};
+  return surface;
+}
+
+TEST_F(ResultFile, GivesBackSurfacesAsTheyWere) {
+  ResultWriter writer(folder_, sample_case());
+  const SurfaceRecord expected = sample_surface(3, 5);
+  SurfaceRecord without_map = expected;
+  without_map.heights.clear();
+  without_map.spectrum.clear();
+  writer.record_surface(1, sample_surface(4, 4));
+  writer.record_surface(1, expected); // in its place
+  writer.record_surface(0, without_map);
+
+  const Result result = read_result(folder_);
+
+  ASSERT_EQ(result.surfaces.size(), 2U);
+  for (const SurfaceRecord& found : result.surfaces) {
+    EXPECT_EQ(found.grid, expected.grid);
+    EXPECT_EQ(found.rms_height, expected.rms_height);
+    EXPECT_EQ(found.rms_slope, expected.rms_slope);
+    EXPECT_EQ(found.rms_curvature, expected.rms_curvature);
+    EXPECT_EQ(found.skewness, expected.skewness);
+    EXPECT_EQ(found.kurtosis, expected.kurtosis);
+    EXPECT_EQ(found.highest, expected.highest);
+  }
+  EXPECT_TRUE(result.surfaces[0].heights.empty());
+  EXPECT_EQ(result.surfaces[1].heights, expected.heights);
+  ASSERT_EQ(result.surfaces[1].spectrum.size(), 2U);
+  EXPECT_EQ(result.surfaces[1].spectrum[1].wavevector, 12e6);
+  EXPECT_EQ(result.surfaces[1].spectrum[1].spectrum, 2e-31);
+}
+
+// Claim: maps come back to the rounding of the floats they are kept in, 2^-24
+// relative, negative gaps too.
+TEST_F(ResultFile, GivesBackMapsToSinglePrecision) {
+  ResultWriter writer(folder_, sample_case());
+  const Grid grid{8, 6, 1e-6, 1e-6};
+  Fields fields;
+  fields.step = 4;
+  fields.nominal_pressure = 1.25e6;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    fields.pressure.push_back(i % 3 == 0 ? 0.0 : 1e7 / (1.0 + double(i)));
+    fields.gap.push_back(1e-9 * (double(i) - 20.0));
+  }
+  writer.begin_method("fem", "fem", "");
+  writer.append_step_with_fields("fem", 0, sample_point(4), grid, fields);
+  fields.step = 2;
+  writer.append_fields("fem", 0, grid, fields);
+  writer.append_fields("fem", 0, grid, fields); // over the earlier try
+
+  const Result result = read_result(folder_);
+
+  const Curve& curve = result.methods[0].realizations[0];
+  ASSERT_EQ(curve.points.size(), 1U);
+  ASSERT_EQ(curve.fields.size(), 2U);
+  EXPECT_EQ(curve.fields[0].step, 2);
+  EXPECT_EQ(curve.fields[1].step, 4);
+  EXPECT_EQ(curve.fields[1].nominal_pressure, 1.25e6);
+  ASSERT_EQ(curve.fields[1].gap.size(), grid.size());
+  const double rounding = std::ldexp(1.0, -24);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    EXPECT_NEAR(curve.fields[1].pressure[i], fields.pressure[i],
+                rounding * fields.pressure[i]);
+    EXPECT_NEAR(curve.fields[1].gap[i], fields.gap[i],
+                rounding * std::abs(fields.gap[i]));
+  }
+}
+
+TEST_F(ResultFile, KeepsFactsInTheirOrderAndReplacesThem) {
+  ResultWriter writer(folder_, sample_case());
+  Provenance facts;
+  for (int i = 0; i < 20; ++i)
+    facts.emplace_back("fact_" + std::to_string(20 - i), std::to_string(i));
+  writer.record_provenance(facts);
+  writer.record_provenance({{"wall_time", "1 s"}});
+  writer.record_provenance({{"wall_time", "2 s"}});
+  facts.emplace_back("wall_time", "2 s");
+
+  EXPECT_EQ(read_result(folder_).provenance, facts);
+}
+
+/// The column as it is in the file, in the order it was written.
+std::vector<double> stored_stiffness(const std::filesystem::path& path) {
+  const std::lock_guard lock(hdf5_mutex());
+  return Hdf5File(path, Hdf5File::Mode::read)
+      .open("methods/fem/0/curve")
+      .numbers("contact_stiffness");
+}
+
+// p = exp(-2 u): the stiffness that no method gave is 2 p. The reader takes it
+// from the curve; the file holds it once the run is complete, not before: the
+// ends of an interrupted curve are not yet ends. Steps come out of order.
+TEST_F(ResultFile, TakesAMissingStiffnessFromTheCurve) {
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+  const std::vector<int> steps{0, 2, 1};
+  for (const int step : steps) {
+    CurvePoint point = sample_point(step);
+    point.is_unloading = false;
+    point.mean_gap = 4.0 - step;
+    point.nominal_pressure = std::exp(-2.0 * point.mean_gap);
+    point.contact_stiffness = none;
+    writer.append_step("fem", 0, point);
+  }
+
+  writer.finish("interrupted");
+  const Result interrupted = read_result(folder_);
+  const std::vector<double> stored_before = stored_stiffness(writer.path());
+  writer.finish("complete");
+  const std::vector<double> stored = stored_stiffness(writer.path());
+
+  EXPECT_EQ(interrupted.status, "interrupted");
+  for (const CurvePoint& point : interrupted.methods[0].realizations[0].points)
+    EXPECT_NEAR(point.contact_stiffness / point.nominal_pressure, 2.0, 1e-14);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_TRUE(std::isnan(stored_before[i]));
+    EXPECT_NEAR(stored[i] / std::exp(-2.0 * (4.0 - steps[i])), 2.0, 1e-14);
+  }
+}
+
+TEST_F(ResultFile, RefusesWhatWouldNotReadBack) {
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+  writer.append_step("fem", 0, sample_point(0));
+  const Grid grid{4, 4, 1.0, 1.0};
+
+  EXPECT_THROW(writer.append_step("fem", 0, sample_point(0)),
+               std::domain_error); // there already
+  EXPECT_THROW(writer.append_steps(
+                   "fem", 0, std::vector{sample_point(1), sample_point(1)}),
+               std::domain_error); // twice
+  EXPECT_THROW(writer.append_step("md", 0, sample_point(1)),
+               std::domain_error); // not begun
+  EXPECT_THROW(writer.append_step("fem", -1, sample_point(1)),
+               std::domain_error);
+  EXPECT_THROW(writer.begin_method("a/b", "fem", ""), std::domain_error);
+  EXPECT_THROW(writer.append_fields("fem", 0, grid, Fields{}),
+               std::domain_error);
+  EXPECT_THROW(writer.finish("running"), std::domain_error);
+  EXPECT_EQ(steps_done(read_result(folder_)), (StepsDone{{{"fem", 0}, {0}}}));
+}
+
+// Claim: four threads, each with its own curve, lose no row.
+TEST_F(ResultFile, TakesStepsFromManyThreads) {
+  const int n_threads = 4;
+  const int n_steps = 25;
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < n_threads; ++thread)
+    threads.emplace_back([&writer, thread] {
+      for (int step = 0; step < n_steps; ++step) {
+        writer.append_step("fem", thread, sample_point(step));
+        if (step % 10 == 0)
+          read_result(writer.path());
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+
+  const Result result = read_result(folder_);
+  ASSERT_EQ(result.methods[0].realizations.size(), 4U);
+  for (const Curve& curve : result.methods[0].realizations) {
+    ASSERT_EQ(curve.points.size(), 25U);
+    for (int step = 0; step < n_steps; ++step)
+      expect_same(curve.points[static_cast<std::size_t>(step)],
+                  sample_point(step));
+  }
+}
+
+} // namespace
+} // namespace asperity::results

@@ -1,0 +1,70 @@
+// Claims about going on with a result file: what is there is known, and a
+// result of another case is not touched.
+#include "base/atomic_file.hpp"
+#include "cases/case_error.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/results/sample_result.hpp"
+
+namespace asperity::results {
+namespace {
+
+using ResultResume = ResultFolder;
+
+TEST_F(ResultResume, GoesOnFromTheStepsThatAreThere) {
+  {
+    ResultWriter first(folder_, sample_case());
+    first.begin_method("fem", "fem", "");
+    first.append_step("fem", 0, sample_point(0));
+    first.append_step("fem", 2, sample_point(5));
+    first.finish("interrupted");
+  }
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  EXPECT_EQ(read_result(folder_).status, "running");
+  EXPECT_TRUE(second.has_step("fem", 0, 0));
+  EXPECT_TRUE(second.has_step("fem", 2, 5));
+  EXPECT_FALSE(second.has_step("fem", 0, 5));
+  EXPECT_FALSE(second.has_step("theory", 0, 0));
+  second.append_step("fem", 0, sample_point(1));
+
+  const StepsDone done = steps_done(read_result(folder_));
+
+  EXPECT_EQ(done, (StepsDone{{{"fem", 0}, {0, 1}}, {{"fem", 2}, {5}}}));
+}
+
+TEST_F(ResultResume, DoesNotGoOnWithAnotherCase) {
+  { const ResultWriter first(folder_, sample_case()); }
+  CaseInfo other = sample_case();
+  other.hash = "beef";
+
+  try {
+    const ResultWriter second(folder_, other, ResultWriter::Mode::resume);
+    FAIL() << "a result of another case was taken for this one's";
+  } catch (const cases::CaseError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              (folder_ / "result.h5").string() +
+                  ": case_hash = \"0af3\", but the case to resume has "
+                  "\"beef\"");
+  }
+  EXPECT_EQ(read_result(folder_).case_hash, "0af3");
+}
+
+// A part that a killed run left is overwritten, not taken for anything.
+TEST_F(ResultResume, IgnoresThePartOfAKilledRun) {
+  { const ResultWriter first(folder_, sample_case()); }
+  write_file_atomically(folder_ / ".result.h5.part", "half a file");
+
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  second.finish("complete");
+
+  EXPECT_EQ(read_result(folder_).status, "complete");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".result.h5.part"));
+}
+
+} // namespace
+} // namespace asperity::results

@@ -1,0 +1,79 @@
+#pragma once
+
+// Made-up rows, maps and folders for the tests of the result file.
+
+#include "results/result_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+namespace asperity::results {
+
+/// A folder of its own, removed at the end of the test.
+class ResultFolder : public ::testing::Test {
+protected:
+  void SetUp() override { std::filesystem::remove_all(folder_); }
+
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ("asperity_results_" + std::to_string(::getpid()) + "_" +
+       ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+inline CaseInfo sample_case() {
+  return {"polymer", "A \"polymer\", 10 µm", "schema = 1\r\n# ü\n", "0af3",
+          2e9};
+}
+
+/// A row whose every number is another, and depends on the step.
+inline CurvePoint sample_point(int step) {
+  CurvePoint point;
+  point.step = step;
+  point.nominal_pressure = 1e6 * std::exp(0.1 * step);
+  point.mean_gap = 40e-9 / (1 + step);
+  point.area_fraction = 0.01 * std::sqrt(step + 1.0);
+  point.area_fraction_corrected = 0.9 * point.area_fraction;
+  point.contact_perimeter = 1e6 / (3 + step);
+  point.elastic_energy = 1e-3 / (7 + step);
+  point.contact_energy = 1e-5 / (11 + step);
+  point.contact_stiffness = 1e14 / (13 + step);
+  point.iterations = 20 + step;
+  point.residual = 1e-9 / (17 + step);
+  point.cpu_time = 0.1 * step;
+  point.status =
+      step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
+  point.is_unloading = step % 2 == 1;
+  point.note = step % 3 == 2 ? "gave up after " + std::to_string(step) : "";
+  return point;
+}
+
+inline bool is_same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/// Bit for bit, NaN equal to NaN.
+inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_PRED2(is_same, a.nominal_pressure, b.nominal_pressure);
+  EXPECT_PRED2(is_same, a.mean_gap, b.mean_gap);
+  EXPECT_PRED2(is_same, a.area_fraction, b.area_fraction);
+  EXPECT_PRED2(is_same, a.area_fraction_corrected, b.area_fraction_corrected);
+  EXPECT_PRED2(is_same, a.contact_perimeter, b.contact_perimeter);
+  EXPECT_PRED2(is_same, a.elastic_energy, b.elastic_energy);
+  EXPECT_PRED2(is_same, a.contact_energy, b.contact_energy);
+  EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_PRED2(is_same, a.residual, b.residual);
+  EXPECT_PRED2(is_same, a.cpu_time, b.cpu_time);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.is_unloading, b.is_unloading);
+  EXPECT_EQ(a.note, b.note);
+}
+
+} // namespace asperity::results
