@@ -1,82 +1,15 @@
 #include "fem/full_block.hpp"
 
 #include "base/require.hpp"
-#include "fem/block_solver.hpp"
-#include "fem/block_system.hpp"
+#include "fem/newton_block.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace asperity::fem {
-namespace {
 
 using dealii::Vector;
-
-/// a 2x2 system M (dd, dP) = r, by Cramer's rule.
-struct Border {
-  double force_d = 0.0, force_pressure = 0.0, force_right = 0.0;
-  double control_d = 0.0, control_pressure = 0.0, control_right = 0.0;
-
-  std::array<double, 2> solution() const {
-    const double determinant =
-        force_d * control_pressure - force_pressure * control_d;
-    return {(force_right * control_pressure - force_pressure * control_right) /
-                determinant,
-            (force_d * control_right - force_right * control_d) / determinant};
-  }
-};
-
-class NewtonBlock final : public FullBlock {
-public:
-  NewtonBlock(const Grid& grid, int degree, const LayeredBlock& block,
-              LinearSolver linear_solver);
-
-  const Grid& grid() const override { return system_.grid(); }
-
-  std::size_t unknowns() const override { return system_.n_unknowns(); }
-
-  std::span<const double> nodal_weights() const override { return weights_; }
-
-  std::vector<double> displacement(std::span<const double> pressure) override;
-
-  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
-                      const BlockContact& contact) override;
-
-private:
-  double face_displacement(std::size_t i) const {
-    return displacement_(system_.face_unknowns()[i]);
-  }
-
-  double gap(std::size_t i) const {
-    return rigid_gap_ + face_displacement(i) - heights_[i];
-  }
-
-  double mean_gap() const;
-  double touching_gap(double nominal_pressure, double penalty) const;
-  void update_pressure(double penalty);
-  std::vector<bool> contact_set() const;
-  void find_imbalance();
-  bool newton_step(const BlockLoad& load, double penalty);
-  bool newton(const BlockLoad& load, const BlockContact& contact,
-              BlockSolution& answer);
-  double violation() const;
-  void record(const BlockContact& contact, double rms_height,
-              BlockSolution& answer);
-
-  BlockSystem system_;
-  BlockSolver solver_;
-  std::vector<double> weights_;
-  // The state (F.1) is solved for.
-  Vector<double> displacement_; ///< u [m]
-  double rigid_gap_ = 0.0;      ///< d [m]
-  double top_pressure_ = 0.0;   ///< P [Pa]
-  std::vector<double> multiplier_;
-  std::vector<double> pressure_;
-  std::vector<double> heights_;
-  Vector<double> imbalance_; ///< K u + P g - sum a p e [N]
-};
 
 NewtonBlock::NewtonBlock(const Grid& grid, int degree,
                          const LayeredBlock& block, LinearSolver linear_solver)
@@ -115,136 +48,6 @@ NewtonBlock::displacement(std::span<const double> pressure) {
   for (double& value : face)
     value -= mean;
   return face;
-}
-
-double NewtonBlock::mean_gap() const {
-  double mean = 0.0;
-  for (std::size_t i = 0; i < grid().size(); ++i)
-    mean += system_.nodal_areas()[i] * gap(i) / grid().area();
-  return mean;
-}
-
-/// The d at which the block as it is deformed now bears the pressure: a
-/// monotone equation, by bisection between just touching and all pressed in.
-double NewtonBlock::touching_gap(double nominal_pressure,
-                                 double penalty) const {
-  double high = -1e300;
-  double low = 1e300;
-  for (std::size_t i = 0; i < grid().size(); ++i) {
-    const double own =
-        heights_[i] - face_displacement(i) + multiplier_[i] / penalty;
-    high = std::max(high, own);
-    low = std::min(low, own - nominal_pressure / penalty);
-  }
-  const auto bears = [&](double d) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < grid().size(); ++i)
-      sum +=
-          system_.nodal_areas()[i] *
-          std::max(0.0, multiplier_[i] -
-                            penalty * (d + face_displacement(i) - heights_[i]));
-    return sum / grid().area();
-  };
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (bears(middle) > nominal_pressure ? low : high) = middle;
-  }
-  return low;
-}
-
-void NewtonBlock::update_pressure(double penalty) {
-  for (std::size_t i = 0; i < grid().size(); ++i)
-    pressure_[i] = std::max(0.0, multiplier_[i] - penalty * gap(i));
-}
-
-std::vector<bool> NewtonBlock::contact_set() const {
-  std::vector<bool> set(pressure_.size());
-  std::transform(pressure_.begin(), pressure_.end(), set.begin(),
-                 [](double pressure) { return pressure > 0.0; });
-  return set;
-}
-
-void NewtonBlock::find_imbalance() {
-  system_.stiffness().vmult(imbalance_, displacement_);
-  imbalance_.add(top_pressure_, system_.top_load());
-  for (std::size_t i = 0; i < grid().size(); ++i)
-    imbalance_(system_.face_unknowns()[i]) -=
-        system_.nodal_areas()[i] * pressure_[i];
-}
-
-/// Solves (F.1), linear for the contact set of now, for the changes of u, d
-/// and P: u by block elimination, d and P from the two scalar equations.
-bool NewtonBlock::newton_step(const BlockLoad& load, double penalty) {
-  const std::size_t n_nodes = grid().size();
-  const std::vector<double>& areas = system_.nodal_areas();
-  std::vector<double> springs(n_nodes, 0.0);
-  Vector<double> approach_force(system_.n_unknowns());
-  Vector<double> mean(system_.n_unknowns());
-  double borne = 0.0;
-  for (std::size_t i = 0; i < n_nodes; ++i) {
-    const auto unknown = system_.face_unknowns()[i];
-    springs[i] = pressure_[i] > 0.0 ? penalty * areas[i] : 0.0;
-    approach_force(unknown) = springs[i];
-    mean(unknown) = areas[i] / grid().area();
-    borne += areas[i] * pressure_[i];
-  }
-  solver_.set_springs(springs);
-  Vector<double> by_imbalance(imbalance_.size());
-  Vector<double> by_approach(imbalance_.size());
-  Vector<double> by_top(imbalance_.size());
-  find_imbalance();
-  if (!solver_.solve(by_imbalance, imbalance_) ||
-      !solver_.solve(by_approach, approach_force) ||
-      !solver_.solve(by_top, system_.top_load()))
-    return false;
-
-  const double stiffness = std::accumulate(springs.begin(), springs.end(), 0.0);
-  Border border;
-  border.force_d = approach_force * by_approach - stiffness;
-  border.force_pressure = approach_force * by_top - grid().area();
-  border.force_right = -(approach_force * by_imbalance) -
-                       (borne - top_pressure_ * grid().area());
-  if (load.control == cases::Control::nominal_pressure) {
-    border.control_pressure = 1.0;
-    border.control_right = load.target - top_pressure_;
-  } else {
-    border.control_d = 1.0 - mean * by_approach;
-    border.control_pressure = -(mean * by_top);
-    border.control_right = load.target - mean_gap() + mean * by_imbalance;
-  }
-  const auto [approach, pressure] = border.solution();
-  displacement_ -= by_imbalance;
-  displacement_.add(-approach, by_approach, -pressure, by_top);
-  rigid_gap_ += approach;
-  top_pressure_ += pressure;
-  return true;
-}
-
-/// Newton to a standing contact set at fixed multipliers.
-bool NewtonBlock::newton(const BlockLoad& load, const BlockContact& contact,
-                         BlockSolution& answer) {
-  update_pressure(contact.penalty);
-  while (answer.iterations < contact.max_iterations) {
-    const std::vector<bool> before = contact_set();
-    const bool is_open =
-        std::find(before.begin(), before.end(), true) == before.end();
-    if (is_open && load.control == cases::Control::nominal_pressure) {
-      rigid_gap_ = touching_gap(load.target, contact.penalty);
-      update_pressure(contact.penalty);
-      ++answer.iterations;
-      continue;
-    }
-    ++answer.iterations;
-    if (!newton_step(load, contact.penalty)) {
-      answer.note = "the linear solver gave up";
-      return false;
-    }
-    update_pressure(contact.penalty);
-    if (contact_set() == before)
-      return true;
-  }
-  answer.note = "the contact set did not come to rest";
-  return false;
 }
 
 /// Largest |gap| in contact at pressure p: what the law leaves of a wall.
@@ -313,8 +116,6 @@ BlockSolution NewtonBlock::solve(std::span<const double> heights,
   }
   return answer;
 }
-
-} // namespace
 
 std::unique_ptr<FullBlock> make_full_block(const Grid& grid, int degree,
                                            const LayeredBlock& block,

@@ -58,6 +58,10 @@ struct BlockSolution {
 /// step solves (F.1) exactly for a contact set; it ends when the set stands
 /// still. lambda = 0 for a penalty; otherwise lambda <- p until no gap in
 /// contact exceeds the tolerance (augmented Lagrangian).
+///
+/// The penalty acts on the primal unknowns: beyond some 1e7 E/h the rounding of
+/// the gap exceeds 1e-8 of the pressure, and the residual says so. A hard wall
+/// is better reached by augmentation.
 class FullBlock {
 public:
   virtual ~FullBlock() = default;

@@ -192,6 +192,34 @@ TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
   EXPECT_LT(touching, grid.size() * 9 / 10);
 }
 
+// Claim: Newton's contact set comes to rest over ten decades of penalty and
+// from grazing to full contact, warm from another scene, on white-noise
+// heights. At 1e8 E/h the rounding of the gap alone is 1e-8 of the pressure,
+// and it is said.
+TEST(WholeBlock, ConvergesInRandomScenes) {
+  const Grid grid{8, 8, 1e-6, 1e-6};
+  const auto whole = make_full_block(
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+  for (unsigned int seed = 0; seed < 40; ++seed) {
+    const std::vector<double> dice = random_field(2, 1000 + seed);
+    std::vector<double> heights = random_field(grid.size(), seed);
+    for (double& height : heights)
+      height *= 1e-8;
+    const double penalty =
+        std::pow(10.0, 10.0 * dice[0] - 4.0) * soft_modulus / grid.spacing_x();
+    const double load = std::pow(10.0, 5.0 * dice[1] + 4.0);
+
+    const BlockSolution found =
+        whole->solve(heights, {Control::nominal_pressure, load},
+                     {ContactLaw::penalty, penalty, 1e-8, 40});
+
+    EXPECT_TRUE(found.converged)
+        << "seed " << seed << ", k " << penalty << ", p " << load << ": "
+        << found.note << ", residual " << found.residual << ", "
+        << found.iterations << " steps";
+  }
+}
+
 TEST(WholeBlock, WithoutContactBearsNothing) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const auto whole = make_full_block(
