@@ -13,7 +13,7 @@
 namespace asperity::fem {
 
 /// LinearSolver::automatic is direct up to this size.
-constexpr unsigned int most_direct_unknowns = 45000;
+constexpr unsigned int most_direct_unknowns = 12000;
 
 class BlockSolver {
 public:
