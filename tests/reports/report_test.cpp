@@ -144,7 +144,7 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
 
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("H = 0.95, roll-off at 2.22 µm"), std::string::npos);
-  EXPECT_NE(html.find("area_excess"), std::string::npos);
+  EXPECT_NE(html.find("gap_deviation"), std::string::npos);
 }
 
 // Claim: figures of exact shapes do not overwrite each other's files.
