@@ -4,6 +4,7 @@
 // plain data. Owns the step from curves to numbers with names.
 
 #include "cases/case.hpp"
+#include "cases/reference.hpp"
 #include "reports/fits.hpp"
 #include "results/result.hpp"
 
@@ -57,6 +58,18 @@ struct Verdict {
   Outcome outcome = Outcome::missing;
 };
 
+/// Our number for a published quantity.
+struct OurValue {
+  std::string method;
+  Estimate estimate; ///< perhaps without a value, but with the reason
+};
+
+/// One line of the case's reference.csv beside ours: informative, no verdict.
+struct PublishedValue {
+  cases::ReferenceValue reference;
+  std::vector<OurValue> ours; ///< methods that have a quantity of that name
+};
+
 struct Summary {
   std::string case_name;
   std::string case_title;
@@ -66,6 +79,7 @@ struct Summary {
   std::string reference_method; ///< theory the others are held against, or ""
   std::vector<MethodSummary> methods;
   std::vector<Verdict> verdicts;
+  std::vector<PublishedValue> published; ///< in the order of reference.csv
 
   bool all_ok() const; ///< no verdict is failed or missing
 };
@@ -94,6 +108,7 @@ SurfaceScales scales_of(const results::Result& result,
 /// "theory", else the first of that kind; null if there is none.
 const results::MethodRecord* reference_theory(const results::Result& result);
 
+/// @throws cases::CaseError  the result's reference has mistakes
 Summary summarize(const results::Result& result, const cases::Case& rough_case);
 
 } // namespace asperity::reports
