@@ -87,11 +87,6 @@ struct Summary {
 /// True for shapes with an exact solution, where gamma and kappa mean nothing.
 bool is_exact_shape(const cases::SurfaceSpec& surface);
 
-/// C(q) [m^4] of a self-affine case's own formula, with
-/// <h^2> = 2 pi int q C dq: flat from q_L to q_0, then q^(-2-2H) to q_1, zero
-/// outside. NaN for another kind of surface.
-double formula_spectrum(const cases::SurfaceSpec& surface, double wavevector);
-
 /// True if the method is a theory that took the case's formula as spectrum.
 bool uses_formula(const cases::Case& rough_case,
                   const results::MethodRecord& method);

@@ -128,8 +128,12 @@ TEST_F(Published, AreOnThePage) {
   EXPECT_EQ(cell(2, 3), "–"); // the theory
   EXPECT_EQ(cell(3, 2), "1.4e-08 ± 5e-10 m");
   EXPECT_EQ(page.select_nodes("//td[@colspan='2']/small").size(), 2U);
-  EXPECT_STREQ(page.select_node("//tr[@class='second']/td").node().text().get(),
-               "A & B 2008, p. 3");
+  EXPECT_STREQ(
+      page.select_node("//table[@class='published']//tr[@class='second']/td")
+          .node()
+          .text()
+          .get(),
+      "A & B 2008, p. 3");
 }
 
 } // namespace
