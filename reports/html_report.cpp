@@ -249,7 +249,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("sentence", case_sentence(entry));
   page.set("notices", notices_of(summary));
   set_banner(page, summary);
-  page.set("columns", heads_of(columns));
+  const List heads = heads_of(columns);
+  page.set("columns", heads);
+  page.set("method_columns", std::to_string(heads.size() + 1));
   List methods;
   for (const MethodSummary& method : summary.methods)
     for (const Series& one : series)

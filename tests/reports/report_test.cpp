@@ -77,6 +77,22 @@ TEST_F(Report, SaysEveryVerdict) {
                rough.title.c_str());
 }
 
+// Claim: the first table has a row a method, its description below it.
+TEST_F(Report, DescribesEveryMethod) {
+  write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
+  pugi::xml_document document;
+  document.load_string(text_of(folder / "report.html").c_str());
+
+  std::vector<std::string> words;
+  for (const auto& row :
+       document.select_nodes("(//table)[1]/tbody/tr/td[position() = 1]"))
+    words.emplace_back(row.node().text().get());
+
+  EXPECT_EQ(words, (std::vector<std::string>{
+                       "theory", "Persson's theory of the formula", "fem",
+                       "condensed Q1 block, penalty"}));
+}
+
 TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
   const std::vector<std::string> problems =
       write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
