@@ -3,9 +3,12 @@
 #include "cases/case_error.hpp"
 #include "cases/nearest.hpp"
 #include "cases/read_case.hpp"
+#include "cases/reference.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace asperity::app {
 namespace {
@@ -41,6 +44,19 @@ std::filesystem::path find_case(const std::string& word) {
       "shipped case; nearest shipped case: " +
       cases::nearest(word, {names.begin(), names.end()}) +
       " ('asperity list' shows all)");
+}
+
+std::string reference_text_of(const cases::Case& read) {
+  const std::filesystem::path path =
+      std::filesystem::path(read.path).parent_path() / "reference.csv";
+  if (!std::filesystem::exists(path))
+    return "";
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf()))
+    throw cases::CaseError(path.string() + " cannot be read");
+  cases::read_reference_text(text.str(), path.string());
+  return text.str();
 }
 
 std::vector<ShippedCase> shipped_cases() {

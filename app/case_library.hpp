@@ -3,6 +3,8 @@
 // Where cases are: files, folders, and the names of those shipped with the
 // program.
 
+#include "cases/case.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +15,10 @@ namespace asperity::app {
 /// holds case.toml, or the name of a shipped case.
 /// @throws cases::CaseError  none of these; names the nearest shipped case
 std::filesystem::path find_case(const std::string& word);
+
+/// The text of reference.csv beside the case file; empty if there is none.
+/// @throws cases::CaseError  it cannot be read, or has mistakes: all of them
+std::string reference_text_of(const cases::Case& read);
 
 struct ShippedCase {
   std::string name;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace asperity::app {
 namespace {
@@ -26,6 +27,19 @@ namespace fs = std::filesystem;
 /// The worse of two ends: what cannot be trusted before what is out of band.
 ExitCode worse(ExitCode one, ExitCode other) {
   return std::max(one, other);
+}
+
+/// A case with what stands beside its file, read before anything runs.
+struct ReadCase {
+  cases::Case rough_case;
+  std::string reference; ///< text of reference.csv
+};
+
+ReadCase read_with_reference(const std::string& word,
+                             const std::vector<std::string>& overrides = {}) {
+  ReadCase read{cases::read_case(find_case(word).string(), overrides), ""};
+  read.reference = reference_text_of(read.rough_case);
+  return read;
 }
 
 reports::Summary summary_of(const results::Result& result) {
@@ -47,6 +61,9 @@ ExitCode exit_code_of(const reports::Summary& summary) {
 void print_verdicts(const reports::Summary& summary) {
   for (const reports::Verdict& verdict : summary.verdicts)
     fmt::print("{}\n", reports::check_line(verdict));
+  for (const reports::PublishedValue& published : summary.published)
+    if (!published.ours.empty())
+      fmt::print("{}\n", reports::published_line(published));
   for (const auto& method : summary.methods)
     if (method.cost.failed_steps > 0)
       fmt::print("{}: {} of {} steps did not converge\n", method.name,
@@ -88,19 +105,19 @@ bool is_result(const fs::path& path) {
 } // namespace
 
 ExitCode run_cases(const RunCommand& command) {
-  std::vector<cases::Case> read;
+  std::vector<ReadCase> read;
   for (const std::string& word : command.cases)
-    read.push_back(
-        cases::read_case(find_case(word).string(), command.overrides));
+    read.push_back(read_with_reference(word, command.overrides));
   catch_interrupts();
   ExitCode end = exit_good;
-  for (const cases::Case& rough_case : read) {
+  for (const auto& [rough_case, reference] : read) {
     const fs::path folder = command.out.empty() ? default_folder(rough_case)
                             : read.size() == 1
                                 ? fs::path(command.out)
                                 : fs::path(command.out) / rough_case.name;
-    end = worse(end, run_one(rough_case, {folder, command.methods,
-                                          command.resume, command.threads}));
+    end =
+        worse(end, run_one(rough_case, {folder, command.methods, command.resume,
+                                        command.threads, reference}));
     if (is_interrupted())
       break;
   }
@@ -125,19 +142,23 @@ ExitCode report_results(const std::vector<std::string>& paths,
 
 ExitCode check_targets(const std::vector<std::string>& targets,
                        const std::string& junit) {
+  std::map<std::string, ReadCase> to_run;
+  for (const std::string& target : targets)
+    if (!is_result(target))
+      to_run.emplace(target, read_with_reference(target));
   std::vector<reports::Summary> summaries;
   ExitCode end = exit_good;
   for (const std::string& target : targets) {
-    if (is_result(target)) {
-      summaries.push_back(summary_of(results::read_result(target)));
-    } else {
-      const cases::Case rough_case =
-          cases::read_case(find_case(target).string());
+    if (const auto found = to_run.find(target); found != to_run.end()) {
+      const auto& [rough_case, reference] = found->second;
       const fs::path folder = default_folder(rough_case);
       catch_interrupts();
-      if (run_case(rough_case, {folder, {}, false, 0}).is_interrupted)
+      if (run_case(rough_case, {folder, {}, false, 0, reference})
+              .is_interrupted)
         return exit_interrupted;
       summaries.push_back(write_outputs(folder));
+    } else {
+      summaries.push_back(summary_of(results::read_result(target)));
     }
     fmt::print("{}\n", summaries.back().case_name);
     print_verdicts(summaries.back());

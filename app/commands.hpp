@@ -26,6 +26,7 @@ ExitCode run_cases(const RunCommand& command);
 ExitCode report_results(const std::vector<std::string>& results,
                         const std::string& out);
 
+/// Every case among the targets is read before the first is run.
 /// @param targets  results (file or folder), or cases, which are run first
 /// @param junit    file for JUnit XML; empty: none
 ExitCode check_targets(const std::vector<std::string>& targets,

@@ -80,7 +80,7 @@ public:
         surfaces_(build_surfaces(case_of_run())),
         writer_(options.folder,
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
-                 case_.material.contact_modulus},
+                 case_.material.contact_modulus, options.reference},
                 options.resume ? results::ResultWriter::Mode::resume
                                : results::ResultWriter::Mode::create),
         solvers_(case_.material),

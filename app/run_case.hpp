@@ -16,7 +16,8 @@ struct RunOptions {
   std::filesystem::path folder;     ///< of result.h5
   std::vector<std::string> methods; ///< names or kinds; empty: all
   bool resume = false;
-  int threads = 0; ///< 0: as many as the machine has
+  int threads = 0;            ///< 0: as many as the machine has
+  std::string reference = {}; ///< text of the case's reference.csv, or empty
 };
 
 struct RunOutcome {

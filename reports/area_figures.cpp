@@ -53,9 +53,9 @@ Figure area_figure(std::span<const Series> series) {
       if (row.area <= largest_area)
         furthest = std::max(furthest, row.pressure);
     }
-    if (one.rows.empty())
+    if (one.rows.empty() || !one.is_drawn)
       continue;
-    const std::string title = gnuplot_text(one.label);
+    const std::string title = gnuplot_text(one.legend);
     if (one.is_theory()) {
       plots.push_back(file + of_series(i, "$3:4") + " with lines " +
                       line_style(one) + " title " + title);
@@ -68,15 +68,13 @@ Figure area_figure(std::span<const Series> series) {
       continue;
     }
     plots.push_back(file + of_series(i, "$3:4") + " with points " +
-                    point_style(one) + " title " +
-                    gnuplot_text(one.label + ", counted"));
+                    point_style(one) + " title " + gnuplot_text(one.legend));
     plots.push_back(file + of_series(i, "$3:5") + " with lines " +
-                    line_style(one) + " title " +
-                    gnuplot_text(one.label + ", corrected"));
+                    line_style(one) + " notitle");
   }
-  figure.caption = area_caption(fitted, scale);
+  figure.caption = area_caption(fitted, scale) + joined_words(series);
   figure.script =
-      fmt::format("set xlabel {}\nset ylabel {}\nset key top left\nset xrange "
+      fmt::format("set xlabel {}\nset ylabel {}\nset xrange "
                   "[0:{:.6g}]\nset yrange [0:{}]\n{}",
                   gnuplot_markup("p / E*"), gnuplot_markup("A / A_0"),
                   furthest > 0.0 ? 1.1 * furthest : 1.0, 1.2 * largest_area,
@@ -101,7 +99,7 @@ Figure area_coefficient_figure(std::span<const Series> series) {
         table.add(one.label, {static_cast<double>(i), row.area,
                               row.area / row.pressure_slope, row.area_corrected,
                               row.area_corrected / row.pressure_slope});
-    if (one.rows.empty())
+    if (one.rows.empty() || !one.is_drawn)
       continue;
     if (one.is_theory()) {
       plots.push_back(file + of_series(i, "$3:4") + " with lines " +
@@ -109,13 +107,12 @@ Figure area_coefficient_figure(std::span<const Series> series) {
       continue;
     }
     plots.push_back(file + of_series(i, "$3:4") + " with points " +
-                    point_style(one) + " title " +
-                    gnuplot_text(one.label + ", counted"));
+                    point_style(one) + " title " + gnuplot_text(one.legend));
     plots.push_back(file + of_series(i, "$5:6") + " with lines " +
-                    line_style(one) + " title " +
-                    gnuplot_text(one.label + ", corrected"));
+                    line_style(one) + " notitle");
   }
-  figure.caption = "κ is where a curve meets the left edge, on a line through "
+  figure.caption = "Signs: counted; coloured lines: corrected. κ is where a "
+                   "curve meets the left edge, on a line through "
                    "its rows with A/A₀ ≤ 15 %.";
   std::string limits;
   for (const Series& one : series)
@@ -125,16 +122,15 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   if (!limits.empty())
     figure.caption += limits + ".";
   figure.caption += " Dotted: √(8/π) of Persson and √(2π) of Bush, Gibson and "
-                    "Thomas.";
+                    "Thomas." +
+                    joined_words(series);
   plots.push_back("sqrt(8/pi) with lines linewidth 0.8 dashtype 3 linecolor "
                   "rgb '#777777' notitle");
   plots.push_back("sqrt(2*pi) with lines linewidth 0.8 dashtype 3 linecolor "
                   "rgb '#777777' notitle");
-  figure.script =
-      "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
-      gnuplot_markup("A E* h' / (A_0 p)") +
-      "\nset key top right\nset xrange [0:1]\nset yrange [0.8:3.2]\n" +
-      plot_of(plots);
+  figure.script = "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
+                  gnuplot_markup("A E* h' / (A_0 p)") +
+                  "\nset xrange [0:1]\nset yrange [0.8:3.2]\n" + plot_of(plots);
   figure.data = table.text();
   return figure;
 }

@@ -35,11 +35,13 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
   if (iterations.empty())
     return std::nullopt;
   figure.caption += ". CPU time, mean of the realisations.";
-  figure.script = "set multiplot layout 1,2\nset logscale x\nset format x "
+  figure.script = "set multiplot layout 1,2 margins 0.08,0.98,0.27,0.95 "
+                  "spacing 0.1\nset key at screen 0.5, 0.02 bottom center "
+                  "vertical maxrows 1\nset "
+                  "logscale x\nset format x "
                   "'10^{%T}'\nset xlabel " +
                   gnuplot_markup("p / E*") +
-                  "\nset ylabel 'iterations'\nset yrange [0:*]\nset key top "
-                  "left\n" +
+                  "\nset ylabel 'iterations'\nset yrange [0:*]\n" +
                   plot_of(iterations) +
                   "unset yrange\nset ylabel 'CPU time a step [s]'\nset yrange "
                   "[0:*]\nunset key\n" +

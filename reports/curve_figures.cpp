@@ -10,15 +10,6 @@
 namespace asperity::reports {
 namespace {
 
-// The next of 1, 2, 5 times a power of ten at or above `step`.
-double round_step(double step) {
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  for (const double digit : {1.0, 2.0, 5.0})
-    if (digit * power >= step)
-      return digit * power;
-  return 10.0 * power;
-}
-
 // Bars at the foot of the plot: each method's fit window, mean over its
 // realisations.
 std::string window_bars(std::span<const Series> series) {
@@ -35,7 +26,7 @@ std::string window_bars(std::span<const Series> series) {
       high += fits.slope.window.gap_high / fits.scales.rms_height;
       ++count;
     }
-    if (count == 0)
+    if (count == 0 || !one.is_drawn)
       continue;
     script += fmt::format(
         "set arrow from {0:.6g}, graph {2:.3f} to {1:.6g}, graph {2:.3f} "
@@ -77,8 +68,8 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
       table.add(one.label,
                 {static_cast<double>(i), row.pressure, std::log10(row.pressure),
                  row.gap, row.gap_low, row.gap_high});
-    const std::string title = " title " + gnuplot_text(one.label);
-    if (one.rows.empty())
+    const std::string title = " title " + gnuplot_text(one.legend);
+    if (one.rows.empty() || !one.is_drawn)
       continue;
     if (one.is_theory())
       plots.push_back(file + of_series(i, "$5:4") + " with lines " +
@@ -98,17 +89,18 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     plots.push_back(
         file + of_series(index, "$5:4") +
         " with lines linewidth 0.9 dashtype 3 linecolor rgb '#777777' title " +
-        gnuplot_markup(
-            fmt::format("fit, u_0/h_{{rms}} = {}", number_text(gamma))));
+        gnuplot_text("fit to " + fitted->label));
     figure.caption += fmt::format(
         " The dotted line is p = β E* exp(−u/u₀) with u₀/h_rms = {} from {}; "
         "the bars at the foot show the window of each method's fit.",
         number_text(gamma), fitted->label);
   }
-  figure.script =
-      "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
-      "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") +
-      "\nset key top right\nset xrange [0:*]\n" + window_bars(series);
+  figure.caption += joined_words(series);
+  figure.script = "set xlabel " +
+                  gnuplot_markup("mean separation u / h_{rms}") +
+                  "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") +
+                  "\nset xrange [0:*]\nset offsets 0, 0, 0, graph 0.1\n" +
+                  window_bars(series);
   if (entries.size() == 1 && !entries.front().summary.methods.empty() &&
       !entries.front().summary.methods.back().fits.empty()) {
     const double height_nm =
@@ -147,11 +139,11 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
       largest = std::max(largest, std::abs(percent));
       has_rows = true;
     }
-    if (!has_rows)
+    if (!has_rows || !one.is_drawn)
       continue;
     plots.push_back("'gap-deviation.csv' " + of_series(i, "$3:4") +
                     " with linespoints " + point_style(one) + " title " +
-                    gnuplot_text(one.label));
+                    gnuplot_text(one.legend));
   }
   if (plots.size() == 1)
     return std::nullopt;
@@ -160,10 +152,11 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
       "at most {:.2g} % for the mean of the realisations. The shaded range, "
       "0.3 < u/h_rms < 1.5, is the one that gap_deviation looks at.",
       largest);
+  figure.caption += joined_words(series);
   figure.script =
       "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
       "\nset ylabel " + gnuplot_markup("(u − u_{theory}) / h_{rms}  [%]") +
-      "\nset key top right\nset xrange [0:*]\nset offsets graph 0, 0, 0.3, "
+      "\nset xrange [0:*]\nset offsets graph 0, 0, 0.3, "
       "0.1\nset object 1 rectangle from 0.3, "
       "graph 0 to 1.5, graph 1 behind fillcolor rgb '#0072B2' fillstyle solid "
       "0.06 noborder\n" +

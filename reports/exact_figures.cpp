@@ -69,14 +69,18 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
     for (const SeriesRow& row : one.rows)
       table.add(one.label,
                 {static_cast<double>(i + 1), row.pressure, curves.of_row(row)});
+    if (!one.is_drawn)
+      continue;
     plots.push_back(
         fmt::format("{}using ($2=={} ? $3 : NaN):4 with points {} title {}",
-                    file, i + 1, point_style(one), gnuplot_text(one.label)));
+                    file, i + 1, point_style(one), gnuplot_text(one.legend)));
   }
   figure.script = "set xlabel " + gnuplot_markup("p / E*") + "\nset ylabel " +
-                  gnuplot_markup(curves.axis) + "\nset key " +
-                  (curves.name == "exact-gap" ? "top right" : "bottom right") +
-                  "\n" + plot_of(plots);
+                  gnuplot_markup(curves.axis) +
+                  fmt::format("\nset xrange [0:*]\nset xtics 0,{:g}\n",
+                              round_step(range.high / 6.0)) +
+                  plot_of(plots);
+  figure.caption += joined_words(series);
   figure.data = table.text();
   return figure;
 }

@@ -24,7 +24,7 @@ set datafile separator comma
 set border 3 linewidth 0.8 linecolor rgb '#444444'
 set tics nomirror out scale 0.6 textcolor rgb '#333333'
 set grid linewidth 0.5 linecolor rgb '#e4e4e4'
-set key noopaque reverse Left width -4 samplen 1.6 spacing 1.25 textcolor rgb '#222222'
+set key below center horizontal height 0.7 noopaque reverse Left samplen 1.6 spacing 1.25 textcolor rgb '#222222'
 set errorbars 0
 )";
 

@@ -19,7 +19,7 @@ struct Figure {
   std::vector<std::pair<std::string, std::string>> maps; ///< suffix, CSV matrix
   std::string script;                                    ///< after the style
   int width = 480;                                       ///< [px]
-  int height = 380;                                      ///< [px]
+  int height = 420;                                      ///< [px]
 };
 
 struct DrawnFigure {

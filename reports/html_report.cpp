@@ -139,6 +139,41 @@ List verdict_rows(const Summary& summary) {
   return rows;
 }
 
+// Published number, unit and "±" for a page.
+std::string typeset_published(const cases::ReferenceValue& reference) {
+  std::string text = published_text(reference);
+  if (const std::size_t at = text.find("+-"); at != std::string::npos)
+    text.replace(at, 2, "±");
+  return text;
+}
+
+List published_rows(const Summary& summary) {
+  List rows;
+  for (const PublishedValue& published : summary.published) {
+    Value row;
+    row.set("quantity", published.reference.quantity);
+    row.set("source", published.reference.source);
+    row.set("value", typeset_published(published.reference));
+    row.set("exact", published.reference.uncertainty > 0.0 ? "" : "exact");
+    List cells;
+    for (const MethodSummary& method : summary.methods)
+      if (!published.ours.empty()) {
+        const auto found = std::find_if(
+            published.ours.begin(), published.ours.end(),
+            [&](const OurValue& ours) { return ours.method == method.name; });
+        cells.push_back(found == published.ours.end()
+                            ? cell("–", "not computed")
+                            : cell(number_text(found->estimate),
+                                   remark_of(found->estimate)));
+      }
+    row.set("cells", cells);
+    if (published.ours.empty())
+      row.set("not_computed", std::to_string(summary.methods.size()));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 void set_banner(Value& entry, const Summary& summary) {
   const auto met = std::count_if(
       summary.verdicts.begin(), summary.verdicts.end(),
@@ -214,7 +249,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("sentence", case_sentence(entry));
   page.set("notices", notices_of(summary));
   set_banner(page, summary);
-  page.set("columns", heads_of(columns));
+  const List heads = heads_of(columns);
+  page.set("columns", heads);
+  page.set("method_columns", std::to_string(heads.size() + 1));
   List methods;
   for (const MethodSummary& method : summary.methods)
     for (const Series& one : series)
@@ -228,6 +265,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
                       "fit where there is one realisation.");
   page.set("has_verdicts", !summary.verdicts.empty());
   page.set("verdicts", verdict_rows(summary));
+  page.set("has_published", !summary.published.empty());
+  page.set("published", published_rows(summary));
+  page.set("published_columns", std::to_string(summary.methods.size() + 2));
   page.set("facts", facts_of(summary));
   page.set("case_text", entry.result->case_text);
   return page;

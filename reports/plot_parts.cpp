@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace asperity::reports {
 
 std::string of_series(std::size_t index, const std::string& columns) {
@@ -15,6 +17,25 @@ std::string plot_of(const std::vector<std::string>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     text += (i == 0 ? "" : ", \\\n  ") + parts[i];
   return text + "\n";
+}
+
+double round_step(double step) {
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= step)
+      return digit * power;
+  return 10.0 * power;
+}
+
+std::string joined_words(std::span<const Series> series) {
+  std::string names;
+  for (const Series& one : series)
+    if (!one.is_drawn)
+      names += (names.empty() ? "" : ", ") + one.label;
+  return names.empty() ? ""
+                       : fmt::format(" Not drawn because they would lie on the "
+                                     "signs of their method: {}.",
+                                     names);
 }
 
 const Estimate& quantity(const Series& series, const std::string& name) {

@@ -17,6 +17,12 @@ std::string of_series(std::size_t index, const std::string& columns);
 /// One plot command of its parts.
 std::string plot_of(const std::vector<std::string>& parts);
 
+/// The next of 1, 2, 5 times a power of ten at or above `step`: between tics.
+double round_step(double step);
+
+/// What a caption says of variants that are not drawn; empty if all are.
+std::string joined_words(std::span<const Series> series);
+
 /// A method's quantity by its name; one without a value if it has none.
 const Estimate& quantity(const Series& series, const std::string& name);
 

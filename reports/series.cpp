@@ -84,6 +84,38 @@ std::vector<SeriesRow> rows_of(const ReportEntry& entry,
   return rows;
 }
 
+bool is_near(double one, double other, double relative) {
+  return std::abs(one - other) <= relative * std::abs(other);
+}
+
+bool would_lie_on(const Series& variant, const Series& method) {
+  return variant.rows.size() == method.rows.size() &&
+         std::equal(variant.rows.begin(), variant.rows.end(),
+                    method.rows.begin(),
+                    [](const SeriesRow& a, const SeriesRow& b) {
+                      return std::abs(a.gap - b.gap) <= 0.002 &&
+                             is_near(a.pressure, b.pressure, 0.005) &&
+                             is_near(a.area, b.area, 0.01) &&
+                             is_near(a.area_corrected, b.area_corrected, 0.01);
+                    });
+}
+
+void join_variants(std::vector<Series>& all) {
+  for (Series& variant : all) {
+    const std::string& name = variant.method->name;
+    const std::size_t dot = name.find('.');
+    if (variant.is_theory() || dot == std::string::npos)
+      continue;
+    for (Series& method : all)
+      if (method.entry == variant.entry &&
+          method.method->name == name.substr(0, dot) &&
+          would_lie_on(variant, method)) {
+        variant.is_drawn = false;
+        method.legend += ", " + name;
+      }
+  }
+}
+
 } // namespace
 
 std::vector<Series> series_of(std::span<const ReportEntry> entries) {
@@ -98,6 +130,7 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
       series.label = entries.size() > 1
                          ? entry.summary.case_name + ": " + record.name
                          : record.name;
+      series.legend = series.label;
       series.entry = i;
       series.color = series.is_theory() ? i : colors++;
       series.method = &entry.summary.methods[m];
@@ -105,6 +138,7 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
       all.push_back(std::move(series));
     }
   }
+  join_variants(all);
   std::stable_partition(all.begin(), all.end(),
                         [](const Series& s) { return s.is_theory(); });
   return all;

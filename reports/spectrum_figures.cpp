@@ -1,5 +1,6 @@
 #include "reports/figures.hpp"
 #include "reports/plot_parts.hpp"
+#include "surfaces/build.hpp"
 #include "theory/pressure_distribution.hpp"
 
 #include <fmt/format.h>
@@ -101,7 +102,7 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
       "is 1.",
       method->name, bin, slope);
   figure.script = fmt::format(
-      "set xlabel {}\nset ylabel {}\nset key top right\nset xrange [0:{:.4g}]\n"
+      "set xlabel {}\nset ylabel {}\nset xrange [0:{:.4g}]\n"
       "set yrange [0:*]\n{}",
       gnuplot_markup("contact pressure σ / (E* h')"),
       gnuplot_markup("P(σ) E* h' A_0 / A"), furthest, plot_of(plots));
@@ -136,25 +137,27 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   double floor = 0.0; // of the axis: no interest in rounding beyond the cut-off
   if (spec.kind == cases::SurfaceKind::self_affine) {
     const auto index = static_cast<double>(surfaces.size());
+    const surfaces::IsotropicSpectrum formula =
+        surfaces::formula_spectrum(spec);
     const double ratio = spec.wavevector_high / spec.wavevector_low;
     for (int k = 0; k <= 200; ++k) {
       const double q = std::min(spec.wavevector_low *
                                     std::pow(ratio, k / 200.0) * (1.0 + 1e-12),
                                 spec.wavevector_high);
-      table.add("formula", {index, q, formula_spectrum(spec, q)});
+      table.add("formula", {index, q, formula.density(q)});
     }
     plots.push_back(fmt::format(
         "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
         "linecolor rgb '#222222' title 'formula'",
         surfaces.size()));
-    floor = 0.03 * formula_spectrum(spec, spec.wavevector_high);
+    floor = 0.03 * formula.density(spec.wavevector_high);
     figure.caption += fmt::format(
         " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",
         spec.hurst, 2e6 * std::acos(-1.0) / spec.wavevector_roll_off);
   }
   figure.script = fmt::format(
       "set logscale xy\nset format '10^{{%T}}'\nset xlabel {}\nset ylabel {}\n"
-      "set key bottom left\nset yrange [{}:*]\n{}",
+      "set yrange [{}:*]\n{}",
       gnuplot_markup("q [1/m]"), gnuplot_markup("C(q) [m^4]"),
       floor > 0.0 ? fmt::format("{:.3g}", floor) : "*", plot_of(plots));
   figure.data = table.text();

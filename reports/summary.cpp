@@ -106,6 +106,11 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
     summary.methods.push_back(
         summarize_method(result, rough_case, method, reference));
   summary.verdicts = judge(rough_case.expectations, summary.methods);
+  if (!result.reference.empty())
+    summary.published =
+        beside_ours(cases::read_reference_text(result.reference,
+                                               result.path + ": reference"),
+                    summary.methods);
   return summary;
 }
 

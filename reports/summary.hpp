@@ -4,6 +4,7 @@
 // plain data. Owns the step from curves to numbers with names.
 
 #include "cases/case.hpp"
+#include "cases/reference.hpp"
 #include "reports/fits.hpp"
 #include "results/result.hpp"
 
@@ -57,6 +58,18 @@ struct Verdict {
   Outcome outcome = Outcome::missing;
 };
 
+/// Our number for a published quantity.
+struct OurValue {
+  std::string method;
+  Estimate estimate; ///< perhaps without a value, but with the reason
+};
+
+/// One line of the case's reference.csv beside ours: informative, no verdict.
+struct PublishedValue {
+  cases::ReferenceValue reference;
+  std::vector<OurValue> ours; ///< methods that have a quantity of that name
+};
+
 struct Summary {
   std::string case_name;
   std::string case_title;
@@ -66,17 +79,13 @@ struct Summary {
   std::string reference_method; ///< theory the others are held against, or ""
   std::vector<MethodSummary> methods;
   std::vector<Verdict> verdicts;
+  std::vector<PublishedValue> published; ///< in the order of reference.csv
 
   bool all_ok() const; ///< no verdict is failed or missing
 };
 
 /// True for shapes with an exact solution, where gamma and kappa mean nothing.
 bool is_exact_shape(const cases::SurfaceSpec& surface);
-
-/// C(q) [m^4] of a self-affine case's own formula, with
-/// <h^2> = 2 pi int q C dq: flat from q_L to q_0, then q^(-2-2H) to q_1, zero
-/// outside. NaN for another kind of surface.
-double formula_spectrum(const cases::SurfaceSpec& surface, double wavevector);
 
 /// True if the method is a theory that took the case's formula as spectrum.
 bool uses_formula(const cases::Case& rough_case,
@@ -94,6 +103,7 @@ SurfaceScales scales_of(const results::Result& result,
 /// "theory", else the first of that kind; null if there is none.
 const results::MethodRecord* reference_theory(const results::Result& result);
 
+/// @throws cases::CaseError  the result's reference has mistakes
 Summary summarize(const results::Result& result, const cases::Case& rough_case);
 
 } // namespace asperity::reports

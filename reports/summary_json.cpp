@@ -97,6 +97,22 @@ Json to_json(const Verdict& verdict) {
           {"remark", verdict.estimate.remark}};
 }
 
+// Ours is empty where no method has a quantity of that name.
+Json to_json(const PublishedValue& published) {
+  Json json = {{"quantity", published.reference.quantity},
+               {"value", number(published.reference.value)},
+               {"unit", published.reference.unit},
+               {"uncertainty", number(published.reference.uncertainty)},
+               {"source", published.reference.source},
+               {"ours", Json::array()}};
+  for (const OurValue& ours : published.ours)
+    json["ours"].push_back({{"method", ours.method},
+                            {"value", number(ours.estimate.value)},
+                            {"half_width_95", number(ours.estimate.half_width)},
+                            {"remark", ours.estimate.remark}});
+  return json;
+}
+
 } // namespace
 
 std::string summary_json(const Summary& summary) {
@@ -109,10 +125,13 @@ std::string summary_json(const Summary& summary) {
                {"reference_theory", summary.reference_method},
                {"all_ok", summary.all_ok()},
                {"expectations", Json::array()},
+               {"published", Json::array()},
                {"methods", Json::array()},
                {"provenance", Json::object()}};
   for (const Verdict& verdict : summary.verdicts)
     json["expectations"].push_back(to_json(verdict));
+  for (const PublishedValue& published : summary.published)
+    json["published"].push_back(to_json(published));
   for (const MethodSummary& method : summary.methods)
     json["methods"].push_back(to_json(method));
   for (const auto& [key, fact] : summary.provenance)

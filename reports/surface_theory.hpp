@@ -15,8 +15,8 @@ struct SurfaceTheory {
                                       ///< proportional to gamma
 };
 
-/// From the exact spectrum of the heights: no binning, one shell a length of
-/// wavevector. Empty if the heights were not kept.
+/// From the spectrum of the heights, a shell a length of wavevector: lengths
+/// within 1e-6 of each other are one. Empty if the heights were not kept.
 SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
                                 double contact_modulus);
 

@@ -25,6 +25,19 @@ std::string band_text(double low, double high);
 /// "ok      fem       gamma_slope   0.412 +- 0.021 in 0.35..0.45"
 std::string check_line(const Verdict& verdict);
 
+/// Each published value with the numbers of the methods that have a quantity
+/// of its name.
+std::vector<PublishedValue>
+beside_ours(std::span<const cases::ReferenceValue> references,
+            std::span<const MethodSummary> methods);
+
+/// "0.4 +- 0.05", "1.4e-08 +- 5e-10 m"; exact values have no "+-".
+std::string published_text(const cases::ReferenceValue& reference);
+
+/// "paper    gamma_slope          0.4 +- 0.05: fem 0.446, theory 0.448", or
+/// "exact    ..." if the value has no uncertainty.
+std::string published_line(const PublishedValue& published);
+
 /// One test suite a result, one test case a verdict.
 std::string junit_xml(std::span<const Summary> summaries);
 

@@ -83,6 +83,7 @@ struct Result {
   std::string case_title;
   std::string case_text;
   std::string case_hash;
+  std::string reference;        ///< text of the case's reference.csv, or empty
   std::string status;           ///< running | complete | interrupted
   double contact_modulus = 0.0; ///< E* [Pa]
   Provenance provenance;

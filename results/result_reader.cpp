@@ -78,6 +78,7 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   result.case_title = text_or(file, "title", result.case_name);
   result.case_text = text_or(file, "case_text", "");
   result.case_hash = text_or(file, "case_hash", "");
+  result.reference = text_or(file, "reference", "");
   result.status = text_or(file, "status", "complete");
   if (!file.has_attribute("contact_modulus"))
     throw cases::CaseError(

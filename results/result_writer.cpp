@@ -54,6 +54,7 @@ void ResultWriter::create(const CaseInfo& info) {
   file.set_attribute("title", info.title);
   file.set_attribute("case_text", info.text);
   file.set_attribute("case_hash", info.hash);
+  file.set_attribute("reference", info.reference);
   set_with_unit(file, "contact_modulus", info.contact_modulus, "Pa");
   file.set_attribute("status", "running");
   for (const char* room : {"provenance", "surfaces", "methods"})
@@ -72,7 +73,10 @@ void ResultWriter::adopt(const CaseInfo& info) {
   for (const MethodRecord& method : old.methods)
     methods_.insert(method.name);
   const std::lock_guard lock(hdf5_mutex());
-  update([](Hdf5File& file) { file.set_attribute("status", "running"); });
+  update([&info](Hdf5File& file) {
+    file.set_attribute("status", "running");
+    file.set_attribute("reference", info.reference);
+  });
 }
 
 void ResultWriter::update(const Change& change) {

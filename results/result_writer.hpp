@@ -23,6 +23,7 @@ struct CaseInfo {
   std::string text; ///< byte for byte, without NUL
   std::string hash;
   double contact_modulus = 0.0; ///< E* [Pa] > 0
+  std::string reference = {};   ///< of reference.csv, as text; empty: none
 };
 
 /// The file's layout is docs/results.md. Each function below is one step: it

@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "fem": {"base", "cases", "surfaces", "meshes", "contact"},
     "md": {"base", "cases", "surfaces"},
     "results": {"base", "cases"},
-    "reports": {"base", "cases", "theory", "results"},
+    "reports": {"base", "cases", "surfaces", "theory", "results"},
     "app": EVERYTHING - {"fem", "md"} | {"fem/plugin.hpp"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"(([a-z_]+)/[^"]+)"')

@@ -35,6 +35,37 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST_F(Messages, RefuseABadTableOfReferencesBeforeAnythingRuns) {
+  write("small.toml", small_case);
+  write("reference.csv", "quantity,value,unit,uncertainty,source\n"
+                         "gamma_slope,about 0.4,1,0.05,A\n");
+
+  for (const char* command : {"run small.toml", "check small.toml"}) {
+    const Ended refused = run(command);
+
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(says(refused, "reference.csv:2: value = about 0.4"))
+        << refused.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
+// Claim: published values are printed beside ours and never change the end:
+// here no number of ours is anywhere near.
+TEST_F(Messages, CheckPrintsPublishedValuesAndJudgesNothingByThem) {
+  write("small.toml", small_case);
+  write("reference.csv", "quantity,value,unit,uncertainty,source\n"
+                         "gamma_theory,-70,1,0.5,A\nanother,1,1,0,A\n");
+  ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
+
+  const Ended checked = run("check result");
+
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_TRUE(says(checked, "gamma_theory         -70 +- 0.5: theory 0.42\n"))
+      << checked.output;
+  EXPECT_FALSE(says(checked, "another")) << checked.output;
+}
+
 TEST_F(Messages, NameTheMethodsACaseHas) {
   write("small.toml", small_case);
 

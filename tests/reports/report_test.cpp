@@ -6,10 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <pugixml.hpp>
 
+#include "report_folder.hpp"
 #include "synthetic.hpp"
 
 namespace asperity::reports {
@@ -17,34 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-class Report : public ::testing::Test {
-protected:
-  Report() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = fs::temp_directory_path() /
-             (std::string("asperity-report-") + info->name());
-    fs::remove_all(folder);
-  }
-
-  ~Report() override {
-    if (std::getenv("ASPERITY_KEEP_REPORTS") == nullptr)
-      fs::remove_all(folder);
-  }
-
-  std::vector<std::string> write(const results::Result& result,
-                                 const std::string& gnuplot = "gnuplot") {
-    const ReportEntry entry = entry_of(result, rough);
-    return write_report(std::span(&entry, 1), folder, gnuplot);
-  }
-
-  cases::Case rough = synthetic::rough_case();
-  fs::path folder;
-};
+using Report = ReportFolder;
 
 TEST_F(Report, HoldsPageFiguresScriptsAndData) {
   const std::vector<std::string> problems =
@@ -105,6 +77,22 @@ TEST_F(Report, SaysEveryVerdict) {
                rough.title.c_str());
 }
 
+// Claim: the first table has a row a method, its description below it.
+TEST_F(Report, DescribesEveryMethod) {
+  write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
+  pugi::xml_document document;
+  document.load_string(text_of(folder / "report.html").c_str());
+
+  std::vector<std::string> words;
+  for (const auto& row :
+       document.select_nodes("(//table)[1]/tbody/tr/td[position() = 1]"))
+    words.emplace_back(row.node().text().get());
+
+  EXPECT_EQ(words, (std::vector<std::string>{
+                       "theory", "Persson's theory of the formula", "fem",
+                       "condensed Q1 block, penalty"}));
+}
+
 TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
   const std::vector<std::string> problems =
       write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
@@ -144,7 +132,7 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
 
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("H = 0.95, roll-off at 2.22 µm"), std::string::npos);
-  EXPECT_NE(html.find("gap_deviation"), std::string::npos);
+  EXPECT_NE(html.find("<td>fem.hard</td><td>kappa<small>"), std::string::npos);
 }
 
 // Claim: figures of exact shapes do not overwrite each other's files.

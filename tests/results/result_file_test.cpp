@@ -33,6 +33,7 @@ TEST_F(ResultFile, SaysTheCaseAndIsRunningUntilItIsFinished) {
   EXPECT_EQ(result.case_title, sample_case().title);
   EXPECT_EQ(result.case_text, sample_case().text);
   EXPECT_EQ(result.case_hash, sample_case().hash);
+  EXPECT_EQ(result.reference, sample_case().reference);
   EXPECT_EQ(result.contact_modulus, sample_case().contact_modulus);
   EXPECT_EQ(result.status, "complete");
   EXPECT_TRUE(result.methods.empty());

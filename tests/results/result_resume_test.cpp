@@ -54,6 +54,18 @@ TEST_F(ResultResume, DoesNotGoOnWithAnotherCase) {
   EXPECT_EQ(read_result(folder_).case_hash, "0af3");
 }
 
+// The published values are no part of what is computed: those of today stand
+// beside an old result.
+TEST_F(ResultResume, TakesTheReferenceOfTheRunThatGoesOn) {
+  { const ResultWriter first(folder_, sample_case()); }
+  CaseInfo corrected = sample_case();
+  corrected.reference = "";
+
+  const ResultWriter second(folder_, corrected, ResultWriter::Mode::resume);
+
+  EXPECT_EQ(read_result(folder_).reference, "");
+}
+
 // A part that a killed run left is overwritten, not taken for anything.
 TEST_F(ResultResume, IgnoresThePartOfAKilledRun) {
   { const ResultWriter first(folder_, sample_case()); }

@@ -27,8 +27,12 @@ protected:
 };
 
 inline CaseInfo sample_case() {
-  return {"polymer", "A \"polymer\", 10 µm", "schema = 1\r\n# ü\n", "0af3",
-          2e9};
+  return {"polymer",
+          "A \"polymer\", 10 µm",
+          "schema = 1\r\n# ü\n",
+          "0af3",
+          2e9,
+          "quantity,value,unit,uncertainty,source\nü,1,1,0,\"a, b\"\n"};
 }
 
 /// A row whose every number is another, and depends on the step.

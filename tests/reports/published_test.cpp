@@ -1,0 +1,140 @@
+// Claims about published values: each stands beside ours wherever a method has
+// a quantity of its name, and is said to be alone where none has.
+#include "cases/case_error.hpp"
+#include "reports/report.hpp"
+#include "reports/verdict.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <pugixml.hpp>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+const std::string reference = "quantity,value,unit,uncertainty,source\n"
+                              "gamma_slope,0.4,1,0.05,\"A & B 2008, p. 3\"\n"
+                              "area_excess,0.29,1,0.005,C 2005\n"
+                              "height,14e-9,m,5e-10,A\n"
+                              "kappa_limit,1.5,1,0,a formula\n";
+
+class Published : public ReportFolder {
+protected:
+  Published() { result.reference = reference; }
+
+  results::Result result = synthetic::rough_result(rough, 2);
+};
+
+// The theory is not held against itself: area_excess is the "fem" alone.
+TEST_F(Published, StandBesideTheMethodsThatAnswer) {
+  const Summary summary = summarize(result, rough);
+
+  ASSERT_EQ(summary.published.size(), 4U);
+  ASSERT_EQ(summary.published[0].ours.size(), 2U);
+  EXPECT_EQ(summary.published[0].ours[0].method, "theory");
+  EXPECT_EQ(summary.published[0].ours[1].method, "fem");
+  EXPECT_EQ(summary.published[0].ours[1].estimate.value,
+            summary.methods[1].quantities.at("gamma_slope").value);
+  ASSERT_EQ(summary.published[1].ours.size(), 1U);
+  EXPECT_EQ(summary.published[1].ours[0].method, "fem");
+  EXPECT_TRUE(summary.published[2].ours.empty());
+}
+
+// Claim: what is published judges nothing.
+TEST_F(Published, ChangeNoVerdict) {
+  const Summary with = summarize(result, rough);
+  result.reference.clear();
+  const Summary without = summarize(result, rough);
+
+  ASSERT_EQ(with.verdicts.size(), without.verdicts.size());
+  for (std::size_t i = 0; i < with.verdicts.size(); ++i)
+    EXPECT_EQ(with.verdicts[i].outcome, without.verdicts[i].outcome);
+  EXPECT_TRUE(without.published.empty());
+}
+
+TEST_F(Published, OfAForeignFileAreRefusedWithTheirLine) {
+  result.path = "theirs.h5";
+  result.reference += "kappa,high,1,0,D\n";
+
+  try {
+    summarize(result, rough);
+    FAIL() << "a word was taken for a number";
+  } catch (const cases::CaseError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("theirs.h5: reference:6: value = high"),
+        std::string::npos)
+        << error.what();
+  }
+}
+
+OurValue ours(const std::string& method, double number) {
+  OurValue one{method, {}};
+  one.estimate.value = number;
+  one.estimate.remark = "no row";
+  return one;
+}
+
+TEST(PublishedLine, ReadsAsPromised) {
+  EXPECT_EQ(published_line({{"gamma_slope", 0.4, "1", 0.05, "A"},
+                            {ours("fem", 0.4461), ours("theory", 0.448)}}),
+            "paper    gamma_slope          0.4 +- 0.05: fem 0.4461, theory "
+            "0.448");
+  EXPECT_EQ(published_line({{"approach", 2.5e-7, "m", 0.0, "A"},
+                            {ours("fem", not_a_number)}}),
+            "exact    approach             2.5e-07 m: fem none (no row)");
+  EXPECT_EQ(published_line({{"height", 14e-9, "m", 5e-10, "A"}, {}}),
+            "paper    height               1.4e-08 +- 5e-10 m: not computed");
+}
+
+TEST_F(Published, AreInTheSummaryForPrograms) {
+  const auto json =
+      nlohmann::json::parse(summary_json(summarize(result, rough)))
+          .at("published");
+
+  ASSERT_EQ(json.size(), 4U);
+  EXPECT_EQ(json[0]["quantity"], "gamma_slope");
+  EXPECT_EQ(json[0]["value"], 0.4);
+  EXPECT_EQ(json[0]["uncertainty"], 0.05);
+  EXPECT_EQ(json[0]["source"], "A & B 2008, p. 3");
+  EXPECT_EQ(json[0]["ours"][1]["method"], "fem");
+  EXPECT_TRUE(json[0]["ours"][1]["value"].is_number());
+  EXPECT_EQ(json[2]["unit"], "m");
+  EXPECT_TRUE(json[2]["ours"].empty());
+}
+
+// Claim: the page has a row a value, its source below, and says in words where
+// nothing of ours stands beside it.
+TEST_F(Published, AreOnThePage) {
+  write(result, "no-such-gnuplot");
+  pugi::xml_document page;
+  page.load_string(text_of(folder / "report.html").c_str());
+  const auto cell = [&](int row, int column) {
+    return std::string(page.select_node(("//table[@class='published']//tr[@"
+                                         "class='first'][" +
+                                         std::to_string(row) + "]/td[" +
+                                         std::to_string(column) + "]")
+                                            .c_str())
+                           .node()
+                           .text()
+                           .get());
+  };
+
+  EXPECT_EQ(cell(1, 1), "gamma_slope");
+  EXPECT_EQ(cell(1, 2), "0.4 ± 0.05");
+  EXPECT_EQ(cell(1, 3).rfind("0.4", 0), 0U) << cell(1, 3);
+  EXPECT_EQ(cell(2, 3), "–"); // the theory
+  EXPECT_EQ(cell(3, 2), "1.4e-08 ± 5e-10 m");
+  EXPECT_EQ(page.select_nodes("//td[@colspan='2']/small").size(), 2U);
+  EXPECT_STREQ(
+      page.select_node("//table[@class='published']//tr[@class='second']/td")
+          .node()
+          .text()
+          .get(),
+      "A & B 2008, p. 3");
+}
+
+} // namespace
+} // namespace asperity::reports

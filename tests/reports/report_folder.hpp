@@ -1,0 +1,52 @@
+#pragma once
+
+// A folder to write a report into, removed at the end of the test unless
+// ASPERITY_KEEP_REPORTS is set.
+
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class ReportFolder : public ::testing::Test {
+protected:
+  ReportFolder() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder = std::filesystem::temp_directory_path() /
+             (std::string("asperity-report-") + info->test_suite_name() + "-" +
+              info->name() + "-" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder);
+  }
+
+  ~ReportFolder() override {
+    std::error_code ignored; // of a browser that still tidies up
+    if (std::getenv("ASPERITY_KEEP_REPORTS") == nullptr)
+      std::filesystem::remove_all(folder, ignored);
+  }
+
+  std::vector<std::string> write(const results::Result& result,
+                                 const std::string& gnuplot = "gnuplot") {
+    const ReportEntry entry = entry_of(result, rough);
+    return write_report(std::span(&entry, 1), folder, gnuplot);
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  std::filesystem::path folder;
+};
+
+} // namespace asperity::reports

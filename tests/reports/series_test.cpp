@@ -1,0 +1,74 @@
+// Claims about reports/series.hpp: a variant that lies on its method is drawn
+// as one with it, one that can be told from it is not.
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+using Change = std::function<void(results::CurvePoint&)>;
+
+// "fem" beside "fem.hard", a copy of it with one row changed.
+std::vector<Series> series_with_variant(const Change& change,
+                                        const std::string& name = "fem.hard") {
+  const cases::Case rough = synthetic::rough_case();
+  results::Result result = synthetic::rough_result(rough, 1);
+  results::MethodRecord variant = result.methods.back();
+  variant.name = name;
+  change(variant.realizations.front().points[7]);
+  result.methods.push_back(variant);
+  const ReportEntry entry = entry_of(result, rough);
+  std::vector<Series> series = series_of(std::span(&entry, 1));
+  for (Series& one : series)
+    one.method = nullptr; // it ends with the entry
+  return series;
+}
+
+bool is_variant_drawn(const Change& change) {
+  return series_with_variant(change)[2].is_drawn;
+}
+
+TEST(SeriesOfAVariant, IsDrawnOnlyWhereItCanBeTold) {
+  const double rms_height = 34e-9; // of the synthetic surface
+
+  EXPECT_FALSE(is_variant_drawn([](auto&) {}));
+  EXPECT_FALSE(is_variant_drawn(
+      [&](auto& row) { row.mean_gap += 0.0015 * rms_height; }));
+  EXPECT_TRUE(is_variant_drawn(
+      [&](auto& row) { row.mean_gap += 0.0025 * rms_height; }));
+  EXPECT_FALSE(is_variant_drawn([](auto& row) { row.area_fraction *= 1.008; }));
+  EXPECT_TRUE(is_variant_drawn([](auto& row) { row.area_fraction *= 1.012; }));
+  EXPECT_TRUE(is_variant_drawn(
+      [](auto& row) { row.area_fraction_corrected *= 0.985; }));
+  EXPECT_TRUE(
+      is_variant_drawn([](auto& row) { row.nominal_pressure *= 1.006; }));
+  EXPECT_TRUE(is_variant_drawn([](auto& row) {
+    row.status = results::StepStatus::not_converged; // its row is missing
+  }));
+}
+
+TEST(SeriesOfAVariant, StandsInTheLegendOfItsMethod) {
+  const std::vector<Series> joined = series_with_variant([](auto&) {});
+
+  EXPECT_EQ(joined[1].legend, "fem, fem.hard");
+  EXPECT_EQ(joined[1].label, "fem");
+  EXPECT_TRUE(joined[1].is_drawn);
+}
+
+// Claim: two methods with the same numbers are both drawn; neither is the
+// other's variant.
+TEST(SeriesOfAVariant, IsNotEveryMethodThatAgrees) {
+  const std::vector<Series> both =
+      series_with_variant([](auto&) {}, "halfspace");
+
+  EXPECT_TRUE(both[2].is_drawn);
+  EXPECT_EQ(both[1].legend, "fem");
+}
+
+} // namespace
+} // namespace asperity::reports
