@@ -125,7 +125,9 @@ List verdict_rows(const Summary& summary) {
   for (const Verdict& verdict : summary.verdicts) {
     Value row;
     row.set("word", outcome_word(verdict.outcome));
-    row.set("sign", verdict.outcome == Outcome::ok ? "✓" : "✗");
+    row.set("sign", verdict.outcome == Outcome::ok        ? "✓"
+                    : verdict.outcome == Outcome::skipped ? "–"
+                                                          : "✗");
     row.set("method", verdict.method);
     row.set("quantity", verdict.quantity);
     const cases::ExpectationName* known =
@@ -175,13 +177,20 @@ List published_rows(const Summary& summary) {
 }
 
 void set_banner(Value& entry, const Summary& summary) {
-  const auto met = std::count_if(
-      summary.verdicts.begin(), summary.verdicts.end(),
-      [](const Verdict& verdict) { return verdict.outcome == Outcome::ok; });
-  const std::size_t all = summary.verdicts.size();
+  const auto count = [&summary](Outcome outcome) {
+    return std::count_if(summary.verdicts.begin(), summary.verdicts.end(),
+                         [outcome](const Verdict& verdict) {
+                           return verdict.outcome == outcome;
+                         });
+  };
+  const auto met = count(Outcome::ok);
+  const auto all = static_cast<std::ptrdiff_t>(summary.verdicts.size()) -
+                   count(Outcome::skipped);
   if (all == 0) {
     entry.set("banner_class", "none");
-    entry.set("banner", "The case states no expectations.");
+    entry.set("banner", summary.verdicts.empty()
+                            ? "The case states no expectations."
+                            : "No expectation concerns a method that was run.");
   } else if (summary.all_ok()) {
     entry.set("banner_class", "good");
     entry.set("banner", all == 1
@@ -190,7 +199,7 @@ void set_banner(Value& entry, const Summary& summary) {
   } else {
     entry.set("banner_class", "bad");
     entry.set("banner", fmt::format("{} of {} expectations are not met.",
-                                    all - static_cast<std::size_t>(met), all));
+                                    all - met, all));
   }
 }
 

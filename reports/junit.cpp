@@ -37,6 +37,10 @@ void append_verdict(pugi::xml_node suite, const Summary& summary,
   set(test, "name", verdict.quantity);
   if (verdict.outcome == Outcome::ok)
     return;
+  if (verdict.outcome == Outcome::skipped) {
+    test.append_child("skipped");
+    return;
+  }
   const bool is_missing = verdict.outcome == Outcome::missing;
   pugi::xml_node problem = test.append_child(is_missing ? "error" : "failure");
   set(problem, "message", check_line(verdict));
@@ -57,6 +61,7 @@ std::string junit_xml(std::span<const Summary> summaries) {
     set(suite, "tests", std::to_string(summary.verdicts.size()));
     set(suite, "failures", std::to_string(count(summary, Outcome::failed)));
     set(suite, "errors", std::to_string(count(summary, Outcome::missing)));
+    set(suite, "skipped", std::to_string(count(summary, Outcome::skipped)));
     for (const Verdict& verdict : summary.verdicts)
       append_verdict(suite, summary, verdict);
   }

@@ -46,9 +46,14 @@ struct MethodSummary {
   Cost cost;
 };
 
-enum class Outcome { ok, failed, missing };
+enum class Outcome {
+  ok,
+  failed,
+  missing, ///< not to be had: counts as failed
+  skipped, ///< of a method that was left out of a complete run on purpose
+};
 
-/// One expectation held against one method. Missing counts as failed.
+/// One expectation held against one method.
 struct Verdict {
   std::string quantity;
   std::string method;

@@ -13,10 +13,13 @@ namespace asperity::reports {
 
 /// One verdict an expectation and method, in the order of the case.
 /// The value itself must lie in the band; its interval is shown, not used.
+/// @param is_complete  the run came to its end: a method it does not have was
+///                     left out on purpose and is skipped, not missing
 std::vector<Verdict> judge(std::span<const cases::Expectation> expectations,
-                           std::span<const MethodSummary> methods);
+                           std::span<const MethodSummary> methods,
+                           bool is_complete = false);
 
-/// "ok" | "failed" | "missing"
+/// "ok" | "failed" | "missing" | "skipped"
 const char* outcome_word(Outcome outcome);
 
 /// "0.35..0.45", "<= 1e-04" or ">= 2"; an end that is infinite is left out.

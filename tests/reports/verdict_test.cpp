@@ -48,6 +48,24 @@ TEST(Judge, TakesTheEndsOfTheBandAndNothingBeyond) {
   EXPECT_EQ(verdict_of(0.5, -infinity, 0.6).outcome, Outcome::ok);
 }
 
+// A run told to leave a method out is not at fault for lacking it; a run that
+// was cut short may be.
+TEST(Judge, SkipsAMethodThatWasLeftOutOnPurpose) {
+  const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
+  std::vector<cases::Expectation> expectations{expect("gamma_slope", 0.0, 1.0)};
+  expectations.front().methods = {"md"};
+  Summary complete;
+  Summary cut_short;
+
+  complete.verdicts = judge(expectations, methods, true);
+  cut_short.verdicts = judge(expectations, methods, false);
+
+  EXPECT_EQ(complete.verdicts.front().outcome, Outcome::skipped);
+  EXPECT_TRUE(complete.all_ok());
+  EXPECT_FALSE(cut_short.all_ok());
+  EXPECT_NE(junit_xml({&complete, 1}).find("<skipped"), std::string::npos);
+}
+
 TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
   const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
   std::vector<cases::Expectation> expectations{
