@@ -59,11 +59,11 @@ TEST_F(ResultResume, DoesNotGoOnWithAnotherCase) {
 TEST_F(ResultResume, TakesTheReferenceOfTheRunThatGoesOn) {
   { const ResultWriter first(folder_, sample_case()); }
   CaseInfo corrected = sample_case();
-  corrected.reference = "";
+  corrected.reference += "kappa,2.2,1,0.1,a paper\n";
 
   const ResultWriter second(folder_, corrected, ResultWriter::Mode::resume);
 
-  EXPECT_EQ(read_result(folder_).reference, "");
+  EXPECT_EQ(read_result(folder_).reference, corrected.reference);
 }
 
 // A part that a killed run left is overwritten, not taken for anything.
