@@ -39,12 +39,8 @@ ContactSolution polonsky_keer(SurfaceOperator& elasticity,
   double before = 0.0; // <r, r> of the last iteration; 0 restarts
   for (;; ++state.iterations) {
     state.update_residual();
-    if (state.is_converged())
-      return std::move(state).solution(true, "");
-    if (state.iterations >= problem.max_iterations)
-      return std::move(state).solution(
-          false, "not converged in " + std::to_string(state.iterations) +
-                     " iterations");
+    if (state.is_at_end())
+      return std::move(state).solution();
 
     contact_residual(state, r);
     const double now = state.dot(r, r);

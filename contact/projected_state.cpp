@@ -172,7 +172,7 @@ void ProjectedState::advance(double step, std::span<const double> direction,
   }
 }
 
-ContactSolution ProjectedState::solution(bool converged, std::string note) && {
+ContactSolution ProjectedState::solution() && {
   ContactSolution answer;
   // The recurrence has gathered rounding: the fields shown are exact.
   elasticity.displacement(pressure, displacement);
@@ -192,8 +192,10 @@ ContactSolution ProjectedState::solution(bool converged, std::string note) && {
   answer.gap_error = gap_error;
   answer.iterations = iterations;
   answer.transforms = transforms + 1;
-  answer.converged = converged;
-  answer.note = std::move(note);
+  answer.converged = is_converged();
+  if (!answer.converged)
+    answer.note =
+        "not converged in " + std::to_string(iterations) + " iterations";
   return answer;
 }
 

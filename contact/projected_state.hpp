@@ -37,9 +37,13 @@ public:
   /// Sum of weight * a * b over all nodes.
   double dot(std::span<const double> a, std::span<const double> b) const;
 
-  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
+  /// True at the tolerance, or after the iterations allowed.
+  bool is_at_end() const {
+    return is_converged() || iterations >= problem.max_iterations;
+  }
 
-  ContactSolution solution(bool converged, std::string note) &&;
+  /// The state as the answer; says if it did not converge.
+  ContactSolution solution() &&;
 
   SurfaceOperator& elasticity;
   ContactProblem problem;
@@ -57,6 +61,8 @@ private:
   double weight(std::size_t i) const {
     return weights_.empty() ? 1.0 : weights_[i];
   }
+
+  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
 
   void scale_to_target();
 

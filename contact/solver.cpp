@@ -141,12 +141,8 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
   StallWatch watch;
   for (;; ++state.iterations) {
     state.update_residual();
-    if (state.is_converged())
-      return std::move(state).solution(true, "");
-    if (state.iterations >= problem.max_iterations)
-      return std::move(state).solution(
-          false, "not converged in " + std::to_string(state.iterations) +
-                     " iterations");
+    if (state.is_at_end())
+      return std::move(state).solution();
     if (watch.is_stalled(state.gap_error, state.iterations) ||
         !directions.step(state))
       return hand_over(std::move(state));
