@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace asperity::reports {
 namespace {
@@ -20,22 +21,19 @@ constexpr std::array<const char*, 3> load_signs{"pointtype 8", "pointtype 4",
 
 constexpr double bin = 0.1; // of the histogram, in E* h'
 
-struct Histogram {
-  std::vector<double> density; ///< per unit; the sum times bin is 1
-};
-
-// Density of the positive numbers among themselves: what is not in contact does
-// not count.
-Histogram histogram_of(const std::vector<double>& map, double unit) {
-  const double largest = *std::max_element(map.begin(), map.end()) / unit;
-  Histogram histogram;
-  histogram.density.resize(static_cast<std::size_t>(largest / bin) + 1, 0.0);
+// Density of the positive numbers among themselves, by the centre of their bin:
+// what is not in contact does not count. Bins without any are not there: a
+// load far beyond full contact would have millions of them. The sum of the
+// densities times bin is 1.
+std::map<double, double> histogram_of(const std::vector<double>& map,
+                                      double unit) {
+  std::map<double, double> histogram;
   const auto in_contact =
       std::count_if(map.begin(), map.end(), [](double p) { return p > 0.0; });
   const double share = 1.0 / (static_cast<double>(in_contact) * bin);
   for (const double number : map)
     if (number > 0.0)
-      histogram.density[static_cast<std::size_t>(number / unit / bin)] += share;
+      histogram[(std::floor(number / unit / bin) + 0.5) * bin] += share;
   return histogram;
 }
 
@@ -72,11 +70,9 @@ std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry) {
     const results::Fields& fields = maps[chosen[i]];
     const double load = fields.nominal_pressure;
     const std::string name = fmt::format("p/E* = {:.3g}", load / modulus);
-    const Histogram histogram = histogram_of(fields.pressure, stress);
-    for (std::size_t b = 0; b < histogram.density.size(); ++b)
+    for (const auto& [sigma, density] : histogram_of(fields.pressure, stress))
       table.add(method->name + ", " + name,
-                {static_cast<double>(2 * i),
-                 (static_cast<double>(b) + 0.5) * bin, histogram.density[b]});
+                {static_cast<double>(2 * i), sigma, density});
     const double area = theory::area_fraction(load, variance);
     for (int k = 0; k <= 200; ++k) {
       const double sigma = furthest * k / 200.0;

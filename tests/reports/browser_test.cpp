@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <regex>
 #include <vector>
 
 #include "report_folder.hpp"
@@ -20,14 +19,16 @@ bool has_chromium() {
   return std::system("command -v chromium > /dev/null 2>&1") == 0;
 }
 
-// What the first group of `pattern` stands for, everywhere in `text`.
-std::vector<std::string> all_of(const std::string& text,
-                                const std::string& pattern) {
-  const std::regex regex(pattern);
+// What stands between `before` and the next `after`, everywhere in `text`.
+std::vector<std::string> all_between(const std::string& text,
+                                     const std::string& before,
+                                     const std::string& after) {
   std::vector<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end;
-       ++at)
-    found.push_back((*at)[1]);
+  for (std::size_t at = text.find(before); at != std::string::npos;
+       at = text.find(before, at)) {
+    at += before.size();
+    found.push_back(text.substr(at, text.find(after, at) - at));
+  }
   return found;
 }
 
@@ -69,11 +70,14 @@ protected:
 TEST_F(Browser, ShowsEveryVerdictAndFigure) {
   const std::string dom = dom_of(folder / "report.html");
 
-  EXPECT_EQ(all_of(dom, "<td class=\"word [a-z]+\">([^<]*)</td>"),
-            (std::vector<std::string>{"✓ ok", "✓ ok", "✓ ok", "✗ failed"}));
+  EXPECT_EQ(all_between(dom, "<td class=\"word ", "</td>"),
+            (std::vector<std::string>{"ok\">✓ ok", "ok\">✓ ok", "ok\">✓ ok",
+                                      "failed\">✗ failed"}));
   EXPECT_GE(n_pictures(), 9);
-  EXPECT_EQ(std::ssize(all_of(dom, "<img alt=\"([^\"]+)\" src=\"data:image/")),
-            n_pictures());
+  const std::vector<std::string> pictures = all_between(dom, "<img ", ">");
+  EXPECT_EQ(std::ssize(pictures), n_pictures());
+  for (const std::string& picture : pictures)
+    EXPECT_NE(picture.find(" src=\"data:image/"), std::string::npos);
   EXPECT_EQ(dom.find("could not be drawn"), std::string::npos);
 }
 
@@ -83,7 +87,7 @@ TEST_F(Browser, RunsNoScriptAndLoadsNothing) {
   for (const char* tag : {"<script", "<link", "<iframe", "<object", "<embed",
                           "@import", "url(", " href=", " srcset="})
     EXPECT_EQ(dom.find(tag), std::string::npos) << tag;
-  for (const std::string& scheme : all_of(dom, " src=\"([^:]*):"))
+  for (const std::string& scheme : all_between(dom, " src=\"", ":"))
     EXPECT_EQ(scheme, "data");
 }
 
@@ -98,7 +102,7 @@ TEST_F(Browser, CanDrawEveryPicture) {
   std::ofstream(folder / "probe.html") << probe;
 
   const std::vector<std::string> widths =
-      all_of(dom_of(folder / "probe.html"), "alt=\"width ([0-9]+)\"");
+      all_between(dom_of(folder / "probe.html"), "alt=\"width ", "\"");
 
   EXPECT_EQ(std::ssize(widths), n_pictures());
   for (const std::string& width : widths)

@@ -135,6 +135,21 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
   EXPECT_NE(html.find("<td>fem.hard</td><td>kappa<small>"), std::string::npos);
 }
 
+// Claim: the histogram has as many rows as bins with something in them, not
+// one a bin from 0 to a load that is a million times that of full contact.
+TEST_F(Report, DrawsALoadFarBeyondFullContact) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  for (results::MethodRecord& method : result.methods)
+    for (results::Fields& fields : method.realizations.front().fields)
+      for (double& pressure : fields.pressure)
+        pressure += 1e9 * result.contact_modulus;
+
+  write(result);
+
+  EXPECT_LT(fs::file_size(folder / "figures" / "pressure-distribution.csv"),
+            std::size_t{1} << 20);
+}
+
 // Claim: figures of exact shapes do not overwrite each other's files.
 TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
   results::Result result = synthetic::rough_result(rough, 1);
