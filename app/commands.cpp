@@ -133,7 +133,7 @@ ExitCode report_results(const std::vector<std::string>& paths,
   const fs::path folder = !out.empty()              ? fs::path(out)
                           : paths.size() > 1        ? fs::path("out/comparison")
                           : fs::is_directory(first) ? first
-                                                    : first.parent_path();
+                                                    : first.parent_path() / ".";
   for (const std::string& failure : reports::write_report(read, folder))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report: {}\n", (folder / "report.html").string());

@@ -9,6 +9,7 @@ enum ExitCode : int {
   exit_expectation_failed = 1,
   exit_bad_input = 2,
   exit_numerics_gave_up = 3,
+  exit_internal = 4,      ///< disk full, no memory, a library that fails
   exit_interrupted = 130, ///< as shells say it for Ctrl-C
 };
 

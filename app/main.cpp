@@ -33,7 +33,7 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
   command->add_flag("--resume", run.resume,
                     "go on with the steps an earlier run left out");
   command->add_option("--threads", run.threads, "default: all cores")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   command->callback([&] { action = [&] { return run_cases(run); }; });
 }
 
@@ -84,7 +84,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", ASPERITY_VERSION);
   program.footer("exit codes: 0 good, 1 an expectation failed, 2 bad input, "
-                 "3 the numerics gave up");
+                 "3 the numerics gave up, 4 the machine or a library did");
   Action action;
   RunCommand run;
   std::vector<std::string> paths;
@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::exception& error) {
     fmt::print(stderr, "asperity: {}\n", error.what());
+    return asperity::app::exit_internal;
   }
   return asperity::app::exit_bad_input;
 }

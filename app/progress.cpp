@@ -52,7 +52,7 @@ void Progress::draw_bar(const std::string& method, int realization,
       elapsed * (n_steps_ - n_done_) / n_done_);
   const int filled = bar_width * n_done_ / n_steps_;
   fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}/{}  {} r{} step {}  residual {:.0e}  "
-             "{:%M:%S} left",
+             "{:%H:%M:%S} left",
              "", filled, "", bar_width - filled, n_done_, n_steps_, method,
              realization, point.step, point.residual, left);
   std::fflush(stdout);

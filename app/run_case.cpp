@@ -12,6 +12,8 @@
 #include "cases/case_hash.hpp"
 #include "cases/nearest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -21,6 +23,7 @@
 namespace asperity::app {
 namespace {
 
+namespace fs = std::filesystem;
 using cases::MethodSpec;
 using results::CurvePoint;
 
@@ -69,6 +72,20 @@ contact::LoadTarget target_of(const cases::LoadProgram& load, std::size_t step,
           load.targets[step].in_si(scales)};
 }
 
+/// A new run keeps the last result under another name, and leaves no table or
+/// report of it that would seem to be the new one's.
+/// @return the folder
+const fs::path& put_last_run_aside(const fs::path& folder) {
+  for (const char* name : {"curves.csv", "summary.json", "report.html"})
+    fs::remove(folder / name);
+  if (!fs::exists(folder / "result.h5"))
+    return folder;
+  fs::rename(folder / "result.h5", folder / "result.previous.h5");
+  fmt::print("the last result is kept as {}\n",
+             (folder / "result.previous.h5").string());
+  return folder;
+}
+
 /// Everything the jobs of one run share.
 class Run {
 public:
@@ -78,7 +95,8 @@ public:
         methods_(std::move(methods)),
         pool_(options.threads),
         surfaces_(build_surfaces(case_of_run())),
-        writer_(options.folder,
+        writer_(options.resume ? options.folder
+                               : put_last_run_aside(options.folder),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
                  case_.material.contact_modulus, options.reference},
                 options.resume ? results::ResultWriter::Mode::resume
@@ -98,7 +116,7 @@ private:
     return reduced;
   }
 
-  int n_steps() const;
+  int n_steps() const; ///< still to be done
   int n_realizations(const MethodSpec& method) const;
   void begin();
   void run_theory(const MethodSpec& method, int realization);
@@ -125,10 +143,13 @@ int Run::n_realizations(const MethodSpec& method) const {
 }
 
 int Run::n_steps() const {
-  int jobs = 0;
+  int steps = 0;
   for (const MethodSpec& method : methods_)
-    jobs += n_realizations(method);
-  return jobs * static_cast<int>(case_.load.targets.size());
+    for (int r = 0; r < n_realizations(method); ++r)
+      for (std::size_t step = 0; step < case_.load.targets.size(); ++step)
+        steps +=
+            writer_.has_step(method.name, r, static_cast<int>(step)) ? 0 : 1;
+  return steps;
 }
 
 void Run::begin() {
@@ -157,7 +178,7 @@ RunOutcome Run::execute() {
     }
   pool_.run(jobs);
   for (const WorkerPool::Job& job : lone_jobs)
-    job();
+    pool_.run({&job, 1});
   const bool was_interrupted = is_interrupted();
   writer_.record_provenance(clock.facts());
   writer_.finish(was_interrupted ? "interrupted" : "complete");

@@ -26,7 +26,8 @@ struct RunOutcome {
 };
 
 /// Runs the methods of a case and writes each step to folder/result.h5 as it
-/// is done. Jobs (a method on a realisation) run beside each other; a method
+/// is done. An older result there is kept as result.previous.h5, unless the run
+/// resumes it. Jobs (a method on a realisation) run beside each other; a method
 /// whose library allows one at a time runs after the others. Which job runs
 /// where changes nothing in the numbers.
 /// @throws cases::CaseError  an unknown method name; what a room refuses

@@ -1,5 +1,6 @@
 #include "app/surfaces_of_case.hpp"
 
+#include "cases/case_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/shells.hpp"
 #include "surfaces/statistics.hpp"
@@ -46,6 +47,10 @@ std::vector<SurfaceOfCase> build_surfaces(const cases::Case& rough_case) {
   for (int r = 0; r < rough_case.surface.realizations; ++r) {
     SurfaceOfCase surface;
     surface.record = record_of(surfaces::build_surface(rough_case.surface, r));
+    if (!(surface.record.rms_height > 0.0))
+      throw cases::CaseError(rough_case.path +
+                             ": the surface is flat; there is no roughness "
+                             "to press on");
     surface.scales = {
         rough_case.material.contact_modulus, surface.record.grid.length_x,
         surface.record.grid.spacing_x(), surface.record.rms_height};

@@ -9,7 +9,8 @@
 namespace asperity {
 namespace {
 
-/// FFTW's planner is not thread safe; executing a plan is.
+/// FFTW's planner is not thread safe; executing a plan is. There is one planner
+/// in the process, hence one mutex: this room is a shared library.
 std::mutex& planner_mutex() {
   static std::mutex mutex;
   return mutex;

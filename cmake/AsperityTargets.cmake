@@ -8,16 +8,21 @@ target_compile_options(asperity_flags INTERFACE
   $<$<BOOL:${ASPERITY_WERROR}>:-Werror>)
 
 # asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
-#                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>])
+#                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>] [SHARED])
 # Sources are named inside the room. DEPENDS is the whole permission to include:
 # list direct dependencies only. Position-independent, because the deal.II room
-# is loaded at run time.
+# is loaded at run time; what must exist once in the process, in the program and
+# in that module together, is SHARED.
 function(asperity_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SHARED" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "asperity_library(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  add_library(asperity_${name} STATIC ${arg_SOURCES})
+  set(kind STATIC)
+  if(arg_SHARED)
+    set(kind SHARED)
+  endif()
+  add_library(asperity_${name} ${kind} ${arg_SOURCES})
   add_library(asperity::${name} ALIAS asperity_${name})
   set_target_properties(asperity_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_include_directories(asperity_${name} PUBLIC ${PROJECT_SOURCE_DIR})

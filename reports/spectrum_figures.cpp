@@ -37,11 +37,17 @@ std::map<double, double> histogram_of(const std::vector<double>& map,
   return histogram;
 }
 
+bool has_contact(const results::Fields& fields) {
+  return std::any_of(fields.pressure.begin(), fields.pressure.end(),
+                     [](double pressure) { return pressure > 0.0; });
+}
+
 const results::MethodRecord* first_with_maps(const results::Result& result) {
   for (const results::MethodRecord& method : result.methods)
     if (!method.realizations.empty() &&
         !method.realizations.front().fields.empty() &&
-        !method.realizations.front().fields.front().pressure.empty())
+        std::any_of(method.realizations.front().fields.begin(),
+                    method.realizations.front().fields.end(), has_contact))
       return &method;
   return nullptr;
 }

@@ -115,6 +115,31 @@ TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
   EXPECT_EQ(run("check out/strict").exit_code, 1);
 }
 
+TEST_F(Messages, AFlatMapIsNamed) {
+  write("flat.txt", "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n");
+  std::string text = small_case;
+  const std::size_t first = text.find("kind =");
+  text.replace(first, text.find("[material]") - first,
+               "kind = \"measured\"\nfile = \"flat.txt\"\nformat = "
+               "\"plain\"\nlength = \"1 um\"\nheight_unit = \"1 nm\"\n"
+               "level = \"plane\"\nedges = \"periodic\"\n");
+  write("flat.toml", text);
+
+  const Ended refused = run("run flat.toml --methods halfspace");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "flat.toml: the surface is flat"))
+      << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, ReportWorksFromInsideTheFolder) {
+  write("small.toml", small_case);
+  ASSERT_EQ(run("run small.toml --methods theory --out .").exit_code, 0);
+
+  EXPECT_EQ(run("report result.h5").exit_code, 0);
+}
+
 TEST_F(Messages, ReportOfNothingSaysSo) {
   const Ended lost = run("report nowhere");
 
