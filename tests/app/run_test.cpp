@@ -113,20 +113,6 @@ TEST_F(RunCommand, SkipsWhatTheSceneDoesNotNeed) {
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
 
-// Claim: program and deal.II module plan their transforms under one lock. With
-// a lock each, one such run in four crashed: coarse-to-fine starts of short
-// steps plan all the time.
-TEST_F(RunCommand, MethodsBesideEachOtherPlanUnderOneLock) {
-  for (int repetition = 0; repetition < 20; ++repetition) {
-    const Ended done =
-        run("run small.toml --methods halfspace,fem --threads 2 --out result "
-            "--set load.nominal_pressure= --set report.fields=0 --set "
-            "'load.mean_gap=[\"3.5 h_rms\", \"3 h_rms\", \"2 h_rms\", \"1 "
-            "h_rms\", \"0.5 h_rms\", \"0.01 h_rms\"]'");
-    ASSERT_EQ(done.exit_code, 0) << done.output;
-  }
-}
-
 // Claim: running again does not destroy what was there.
 TEST_F(RunCommand, KeepsTheLastResultAside) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);

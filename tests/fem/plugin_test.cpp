@@ -1,5 +1,6 @@
 // Claims about fem/plugin.hpp: this program does not link deal.II, the module
 // does, and what it gives is the block the case asks for.
+#include "base/fourier.hpp"
 #include "fem/plugin.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace asperity::fem {
 namespace {
@@ -52,6 +54,20 @@ TEST_P(LoadedRoom, GivesBothRoadsOfOneBlock) {
 INSTANTIATE_TEST_SUITE_P(Elements, LoadedRoom,
                          ::testing::Values(cases::Element::q1,
                                            cases::Element::q2));
+
+// Claim: the program and the module plan their transforms under one lock. With
+// a lock each, FFTW's one planner is torn apart and the process dies.
+TEST(Room, SharesThePlannerWithTheProgram) {
+  const auto block = load_fem_room().condensed(request(cases::Element::q1, 64));
+  const Grid other{48, 40, 1.0, 1.0};
+
+  const std::jthread program([&] {
+    for (int i = 0; i < 3000; ++i)
+      const RealFourier planned(other);
+  });
+  for (int i = 0; i < 3000; ++i)
+    ASSERT_NE(block->coarsened(), nullptr);
+}
 
 // Claim: modulus, depth and top arrive: a slab half as deep as its wave on a
 // sliding top gives 0.9734 of the half-space's 2/(E* q); Q2 with 16 nodes in
