@@ -123,8 +123,9 @@ page is generated from the table that the reader checks by
 
 - A quantity is a number in SI, or a string with a unit: `"14 nm"`, `"0.3 E*"`.
   Units of the problem: `E*` the contact modulus, `length` the side of the
-  square, `h` the distance of nodes, `h_rms` the rms height of the realisation,
-    `E*/h` a stiffness per area. Which units a key takes stands in its row; `µm`
+  square, `h` the distance of nodes, `h_rms` the rms height of the realisation
+  (for a theory by the formula, that of the formula),
+  `E*/h` a stiffness per area. Which units a key takes stands in its row; `µm`
   is read as `um`.
 - A method whose table is absent does not run. A table inside a method's table is
   a variant: `[fem.hard]` is the method `fem.hard`, with `[fem]`'s keys and its

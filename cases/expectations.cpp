@@ -39,7 +39,7 @@ const std::vector<ExpectationName>& expectation_names() {
        .description = "Largest relative error of Hertz's approach [1].",
        .surfaces = {sphere}},
       {.name = "penetration",
-       .description = "Largest penetration / h_rms of all steps [1]."},
+       .description = "Largest penetration / h_rms in the maps kept [1]."},
       {.name = "iterations_max",
        .description = "Most iterations a step took [1]."},
   };

@@ -94,7 +94,9 @@ Table counter_table() {
   Table table{.name = "material.counter",
               .when = "Optional, with youngs_modulus in [material].",
               .description = "A second elastic body; the surface is rigid "
-                             "without it. 1/E* is the sum of (1 - nu^2)/E.",
+                             "without it. 1/E* is the sum of (1 - nu^2)/E; one "
+                             "block with this E* and the first body's nu "
+                             "stands for both, exact for thick bodies.",
               .keys = body_keys()};
   for (Key& key : table.keys) {
     key.need = Need::always;
