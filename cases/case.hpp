@@ -137,11 +137,57 @@ struct FemSettings {
   FemSolver solver = FemSolver::automatic;
 };
 
+enum class AtomEngine { asperity, lammps };
+enum class AtomLattice { isotropic, born, central };
+enum class AtomBulk { green, explicit_layers };
+enum class AtomModes { vector, normal };
+enum class AtomPotential { repulsive, lennard_jones };
+enum class AtomMinimizer { lbfgs, fire, dynamics };
+
+/// [md]: a block of atoms, simple cubic of spacing length / atoms, on rigid
+/// atoms at the heights of the surface.
+struct MdSettings {
+  AtomEngine engine = AtomEngine::asperity;
+  AtomLattice lattice = AtomLattice::isotropic;
+  AtomBulk bulk = AtomBulk::green;
+  AtomModes modes = AtomModes::vector;
+  std::optional<int> atoms;            ///< a side, of the block's lowest layer
+  std::optional<int> substrate_atoms;  ///< a side
+  std::optional<double> magnification; ///< zeta: roughness above zeta q_0 is
+                                       ///< left out of this method's surface
+
+  AtomPotential potential = AtomPotential::repulsive;
+  double interaction_energy = 0.0;   ///< eps [J] > 0
+  double interaction_distance = 0.0; ///< r_0 [m] > 0
+  double cutoff = 0.0;               ///< [m]
+  double contact_distance = 0.0;     ///< d_c [m] > 0: u = d - d_c
+
+  Quantity depth{1.0, Yardstick::length}; ///< of the block, for green
+  int levels = 1; ///< of the explicit block: spacing doubles from each to next
+  int layers = 6; ///< of cells a level
+
+  AtomMinimizer minimizer = AtomMinimizer::lbfgs;
+  double tolerance = 1e-4;     ///< root mean square force, relative to the mean
+                               ///< normal force an atom
+  int max_evaluations = 20000; ///< of the forces, a load step
+
+  double mass = 0.0;        ///< of an atom [kg], for dynamics
+  double time_step = 0.0;   ///< [s], for dynamics
+  double damping = 0.0;     ///< rate at which momenta fade [1/s], for dynamics
+  double temperature = 0.0; ///< [K] >= 0, for dynamics
+  double duration = 0.0;    ///< of a load step [s], for dynamics
+  std::uint64_t seed = 0;   ///< of the thermal noise
+
+  int ranks = 1;     ///< of the child process, for lammps
+  bool dump = false; ///< write the atoms of steps whose fields are kept
+};
+
 /// One method to run. A table [fem] is the method "fem"; a table inside it,
 /// [fem.hard], is the method "fem.hard": [fem]'s keys with its own over them.
 struct MethodSpec {
   std::string name;
-  std::variant<TheorySettings, HalfspaceSettings, FemSettings> settings;
+  std::variant<TheorySettings, HalfspaceSettings, FemSettings, MdSettings>
+      settings;
 };
 
 /// [report]
@@ -168,7 +214,8 @@ struct Case {
   SurfaceSpec surface;
   MaterialSpec material;
   LoadProgram load;
-  std::vector<MethodSpec> methods; ///< theory, halfspace, fem, then variants
+  std::vector<MethodSpec> methods; ///< theory, halfspace, fem, md, then
+                                   ///< variants
   ReportSpec report;
   std::vector<Expectation> expectations;
 };

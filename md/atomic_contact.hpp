@@ -1,0 +1,75 @@
+#pragma once
+
+// The room's front door: a block of atoms on a surface, one load step after
+// the other, answered in the quantities every method answers in.
+
+#include "base/grid.hpp"
+#include "cases/case.hpp"
+#include "md/interface.hpp"
+#include "md/relaxation.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::md {
+
+/// Everything that defines the block.
+struct AtomRequest {
+  cases::MdSettings settings;
+  cases::Scales scales;
+  double youngs_modulus = 0.0; ///< of the one block that stands for the pair
+                               ///< [Pa]
+  double poisson_ratio = 0.0;  ///< [1]
+  Grid layer;                  ///< the block's lowest layer of atoms
+  Grid substrate;              ///< the rigid atoms
+  std::vector<double> heights; ///< of the rigid atoms [m], mean 0
+  int threads = 1;
+  std::filesystem::path scratch; ///< folder for checkpoints, dumps and what a
+                                 ///< child process reads and writes
+};
+
+/// One load step. Maps are on the grid of the lowest layer.
+struct AtomStep {
+  std::vector<double> pressure; ///< normal force an atom over a^2 [Pa]
+  std::vector<double> gap;      ///< z - h(x) - d_c [m], negative where the soft
+                                ///< potential is pressed in
+  double nominal_pressure = 0.0; ///< [Pa]
+  double mean_gap = 0.0;         ///< u = d - d_c [m]
+  double contact_count = 0.0;    ///< share of atoms with a pair nearer than
+                                 ///< d_c [1]
+  double elastic_energy = 0.0;   ///< of the bulk per nominal area [J/m^2]
+  double interface_energy = 0.0; ///< of all pairs per nominal area [J/m^2]
+  Inspection inspection;
+  int evaluations = 0;
+  double residual = 0.0;  ///< as RelaxationSettings::tolerance
+  bool converged = false; ///< in balance, and nothing went through
+  std::string note;       ///< why not; empty otherwise
+};
+
+class AtomicContact {
+public:
+  virtual ~AtomicContact() = default;
+
+  /// The next step of the load program: warm from the one before, or from
+  /// above where there is none.
+  /// @param amount  nominal pressure [Pa] or mean gap [m]
+  /// @param step    index in the program, names what is dumped
+  virtual AtomStep solve(cases::Control control, double amount, int step,
+                         const Watch& watch = {}) = 0;
+
+  /// One line for the report: lattice, bulk, modulus really shown.
+  virtual std::string description() const = 0;
+
+  /// E* that a wave of wavevector q a = 0.1 really meets [Pa].
+  virtual double shown_contact_modulus() const = 0;
+};
+
+/// @throws cases::CaseError   settings that do not go together, a program that
+///                            is not installed
+/// @throws std::domain_error  what a part refuses
+std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request);
+
+} // namespace asperity::md
