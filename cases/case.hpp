@@ -151,10 +151,8 @@ struct MdSettings {
   AtomLattice lattice = AtomLattice::isotropic;
   AtomBulk bulk = AtomBulk::green;
   AtomModes modes = AtomModes::vector;
-  std::optional<int> atoms;            ///< a side, of the block's lowest layer
-  std::optional<int> substrate_atoms;  ///< a side
-  std::optional<double> magnification; ///< zeta: roughness above zeta q_0 is
-                                       ///< left out of this method's surface
+  std::optional<int> atoms;           ///< a side, of the block's lowest layer
+  std::optional<int> substrate_atoms; ///< a side
 
   AtomPotential potential = AtomPotential::repulsive;
   double interaction_energy = 0.0;   ///< eps [J] > 0
@@ -188,6 +186,9 @@ struct MethodSpec {
   std::string name;
   std::variant<TheorySettings, HalfspaceSettings, FemSettings, MdSettings>
       settings;
+  /// zeta: of a self-affine surface, roughness above zeta q_0 is left out for
+  /// this method; phases and amplitudes of what stays do not change.
+  std::optional<double> magnification = {};
 };
 
 /// [report]

@@ -144,7 +144,8 @@ page is generated from the table that the reader checks by
 std::string case_template(const std::string& name) {
   std::string text =
       "# A case for asperity. Quantities are numbers in SI or strings with a "
-      "unit;\n# keys behind a # show their default or an alternative.\n";
+      "unit;\n# keys behind a # show their default or an alternative. "
+      "docs/case.md has\n# one method more, atoms: [md].\n";
   for (const Table& table : vocabulary()) {
     bool is_shown = false;
     for (const Key& key : table.keys)

@@ -87,6 +87,7 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node expect = table_called(file, "expect", false, mistakes);
   if (expect.is_table())
     read.expectations = read_expectations(expect, kind, read.methods, mistakes);
+  check_together(file, read, mistakes);
 }
 
 void require_file(const Case& read) {

@@ -55,15 +55,32 @@ FemSettings read_fem(TableReader& table) {
   return fem;
 }
 
+std::optional<double> read_magnification(TableReader& table,
+                                         SurfaceKind surface) {
+  if (!table.has("magnification"))
+    return std::nullopt;
+  const double magnification = table.number("magnification");
+  if (surface != SurfaceKind::self_affine)
+    table.refuse(*table.node().find("magnification"),
+                 "means nothing here: it counts from the roll-off wavevector "
+                 "of a self-affine surface");
+  return magnification;
+}
+
 MethodSpec read_method(const Node& node, const std::string& kind,
                        SurfaceKind surface, Mistakes& mistakes) {
   TableReader table(node, vocabulary_table(kind), mistakes);
   table.refuse_unknown();
+  MethodSpec method{node.path, {}, read_magnification(table, surface)};
   if (kind == "theory")
-    return {node.path, read_theory(table, surface)};
-  if (kind == "halfspace")
-    return {node.path, read_halfspace(table)};
-  return {node.path, read_fem(table)};
+    method.settings = read_theory(table, surface);
+  else if (kind == "halfspace")
+    method.settings = read_halfspace(table);
+  else if (kind == "fem")
+    method.settings = read_fem(table);
+  else
+    method.settings = read_md(table);
+  return method;
 }
 
 // A variant's name is a sub-table that is no key: [fem.hard].
@@ -130,7 +147,7 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
   }
   if (!has_any)
     mistakes.add(file.place, "no method is named; allowed: [theory], "
-                             "[halfspace], [fem]");
+                             "[halfspace], [fem], [md]");
   std::vector<MethodSpec> methods = ranks[0];
   methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());
   return methods;
@@ -144,6 +161,7 @@ Demands demands_of(const std::vector<MethodSpec>& methods) {
     if (!theory || theory->spectrum == TheorySpectrum::surface)
       demands.is_surface_built = true;
     if (std::holds_alternative<FemSettings>(method.settings) ||
+        std::holds_alternative<MdSettings>(method.settings) ||
         (slab && slab->thickness))
       demands.is_poisson_needed = true;
   }

@@ -5,6 +5,7 @@
 
 #include "cases/case.hpp"
 #include "cases/node.hpp"
+#include "cases/table_reader.hpp"
 
 #include <string>
 #include <vector>
@@ -14,11 +15,13 @@ namespace asperity::cases {
 /// What the methods ask of the rest of the case.
 struct Demands {
   bool is_surface_built = true;   ///< some method needs a realisation
-  bool is_poisson_needed = false; ///< [fem], or a slab of finite thickness
+  bool is_poisson_needed = false; ///< [fem], [md], or a slab of finite
+                                  ///< thickness
 };
 
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes);
+MdSettings read_md(TableReader& table);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 
 SurfaceSpec read_surface(const Node& node, const std::string& folder,
@@ -30,5 +33,9 @@ ReportSpec read_report(const Node& table, Mistakes& mistakes);
 std::vector<Expectation>
 read_expectations(const Node& table, SurfaceKind kind,
                   const std::vector<MethodSpec>& methods, Mistakes& mistakes);
+
+/// What only the whole case can tell: a lattice without the material's nu, a
+/// magnification below the longest wave.
+void check_together(const Node& file, const Case& read, Mistakes& mistakes);
 
 } // namespace asperity::cases

@@ -1,5 +1,6 @@
 #include "cases/units.hpp"
 
+#include "base/physical_constants.hpp"
 #include "cases/nearest.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,17 @@ const std::vector<Unit>& units() {
       {"GPa", pressure, 1e9},
       {"N", force},
       {"J/m^2", energy_per_area},
+      {"J", energy},
+      {"eV", energy, electronvolt},
+      {"meV", energy, electronvolt, 1e3},
+      {"kg", mass},
+      {"u", mass, atomic_mass_unit},
+      {"s", time},
+      {"ps", time, 1.0, 1e12},
+      {"fs", time, 1.0, 1e15},
+      {"1/s", rate},
+      {"1/ps", rate, 1e12},
+      {"K", temperature},
       {"1/m", wavevector},
       {"Pa/m", stiffness},
       {"E*", pressure, 1.0, 1.0, Yardstick::contact_modulus},
@@ -85,6 +97,16 @@ std::string dimension_name(Dimension dimension) {
     return "force";
   case Dimension::energy_per_area:
     return "energy per area";
+  case Dimension::energy:
+    return "energy";
+  case Dimension::mass:
+    return "mass";
+  case Dimension::time:
+    return "time";
+  case Dimension::rate:
+    return "rate";
+  case Dimension::temperature:
+    return "temperature";
   }
   return "";
 }

@@ -19,6 +19,11 @@ enum class Dimension {
   stiffness,       ///< [Pa/m], pressure over penetration
   force,           ///< [N]
   energy_per_area, ///< [J/m^2]
+  energy,          ///< [J]
+  mass,            ///< [kg]
+  time,            ///< [s]
+  rate,            ///< [1/s]
+  temperature,     ///< [K]
 };
 
 /// A unit as a case file spells it. A number of it is worth

@@ -73,7 +73,7 @@ struct Key {
 
 struct Table {
   std::string name; ///< "surface", "material.counter"; "" for the file's top
-  std::string when; ///< a sentence: whether it is needed
+  std::string when = {};  ///< a sentence: whether it is needed
   bool is_method = false; ///< may hold variants
   bool is_part = false;   ///< of a value, not written as [name]
   std::string description;
@@ -96,6 +96,7 @@ std::string reason_of_kind(const std::string& kind);
 
 /// The rows, by file.
 Table surface_table();
+Table md_table();
 std::vector<Table> method_tables();
 
 } // namespace asperity::cases

@@ -174,8 +174,6 @@ Table sweep_table() {
 
 Table theory_table() {
   return {.name = "theory",
-          .when = "Runs only if this table is there.",
-          .is_method = true,
           .description = "Persson's theory.",
           .keys = {
               {.name = "gamma",
@@ -198,8 +196,6 @@ Table theory_table() {
 
 Table halfspace_table() {
   return {.name = "halfspace",
-          .when = "Runs only if this table is there.",
-          .is_method = true,
           .description = "The continuum half-space, or a slab of finite "
                          "thickness, spectral.",
           .keys = with_contact({
@@ -216,8 +212,6 @@ Table halfspace_table() {
 
 Table fem_table() {
   return {.name = "fem",
-          .when = "Runs only if this table is there.",
-          .is_method = true,
           .description = "The block by finite elements.",
           .keys = with_contact({
               {.name = "element",
@@ -256,11 +250,36 @@ Table fem_table() {
           })};
 }
 
+/// The key every method has.
+Key magnification_key() {
+  return {.name = "magnification",
+          .range = positive(),
+          .when = "default: all of the roughness; self-affine surfaces only",
+          .example = "4.0",
+          .description = "zeta: this method's surface has no roughness above "
+                         "zeta times the roll-off wavevector; what stays keeps "
+                         "its phases and amplitudes."};
+}
+
+/// A method's own keys and the one that all have.
+Table as_method(Table table) {
+  table.is_method = true;
+  table.when = "Runs only if this table is there.";
+  table.keys.push_back(magnification_key());
+  return table;
+}
+
 } // namespace
 
 std::vector<Table> method_tables() {
-  return {material_table(), counter_table(),   load_table(), sweep_table(),
-          theory_table(),   halfspace_table(), fem_table()};
+  return {material_table(),
+          counter_table(),
+          load_table(),
+          sweep_table(),
+          as_method(theory_table()),
+          as_method(halfspace_table()),
+          as_method(fem_table()),
+          as_method(md_table())};
 }
 
 } // namespace asperity::cases

@@ -60,7 +60,7 @@ TEST(Mistakes, NameTheMissingTables) {
   EXPECT_EQ(mistakes_of("schema = 1\n"),
             "  case.toml:1: the table [surface] is missing\n"
             "  case.toml:1: no method is named; allowed: [theory], "
-            "[halfspace], [fem]\n"
+            "[halfspace], [fem], [md]\n"
             "  case.toml:1: the table [material] is missing\n"
             "  case.toml:1: the table [load] is missing\n");
 }
