@@ -3,15 +3,16 @@
 #include "results/observables.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace asperity::app {
+namespace {
 
-results::CurvePoint curve_row(const contact::ContactSolution& solution,
-                              const StepSolver& solver,
-                              const MethodDescription& method,
-                              const SurfaceOfCase& surface) {
+results::CurvePoint row_of(const contact::ContactSolution& solution,
+                           const Observation& observation,
+                           const SurfaceOfCase& surface) {
   const Grid& grid = surface.record.grid;
-  const std::span<const double> weights = solver.nodal_weights();
+  const std::span<const double> weights = observation.nodal_weights;
   results::CurvePoint row;
   row.nominal_pressure = solution.nominal_pressure;
   row.mean_gap = solution.mean_gap;
@@ -20,11 +21,11 @@ results::CurvePoint curve_row(const contact::ContactSolution& solution,
   row.contact_perimeter = results::contact_perimeter(grid, solution.pressure);
   row.area_fraction_corrected = results::corrected_area_fraction(
       row.area_fraction, row.contact_perimeter, surface.scales.spacing,
-      method.area_coefficient);
+      observation.area_coefficient);
   row.elastic_energy = results::elastic_energy(solution.pressure,
                                                solution.displacement, weights);
   row.contact_energy = results::contact_energy(
-      solution.pressure, solver.local_compliance(), weights);
+      solution.pressure, observation.local_compliance, weights);
   row.contact_stiffness = std::numeric_limits<double>::quiet_NaN();
   row.iterations = solution.iterations;
   row.residual = solution.gap_error / surface.scales.rms_height;
@@ -32,6 +33,16 @@ results::CurvePoint curve_row(const contact::ContactSolution& solution,
                                   : results::StepStatus::not_converged;
   row.note = solution.note;
   return row;
+}
+
+} // namespace
+
+StepAnswer observe(contact::ContactSolution solution,
+                   const Observation& observation,
+                   const SurfaceOfCase& surface) {
+  results::CurvePoint row = row_of(solution, observation, surface);
+  return {std::move(row), surface.record.grid, std::move(solution.pressure),
+          std::move(solution.gap)};
 }
 
 } // namespace asperity::app

@@ -3,15 +3,25 @@
 // A solved step as a row of the curve: every elastic method is read by the
 // same observables.
 
-#include "app/elastic_method.hpp"
-#include "results/result.hpp"
+#include "app/step_solver.hpp"
+#include "app/surfaces_of_case.hpp"
+#include "contact/solver.hpp"
+
+#include <span>
 
 namespace asperity::app {
 
-/// Everything but the times and the stiffness, which is the curve's.
-results::CurvePoint curve_row(const contact::ContactSolution& solution,
-                              const StepSolver& solver,
-                              const MethodDescription& method,
-                              const SurfaceOfCase& surface);
+/// What the observables need to know of the operator behind a solution.
+struct Observation {
+  std::span<const double> nodal_weights; ///< contact::SurfaceOperator's
+  double local_compliance = 0.0; ///< 1/k [m/Pa] of a penalty that stays, 0 for
+                                 ///< a hard wall
+  double area_coefficient = 0.0; ///< see results::corrected_area_fraction
+};
+
+/// The solution's maps are moved into the answer.
+StepAnswer observe(contact::ContactSolution solution,
+                   const Observation& observation,
+                   const SurfaceOfCase& surface);
 
 } // namespace asperity::app

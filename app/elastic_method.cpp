@@ -1,6 +1,6 @@
 #include "app/elastic_method.hpp"
 
-#include "cases/case_error.hpp"
+#include "app/curve_row.hpp"
 #include "contact/halfspace.hpp"
 #include "results/observables.hpp"
 
@@ -30,29 +30,37 @@ contact::Interface interface_of(const ContactSettings& settings,
   return {contact::Law::hard, 0.0};
 }
 
+contact::LoadTarget load_target(const StepTarget& target) {
+  return {target.control == cases::Control::nominal_pressure
+              ? contact::LoadTarget::Kind::nominal_pressure
+              : contact::LoadTarget::Kind::mean_gap,
+          target.amount};
+}
+
 /// Any surface operator under the contact room's solver.
 class OperatorSolver final : public StepSolver {
 public:
   OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
-                 const ContactSettings& settings, const SurfaceOfCase& surface)
-      : weights_(elasticity->nodal_weights().begin(),
+                 const ContactSettings& settings, const SurfaceOfCase& surface,
+                 double area_coefficient)
+      : surface_(surface),
+        area_coefficient_(area_coefficient),
+        weights_(elasticity->nodal_weights().begin(),
                  elasticity->nodal_weights().end()),
         sequence_(std::move(elasticity), surface.record.heights,
                   interface_of(settings, surface.scales),
                   settings.tolerance * surface.scales.rms_height,
                   settings.max_iterations) {}
 
-  contact::ContactSolution solve(const contact::LoadTarget& target) override {
-    return sequence_.solve(target);
+  StepAnswer solve(const StepTarget& target) override {
+    return observe(sequence_.solve(load_target(target)),
+                   {weights_, sequence_.local_compliance(), area_coefficient_},
+                   surface_);
   }
-
-  double local_compliance() const override {
-    return sequence_.local_compliance();
-  }
-
-  std::span<const double> nodal_weights() const override { return weights_; }
 
 private:
+  const SurfaceOfCase& surface_;
+  double area_coefficient_;
   std::vector<double> weights_;
   contact::LoadSequence sequence_;
 };
@@ -61,49 +69,45 @@ private:
 class FullSolver final : public StepSolver {
 public:
   FullSolver(std::unique_ptr<fem::FullBlock> block,
-             const ContactSettings& settings, const SurfaceOfCase& surface)
-      : block_(std::move(block)),
-        heights_(surface.record.heights),
-        rms_height_(surface.scales.rms_height),
+             const ContactSettings& settings, const SurfaceOfCase& surface,
+             double area_coefficient)
+      : surface_(surface),
+        area_coefficient_(area_coefficient),
+        block_(std::move(block)),
         contact_(fem::block_contact(settings, surface.scales)) {}
 
-  contact::ContactSolution solve(const contact::LoadTarget& target) override {
-    const bool by_pressure =
-        target.kind == contact::LoadTarget::Kind::nominal_pressure;
-    fem::BlockSolution block =
-        block_->solve(heights_,
-                      {by_pressure ? cases::Control::nominal_pressure
-                                   : cases::Control::mean_gap,
-                       target.amount},
-                      contact_);
+  StepAnswer solve(const StepTarget& target) override {
+    const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
+                                          ? 1.0 / contact_.penalty
+                                          : 0.0;
+    return observe(
+        as_contact(block_->solve(surface_.record.heights,
+                                 {target.control, target.amount}, contact_)),
+        {block_->nodal_weights(), penalty_compliance, area_coefficient_},
+        surface_);
+  }
+
+private:
+  contact::ContactSolution as_contact(fem::BlockSolution block) const {
+    const std::vector<double>& heights = surface_.record.heights;
     contact::ContactSolution solution;
     solution.displacement.resize(block.gap.size());
     for (std::size_t i = 0; i < block.gap.size(); ++i)
-      solution.displacement[i] = block.gap[i] + heights_[i] - block.mean_gap;
+      solution.displacement[i] = block.gap[i] + heights[i] - block.mean_gap;
     solution.pressure = std::move(block.pressure);
     solution.gap = std::move(block.gap);
     solution.nominal_pressure = block.nominal_pressure;
     solution.mean_gap = block.mean_gap;
-    solution.gap_error = block.residual * rms_height_;
+    solution.gap_error = block.residual * surface_.scales.rms_height;
     solution.iterations = block.iterations;
     solution.converged = block.converged;
     solution.note = std::move(block.note);
     return solution;
   }
 
-  double local_compliance() const override {
-    return contact_.law == cases::ContactLaw::penalty ? 1.0 / contact_.penalty
-                                                      : 0.0;
-  }
-
-  std::span<const double> nodal_weights() const override {
-    return block_->nodal_weights();
-  }
-
-private:
+  const SurfaceOfCase& surface_;
+  double area_coefficient_;
   std::unique_ptr<fem::FullBlock> block_;
-  std::vector<double> heights_;
-  double rms_height_;
   fem::BlockContact contact_;
 };
 
@@ -130,22 +134,10 @@ bool is_full(const FemSettings& settings) {
   return settings.solver == cases::FemSolver::full;
 }
 
-MethodDescription describe_fem(const FemSettings& settings) {
-  const bool is_q1 = settings.element == cases::Element::q1;
-  const std::string solver =
-      is_full(settings) ? "the full three-dimensional block"
-      : settings.solver == cases::FemSolver::condensed
-          ? "condensed to the contact face"
-          : "condensed to the contact face (auto: the block is laterally "
-            "uniform)";
-  return {"fem",
-          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
-                      "{:g}, {}",
-                      is_q1 ? "Q1" : "Q2", solver, settings.surface_cell_depth,
-                      settings.growth, in_words(settings.contact)),
-          is_q1 ? results::q1_area_coefficient(settings.surface_cell_depth)
-                : results::q2_area_coefficient,
-          is_full(settings)};
+double area_coefficient(const FemSettings& settings) {
+  return settings.element == cases::Element::q1
+             ? results::q1_area_coefficient(settings.surface_cell_depth)
+             : results::q2_area_coefficient;
 }
 
 contact::FarFace far_face_of(cases::TopFace top) {
@@ -194,23 +186,28 @@ std::string operator_key(const cases::MethodSpec& method,
 
 } // namespace
 
-MethodDescription describe(const cases::MethodSpec& method) {
-  if (const auto* block = std::get_if<FemSettings>(&method.settings))
-    return describe_fem(*block);
-  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
-    return {"halfspace",
-            fmt::format("continuum {}, spectral, {}",
-                        half->thickness ? "slab" : "half-space",
-                        in_words(half->contact)),
-            results::halfspace_area_coefficient, false};
-  const auto& theory = std::get<cases::TheorySettings>(method.settings);
-  return {"theory",
-          fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
-                      theory.gamma,
-                      theory.spectrum == cases::TheorySpectrum::formula
-                          ? "by the formula"
-                          : "measured on the surface"),
-          0.0, false};
+MethodDescription describe(const FemSettings& settings) {
+  const std::string solver =
+      is_full(settings) ? "the full three-dimensional block"
+      : settings.solver == cases::FemSolver::condensed
+          ? "condensed to the contact face"
+          : "condensed to the contact face (auto: the block is laterally "
+            "uniform)";
+  return {"fem",
+          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
+                      "{:g}, {}",
+                      settings.element == cases::Element::q1 ? "Q1" : "Q2",
+                      solver, settings.surface_cell_depth, settings.growth,
+                      in_words(settings.contact)),
+          is_full(settings)};
+}
+
+MethodDescription describe(const HalfspaceSettings& settings) {
+  return {"halfspace",
+          fmt::format("continuum {}, spectral, {}",
+                      settings.thickness ? "slab" : "half-space",
+                      in_words(settings.contact)),
+          false};
 }
 
 SolverFactory::SolverFactory(const cases::MaterialSpec& material)
@@ -221,14 +218,16 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 int threads) {
   if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
     return std::make_unique<OperatorSolver>(
-        shared_operator(method, surface, threads), half->contact, surface);
+        shared_operator(method, surface, threads), half->contact, surface,
+        results::halfspace_area_coefficient);
   const auto& block = std::get<FemSettings>(method.settings);
   if (is_full(block))
     return std::make_unique<FullSolver>(
         fem::load_fem_room().full(request(block, surface, threads)),
-        block.contact, surface);
+        block.contact, surface, area_coefficient(block));
   return std::make_unique<OperatorSolver>(
-      shared_operator(method, surface, threads), block.contact, surface);
+      shared_operator(method, surface, threads), block.contact, surface,
+      area_coefficient(block));
 }
 
 std::unique_ptr<contact::SurfaceOperator>

@@ -4,6 +4,7 @@
 // condensed block or full block behind one face. Owns the operators that
 // several runs share.
 
+#include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "contact/load_sequence.hpp"
 #include "fem/plugin.hpp"
@@ -15,32 +16,11 @@
 
 namespace asperity::app {
 
-/// One elastic method on one realisation.
-class StepSolver {
-public:
-  virtual ~StepSolver() = default;
-  virtual contact::ContactSolution solve(const contact::LoadTarget& target) = 0;
+MethodDescription describe(const cases::HalfspaceSettings& settings);
+MethodDescription describe(const cases::FemSettings& settings);
 
-  /// 1/k [m/Pa] of a penalty that stays, 0 for a hard wall.
-  virtual double local_compliance() const = 0;
-
-  /// As contact::SurfaceOperator has them.
-  virtual std::span<const double> nodal_weights() const = 0;
-};
-
-/// What a method is, in words for the report, and what corrects its area.
-struct MethodDescription {
-  std::string kind;              ///< theory | halfspace | fem
-  std::string text;              ///< one line
-  double area_coefficient = 0.0; ///< see results::corrected_area_fraction
-  bool runs_alone = false;       ///< its library allows one run at a time
-};
-
-/// @throws cases::CaseError  settings that do not go together
-MethodDescription describe(const cases::MethodSpec& method);
-
-/// Makes solvers; operators of equal block and grid are set up once and
-/// shared. Safe to call from any thread.
+/// Of half-space and finite elements. Makes solvers; operators of equal block
+/// and grid are set up once and shared. Safe to call from any thread.
 class SolverFactory {
 public:
   explicit SolverFactory(const cases::MaterialSpec& material);

@@ -11,6 +11,7 @@ namespace asperity::app {
 namespace {
 
 constexpr int bar_width = 24;
+constexpr std::chrono::milliseconds shortest_pause{200};
 
 } // namespace
 
@@ -18,7 +19,7 @@ Progress::Progress(int n_steps, double contact_modulus)
     : n_steps_(std::max(n_steps, 1)),
       contact_modulus_(contact_modulus),
       is_terminal_(isatty(STDOUT_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()) {}
+      start_(Clock::now()) {}
 
 Progress::~Progress() {
   if (is_terminal_)
@@ -45,15 +46,31 @@ void Progress::step_done(const std::string& method, int realization,
   std::fflush(stdout);
 }
 
+void Progress::at_work(const std::string& method, int realization,
+                       int evaluations, double residual) {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  if (!is_terminal_ || now - last_drawn_ < shortest_pause)
+    return;
+  last_drawn_ = now;
+  draw_head();
+  fmt::print("  {} r{}  {} evaluations  residual {:.1e}", method, realization,
+             evaluations, residual);
+  std::fflush(stdout);
+}
+
+void Progress::draw_head() const {
+  const int filled = bar_width * n_done_ / n_steps_;
+  fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}/{}", "", filled, "",
+             bar_width - filled, n_done_, n_steps_);
+}
+
 void Progress::draw_bar(const std::string& method, int realization,
                         const results::CurvePoint& point) {
-  const auto elapsed = std::chrono::steady_clock::now() - start_;
   const auto left = std::chrono::duration_cast<std::chrono::seconds>(
-      elapsed * (n_steps_ - n_done_) / n_done_);
-  const int filled = bar_width * n_done_ / n_steps_;
-  fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}/{}  {} r{} step {}  residual {:.0e}  "
-             "{:%H:%M:%S} left",
-             "", filled, "", bar_width - filled, n_done_, n_steps_, method,
+      (Clock::now() - start_) * (n_steps_ - n_done_) / n_done_);
+  draw_head();
+  fmt::print("  {} r{} step {}  residual {:.0e}  {:%H:%M:%S} left", method,
              realization, point.step, point.residual, left);
   std::fflush(stdout);
 }

@@ -24,7 +24,16 @@ public:
   void step_done(const std::string& method, int realization,
                  const results::CurvePoint& point, double rms_height);
 
+  /// A step is at work; shown on a terminal, a few times a second.
+  /// @param residual  as the method measures it
+  void at_work(const std::string& method, int realization, int evaluations,
+               double residual);
+
 private:
+  using Clock = std::chrono::steady_clock;
+
+  /// The bar and what is counted, without a line's end.
+  void draw_head() const;
   void draw_bar(const std::string& method, int realization,
                 const results::CurvePoint& point);
 
@@ -33,7 +42,8 @@ private:
   int n_done_ = 0;
   double contact_modulus_;
   bool is_terminal_;
-  std::chrono::steady_clock::time_point start_;
+  Clock::time_point start_;
+  Clock::time_point last_drawn_;
 };
 
 } // namespace asperity::app

@@ -1,9 +1,8 @@
 #include "app/run_case.hpp"
 
 #include "app/cpu_clock.hpp"
-#include "app/curve_row.hpp"
-#include "app/elastic_method.hpp"
 #include "app/interrupt.hpp"
+#include "app/methods.hpp"
 #include "app/progress.hpp"
 #include "app/provenance_of_run.hpp"
 #include "app/theory_method.hpp"
@@ -64,12 +63,10 @@ std::set<std::size_t> steps_with_fields(int n_fields, std::size_t n_steps) {
   return steps;
 }
 
-contact::LoadTarget target_of(const cases::LoadProgram& load, std::size_t step,
-                              const cases::Scales& scales) {
-  return {load.control == cases::Control::nominal_pressure
-              ? contact::LoadTarget::Kind::nominal_pressure
-              : contact::LoadTarget::Kind::mean_gap,
-          load.targets[step].in_si(scales)};
+StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
+                     const cases::Scales& scales) {
+  return {load.control, load.targets[step].in_si(scales),
+          static_cast<int>(step)};
 }
 
 /// A new run keeps the last result under another name, and leaves no table or
@@ -92,16 +89,17 @@ public:
   Run(const cases::Case& rough_case, const RunOptions& options,
       std::vector<MethodSpec> methods)
       : case_(rough_case),
+        folder_(options.folder),
         methods_(std::move(methods)),
         pool_(options.threads),
-        surfaces_(build_surfaces(case_of_run())),
+        surfaces_(case_of_run()),
         writer_(options.resume ? options.folder
                                : put_last_run_aside(options.folder),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
                  case_.material.contact_modulus, options.reference},
                 options.resume ? results::ResultWriter::Mode::resume
                                : results::ResultWriter::Mode::create),
-        solvers_(case_.material),
+        solvers_(case_),
         progress_(n_steps(), case_.material.contact_modulus),
         field_steps_(steps_with_fields(case_.report.fields,
                                        case_.load.targets.size())) {}
@@ -121,15 +119,17 @@ private:
   void begin();
   void run_theory(const MethodSpec& method, int realization);
   void run_elastic(const MethodSpec& method, int realization);
+  Resources resources_of(const MethodSpec& method, int realization);
   void run_step(StepSolver& solver, const MethodSpec& method, int realization,
                 std::size_t step);
 
   const cases::Case& case_;
+  fs::path folder_;
   std::vector<MethodSpec> methods_;
   WorkerPool pool_;
-  std::vector<SurfaceOfCase> surfaces_;
+  CaseSurfaces surfaces_;
   results::ResultWriter writer_;
-  SolverFactory solvers_;
+  MethodFactory solvers_;
   Progress progress_;
   std::set<std::size_t> field_steps_;
   std::atomic<int> failed_steps_ = 0;
@@ -153,8 +153,8 @@ int Run::n_steps() const {
 }
 
 void Run::begin() {
-  for (std::size_t r = 0; r < surfaces_.size(); ++r)
-    writer_.record_surface(static_cast<int>(r), surfaces_[r].record);
+  for (std::size_t r = 0; r < surfaces_.whole().size(); ++r)
+    writer_.record_surface(static_cast<int>(r), surfaces_.whole()[r].record);
   for (const MethodSpec& method : methods_) {
     const MethodDescription description = describe(method);
     writer_.begin_method(method.name, description.kind, description.text);
@@ -189,11 +189,12 @@ void Run::run_theory(const MethodSpec& method, int realization) {
   const auto& settings = std::get<cases::TheorySettings>(method.settings);
   const bool by_formula = settings.spectrum == cases::TheorySpectrum::formula;
   const CpuClock clock;
-  const std::size_t r = static_cast<std::size_t>(realization);
   const theory::HeightSpectrum spectrum =
-      by_formula ? formula_of_case(case_) : spectrum_of(surfaces_[r]);
-  const cases::Scales scales =
-      by_formula ? formula_scales(case_, spectrum) : surfaces_[r].scales;
+      by_formula ? formula_of_case(case_, method)
+                 : spectrum_of(surfaces_.of(method, realization));
+  const cases::Scales scales = by_formula
+                                   ? formula_scales(case_, spectrum)
+                                   : surfaces_.of(method, realization).scales;
   std::vector<CurvePoint> rows =
       theory_rows(settings, case_.load, spectrum, scales);
   std::erase_if(rows, [&](const CurvePoint& row) {
@@ -222,31 +223,42 @@ void Run::run_elastic(const MethodSpec& method, int realization) {
 
   const CpuClock clock(pool_.threads_a_job());
   const std::unique_ptr<StepSolver> solver =
-      solvers_.make(method, surfaces_[static_cast<std::size_t>(realization)],
-                    pool_.threads_a_job());
+      solvers_.make(method, surfaces_.of(method, realization), realization,
+                    resources_of(method, realization));
   writer_.record_setup_time(method.name, realization, clock.seconds());
   for (std::size_t step = first; step < n_targets && !is_interrupted(); ++step)
     if (!is_done(step))
       run_step(*solver, method, realization, step);
 }
 
+Resources Run::resources_of(const MethodSpec& method, int realization) {
+  return {pool_.threads_a_job(),
+          folder_ / fmt::format("{}-{}", method.name, realization),
+          [this, &method, realization](const md::Progress& work) {
+            progress_.at_work(method.name, realization, work.evaluations,
+                              work.residual);
+            return !is_interrupted();
+          }};
+}
+
 void Run::run_step(StepSolver& solver, const MethodSpec& method,
                    int realization, std::size_t step) {
-  const SurfaceOfCase& surface =
-      surfaces_[static_cast<std::size_t>(realization)];
+  const SurfaceOfCase& surface = surfaces_.of(method, realization);
   const CpuClock clock(pool_.threads_a_job());
-  contact::ContactSolution solution =
-      solver.solve(target_of(case_.load, step, surface.scales));
-  CurvePoint row = curve_row(solution, solver, describe(method), surface);
+  StepAnswer answer = solver.solve(target_of(case_.load, step, surface.scales));
+  CurvePoint& row = answer.row;
+  const bool has_failed = row.status == results::StepStatus::not_converged;
+  if (has_failed && is_interrupted())
+    return; // broken off in the middle: the step is still to be done
   row.step = static_cast<int>(step);
   row.is_unloading = case_.load.is_unloading[step];
   row.cpu_time = clock.seconds();
-  failed_steps_ += solution.converged ? 0 : 1;
+  failed_steps_ += has_failed ? 1 : 0;
   if (realization == 0 && field_steps_.contains(step))
-    writer_.append_step_with_fields(
-        method.name, realization, row, surface.record.grid,
-        {row.step, row.nominal_pressure, std::move(solution.pressure),
-         std::move(solution.gap)});
+    writer_.append_step_with_fields(method.name, realization, row, answer.grid,
+                                    {row.step, row.nominal_pressure,
+                                     std::move(answer.pressure),
+                                     std::move(answer.gap)});
   else
     writer_.append_step(method.name, realization, row);
   progress_.step_done(method.name, realization, row, surface.scales.rms_height);

@@ -27,43 +27,79 @@ results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
   return record;
 }
 
+bool takes_formula(const cases::MethodSpec& method) {
+  const auto* theory = std::get_if<cases::TheorySettings>(&method.settings);
+  return theory != nullptr &&
+         theory->spectrum == cases::TheorySpectrum::formula;
+}
+
+SurfaceOfCase as_taken(const cases::Case& rough_case,
+                       const surfaces::HeightMap& map) {
+  SurfaceOfCase surface;
+  surface.record = record_of(map);
+  if (!(surface.record.rms_height > 0.0))
+    throw cases::CaseError(rough_case.path +
+                           ": the surface is flat; there is no roughness "
+                           "to press on");
+  surface.scales = {rough_case.material.contact_modulus,
+                    surface.record.grid.length_x,
+                    surface.record.grid.spacing_x(), surface.record.rms_height};
+  return surface;
+}
+
 } // namespace
 
 bool needs_surfaces(const cases::Case& rough_case) {
-  return std::any_of(rough_case.methods.begin(), rough_case.methods.end(),
-                     [](const cases::MethodSpec& method) {
-                       const auto* theory =
-                           std::get_if<cases::TheorySettings>(&method.settings);
-                       return theory == nullptr ||
-                              theory->spectrum ==
-                                  cases::TheorySpectrum::surface;
-                     });
+  return !std::all_of(rough_case.methods.begin(), rough_case.methods.end(),
+                      takes_formula);
 }
 
-std::vector<SurfaceOfCase> build_surfaces(const cases::Case& rough_case) {
-  std::vector<SurfaceOfCase> built;
+std::optional<double> highest_wavevector(const cases::Case& rough_case,
+                                         const cases::MethodSpec& method) {
+  if (!method.magnification)
+    return std::nullopt;
+  return *method.magnification * rough_case.surface.wavevector_roll_off;
+}
+
+CaseSurfaces::CaseSurfaces(const cases::Case& rough_case) {
   if (!needs_surfaces(rough_case))
-    return built;
-  for (int r = 0; r < rough_case.surface.realizations; ++r) {
-    SurfaceOfCase surface;
-    surface.record = record_of(surfaces::build_surface(rough_case.surface, r));
-    if (!(surface.record.rms_height > 0.0))
-      throw cases::CaseError(rough_case.path +
-                             ": the surface is flat; there is no roughness "
-                             "to press on");
-    surface.scales = {
-        rough_case.material.contact_modulus, surface.record.grid.length_x,
-        surface.record.grid.spacing_x(), surface.record.rms_height};
-    built.push_back(std::move(surface));
+    return;
+  for (int r = 0; r < rough_case.surface.realizations; ++r)
+    whole_.push_back(
+        as_taken(rough_case, surfaces::build_surface(rough_case.surface, r)));
+  for (const cases::MethodSpec& method : rough_case.methods) {
+    if (!method.magnification || takes_formula(method) ||
+        magnified_.contains(*method.magnification))
+      continue;
+    std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
+    for (int r = 0; r < rough_case.surface.realizations; ++r)
+      shown.push_back(as_taken(
+          rough_case, surfaces::build_surface_on(
+                          rough_case.surface, r,
+                          whole_[static_cast<std::size_t>(r)].record.grid,
+                          highest_wavevector(rough_case, method))));
   }
-  return built;
 }
 
-theory::HeightSpectrum formula_of_case(const cases::Case& rough_case) {
-  const surfaces::IsotropicSpectrum spectrum =
+const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
+  return whole_;
+}
+
+const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
+                                      int realization) const {
+  const auto r = static_cast<std::size_t>(realization);
+  return method.magnification ? magnified_.at(*method.magnification).at(r)
+                              : whole_.at(r);
+}
+
+theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
+                                       const cases::MethodSpec& method) {
+  const surfaces::IsotropicSpectrum formula =
       surfaces::formula_spectrum(rough_case.surface);
-  return theory::HeightSpectrum(
-      theory::SpectrumFormula{spectrum.density, spectrum.kinks});
+  theory::HeightSpectrum spectrum(
+      theory::SpectrumFormula{formula.density, formula.kinks});
+  const std::optional<double> highest = highest_wavevector(rough_case, method);
+  return highest ? spectrum.between(0.0, *highest) : spectrum;
 }
 
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {

@@ -7,12 +7,13 @@
 #include "results/result.hpp"
 #include "theory/height_spectrum.hpp"
 
+#include <map>
 #include <optional>
 #include <vector>
 
 namespace asperity::app {
 
-/// The surface of one realisation as every method takes it.
+/// The surface of one realisation as a method takes it.
 struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
   cases::Scales scales;          ///< the yardsticks' values on it
@@ -22,12 +23,34 @@ struct SurfaceOfCase {
 /// its spectrum from the formula.
 bool needs_surfaces(const cases::Case& rough_case);
 
-/// One a realisation; empty if none is needed.
-/// @throws cases::CaseError, std::domain_error  what the surface room refuses
-std::vector<SurfaceOfCase> build_surfaces(const cases::Case& rough_case);
+/// zeta q_0 [rad/m], above which the method's surface has no roughness; empty
+/// where the method has no magnification.
+std::optional<double> highest_wavevector(const cases::Case& rough_case,
+                                         const cases::MethodSpec& method);
 
-/// The formula's spectrum for the theory, or the measured one of a surface.
-theory::HeightSpectrum formula_of_case(const cases::Case& rough_case);
+/// One surface a realisation, and one more for each magnification that a
+/// method asks for.
+class CaseSurfaces {
+public:
+  /// Builds those that the case's methods need, which may be none.
+  /// @throws cases::CaseError, std::domain_error  what the surface room refuses
+  explicit CaseSurfaces(const cases::Case& rough_case);
+
+  /// The surfaces with all of their roughness.
+  const std::vector<SurfaceOfCase>& whole() const;
+
+  const SurfaceOfCase& of(const cases::MethodSpec& method,
+                          int realization) const;
+
+private:
+  std::vector<SurfaceOfCase> whole_;
+  std::map<double, std::vector<SurfaceOfCase>> magnified_;
+};
+
+/// The formula's spectrum for a theory, as far as its magnification shows it,
+/// or the measured one of a surface.
+theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
+                                       const cases::MethodSpec& method);
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
 
 /// The yardsticks of a case that builds no surface; rms height by the formula,

@@ -3,6 +3,8 @@
 #include "app/cpu_clock.hpp"
 #include "theory/persson.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace asperity::app {
@@ -36,6 +38,16 @@ results::CurvePoint row_without_pressure(double mean_gap) {
 }
 
 } // namespace
+
+MethodDescription describe(const cases::TheorySettings& settings) {
+  return {"theory",
+          fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
+                      settings.gamma,
+                      settings.spectrum == cases::TheorySpectrum::formula
+                          ? "by the formula"
+                          : "measured on the surface"),
+          false};
+}
 
 std::vector<results::CurvePoint> theory_rows(
     const cases::TheorySettings& settings, const cases::LoadProgram& load,

@@ -2,9 +2,12 @@
 
 // Persson's theory over a load program, as rows of the common curve.
 
+#include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
 
 namespace asperity::app {
+
+MethodDescription describe(const cases::TheorySettings& settings);
 
 /// One row a load step. Under gap control the pressure is the inverse of (14);
 /// a gap <= 0 has none and is a row that did not converge.

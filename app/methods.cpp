@@ -1,0 +1,26 @@
+#include "app/methods.hpp"
+
+#include "app/theory_method.hpp"
+
+namespace asperity::app {
+
+MethodDescription describe(const cases::MethodSpec& method) {
+  return std::visit([](const auto& settings) { return describe(settings); },
+                    method.settings);
+}
+
+MethodFactory::MethodFactory(const cases::Case& rough_case)
+    : case_(rough_case), elastic_(rough_case.material) {}
+
+std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
+                                                const SurfaceOfCase& surface,
+                                                int realization,
+                                                const Resources& resources) {
+  if (std::holds_alternative<cases::MdSettings>(method.settings))
+    return make_atomic_solver({case_, method, surface, realization,
+                               resources.threads, resources.scratch,
+                               resources.watch});
+  return elastic_.make(method, surface, resources.threads);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,42 @@
+#pragma once
+
+// One door to every method that answers with maps. Owns which solver stands
+// behind which settings.
+
+#include "app/atomic_method.hpp"
+#include "app/elastic_method.hpp"
+#include "app/step_solver.hpp"
+#include "app/surfaces_of_case.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace asperity::app {
+
+MethodDescription describe(const cases::MethodSpec& method);
+
+/// What a solver may use of the machine.
+struct Resources {
+  int threads = 1;               ///< for set-up and steps
+  std::filesystem::path scratch; ///< a folder of its own, made when needed
+  md::Watch watch = {};          ///< called while a long step is at work
+};
+
+/// Safe to call from any thread.
+class MethodFactory {
+public:
+  explicit MethodFactory(const cases::Case& rough_case);
+
+  /// Of any method but a theory. `surface` is the method's own, see
+  /// CaseSurfaces::of, and must outlive the solver, as the case must.
+  /// @throws cases::CaseError  settings that do not go together
+  std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
+                                   const SurfaceOfCase& surface,
+                                   int realization, const Resources& resources);
+
+private:
+  const cases::Case& case_;
+  SolverFactory elastic_;
+};
+
+} // namespace asperity::app
