@@ -1,6 +1,7 @@
 #include "app/atomic_method.hpp"
 
 #include "cases/case_error.hpp"
+#include "results/pressure_fit.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -64,6 +65,11 @@ results::CurvePoint row_of(const md::AtomStep& step) {
   row.nominal_pressure = step.nominal_pressure;
   row.mean_gap = step.mean_gap;
   row.area_fraction = step.contact_count;
+  row.area_fraction_fit =
+      results::fit_pressure_distribution(step.pressure).area_fraction;
+  row.area_fraction_corrected = row.area_fraction_fit;
+  row.area_fraction_moment =
+      results::pressure_fit_by_moment(step.pressure).area_fraction;
   row.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
   row.elastic_energy = step.elastic_energy;
   row.contact_energy = step.interface_energy;

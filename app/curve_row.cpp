@@ -1,6 +1,7 @@
 #include "app/curve_row.hpp"
 
 #include "results/observables.hpp"
+#include "results/pressure_fit.hpp"
 
 #include <limits>
 #include <utility>
@@ -22,6 +23,11 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   row.area_fraction_corrected = results::corrected_area_fraction(
       row.area_fraction, row.contact_perimeter, surface.scales.spacing,
       observation.area_coefficient);
+  row.area_fraction_fit =
+      results::fit_pressure_distribution(solution.pressure, weights)
+          .area_fraction;
+  row.area_fraction_moment =
+      results::pressure_fit_by_moment(solution.pressure, weights).area_fraction;
   row.elastic_energy = results::elastic_energy(solution.pressure,
                                                solution.displacement, weights);
   row.contact_energy = results::contact_energy(

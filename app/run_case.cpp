@@ -92,7 +92,7 @@ public:
         folder_(options.folder),
         methods_(std::move(methods)),
         pool_(options.threads),
-        surfaces_(case_of_run()),
+        surfaces_(case_, methods_),
         writer_(options.resume ? options.folder
                                : put_last_run_aside(options.folder),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
@@ -107,13 +107,6 @@ public:
   RunOutcome execute();
 
 private:
-  /// The case with the methods that were asked for: decides on surfaces.
-  cases::Case case_of_run() const {
-    cases::Case reduced = case_;
-    reduced.methods = methods_;
-    return reduced;
-  }
-
   int n_steps() const; ///< still to be done
   int n_realizations(const MethodSpec& method) const;
   void begin();
@@ -158,6 +151,10 @@ void Run::begin() {
   for (const MethodSpec& method : methods_) {
     const MethodDescription description = describe(method);
     writer_.begin_method(method.name, description.kind, description.text);
+    if (method.magnification)
+      for (int r = 0; r < n_realizations(method); ++r)
+        writer_.record_own_surface(method.name, r,
+                                   surfaces_.record_of(method, r));
   }
 }
 

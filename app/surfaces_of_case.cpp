@@ -49,9 +49,8 @@ SurfaceOfCase as_taken(const cases::Case& rough_case,
 
 } // namespace
 
-bool needs_surfaces(const cases::Case& rough_case) {
-  return !std::all_of(rough_case.methods.begin(), rough_case.methods.end(),
-                      takes_formula);
+bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
+  return !std::all_of(methods.begin(), methods.end(), takes_formula);
 }
 
 std::optional<double> highest_wavevector(const cases::Case& rough_case,
@@ -61,13 +60,15 @@ std::optional<double> highest_wavevector(const cases::Case& rough_case,
   return *method.magnification * rough_case.surface.wavevector_roll_off;
 }
 
-CaseSurfaces::CaseSurfaces(const cases::Case& rough_case) {
-  if (!needs_surfaces(rough_case))
+CaseSurfaces::CaseSurfaces(const cases::Case& rough_case,
+                           const std::vector<cases::MethodSpec>& methods)
+    : case_(rough_case) {
+  if (!needs_surfaces(methods))
     return;
   for (int r = 0; r < rough_case.surface.realizations; ++r)
     whole_.push_back(
         as_taken(rough_case, surfaces::build_surface(rough_case.surface, r)));
-  for (const cases::MethodSpec& method : rough_case.methods) {
+  for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || takes_formula(method) ||
         magnified_.contains(*method.magnification))
       continue;
@@ -90,6 +91,17 @@ const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
   const auto r = static_cast<std::size_t>(realization);
   return method.magnification ? magnified_.at(*method.magnification).at(r)
                               : whole_.at(r);
+}
+
+results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,
+                                               int realization) const {
+  if (!takes_formula(method))
+    return of(method, realization).record;
+  const theory::HeightSpectrum spectrum = formula_of_case(case_, method);
+  results::SurfaceRecord record;
+  record.rms_height = spectrum.rms_height();
+  record.rms_slope = spectrum.rms_slope();
+  return record;
 }
 
 theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,

@@ -19,9 +19,9 @@ struct SurfaceOfCase {
   cases::Scales scales;          ///< the yardsticks' values on it
 };
 
-/// True if a method of the case needs heights: all but a theory that takes
+/// True if one of the methods needs heights: all but a theory that takes
 /// its spectrum from the formula.
-bool needs_surfaces(const cases::Case& rough_case);
+bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
 
 /// zeta q_0 [rad/m], above which the method's surface has no roughness; empty
 /// where the method has no magnification.
@@ -32,9 +32,11 @@ std::optional<double> highest_wavevector(const cases::Case& rough_case,
 /// method asks for.
 class CaseSurfaces {
 public:
-  /// Builds those that the case's methods need, which may be none.
+  /// Builds those that the methods need, which may be none. The case must
+  /// outlive this.
   /// @throws cases::CaseError, std::domain_error  what the surface room refuses
-  explicit CaseSurfaces(const cases::Case& rough_case);
+  CaseSurfaces(const cases::Case& rough_case,
+               const std::vector<cases::MethodSpec>& methods);
 
   /// The surfaces with all of their roughness.
   const std::vector<SurfaceOfCase>& whole() const;
@@ -42,7 +44,13 @@ public:
   const SurfaceOfCase& of(const cases::MethodSpec& method,
                           int realization) const;
 
+  /// The statistics of a method's own surface; for a theory by the formula
+  /// those that the formula gives, without heights.
+  results::SurfaceRecord record_of(const cases::MethodSpec& method,
+                                   int realization) const;
+
 private:
+  const cases::Case& case_;
   std::vector<SurfaceOfCase> whole_;
   std::map<double, std::vector<SurfaceOfCase>> magnified_;
 };

@@ -52,12 +52,13 @@ Estimate largest_estimate(double largest, const char* missing) {
 
 LargestErrors errors_of(const results::Result& result,
                         const cases::SurfaceSpec& surface,
-                        const results::Curve& curve) {
+                        const results::MethodRecord& method) {
   const double modulus = result.contact_modulus;
-  const double top =
-      result.surfaces.empty() ? not_a_number : result.surfaces.front().highest;
+  const results::SurfaceRecord* map = surface_of(result, method, 0);
+  const double top = map == nullptr ? not_a_number : map->highest;
   LargestErrors largest;
-  for (const CurvePoint& row : loading_rows(curve.points)) {
+  for (const CurvePoint& row :
+       loading_rows(method.realizations.front().points)) {
     const ExactPoint exact =
         exact_point(surface, modulus, row.nominal_pressure, top);
     const ExactPoint answer = answer_of(row, surface, modulus, top);
@@ -82,8 +83,7 @@ void add_exact_quantities(const results::Result& result,
   if (method.kind == "theory" || method.realizations.empty())
     return; // Persson's theory is no answer to a single shape
   const cases::SurfaceSpec& surface = exact_case.surface;
-  const LargestErrors errors =
-      errors_of(result, surface, method.realizations.front());
+  const LargestErrors errors = errors_of(result, surface, method);
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
       errors.area_fraction, "no load has an exact contact fraction");

@@ -26,9 +26,10 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
                          const MethodRecord& method, std::size_t realization) {
   if (uses_formula(rough_case, method))
     return theory_of_formula(rough_case.surface, result.contact_modulus);
-  if (realization >= result.surfaces.size())
+  if (!method.realizations[realization].own_surface &&
+      realization >= result.surfaces.size())
     return {};
-  return theory_of_surface(result.surfaces[realization],
+  return theory_of_surface(*surface_of(result, method, realization),
                            result.contact_modulus);
 }
 

@@ -41,18 +41,31 @@ bool is_exact_shape(const SurfaceSpec& surface) {
          surface.kind == SurfaceKind::wave_2d;
 }
 
+const results::SurfaceRecord* surface_of(const results::Result& result,
+                                         const results::MethodRecord& method,
+                                         std::size_t realization) {
+  if (realization < method.realizations.size() &&
+      method.realizations[realization].own_surface)
+    return &*method.realizations[realization].own_surface;
+  if (result.surfaces.empty())
+    return nullptr;
+  return &result.surfaces[std::min(realization, result.surfaces.size() - 1)];
+}
+
 SurfaceScales scales_of(const results::Result& result,
                         const cases::Case& rough_case,
                         const results::MethodRecord& method,
                         std::size_t realization) {
   SurfaceScales scales = formula_scales(rough_case.surface);
   const bool formula_is_known = std::isfinite(scales.rms_height);
-  if (!result.surfaces.empty() &&
-      !(uses_formula(rough_case, method) && formula_is_known)) {
-    const results::SurfaceRecord& surface =
-        result.surfaces[std::min(realization, result.surfaces.size() - 1)];
-    scales.rms_height = surface.rms_height;
-    scales.rms_slope = surface.rms_slope;
+  const results::SurfaceRecord* surface =
+      surface_of(result, method, realization);
+  const bool is_own = realization < method.realizations.size() &&
+                      method.realizations[realization].own_surface;
+  if (surface != nullptr &&
+      (is_own || !(uses_formula(rough_case, method) && formula_is_known))) {
+    scales.rms_height = surface->rms_height;
+    scales.rms_slope = surface->rms_slope;
   }
   scales.contact_modulus = result.contact_modulus;
   return scales;

@@ -46,9 +46,10 @@ Cost cost_of(const MethodRecord& method) {
 Estimate penetration_of(const Result& result, const MethodRecord& method) {
   Estimate estimate;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
-    if (r >= result.surfaces.size())
+    const results::SurfaceRecord* surface = surface_of(result, method, r);
+    if (surface == nullptr)
       break;
-    const double rms_height = result.surfaces[r].rms_height;
+    const double rms_height = surface->rms_height;
     bool has_map = false;
     for (const results::Fields& fields : method.realizations[r].fields) {
       if (fields.gap.empty())

@@ -96,6 +96,12 @@ bool is_exact_shape(const cases::SurfaceSpec& surface);
 bool uses_formula(const cases::Case& rough_case,
                   const results::MethodRecord& method);
 
+/// The surface a method's realisation ran on: its own where it has one, else
+/// the case's; null if neither is in the result.
+const results::SurfaceRecord* surface_of(const results::Result& result,
+                                         const results::MethodRecord& method,
+                                         std::size_t realization);
+
 /// E*, h_rms and h' that a method's realisation is measured in: those of the
 /// surface it ran on, or of the formula if that is what the theory used.
 /// Fields are NaN where neither is known.

@@ -13,7 +13,8 @@ namespace asperity::results {
 /// quoted): a header with the units, then a row a step,
 ///
 ///     method,realization,step,nominal_pressure [Pa],mean_gap [m],
-///     area_fraction [1],area_fraction_corrected [1],contact_perimeter [1/m],
+///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
+///     area_fraction_moment [1],contact_perimeter [1/m],
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
 ///     cpu_time [s],status
 ///

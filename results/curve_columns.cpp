@@ -34,6 +34,8 @@ constexpr std::array columns{
     column<&CurvePoint::area_fraction>("area_fraction", "1"),
     column<&CurvePoint::area_fraction_corrected>("area_fraction_corrected",
                                                  "1"),
+    column<&CurvePoint::area_fraction_fit>("area_fraction_fit", "1"),
+    column<&CurvePoint::area_fraction_moment>("area_fraction_moment", "1"),
     column<&CurvePoint::contact_perimeter>("contact_perimeter", "1/m"),
     column<&CurvePoint::elastic_energy>("elastic_energy", "J/m^2"),
     column<&CurvePoint::contact_energy>("contact_energy", "J/m^2"),

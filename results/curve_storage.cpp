@@ -52,8 +52,12 @@ CurvePoint blank_point(int step) {
 } // namespace
 
 void append_points(Hdf5Group& curve, std::span<const CurvePoint> points) {
+  const std::size_t length =
+      curve.has(length_column) ? curve.extents(length_column).front() : 0;
   for (const CurveColumn& column : curve_columns()) {
     std::vector<double> numbers;
+    if (!curve.has(std::string(column.name))) // a column younger than the file
+      numbers.assign(length, column.get(blank_point(0)));
     for (const CurvePoint& point : points)
       numbers.push_back(column.get(point));
     curve.append(std::string(column.name), numbers,

@@ -10,7 +10,8 @@
 
 namespace asperity::results {
 
-/// Adds rows to every column of the group `curve`.
+/// Adds rows to every column of the group `curve`. A column that a file of an
+/// earlier program lacks is NaN (a count: 0) in the rows before.
 void append_points(Hdf5Group& curve, std::span<const CurvePoint> points);
 
 /// The rows in the order of their steps, as they were written.

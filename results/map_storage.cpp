@@ -56,6 +56,18 @@ Grid read_grid(const Hdf5Group& surface) {
   return grid;
 }
 
+/// Points by the shape of the map, sides by its attributes; 0 where unknown.
+Grid grid_of_map(const Hdf5Group& maps) {
+  Grid grid;
+  if (const auto extents = maps.extents("pressure"); extents.size() == 2) {
+    grid.points_y = static_cast<int>(extents[0]);
+    grid.points_x = static_cast<int>(extents[1]);
+  }
+  grid.length_x = number_or(maps, "length_x", 0.0);
+  grid.length_y = number_or(maps, "length_y", grid.length_x);
+  return grid;
+}
+
 double rms_of(std::span<const double> heights) {
   const double mean = weighted_mean(heights);
   double sum = 0.0;
@@ -147,6 +159,8 @@ void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields) {
     group.remove(name);
   Hdf5Group maps = group.open_or_create(name);
   set_with_unit(maps, "nominal_pressure", fields.nominal_pressure, "Pa");
+  set_with_unit(maps, "length_x", grid.length_x, "m");
+  set_with_unit(maps, "length_y", grid.length_y, "m");
   maps.write_map("pressure", fields.pressure, shape_of(grid),
                  Hdf5Number::float32_packed, "Pa");
   maps.write_map("gap", fields.gap, shape_of(grid), Hdf5Number::float32_packed,
@@ -167,6 +181,7 @@ std::vector<Fields> read_fields(const Hdf5Group& group) {
         throw cases::CaseError(fmt::format(
             "{} has {} values, but must have {}, as pressure",
             maps.place("gap"), fields.gap.size(), fields.pressure.size()));
+      fields.grid = grid_of_map(maps);
       all.push_back(std::move(fields));
     }
   std::sort(all.begin(), all.end(),

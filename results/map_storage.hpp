@@ -18,7 +18,8 @@ SurfaceRecord read_surface(const Hdf5Group& group);
 /// Puts the maps of a step into the group `fields`, over those of an earlier
 /// try.
 void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
-/// Of every step, in their order.
+/// Of every step, in their order; the sides of a grid are 0 where the file does
+/// not say them, its points where the map is not two-dimensional.
 /// @throws cases::CaseError  pressure and gap differ in size
 std::vector<Fields> read_fields(const Hdf5Group& group);
 

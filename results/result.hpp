@@ -5,11 +5,15 @@
 
 #include "base/grid.hpp"
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace asperity::results {
+
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 enum class StepStatus { converged, not_converged };
 
@@ -20,8 +24,10 @@ struct CurvePoint {
   double nominal_pressure = 0.0; ///< p_0 [Pa]
   double mean_gap = 0.0;         ///< mean of the gap, penetration negative [m]
   double area_fraction = 0.0;    ///< counted (theory: (4)) [1]
-  double area_fraction_corrected = 0.0; ///< best estimate of the limit [1]
-  double contact_perimeter = 0.0;       ///< per nominal area [1/m]
+  double area_fraction_corrected = 0.0;    ///< best estimate of the limit [1]
+  double area_fraction_fit = not_given;    ///< (21) of the fit to P(sigma) [1]
+  double area_fraction_moment = not_given; ///< (21) of <sigma^2> [1]
+  double contact_perimeter = 0.0;          ///< per nominal area [1/m]
   double elastic_energy = 0.0;    ///< in the block per nominal area [J/m^2]
   double contact_energy = 0.0;    ///< in the penalty springs [J/m^2]
   double contact_stiffness = 0.0; ///< -dp_0/d(mean gap) >= 0 [Pa/m]
@@ -33,12 +39,15 @@ struct CurvePoint {
   std::string note; ///< why it did not converge; empty otherwise
 };
 
-/// Maps of one load step, both grid.size() long.
+/// Maps of one load step, both grid.size() long. The grid is the method's own,
+/// which need not be the surface's.
 struct Fields {
   int step = 0;
   double nominal_pressure = 0.0; ///< [Pa]
   std::vector<double> pressure;  ///< [Pa] >= 0
-  std::vector<double> gap; ///< [m], negative where a penalty is pressed in
+  std::vector<double> gap; ///< [m], negative where a penalty is pressed in or
+                           ///< atoms are closer than their contact distance
+  Grid grid = {};
 };
 
 /// One bin of the isotropic spectrum of a map.
@@ -65,6 +74,9 @@ struct Curve {
   std::vector<CurvePoint> points;
   std::vector<Fields> fields;
   double setup_cpu_time = 0.0; ///< [s]
+  /// The surface it ran on where that is not the case's: roughness left out
+  /// above a magnification, another grid.
+  std::optional<SurfaceRecord> own_surface = {};
 };
 
 struct MethodRecord {

@@ -8,6 +8,7 @@ namespace asperity::results::layout {
 constexpr const char* file_name = "result.h5";
 constexpr const char* format = "asperity-result";
 constexpr int format_version = 1;
+constexpr const char* own_surface = "surface"; ///< beside "curve"
 
 /// Realisations and steps beyond this are taken for another file's groups.
 constexpr int most_realizations = 1'000'000;

@@ -57,6 +57,8 @@ Curve read_curve(const Hdf5Group& group) {
   fill_contact_stiffness(curve.points);
   if (group.has("fields"))
     curve.fields = read_fields(group.open("fields"));
+  if (group.has(layout::own_surface))
+    curve.own_surface = read_surface(group.open(layout::own_surface));
   return curve;
 }
 
@@ -68,6 +70,29 @@ MethodRecord read_method(const Hdf5Group& group, const std::string& name) {
   method.realizations = read_indexed<Curve>(
       group, [](const Hdf5Group& curve, int) { return read_curve(curve); });
   return method;
+}
+
+/// What a map does not say of its grid is that of the surface below it.
+void complete_grids(Result& result) {
+  for (MethodRecord& method : result.methods)
+    for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+      Curve& curve = method.realizations[r];
+      if (!curve.own_surface && r >= result.surfaces.size())
+        continue;
+      const Grid& below =
+          curve.own_surface ? curve.own_surface->grid : result.surfaces[r].grid;
+      for (Fields& fields : curve.fields) {
+        Grid& grid = fields.grid;
+        if (grid.size() == 0 && fields.pressure.size() == below.size()) {
+          grid.points_x = below.points_x;
+          grid.points_y = below.points_y;
+        }
+        if (!(grid.length_x > 0.0)) {
+          grid.length_x = below.length_x;
+          grid.length_y = below.length_y;
+        }
+      }
+    }
 }
 
 Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
@@ -99,6 +124,7 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   const Hdf5Group methods = file.open("methods");
   for (const std::string& name : methods.children())
     result.methods.push_back(read_method(methods.open(name), name));
+  complete_grids(result);
   return result;
 }
 

@@ -31,6 +31,20 @@ void require_maps(const Grid& grid, const Fields& fields) {
   require_size("fields.gap", fields.gap.size(), grid.size());
 }
 
+void require_heights(const SurfaceRecord& surface) {
+  if (!surface.heights.empty())
+    require_size("surface.heights", surface.heights.size(),
+                 surface.grid.size());
+}
+
+void replace_surface(Hdf5Group& home, const std::string& name,
+                     const SurfaceRecord& surface) {
+  if (home.has(name))
+    home.remove(name);
+  Hdf5Group group = home.open_or_create(name);
+  write_surface(group, surface);
+}
+
 } // namespace
 
 ResultWriter::ResultWriter(const std::filesystem::path& folder,
@@ -128,17 +142,11 @@ void ResultWriter::record_provenance(const Provenance& facts) {
 void ResultWriter::record_surface(int realization,
                                   const SurfaceRecord& surface) {
   require_index("realization", realization);
-  if (!surface.heights.empty())
-    require_size("surface.heights", surface.heights.size(),
-                 surface.grid.size());
+  require_heights(surface);
   const std::lock_guard lock(hdf5_mutex());
   update([&](Hdf5File& file) {
     Hdf5Group surfaces = file.open_or_create("surfaces");
-    const std::string name = std::to_string(realization);
-    if (surfaces.has(name))
-      surfaces.remove(name);
-    Hdf5Group group = surfaces.open_or_create(name);
-    write_surface(group, surface);
+    replace_surface(surfaces, std::to_string(realization), surface);
   });
 }
 
@@ -165,6 +173,18 @@ void ResultWriter::record_setup_time(const std::string& method, int realization,
   update([&](Hdf5File& file) {
     Hdf5Group home = curve_home(file, method, realization);
     set_with_unit(home, "setup_cpu_time", cpu_time, "s");
+  });
+}
+
+void ResultWriter::record_own_surface(const std::string& method,
+                                      int realization,
+                                      const SurfaceRecord& surface) {
+  require_heights(surface);
+  const std::lock_guard lock(hdf5_mutex());
+  require_begun(method, realization);
+  update([&](Hdf5File& file) {
+    Hdf5Group home = curve_home(file, method, realization);
+    replace_surface(home, layout::own_surface, surface);
   });
 }
 

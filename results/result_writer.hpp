@@ -69,6 +69,12 @@ public:
   void record_setup_time(const std::string& method, int realization,
                          double cpu_time);
 
+  /// The surface of a method that did not run on the case's; replaces what was
+  /// there. Empty heights or spectrum are left out.
+  /// @throws std::domain_error  the method was not begun
+  void record_own_surface(const std::string& method, int realization,
+                          const SurfaceRecord& surface);
+
   /// Adds a row to a curve. A contact_stiffness of NaN is taken from the curve
   /// by differences when the run is complete.
   /// @throws std::domain_error  the method was not begun, or this step is there
@@ -80,7 +86,7 @@ public:
                     std::span<const CurvePoint> points);
 
   /// A row with its maps, both or neither.
-  /// @param grid  of the maps
+  /// @param grid  of the maps, the method's own; fields.grid is not read
   void append_step_with_fields(const std::string& method, int realization,
                                const CurvePoint& point, const Grid& grid,
                                const Fields& fields);

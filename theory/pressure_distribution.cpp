@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asperity::theory {
@@ -26,6 +27,19 @@ double pressure_density(double contact_pressure, double nominal_pressure,
       -std::expm1(-contact_pressure * nominal_pressure / variance);
   return std::exp(-distance * distance / (4.0 * variance)) * mirror_loss /
          (2.0 * std::sqrt(pi * variance)); // (1)
+}
+
+double pressure_share(double low, double high, double nominal_pressure,
+                      double variance) {
+  require_not_negative("low", low, "Pa");
+  require_between("high", high, low, std::numeric_limits<double>::max(), "Pa");
+  require_not_negative("nominal_pressure", nominal_pressure, "Pa");
+  require_positive("variance", variance, "Pa^2");
+  const double width = 2.0 * std::sqrt(variance);
+  const auto rise = [&](double centre) {
+    return std::erf((high - centre) / width) - std::erf((low - centre) / width);
+  };
+  return 0.5 * (rise(nominal_pressure) - rise(-nominal_pressure));
 }
 
 double area_fraction(double nominal_pressure, double variance) {

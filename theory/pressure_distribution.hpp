@@ -28,6 +28,23 @@ double stress_variance(double contact_modulus, double rms_slope);
 double pressure_density(double contact_pressure, double nominal_pressure,
                         double variance);
 
+/// Share of the nominal area whose contact pressure lies between two values,
+///
+///     int_a^b P dsigma = [Phi(b - p) - Phi(a - p) - Phi(b + p) + Phi(a + p)]/2
+///
+/// with Phi(x) = erf(x/(2 sqrt G)), from (1). All of it, a = 0 and b to
+/// infinity, is the area fraction (4).
+///
+/// @param low               a [Pa] >= 0
+/// @param high              b [Pa] >= a
+/// @param nominal_pressure  p [Pa] >= 0
+/// @param variance          G [Pa^2] > 0
+/// @return                  [1] 0..1
+/// @throws std::domain_error  an argument outside its range or not finite
+/// @par Accuracy  rounding of four erf, 1e-16 absolute
+double pressure_share(double low, double high, double nominal_pressure,
+                      double variance);
+
 /// A/A_0 = erf(p/(2 sqrt G)), (4). Small pressures: p/sqrt(pi G), (5).
 ///
 /// @param nominal_pressure  p [Pa] >= 0

@@ -81,6 +81,23 @@ TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
                 0.01 * written.surfaces[0].rms_height);
 }
 
+// Claim: elastic methods answer with the areas of (20) too, within 40 % of the
+// counted one: three estimates of one contact (25 % apart is usual). The theory
+// has its own.
+TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
+  ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
+
+  const Result written = result("result");
+
+  EXPECT_TRUE(std::isnan(
+      written.methods.at(0).realizations.at(0).points.at(0).area_fraction_fit));
+  for (const std::size_t method : {1u, 2u})
+    for (const auto& point : written.methods[method].realizations[0].points) {
+      EXPECT_NEAR(point.area_fraction_fit / point.area_fraction, 1.0, 0.4);
+      EXPECT_NEAR(point.area_fraction_moment / point.area_fraction, 1.0, 0.4);
+    }
+}
+
 // Jobs on one thread or two: the very same bits.
 TEST_F(RunCommand, ThreadsChangeNothing) {
   ASSERT_EQ(run("run small.toml --out one --threads 1").exit_code, 0);

@@ -93,6 +93,39 @@ TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
   EXPECT_NEAR(found.methods[1].fits.front().asymptotic_slope,
               contact.gap_decay_length() / own.surfaces.front().rms_height,
               1e-8);
+
+  // the same where the surface is the method's own, and the case's another
+  own.methods[1].realizations[0].own_surface = own.surfaces[0];
+  for (double& height : own.surfaces[0].heights)
+    height *= 3.0;
+  EXPECT_NEAR(value_of(summarize(own, rough), "fem", "gamma_theory"), 0.43,
+              1e-8);
+}
+
+// Claim: a method is measured in the surface it ran on. With half the h_rms
+// and slope the same curve has twice the gamma, half the kappa and, its maps
+// being as they were, twice the penetration. Tolerance: rounding.
+TEST_F(RoughSummary, MeasuresAMethodInItsOwnSurface) {
+  results::Result own = synthetic::rough_result(rough, 1);
+  own.methods[1].realizations[0].fields[0].gap[5] = -1e-9;
+  const Summary before = summarize(own, rough);
+  results::SurfaceRecord surface = own.surfaces[0];
+  surface.rms_height *= 0.5;
+  surface.rms_slope *= 0.5;
+  for (double& height : surface.heights)
+    height *= 0.5;
+  own.methods[1].realizations[0].own_surface = surface;
+
+  const Summary found = summarize(own, rough);
+
+  const auto ratio = [&](const std::string& quantity) {
+    return value_of(found, "fem", quantity) / value_of(before, "fem", quantity);
+  };
+  EXPECT_NEAR(scales_of(own, rough, own.methods[1], 0).rms_slope,
+              0.5 * own.surfaces[0].rms_slope, 1e-15);
+  EXPECT_EQ(surface_of(own, own.methods[0], 0), &own.surfaces[0]);
+  EXPECT_NEAR(ratio("kappa"), 0.5, 1e-12);
+  EXPECT_NEAR(ratio("penetration"), 2.0, 1e-12);
 }
 
 TEST_F(RoughSummary, SaysWhyThereIsNoGammaWithoutHeights) {

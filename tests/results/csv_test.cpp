@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* header =
     "method,realization,step,nominal_pressure [Pa],mean_gap [m],"
-    "area_fraction [1],area_fraction_corrected [1],contact_perimeter [1/m],"
+    "area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],"
+    "area_fraction_moment [1],contact_perimeter [1/m],"
     "elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,"
     "cpu_time [s],status\r\n";
 
@@ -29,6 +30,8 @@ TEST(CurvesCsv, IsThisTable) {
   loaded.mean_gap = -1e-9;
   loaded.area_fraction = 0.1;
   loaded.area_fraction_corrected = 0.09;
+  loaded.area_fraction_fit = 0.08;
+  loaded.area_fraction_moment = 0.07;
   loaded.contact_perimeter = 5e5;
   loaded.elastic_energy = 1.5e-3;
   loaded.contact_stiffness = 1e15;
@@ -44,11 +47,12 @@ TEST(CurvesCsv, IsThisTable) {
       {"theory", "theory", "", {Curve{{theory}, {}, 0.0}}},
       {"fem, \"thin\"", "fem", "", {Curve{}, Curve{{loaded}, {}, 0.0}}}};
 
-  EXPECT_EQ(curves_csv(result),
-            std::string(header) +
-                "theory,0,0,1,0,0,0,nan,0,0,0,0,0,converged\r\n"
-                "\"fem, \"\"thin\"\"\",1,3,2500000,-1e-09,0.1,0.09,500000,"
-                "0.0015,1000000000000000,17,2e-09,0.25,not_converged\r\n");
+  EXPECT_EQ(
+      curves_csv(result),
+      std::string(header) +
+          "theory,0,0,1,0,0,0,nan,nan,nan,0,0,0,0,0,converged\r\n"
+          "\"fem, \"\"thin\"\"\",1,3,2500000,-1e-09,0.1,0.09,0.08,0.07,500000,"
+          "0.0015,1000000000000000,17,2e-09,0.25,not_converged\r\n");
 }
 
 // Claim: every double of a row is the one that went in, also where it needs
@@ -59,6 +63,8 @@ TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
   point.mean_gap = -std::numbers::pi * 1e-9;
   point.area_fraction = std::nextafter(0.1, 1.0);
   point.area_fraction_corrected = std::numeric_limits<double>::denorm_min();
+  point.area_fraction_fit = 2.0 / 3.0;
+  point.area_fraction_moment = std::nextafter(0.3, 0.0);
   point.contact_perimeter = std::numeric_limits<double>::max();
   point.elastic_energy = 5e-324 * 7;
   point.contact_stiffness = 123456789012345678.0;
@@ -79,16 +85,18 @@ TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
   std::vector<double> numbers;
   for (std::string field; std::getline(row, field, ',');)
     numbers.push_back(std::strtod(field.c_str(), nullptr));
-  ASSERT_EQ(numbers.size(), 14U);
+  ASSERT_EQ(numbers.size(), 16U);
   EXPECT_EQ(numbers[3], point.nominal_pressure);
   EXPECT_EQ(numbers[4], point.mean_gap);
   EXPECT_EQ(numbers[5], point.area_fraction);
   EXPECT_EQ(numbers[6], point.area_fraction_corrected);
-  EXPECT_EQ(numbers[7], point.contact_perimeter);
-  EXPECT_EQ(numbers[8], point.elastic_energy);
-  EXPECT_EQ(numbers[9], point.contact_stiffness);
-  EXPECT_EQ(numbers[11], point.residual);
-  EXPECT_EQ(numbers[12], point.cpu_time);
+  EXPECT_EQ(numbers[7], point.area_fraction_fit);
+  EXPECT_EQ(numbers[8], point.area_fraction_moment);
+  EXPECT_EQ(numbers[9], point.contact_perimeter);
+  EXPECT_EQ(numbers[10], point.elastic_energy);
+  EXPECT_EQ(numbers[11], point.contact_stiffness);
+  EXPECT_EQ(numbers[13], point.residual);
+  EXPECT_EQ(numbers[14], point.cpu_time);
 }
 
 } // namespace

@@ -74,6 +74,8 @@ TEST_F(ForeignFile, NeedsOnlyPressureAndGap) {
   EXPECT_EQ(points[2].nominal_pressure, 4e6);
   EXPECT_EQ(points[2].mean_gap, 1e-9);
   EXPECT_TRUE(std::isnan(points[2].area_fraction));
+  EXPECT_TRUE(std::isnan(points[2].area_fraction_fit));
+  EXPECT_TRUE(std::isnan(points[2].area_fraction_moment));
   EXPECT_EQ(points[2].iterations, 0);
   EXPECT_EQ(points[2].status, StepStatus::converged);
   // p doubles every nanometre: K = p ln 2 / 1 nm

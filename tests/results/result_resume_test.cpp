@@ -2,12 +2,15 @@
 // result of another case is not touched.
 #include "base/atomic_file.hpp"
 #include "cases/case_error.hpp"
+#include "results/hdf5_file.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/results/sample_result.hpp"
 
@@ -35,6 +38,34 @@ TEST_F(ResultResume, GoesOnFromTheStepsThatAreThere) {
   const StepsDone done = steps_done(read_result(folder_));
 
   EXPECT_EQ(done, (StepsDone{{{"fem", 0}, {0, 1}}, {{"fem", 2}, {5}}}));
+}
+
+// Claim: a file of a program that knew fewer columns is read, and gone on with:
+// its rows have NaN there, the new ones their numbers.
+TEST_F(ResultResume, GoesOnWithAFileOfFewerColumns) {
+  {
+    ResultWriter first(folder_, sample_case());
+    first.begin_method("fem", "fem", "");
+    first.append_steps("fem", 0, std::vector{sample_point(0), sample_point(1)});
+    const std::lock_guard lock(hdf5_mutex());
+    Hdf5File file(first.path(), Hdf5File::Mode::read_write);
+    file.open("methods/fem/0/curve").remove("area_fraction_fit");
+    file.close();
+  }
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  second.append_step("fem", 0, sample_point(2));
+  second.append_step("fem", 0, sample_point(3));
+
+  const Result result = read_result(folder_);
+
+  const std::vector<CurvePoint>& points =
+      result.methods.at(0).realizations.at(0).points;
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_TRUE(std::isnan(points[0].area_fraction_fit));
+  EXPECT_TRUE(std::isnan(points[1].area_fraction_fit));
+  expect_same(points[2], sample_point(2));
+  expect_same(points[3], sample_point(3));
+  EXPECT_EQ(points[0].area_fraction, sample_point(0).area_fraction);
 }
 
 TEST_F(ResultResume, DoesNotGoOnWithAnotherCase) {

@@ -43,6 +43,8 @@ inline CurvePoint sample_point(int step) {
   point.mean_gap = 40e-9 / (1 + step);
   point.area_fraction = 0.01 * std::sqrt(step + 1.0);
   point.area_fraction_corrected = 0.9 * point.area_fraction;
+  point.area_fraction_fit = 0.8 * point.area_fraction;
+  point.area_fraction_moment = 0.7 * point.area_fraction;
   point.contact_perimeter = 1e6 / (3 + step);
   point.elastic_energy = 1e-3 / (7 + step);
   point.contact_energy = 1e-5 / (11 + step);
@@ -68,6 +70,8 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.mean_gap, b.mean_gap);
   EXPECT_PRED2(is_same, a.area_fraction, b.area_fraction);
   EXPECT_PRED2(is_same, a.area_fraction_corrected, b.area_fraction_corrected);
+  EXPECT_PRED2(is_same, a.area_fraction_fit, b.area_fraction_fit);
+  EXPECT_PRED2(is_same, a.area_fraction_moment, b.area_fraction_moment);
   EXPECT_PRED2(is_same, a.contact_perimeter, b.contact_perimeter);
   EXPECT_PRED2(is_same, a.elastic_energy, b.elastic_energy);
   EXPECT_PRED2(is_same, a.contact_energy, b.contact_energy);
@@ -78,6 +82,38 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.is_unloading, b.is_unloading);
   EXPECT_EQ(a.note, b.note);
+}
+
+inline SurfaceRecord sample_surface(int points_x, int points_y) {
+  SurfaceRecord surface;
+  surface.grid = {points_x, points_y, 1e-6, 2e-6};
+  for (std::size_t i = 0; i < surface.grid.size(); ++i)
+    surface.heights.push_back(1e-9 * std::sin(static_cast<double>(i)));
+  surface.rms_height = 0.7e-9;
+  surface.rms_slope = 0.1;
+  surface.rms_curvature = 3e6;
+  surface.skewness = -0.2;
+  surface.kurtosis = 2.9;
+  surface.highest = 1e-9;
+  surface.spectrum = {{6e6, 1e-30}, {12e6, 2e-31}};
+  return surface;
+}
+
+/// Bit for bit.
+inline void expect_same(const SurfaceRecord& a, const SurfaceRecord& b) {
+  EXPECT_EQ(a.grid, b.grid);
+  EXPECT_EQ(a.heights, b.heights);
+  EXPECT_EQ(a.rms_height, b.rms_height);
+  EXPECT_EQ(a.rms_slope, b.rms_slope);
+  EXPECT_EQ(a.rms_curvature, b.rms_curvature);
+  EXPECT_EQ(a.skewness, b.skewness);
+  EXPECT_EQ(a.kurtosis, b.kurtosis);
+  EXPECT_EQ(a.highest, b.highest);
+  ASSERT_EQ(a.spectrum.size(), b.spectrum.size());
+  for (std::size_t i = 0; i < a.spectrum.size(); ++i) {
+    EXPECT_EQ(a.spectrum[i].wavevector, b.spectrum[i].wavevector);
+    EXPECT_EQ(a.spectrum[i].spectrum, b.spectrum[i].spectrum);
+  }
 }
 
 } // namespace asperity::results

@@ -52,6 +52,25 @@ RC_GTEST_PROP(PressureDensity, HasTheMomentsItShould, ()) {
   agree(moments.mean_square_pressure, 2);
 }
 
+// Claim: the share between two pressures is the integral of the density, all of
+// it is (4). Tolerance: rounding of four erf, absolute.
+TEST(PressureShare, IsTheIntegralOfTheDensity) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
+  for (const double load : {1e6, 1e8, 1e9})
+    for (const double low : {0.0, 5e7, 9e8}) {
+      const double high = low + 1.5e8;
+      const double integral = Quadrature::integrate(
+          [&](double stress) {
+            return pressure_density(stress, load, variance);
+          },
+          low, high);
+
+      EXPECT_NEAR(pressure_share(low, high, load, variance), integral, 4e-16);
+      EXPECT_NEAR(pressure_share(0.0, 1e10, load, variance),
+                  area_fraction(load, variance), 4e-16);
+    }
+}
+
 // Claim: (1) solves dP/dG = d^2P/dsigma^2, the diffusion it comes from, with
 // P = 0 at sigma = 0. Tolerance: central differences of step d have the error
 // d^2/12 of a fourth derivative of order one, rounding eps/d^2: 1e-7 at 1e-4.
@@ -122,6 +141,8 @@ TEST(PressureDistributionInput, RefusesBadArgumentsByName) {
   };
   EXPECT_TRUE(names(complaint_of([&] { pressure_density(-1.0, 1.0, 1.0); }),
                     "contact_pressure"));
+  EXPECT_TRUE(
+      names(complaint_of([&] { pressure_share(2.0, 1.0, 1.0, 1.0); }), "high"));
   EXPECT_TRUE(names(complaint_of([&] { area_fraction(nan, 1.0); }),
                     "nominal_pressure"));
   EXPECT_TRUE(

@@ -1,0 +1,232 @@
+// Claims about results/pressure_fit.hpp: samples of (20) give their G back,
+// weak pressures of open nodes do not disturb it, units do not enter.
+#include "results/observables.hpp"
+#include "results/pressure_fit.hpp"
+#include "theory/pressure_distribution.hpp"
+
+#include <boost/math/tools/roots.hpp>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace asperity::results {
+namespace {
+
+constexpr double load = 1e7; // p [Pa]
+
+/// Share of the face with a pressure above `stress`, from (20): what a
+/// Gaussian and its mirror image have there.
+double share_above(double stress, double variance) {
+  const double width = 2.0 * std::sqrt(variance);
+  return 0.5 * (std::erfc((stress - load) / width) -
+                std::erfc((stress + load) / width));
+}
+
+/// A map whose n nodes in all have the pressures of (20), each standing for an
+/// equal share: quantiles, not draws. The open ones are exactly 0.
+std::vector<double> samples(double variance, int n) {
+  const double area = share_above(0.0, variance);
+  const auto in_contact = static_cast<int>(std::lround(area * n));
+  std::vector<double> pressure(static_cast<std::size_t>(n), 0.0);
+  for (int i = 0; i < in_contact; ++i) {
+    const double share = area * (i + 0.5) / in_contact;
+    const auto [low, high] = boost::math::tools::bisect(
+        [&](double stress) { return share_above(stress, variance) - share; },
+        0.0, load + 20.0 * std::sqrt(variance),
+        boost::math::tools::eps_tolerance<double>(40));
+    pressure[static_cast<std::size_t>(i)] = 0.5 * (low + high);
+  }
+  return pressure;
+}
+
+// sqrt(G)/p from light contact (A = 3 %) to full contact (1 - A = 5e-7).
+const std::vector<double> roots{20.0, 5.0, 1.0, 0.4, 0.14};
+
+// Claim: G and the area of (21) come back. Tolerance: a bin of the 48 or more
+// holds some n A/20 nodes, known to half a node at both its edges, and as many
+// bins err to either side: 1/(n A/20)/sqrt(20) = 1.5e-4 at n A = 3e4.
+TEST(PressureFit, GivesBackTheVarianceOfItsOwnSamples) {
+  for (const double root : roots) {
+    const double variance = root * root * load * load;
+    const double area = share_above(0.0, variance);
+    const auto pressure = samples(variance, static_cast<int>(3e4 / area));
+
+    const PressureFit fit = fit_pressure_distribution(pressure);
+
+    EXPECT_TRUE(fit.reason.empty());
+    EXPECT_NEAR(fit.variance / variance, 1.0, 1.5e-4) << root;
+    EXPECT_NEAR(fit.area_fraction / area, 1.0, 1.5e-4) << root;
+  }
+}
+
+// Claim: the same by the second moment. Tolerance: quantiles at the middle of
+// their share are a midpoint rule with a logarithmic end, some 10/n of the
+// second moment and of the first, hence of sqrt(G): 1e-3 at n A = 3e4.
+TEST(PressureFitByMoment, GivesBackTheVarianceOfItsOwnSamples) {
+  for (const double root : roots) {
+    const double variance = root * root * load * load;
+    const double area = share_above(0.0, variance);
+    const auto pressure = samples(variance, static_cast<int>(3e4 / area));
+
+    const PressureFit fit = pressure_fit_by_moment(pressure);
+
+    EXPECT_NEAR(fit.variance / variance, 1.0, 1e-3) << root;
+    EXPECT_NEAR(fit.area_fraction / area, 1.0, 1e-3) << root;
+  }
+}
+
+// Claim: the G found has the second moment of the map's positive part, by the
+// closed moments of theory/, for any map that presses in the mean, tension in
+// places or not. Tolerance: rounding of 64 terms and of a root known to 2^-52,
+// 1e-13.
+RC_GTEST_PROP(PressureFitByMoment, HasTheMomentsOfTheMap, ()) {
+  const int least = *rc::gen::element(-300, 0, 1);
+  std::vector<double> pressure(64);
+  double mean_square = 0.0;
+  for (double& one : pressure) {
+    one =
+        1e4 * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, 1000));
+    mean_square += std::pow(std::max(0.0, one), 2) / 64.0;
+  }
+  RC_PRE(weighted_mean(pressure) > 0.0);
+
+  const PressureFit fit = pressure_fit_by_moment(pressure);
+
+  const theory::PressureMoments moments =
+      theory::pressure_moments(fit.nominal_pressure, fit.variance);
+  RC_ASSERT(std::abs(fit.nominal_pressure / weighted_mean(pressure) - 1.0) <
+            1e-13);
+  RC_ASSERT(std::abs(moments.mean_square_pressure / mean_square - 1.0) < 1e-13);
+  RC_ASSERT(std::abs(moments.area_fraction - fit.area_fraction) < 1e-13);
+}
+
+// Claim: open nodes that carry weak pressures, as atoms do, leave the fit
+// where it was, while the count calls all of the face contact. The weak ones
+// are a tail from 0.15 sqrt(G) down to nothing with a density like 1/sigma, of
+// a mean of some 0.4 % of p. Tolerance: the mean p, which the fit takes from
+// the map, moves by that much, and the area is proportional to it at light
+// load.
+TEST(PressureFit, DoesNotMindSoftOpenNodes) {
+  const double variance = 25.0 * load * load;
+  std::vector<double> pressure = samples(variance, 200'000);
+  const double hard_area = fit_pressure_distribution(pressure).area_fraction;
+  double weak = 0.15 * std::sqrt(variance);
+  double weak_mean = 0.0;
+  for (double& one : pressure)
+    if (one == 0.0) {
+      one = weak;
+      weak_mean += weak / 200'000.0;
+      weak *= 0.99;
+    }
+
+  const PressureFit fit = fit_pressure_distribution(pressure);
+
+  EXPECT_GT(counted_area_fraction(pressure), 0.9);
+  EXPECT_LT(weak_mean, 0.005 * load);
+  EXPECT_NEAR(fit.variance / variance, 1.0, 2.0 * weak_mean / load + 1.5e-4);
+  EXPECT_NEAR(fit.area_fraction / hard_area, 1.0,
+              2.0 * weak_mean / load + 1.5e-4);
+}
+
+// Claim: no unit enters: all pressures times a power of two give G times its
+// square and the same area, bit for bit; a pressure in other units too, to the
+// half of a double's digits that a minimum has.
+TEST(PressureFit, KnowsNoUnit) {
+  const std::vector<double> pressure = samples(load * load, 20'000);
+  const PressureFit fit = fit_pressure_distribution(pressure);
+  for (const double unit : {0x1p-60, 0x1p40, 1e-9}) {
+    std::vector<double> scaled = pressure;
+    for (double& one : scaled)
+      one *= unit;
+
+    const PressureFit again = fit_pressure_distribution(scaled);
+
+    EXPECT_NEAR(again.variance / (unit * unit) / fit.variance, 1.0,
+                unit == 1e-9 ? 1e-7 : 0.0);
+    EXPECT_NEAR(again.area_fraction / fit.area_fraction, 1.0,
+                unit == 1e-9 ? 1e-7 : 0.0);
+  }
+}
+
+// Claim: a node of weight 2 counts as two of weight 1; rounding of the sums.
+TEST(PressureFit, WeighsNodes) {
+  std::vector<double> pressure = samples(load * load, 4000);
+  std::vector<double> weights(pressure.size(), 1.0);
+  std::vector<double> twice = pressure;
+  double mean_weight = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    if (i % 3 == 0) {
+      weights[i] = 2.0;
+      twice.push_back(pressure[i]);
+    }
+    mean_weight += weights[i] / static_cast<double>(weights.size());
+  }
+  for (double& weight : weights)
+    weight /= mean_weight;
+
+  for (const auto fit_of :
+       {fit_pressure_distribution, pressure_fit_by_moment}) {
+    const PressureFit weighted = fit_of(pressure, weights);
+    const PressureFit repeated = fit_of(twice, {});
+    EXPECT_NEAR(weighted.variance / repeated.variance, 1.0, 1e-7);
+    EXPECT_NEAR(weighted.nominal_pressure / repeated.nominal_pressure, 1.0,
+                1e-13);
+  }
+}
+
+TEST(PressureFit, AnswersTheEndsOfContact) {
+  const std::vector<double> open(100, 0.0);
+  const std::vector<double> uniform(100, 3e6);
+  std::vector<double> touching(100, 0.0);
+  touching[7] = 1e6;
+  std::vector<double> pulled(100, -1e6);
+  pulled[7] = 2e6;
+  for (const auto fit_of :
+       {fit_pressure_distribution, pressure_fit_by_moment}) {
+    EXPECT_EQ(fit_of(open, {}).area_fraction, 0.0);
+    EXPECT_TRUE(std::isnan(fit_of(open, {}).variance));
+    EXPECT_EQ(fit_of(open, {}).reason, "nothing is in contact");
+    EXPECT_EQ(fit_of(uniform, {}).area_fraction, 1.0);
+    EXPECT_NEAR(fit_of(uniform, {}).variance, 0.0, 1e-24);
+    EXPECT_TRUE(std::isnan(fit_of(pulled, {}).area_fraction));
+    EXPECT_EQ(fit_of(pulled, {}).reason, "the mean pressure is not positive");
+  }
+  EXPECT_EQ(fit_pressure_distribution(touching).reason,
+            "too few nodes are in contact for a histogram");
+  EXPECT_GT(pressure_fit_by_moment(touching).area_fraction, 0.0);
+  EXPECT_THROW(fit_pressure_distribution({}), std::domain_error);
+  EXPECT_THROW(fit_pressure_distribution(std::vector{1.0, 1.0 / 0.0}),
+               std::domain_error);
+  EXPECT_THROW(pressure_fit_by_moment(open, std::vector{1.0}),
+               std::domain_error);
+}
+
+// Claim: one Hertzian spot, whose pressures rise to their density's end with
+// nothing like a Gaussian, still gets numbers of its size: both areas within a
+// factor of two of the true one.
+TEST(PressureFit, OfASphereIsANumber) {
+  const int n = 200;
+  const double radius = 0.3; // of the contact, in sides
+  std::vector<double> pressure;
+  for (int iy = 0; iy < n; ++iy)
+    for (int ix = 0; ix < n; ++ix) {
+      const double place = std::hypot(ix - 100, iy - 100) / (radius * n);
+      pressure.push_back(1e9 * std::sqrt(std::max(0.0, 1.0 - place * place)));
+    }
+  const double area = std::numbers::pi * radius * radius;
+
+  for (const auto fit_of :
+       {fit_pressure_distribution, pressure_fit_by_moment}) {
+    const double found = fit_of(pressure, {}).area_fraction;
+    EXPECT_GT(found, 0.5 * area);
+    EXPECT_LT(found, 2.0 * area);
+  }
+}
+
+} // namespace
+} // namespace asperity::results
