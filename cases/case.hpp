@@ -200,7 +200,7 @@ struct ReportSpec {
 
 /// One line of [expect]: the quantity must lie in low..high for each method.
 struct Expectation {
-  std::string quantity; ///< one of expectation_names()
+  std::string quantity; ///< one of expectation_names(), or one at a load
   double low = 0.0;
   double high = 0.0;
   std::vector<std::string> methods; ///< names of methods of this case

@@ -1,5 +1,6 @@
 #include "cases/case_schema.hpp"
 
+#include "cases/quantity_at_load.hpp"
 #include "cases/vocabulary.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,14 @@ std::string variant_name_pattern(const Table& table) {
   return "^(?!(" + keys + ")$)[a-z0-9-]+$";
 }
 
+// A quantity at a load is a key too: "area_fraction@p=0.01 E*".
+std::string at_load_pattern() {
+  std::string names;
+  for (const ExpectationName& entry : quantities_at_load())
+    names += (names.empty() ? "" : "|") + entry.name;
+  return "^ *(" + names + ") *@ *p *=";
+}
+
 Json table_schema(const Table& table, bool is_variant) {
   Json schema = {{"type", "object"},
                  {"description", table.description},
@@ -133,6 +142,9 @@ Json table_schema(const Table& table, bool is_variant) {
     if (key.need == Need::always && key.kinds.empty() && !is_variant)
       schema["required"].push_back(key.name);
   }
+  if (table.name == "expect")
+    schema["patternProperties"][at_load_pattern()] =
+        value_schema(table.keys.front());
   if (table.is_method && !is_variant)
     schema["patternProperties"][variant_name_pattern(table)] = {
         {"$ref", "#/$defs/" + table.name + ".variant"}};

@@ -1,5 +1,6 @@
 #include "cases/documents.hpp"
 
+#include "cases/quantity_at_load.hpp"
 #include "cases/vocabulary.hpp"
 
 #include <fmt/format.h>
@@ -113,6 +114,24 @@ std::string table_section(const Table& table) {
   return page + "\n";
 }
 
+// What stands after the table of [expect].
+std::string at_load_section() {
+  std::string page =
+      "A quantity at one load is written `name@p=pressure`, as in\n"
+      "`\"area_fraction@p=0.0129 E*\" = { value = 0.109, within = 0.01 }`, the "
+      "pressure\nin " +
+      fmt::format("{}", fmt::join(unit_symbols(Dimension::pressure,
+                                               {Yardstick::contact_modulus}),
+                                  ", ")) +
+      ". It is taken from the method's loading curve, between its\nrows by "
+      "monotone cubics in ln p (the area by its logarithm), never beyond "
+      "them,\nand averaged over realisations. `reference.csv` has the same "
+      "names.\n\n| name | what it is |\n|---|---|\n";
+  for (const ExpectationName& entry : quantities_at_load())
+    page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
+  return page + "\n";
+}
+
 const char* const page_head =
     R"(# The case file
 
@@ -168,8 +187,11 @@ std::string case_template(const std::string& name) {
 
 std::string case_reference_markdown() {
   std::string page = page_head;
-  for (const Table& table : vocabulary())
+  for (const Table& table : vocabulary()) {
     page += table_section(table);
+    if (table.name == "expect")
+      page += at_load_section();
+  }
   page.pop_back(); // one newline ends the page
   return page;
 }

@@ -1,5 +1,7 @@
 #include "cases/expectations.hpp"
 
+#include "cases/quantity_at_load.hpp"
+
 namespace asperity::cases {
 
 const std::vector<ExpectationName>& expectation_names() {
@@ -21,6 +23,10 @@ const std::vector<ExpectationName>& expectation_names() {
        .theory_answers = true},
       {.name = "area_excess",
        .description = "Counted area over theory's at light load, minus 1 [1].",
+       .needs_theory = true},
+      {.name = "area_excess_fit",
+       .description = "Area by (21) of the fitted pressure distribution over "
+                      "theory's at light load, minus 1 [1].",
        .needs_theory = true},
       {.name = "gap_deviation",
        .description = "Largest |u - u of theory| / h_rms where "
@@ -47,8 +53,13 @@ const std::vector<ExpectationName>& expectation_names() {
 }
 
 const ExpectationName* expectation_called(const std::string& name) {
-  for (const ExpectationName& entry : expectation_names())
-    if (entry.name == name)
+  const QuantityAtLoadReading reading = read_quantity_at_load(name);
+  const auto& known =
+      reading.at_load ? quantities_at_load() : expectation_names();
+  const std::string& sought =
+      reading.at_load ? reading.at_load->quantity : name;
+  for (const ExpectationName& entry : known)
+    if (entry.name == sought)
       return &entry;
   return nullptr;
 }

@@ -20,7 +20,8 @@ struct ExpectationName {
 
 const std::vector<ExpectationName>& expectation_names();
 
-/// nullptr if there is no such quantity.
+/// Of that name, or of a quantity at a load ("area_fraction@p=0.01 E*", see
+/// quantity_at_load.hpp); nullptr if there is no such quantity.
 const ExpectationName* expectation_called(const std::string& name);
 
 } // namespace asperity::cases

@@ -1,5 +1,6 @@
 #include "cases/expectations.hpp"
 #include "cases/nearest.hpp"
+#include "cases/quantity_at_load.hpp"
 #include "cases/read_parts.hpp"
 #include "cases/table_reader.hpp"
 
@@ -117,11 +118,26 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
                                 nearest(name, allowed)));
 }
 
-Expectation read_band(const Node& node, const ExpectationName& quantity,
-                      const Scene& scene, Mistakes& mistakes) {
+/// The keys that are quantities at a load, after saying what is wrong with
+/// them.
+std::vector<std::string> keys_at_load(TableReader& reader) {
+  std::vector<std::string> keys;
+  for (const NodeEntry& entry : reader.node().entries)
+    if (names_a_load(entry.key)) {
+      keys.push_back(entry.key);
+      const std::string mistake = read_quantity_at_load(entry.key).mistake;
+      if (!mistake.empty())
+        reader.complain(entry.node, mistake);
+    }
+  return keys;
+}
+
+Expectation read_band(const Node& node, const std::string& name,
+                      const ExpectationName& quantity, const Scene& scene,
+                      Mistakes& mistakes) {
   TableReader band(node, vocabulary_table("expect.band"), mistakes);
   band.refuse_unknown();
-  Expectation expectation{.quantity = quantity.name, .methods = {}};
+  Expectation expectation{.quantity = name, .methods = {}};
   read_ends(band, expectation);
   check_scene(band, quantity, scene);
   read_method_names(band, quantity, scene, expectation);
@@ -135,7 +151,7 @@ read_expectations(const Node& table, SurfaceKind kind,
                   const std::vector<MethodSpec>& methods, Mistakes& mistakes) {
   const Scene scene{kind, methods};
   TableReader reader(table, vocabulary_table("expect"), mistakes);
-  reader.refuse_unknown();
+  reader.refuse_unknown(keys_at_load(reader));
   std::vector<Expectation> expectations;
   for (const NodeEntry& entry : table.entries) {
     const ExpectationName* const quantity = expectation_called(entry.key);
@@ -146,7 +162,8 @@ read_expectations(const Node& table, SurfaceKind kind,
     for (const Node& band :
          is_list ? entry.node.list : std::vector<Node>{entry.node})
       if (band.is_table())
-        expectations.push_back(read_band(band, *quantity, scene, mistakes));
+        expectations.push_back(
+            read_band(band, entry.key, *quantity, scene, mistakes));
       else
         reader.refuse(band, "must be { value, within } or { below } or "
                             "{ above }, or a list of such bands");

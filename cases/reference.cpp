@@ -1,6 +1,7 @@
 #include "cases/reference.hpp"
 
 #include "cases/case_error.hpp"
+#include "cases/quantity_at_load.hpp"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,9 @@ void read_line(const std::string& line, const Place& place,
       mistakes.add(place, "has no " + std::string(column == 0U   ? "quantity"
                                                   : column == 2U ? "unit"
                                                                  : "source"));
+  if (names_a_load(field[0]))
+    if (const auto reading = read_quantity_at_load(field[0]); !reading.at_load)
+      mistakes.add(place, field[0] + " " + reading.mistake);
   values.push_back(
       {field[0], number_in(field[1], "value", place, mistakes), field[2],
        number_in(field[3], "uncertainty", place, mistakes), field[4]});

@@ -9,7 +9,9 @@ namespace asperity::cases {
 
 /// One line of reference.csv.
 struct ReferenceValue {
-  std::string quantity; ///< an expectation's name, or a name of its own
+  /// An expectation's name, or one at a load ("area_fraction@p=0.01 E*"), or a
+  /// name of its own, without '@'.
+  std::string quantity;
   double value = 0.0;
   std::string unit;         ///< "1" for none
   double uncertainty = 0.0; ///< in the same unit, 0 for an exact value

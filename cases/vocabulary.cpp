@@ -58,7 +58,8 @@ Table expect_table() {
               .description =
                   "What must come out: each key is a quantity and holds the "
                   "band it must lie in, or a list of bands where methods "
-                  "differ. `asperity check` judges by it.",
+                  "differ. `asperity check` judges by it. A key in quotes, "
+                  "`\"area_fraction@p=0.01 E*\"`, is a quantity at one load.",
               .keys = {}};
   for (const ExpectationName& entry : expectation_names())
     table.keys.push_back(

@@ -50,6 +50,18 @@ TEST(Reference, SaysEveryMistakeWithItsLine) {
                 ", but a quote is not closed\n");
 }
 
+// Claim: a name with '@' is a quantity at a load or a mistake; any other is
+// free.
+TEST(Reference, KnowsQuantitiesAtALoad) {
+  const auto values = read_reference_text(
+      head + "area_fraction@p=0.0129 E*,0.1089,1,0,s\nmine,1,1,0,s\n", "r");
+
+  EXPECT_EQ(values.at(0).quantity, "area_fraction@p=0.0129 E*");
+  EXPECT_EQ(mistakes_of(head + "area@p=1 Pa,1,1,0,s\n"),
+            "  reference.csv:2: area@p=1 Pa asks for area at a load, which is "
+            "not known; nearest: area_excess\n");
+}
+
 TEST(Reference, NeedsItsHeader) {
   EXPECT_EQ(mistakes_of("a,1,1,0,s\n"),
             "  reference.csv:1: \"a,1,1,0,s\", but the first line must be " +
