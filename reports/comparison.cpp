@@ -55,7 +55,8 @@ Function interpolant(const std::vector<double>& x,
 
 } // namespace
 
-CurveFunction::CurveFunction(std::span<const CurvePoint> points) {
+CurveFunction::CurveFunction(std::span<const CurvePoint> points,
+                             AreaColumn area) {
   std::vector<double> gap_pressure;
   std::vector<double> gap;
   std::vector<double> area_pressure;
@@ -67,9 +68,9 @@ CurveFunction::CurveFunction(std::span<const CurvePoint> points) {
       continue; // the same load twice
     gap_pressure.push_back(log_pressure);
     gap.push_back(row.mean_gap);
-    if (row.area_fraction > 0.0) {
+    if (row.*area > 0.0) {
       area_pressure.push_back(log_pressure);
-      log_area.push_back(std::log(row.area_fraction));
+      log_area.push_back(std::log(row.*area));
     }
   }
   gap_of_log_pressure_ = interpolant(gap_pressure, gap);
@@ -85,11 +86,12 @@ double CurveFunction::area_fraction(double nominal_pressure) const {
 }
 
 std::vector<Deviation> deviations(std::span<const CurvePoint> points,
-                                  const CurveFunction& reference) {
+                                  const CurveFunction& reference,
+                                  AreaColumn area) {
   std::vector<Deviation> rows;
   for (const CurvePoint& row : loading_rows(points))
     rows.push_back({row.nominal_pressure, row.mean_gap,
-                    reference.gap(row.nominal_pressure), row.area_fraction,
+                    reference.gap(row.nominal_pressure), row.*area,
                     reference.area_fraction(row.nominal_pressure)});
   return rows;
 }

@@ -13,13 +13,17 @@
 
 namespace asperity::reports {
 
+/// A column of CurvePoint that holds an area fraction [1].
+using AreaColumn = double results::CurvePoint::*;
+
 /// A curve as functions of the nominal pressure. Between rows: monotone cubic
 /// (PCHIP) in ln p for the gap, and in ln p for ln(A/A_0); straight if there
 /// are fewer than four rows. At a row: the row. Outside: NaN, nothing is
 /// extrapolated.
 class CurveFunction {
 public:
-  explicit CurveFunction(std::span<const results::CurvePoint> points);
+  explicit CurveFunction(std::span<const results::CurvePoint> points,
+                         AreaColumn area = &results::CurvePoint::area_fraction);
 
   double gap(double nominal_pressure) const;           ///< u [m]
   double area_fraction(double nominal_pressure) const; ///< A/A_0 [1]
@@ -34,12 +38,15 @@ struct Deviation {
   double nominal_pressure = 0.0;                 ///< [Pa]
   double gap = 0.0;                              ///< [m]
   double reference_gap = not_a_number;           ///< [m]
-  double area_fraction = 0.0;                    ///< counted [1]
+  double area_fraction = 0.0;                    ///< of the asked column [1]
   double reference_area_fraction = not_a_number; ///< [1]
 };
 
-std::vector<Deviation> deviations(std::span<const results::CurvePoint> points,
-                                  const CurveFunction& reference);
+/// @param area  the column of `points` that is held against the reference
+std::vector<Deviation>
+deviations(std::span<const results::CurvePoint> points,
+           const CurveFunction& reference,
+           AreaColumn area = &results::CurvePoint::area_fraction);
 
 /// The range of u/h_rms over which curves are held against theory: below it
 /// the contact is nearly complete, above it the finite size speaks.
@@ -51,7 +58,7 @@ inline constexpr double comparison_gap_high = 1.5;
 double largest_gap_deviation(std::span<const Deviation> rows,
                              double rms_height);
 
-/// Mean of A/A_ref - 1, counted area, over the rows with 0 < A/A_0 <= 15 %;
+/// Mean of A/A_ref - 1 over the rows with 0 < A/A_0 <= 15 %;
 /// NaN if there is none.
 double light_load_area_excess(std::span<const Deviation> rows);
 

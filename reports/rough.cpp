@@ -96,27 +96,35 @@ Estimate largest_of(const std::vector<double>& values,
   return estimate;
 }
 
-void add_deviations(const MethodRecord& method, const MethodRecord& reference,
-                    MethodSummary& summary) {
-  std::vector<double> gap_deviations;
-  std::vector<FittedValue> area_excesses;
+Estimate area_excess_of(const MethodRecord& method,
+                        const MethodRecord& reference, AreaColumn area) {
+  std::vector<FittedValue> excesses;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
     const CurveFunction theory(curve_of(reference, r).points);
     const std::vector<Deviation> rows =
-        deviations(method.realizations[r].points, theory);
-    gap_deviations.push_back(
-        largest_gap_deviation(rows, summary.fits[r].scales.rms_height));
-    area_excesses.push_back({light_load_area_excess(rows), not_a_number, 0});
+        deviations(method.realizations[r].points, theory, area);
+    excesses.push_back({light_load_area_excess(rows), not_a_number, 0});
   }
-  summary.quantities["gap_deviation"] =
-      largest_of(gap_deviations,
-                 fmt::format("no row with {} < u/h_rms < {} that the theory "
-                             "also has",
-                             comparison_gap_low, comparison_gap_high));
-  Estimate excess = mean_over_realizations(area_excesses);
+  Estimate excess = mean_over_realizations(excesses);
   if (!excess.has_value())
     excess.remark = "no row with A/A_0 <= 15 % that the theory also has";
-  summary.quantities["area_excess"] = excess;
+  return excess;
+}
+
+Estimate gap_deviation_of(const MethodRecord& method,
+                          const MethodRecord& reference,
+                          const std::vector<RealizationFits>& fits) {
+  std::vector<double> largest;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const CurveFunction theory(curve_of(reference, r).points);
+    largest.push_back(
+        largest_gap_deviation(deviations(method.realizations[r].points, theory),
+                              fits[r].scales.rms_height));
+  }
+  return largest_of(largest,
+                    fmt::format("no row with {} < u/h_rms < {} that the theory "
+                                "also has",
+                                comparison_gap_low, comparison_gap_high));
 }
 
 Estimate set_parameter(const cases::Case& rough_case,
@@ -157,8 +165,14 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
   }
   quantities["gamma_theory"] = mean_of(
       summary.fits, &RealizationFits::parameter, &ParameterFit::gamma_theory);
-  if (reference != nullptr)
-    add_deviations(method, *reference, summary);
+  if (reference == nullptr)
+    return;
+  quantities["gap_deviation"] =
+      gap_deviation_of(method, *reference, summary.fits);
+  quantities["area_excess"] =
+      area_excess_of(method, *reference, &results::CurvePoint::area_fraction);
+  quantities["area_excess_fit"] = area_excess_of(
+      method, *reference, &results::CurvePoint::area_fraction_fit);
 }
 
 } // namespace asperity::reports

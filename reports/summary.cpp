@@ -1,5 +1,6 @@
 #include "reports/summary.hpp"
 
+#include "reports/at_load.hpp"
 #include "reports/exact.hpp"
 #include "reports/rough.hpp"
 #include "reports/verdict.hpp"
@@ -103,16 +104,21 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
   const MethodRecord* reference = reference_theory(result);
   if (reference != nullptr)
     summary.reference_method = reference->name;
-  for (const MethodRecord& method : result.methods)
+  std::vector<cases::ReferenceValue> references;
+  if (!result.reference.empty())
+    references = cases::read_reference_text(result.reference,
+                                            result.path + ": reference");
+  const std::vector<std::string> at_load =
+      names_at_load(rough_case.expectations, references);
+  for (const MethodRecord& method : result.methods) {
     summary.methods.push_back(
         summarize_method(result, rough_case, method, reference));
+    add_quantities_at_load(result, rough_case, method, reference, at_load,
+                           summary.methods.back());
+  }
   summary.verdicts = judge(rough_case.expectations, summary.methods,
                            result.status == "complete");
-  if (!result.reference.empty())
-    summary.published =
-        beside_ours(cases::read_reference_text(result.reference,
-                                               result.path + ": reference"),
-                    summary.methods);
+  summary.published = beside_ours(references, summary.methods);
   return summary;
 }
 

@@ -35,8 +35,9 @@ struct Cost {
 };
 
 /// One method over all its realisations. `quantities` has the names that
-/// [expect] uses; a quantity that means nothing for the case is not in it,
-/// one that could not be had is there without a value and with the reason.
+/// [expect] uses, those at a load as the case or its references spell them; a
+/// quantity that means nothing for the case is not in it, one that could not be
+/// had is there without a value and with the reason.
 struct MethodSummary {
   std::string name;
   std::string kind;
