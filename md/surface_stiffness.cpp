@@ -116,6 +116,15 @@ const SymmetricBlock& SurfaceStiffness::at(int jx, int jy) const {
                  static_cast<std::size_t>(jx)];
 }
 
+double SurfaceStiffness::local_stiffness() const {
+  const int points = layer().points_x;
+  double sum = 0.0;
+  for (int jy = 0; jy < points; ++jy)
+    for (int jx = 0; jx <= points / 2; ++jx)
+      sum += (jx == 0 || 2 * jx == points ? 1.0 : 2.0) * at(jx, jy).zz;
+  return sum / static_cast<double>(layer().size());
+}
+
 void SurfaceStiffness::to_spectra(const LayerView& planes) {
   if (modes_ == AtomModes::vector) {
     fourier_.forward(planes.x, x_);

@@ -53,6 +53,10 @@ public:
   void solve(const LayerView& forces, const ContactStiffness& contact,
              const LayerForces& displacement);
 
+  /// What one atom meets that is pushed down alone [N/m]: the mean of zz over
+  /// all wavevectors.
+  double local_stiffness() const;
+
   /// K of the half spectrum's wavevector (column jx, row jy); with Modes::
   /// normal, zz alone.
   const SymmetricBlock& at(int jx, int jy) const;
