@@ -13,7 +13,7 @@ namespace asperity::md {
 
 struct RelaxationSettings {
   double tolerance = 1e-4;        ///< root mean square of the forces, relative
-                                  ///< to the mean normal force an atom [1]
+                                  ///< to Evaluation::contact_force [1]
   int max_evaluations = 20000;    ///< of energy and forces
   double largest_step = 0.3e-10;  ///< of any unknown in one step [m]
   int memory = 12;                ///< pairs that L-BFGS keeps
@@ -43,8 +43,9 @@ using Watch = std::function<bool(const Progress&)>;
 Relaxation relax(const System& system, std::vector<double>& state,
                  const RelaxationSettings& settings, const Watch& watch = {});
 
-/// The residual of forces, as RelaxationSettings::tolerance has it.
-double residual_of(const System& system, std::span<const double> state,
+/// The residual of forces, as RelaxationSettings::tolerance has it; infinity
+/// where nothing touches.
+double residual_of(const Evaluation& evaluation,
                    std::span<const double> forces);
 
 } // namespace asperity::md

@@ -23,6 +23,15 @@ struct Load {
   double amount = 0.0; ///< [Pa] or [m]
 };
 
+/// What one evaluation says besides the forces.
+struct Evaluation {
+  double energy = 0.0;        ///< of bulk, interface and load [J]
+  double contact_force = 0.0; ///< mean over the lowest layer of |normal force
+                              ///< of the substrate on an atom| [N]: what a
+                              ///< residual is measured by. Repulsion alone
+                              ///< makes it the mean normal force.
+};
+
 /// An atomistic block over a substrate. The state is a flat vector; its first
 /// 3 n values, n = layer().size(), are the planes x, y, z of LayerView of the
 /// lowest layer, so anyone can read the contact off any system.
@@ -39,17 +48,18 @@ public:
   /// The flat block, undeformed, its lowest layer at `height` [m].
   virtual std::vector<double> undeformed(double height) const = 0;
 
-  /// Potential energy of bulk, interface and load [J], and the forces on the
+  /// Potential energy of bulk, interface and load, and the forces on the
   /// unknowns [N], minus its gradient, with what the load holds fixed taken
   /// out (under Kind::height the forces on z of the lowest layer have mean 0;
   /// the mean in-plane displacement of the layer never moves: without
   /// friction it costs nothing).
-  virtual double energy_and_forces(std::span<const double> state,
-                                   std::span<double> forces) const = 0;
+  virtual Evaluation energy_and_forces(std::span<const double> state,
+                                       std::span<double> forces) const = 0;
 
   /// step = P forces, P symmetric positive definite and near the inverse of
   /// the second derivatives: the crystal's own stiffness with contact_stiffness
-  /// [N/m] an atom of the lowest layer for the interface.
+  /// [N/m] an atom of the lowest layer for the interface. It may go by the
+  /// state that was evaluated last.
   virtual void precondition(std::span<const double> forces,
                             double contact_stiffness,
                             std::span<double> step) const = 0;
