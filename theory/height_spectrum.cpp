@@ -117,6 +117,20 @@ HeightSpectrum::HeightSpectrum(std::vector<SpectrumShell> shells) {
   source_ = std::move(shells);
 }
 
+bool HeightSpectrum::has_density() const {
+  return std::holds_alternative<SpectrumFormula>(source_);
+}
+
+double HeightSpectrum::density(double wavevector) const {
+  const auto* formula = std::get_if<SpectrumFormula>(&source_);
+  if (formula == nullptr)
+    refuse_argument("wavevector", wavevector,
+                    "of a spectrum that is a formula: shells have no density");
+  const bool inside = wavevector >= formula->breaks.front() &&
+                      wavevector <= formula->breaks.back();
+  return inside ? formula->height_spectrum(wavevector) : 0.0;
+}
+
 double HeightSpectrum::wavevector_low() const {
   return prepared_->wavevector_low;
 }
