@@ -131,6 +131,13 @@ double HeightSpectrum::density(double wavevector) const {
   return inside ? formula->height_spectrum(wavevector) : 0.0;
 }
 
+std::span<const double> HeightSpectrum::breaks() const {
+  const auto* formula = std::get_if<SpectrumFormula>(&source_);
+  if (formula == nullptr)
+    return {};
+  return formula->breaks;
+}
+
 double HeightSpectrum::wavevector_low() const {
   return prepared_->wavevector_low;
 }

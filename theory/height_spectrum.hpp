@@ -72,6 +72,8 @@ public:
   /// @throws std::domain_error  the spectrum is made of shells: it has lines
   double density(double wavevector) const;
   bool has_density() const; ///< a formula, not shells
+  /// Those of the formula, from q_L to q_1 [rad/m]; none for shells.
+  std::span<const double> breaks() const;
 
   double wavevector_low() const;  ///< q_L, where roughness begins [rad/m]
   double wavevector_high() const; ///< q_1 [rad/m]
