@@ -138,6 +138,13 @@ std::span<const double> HeightSpectrum::breaks() const {
   return formula->breaks;
 }
 
+std::span<const SpectrumShell> HeightSpectrum::shells() const {
+  const auto* shells = std::get_if<std::vector<SpectrumShell>>(&source_);
+  if (shells == nullptr)
+    return {};
+  return *shells;
+}
+
 double HeightSpectrum::wavevector_low() const {
   return prepared_->wavevector_low;
 }

@@ -74,6 +74,9 @@ public:
   bool has_density() const; ///< a formula, not shells
   /// Those of the formula, from q_L to q_1 [rad/m]; none for shells.
   std::span<const double> breaks() const;
+  /// Ascending in wavevector, those without height left out; none for a
+  /// formula.
+  std::span<const SpectrumShell> shells() const;
 
   double wavevector_low() const;  ///< q_L, where roughness begins [rad/m]
   double wavevector_high() const; ///< q_1 [rad/m]
