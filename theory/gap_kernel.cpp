@@ -183,4 +183,13 @@ GammaParts gap_kernel_slope(double reduced_pressure) {
   return {gaussian, 3.0 * probability * probability * gaussian};
 }
 
+GammaParts gap_kernel_slope_rate(double reduced_pressure) {
+  const double x = reduced_pressure;
+  const GammaParts slope = gap_kernel_slope(x);
+  const double growth =
+      12.0 / std::sqrt(std::numbers::pi) * x * std::erf(x) * slope.linear;
+  return {-2.0 * x * x * slope.linear,
+          -2.0 * x * x * slope.cubic + growth * slope.linear};
+}
+
 } // namespace asperity::theory

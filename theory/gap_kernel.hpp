@@ -34,6 +34,10 @@ GammaParts gap_kernel(double reduced_pressure);
 /// x >= 0, a few ulp.
 GammaParts gap_kernel_slope(double reduced_pressure);
 
+/// d/dln x of gap_kernel_slope(), of S = [gamma + 3 (1 - gamma) erf^2 x]
+/// e^{-x^2}: -2 x^2 S + (12/sqrt pi) (1 - gamma) x erf(x) e^{-2 x^2} [1].
+GammaParts gap_kernel_slope_rate(double reduced_pressure);
+
 /// What J is below `limit`, as power series in y = x^2 (index = power of y):
 ///
 ///     J linear = -ln x + sum_n gap_linear[n] y^n

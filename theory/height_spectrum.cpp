@@ -117,6 +117,34 @@ HeightSpectrum::HeightSpectrum(std::vector<SpectrumShell> shells) {
   source_ = std::move(shells);
 }
 
+bool HeightSpectrum::has_density() const {
+  return std::holds_alternative<SpectrumFormula>(source_);
+}
+
+double HeightSpectrum::density(double wavevector) const {
+  const auto* formula = std::get_if<SpectrumFormula>(&source_);
+  if (formula == nullptr)
+    refuse_argument("wavevector", wavevector,
+                    "of a spectrum that is a formula: shells have no density");
+  const bool inside = wavevector >= formula->breaks.front() &&
+                      wavevector <= formula->breaks.back();
+  return inside ? formula->height_spectrum(wavevector) : 0.0;
+}
+
+std::span<const double> HeightSpectrum::breaks() const {
+  const auto* formula = std::get_if<SpectrumFormula>(&source_);
+  if (formula == nullptr)
+    return {};
+  return formula->breaks;
+}
+
+std::span<const SpectrumShell> HeightSpectrum::shells() const {
+  const auto* shells = std::get_if<std::vector<SpectrumShell>>(&source_);
+  if (shells == nullptr)
+    return {};
+  return *shells;
+}
+
 double HeightSpectrum::wavevector_low() const {
   return prepared_->wavevector_low;
 }

@@ -48,6 +48,9 @@ struct ProfileMoments {
 struct RoughnessNode {
   double root_moment = 0.0; ///< m [1] > 0
   double weight = 0.0;      ///< 2 dm/q [m]; may be negative for shells
+  /// -d(1/q) = dq/q^2 [m], for int f(m) dq/q^2 over a formula, gaps of the
+  /// spectrum included; 0 for shells, whose q moves by jumps.
+  double inverse_step = 0.0;
 };
 
 /// A spectrum that is ready for the theory. Cheap to copy: the nodes are
@@ -64,6 +67,16 @@ public:
   /// @throws std::domain_error  a member outside its range or not finite, or
   ///         no roughness at all
   explicit HeightSpectrum(std::vector<SpectrumShell> shells);
+
+  /// C(q) of a formula [m^4], 0 outside its breaks.
+  /// @throws std::domain_error  the spectrum is made of shells: it has lines
+  double density(double wavevector) const;
+  bool has_density() const; ///< a formula, not shells
+  /// Those of the formula, from q_L to q_1 [rad/m]; none for shells.
+  std::span<const double> breaks() const;
+  /// Ascending in wavevector, those without height left out; none for a
+  /// formula.
+  std::span<const SpectrumShell> shells() const;
 
   double wavevector_low() const;  ///< q_L, where roughness begins [rad/m]
   double wavevector_high() const; ///< q_1 [rad/m]

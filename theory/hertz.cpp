@@ -59,6 +59,28 @@ double hertz_gap(const HertzContact& contact, double radius) {
          hertz_displacement(contact, radius);
 }
 
+double AxisStress::largest_shear() const {
+  return 0.5 * std::abs(radial - axial);
+}
+
+AxisStress hertz_axis_stress(const HertzContact& contact, double depth,
+                             double poisson) {
+  require_positive("contact_radius", contact.contact_radius, "m");
+  require_not_negative("depth", depth, "m");
+  require_between("poisson", poisson, -1.0, 0.5, "1");
+  const double z = depth / contact.contact_radius;
+  const double fall = 1.0 / (1.0 + z * z);
+  double spread = 1.0 - z * std::atan2(1.0, z);
+  if (z > 20.0) { // 1/(3 z^2) - 1/(5 z^4) + ...: the difference cancels
+    const double square = 1.0 / (z * z);
+    spread =
+        square * (1.0 / 3.0 -
+                  square * (1.0 / 5.0 - square * (1.0 / 7.0 - square / 9.0)));
+  }
+  return {-contact.peak_pressure * fall,
+          -contact.peak_pressure * ((1.0 + poisson) * spread - 0.5 * fall)};
+}
+
 namespace {
 
 // sum over the square lattice but its origin, as far as exp(-pi n^2) matters

@@ -45,6 +45,25 @@ double hertz_displacement(const HertzContact& contact, double radius);
 /// r^2/(2R) - delta + u(r) [m], 0 inside the contact.
 double hertz_gap(const HertzContact& contact, double radius);
 
+/// Stress on the axis below the spot, tension positive.
+struct AxisStress {
+  double axial = 0.0;  ///< sigma_z [Pa] <= 0
+  double radial = 0.0; ///< sigma_r = sigma_theta [Pa]
+
+  /// |sigma_r - sigma_z|/2 [Pa]: 0.310 p_0 at most, 0.48 a deep at nu = 0.3.
+  double largest_shear() const;
+};
+
+///     sigma_z = -p_0/(1 + z^2/a^2),
+///     sigma_r = -p_0 {(1 + nu)[1 - (z/a) atan(a/z)] - 1/(2 (1 + z^2/a^2))}.
+///
+/// @param depth    z [m] >= 0
+/// @param poisson  nu of the half-space [1], -1 to 1/2
+/// @throws std::domain_error  an argument outside its range, or no contact
+/// @see  K. L. Johnson, Contact Mechanics (1985), (3.45)
+AxisStress hertz_axis_stress(const HertzContact& contact, double depth,
+                             double poisson);
+
 /// S in what the neighbours of a square array take off an isolated approach,
 ///
 ///     delta_isolated = delta_periodic + S F/(pi E* L),

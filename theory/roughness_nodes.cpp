@@ -117,7 +117,8 @@ private:
       result_.curvature += energy * q * q * q;
       const double root = std::sqrt(result_.slope + moment(from, t));
       if (root > 0.0)
-        result_.nodes.push_back({root, energy / root}); // 2 dm = dM/m
+        result_.nodes.push_back({root, energy / root, // 2 dm = dM/m
+                                 node.weight * half * 2.0 * t / (q * q)});
     }
     result_.slope += growth;
   }

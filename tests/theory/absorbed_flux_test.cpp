@@ -1,0 +1,114 @@
+// Claims about theory/absorbed_flux.hpp against the walls whose absorption has
+// a closed form, and the order at which it is reached.
+#include "theory/absorbed_flux.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace asperity::theory {
+namespace {
+
+// Times that crowd towards 0 as those of a spectrum do, up to tau = 1.
+MovingWall wall_of(int n_steps, auto distance, auto rate) {
+  MovingWall wall;
+  for (int i = 0; i <= n_steps; ++i) {
+    const double t = std::expm1(3.0 * i / n_steps) / std::expm1(3.0);
+    wall.time.push_back(t);
+    wall.distance.push_back(distance(t));
+    wall.rate.push_back(rate(t));
+  }
+  return wall;
+}
+
+double lost_at_end(const MovingWall& wall) {
+  return 1.0 - absorbed_flux(wall).survival.back();
+}
+
+// Claim: a wall at rest leaves P = erf(b/(2 sqrt tau)), by a mirror image; f
+// is then exact at every node. Tolerance: the trapezoidal rule of its
+// integral, second order: 4 per halving.
+TEST(AbsorbedFlux, OfAWallAtRestIsTheMirrorImage) {
+  const double distance = 0.8;
+  const auto error = [&](int n) {
+    const MovingWall wall = wall_of(
+        n, [&](double) { return distance; }, [](double) { return 0.0; });
+    return lost_at_end(wall) - std::erfc(0.5 * distance);
+  };
+  const Absorption coarse = absorbed_flux(wall_of(
+      20, [&](double) { return distance; }, [](double) { return 0.0; }));
+
+  EXPECT_NEAR(coarse.flux.back(),
+              distance / std::sqrt(4.0 * std::numbers::pi) *
+                  std::exp(-0.25 * distance * distance),
+              1e-15);
+  EXPECT_LT(std::abs(error(200)), 1e-5);
+  EXPECT_NEAR(error(100) / error(200), 4.0, 0.1);
+}
+
+// Claim: a wall that moves steadily, b + v tau: the inverse Gaussian,
+//   1 - P = [erfc((b + v tau)/2 sqrt tau) + e^{-v b} erfc((b - v tau)/2 sqrt
+//   tau)]/2. The kernel vanishes again and f is exact.
+TEST(AbsorbedFlux, OfASteadyWallIsTheInverseGaussian) {
+  for (const double speed : {-0.5, 0.7, 3.0}) {
+    const double distance = 1.0;
+    const MovingWall wall = wall_of(
+        400, [&](double t) { return distance + speed * t; },
+        [&](double) { return speed; });
+    const double expected = 0.5 * (std::erfc(0.5 * (distance + speed)) +
+                                   std::exp(-speed * distance) *
+                                       std::erfc(0.5 * (distance - speed)));
+
+    EXPECT_NEAR(lost_at_end(wall) / expected, 1.0, 2e-5) << speed;
+  }
+}
+
+// Claim: a curved wall (Daniels): where a unit source at 0 and two image sinks
+// at d and 2d cancel,
+//   e^{-b^2/4t} = k_1 e^{-(b - d)^2/4t} + k_2 e^{-(b - 2d)^2/4t},
+// a quadratic in e^{b d/2t}, what is left is the images' sum below b. Here the
+// kernel does not vanish. Tolerance: the order, above 1.4 as claimed.
+TEST(AbsorbedFlux, OfDanielsWallIsASumOfImages) {
+  const double d = 1.0, k1 = 0.5, k2 = 0.2;
+  const auto wall_at = [&](double t) {
+    if (t == 0.0)
+      return 0.5 * d;
+    const double p = k1 * std::exp(-d * d / (4.0 * t));
+    const double q = k2 * std::exp(-d * d / t);
+    const double z = 2.0 / (p + std::sqrt(p * p + 4.0 * q));
+    return 2.0 * t / d * std::log(z);
+  };
+  const auto rate_at = [&](double t) {
+    const double step = 1e-4 * (t + 1e-3);
+    const double low = t > step ? t - step : 0.0;
+    return (wall_at(t + step) - wall_at(low)) / (t + step - low);
+  };
+  const double b = wall_at(1.0);
+  const auto below = [](double x) { return 0.5 * std::erfc(-0.5 * x); };
+  const double kept = below(b) - k1 * below(b - d) - k2 * below(b - 2.0 * d);
+  const auto error = [&](int n) {
+    return 1.0 - lost_at_end(wall_of(n, wall_at, rate_at)) - kept;
+  };
+
+  const double order = std::log2(error(100) / error(200));
+
+  EXPECT_LT(std::abs(error(200)), 1e-4);
+  EXPECT_GT(order, 1.4);
+}
+
+TEST(AbsorbedFlux, RefusesWallsThatAreNone) {
+  EXPECT_THROW(absorbed_flux({{0.0}, {1.0}, {0.0}}), std::domain_error);
+  EXPECT_THROW(absorbed_flux({{0.0, 1.0}, {1.0}, {0.0, 0.0}}),
+               std::domain_error);
+  EXPECT_THROW(absorbed_flux({{0.1, 1.0}, {1.0, 1.0}, {0.0, 0.0}}),
+               std::domain_error);
+  EXPECT_THROW(absorbed_flux({{0.0, 0.0}, {1.0, 1.0}, {0.0, 0.0}}),
+               std::domain_error);
+  EXPECT_THROW(absorbed_flux({{0.0, 1.0}, {1.0, 0.0}, {0.0, 0.0}}),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::theory

@@ -1,0 +1,93 @@
+// Claims about theory/elliptic_hertz.hpp: a sphere is Hertz's, and the pressure
+// bends the face into the body's own shape.
+#include "theory/elliptic_hertz.hpp"
+#include "theory/hertz.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace asperity::theory {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double modulus = 3e9, approach = 2e-7;
+
+// Claim: equal curvatures are Hertz's sphere; nearly equal ones are near it.
+TEST(EllipticHertz, OfEqualCurvaturesIsASphere) {
+  for (const double contrast : {0.0, 1e-9, 1e-6}) {
+    const EllipticContact spot = elliptic_contact(
+        approach, 100.0 * (1.0 + contrast), 100.0 * (1.0 - contrast), modulus);
+    const double radius = std::sqrt(approach / 100.0);
+    const HertzContact sphere =
+        hertz_contact(hertz_load(radius, 0.01, modulus), 0.01, modulus);
+
+    EXPECT_NEAR(spot.load / sphere.load, 1.0, 1e-14 + contrast);
+    EXPECT_NEAR(spot.major_radius / radius, 1.0, 1e-14 + contrast);
+    EXPECT_NEAR(spot.minor_radius / radius, 1.0, 1e-14 + contrast);
+    EXPECT_NEAR(spot.peak_pressure / sphere.peak_pressure, 1.0,
+                1e-14 + contrast);
+  }
+}
+
+// Claim: int p/(pi E* r) = delta - (k_1 x^2 + k_2 y^2)/2 all over the spot, by
+// polar quadrature about (x, y): along a ray p^2 is a quadratic, and the
+// integral of its root up to the rim is elementary. Tolerance: 4 x 40 Gauss
+// points in the angle.
+TEST(EllipticHertz, PressureBendsTheFaceToTheBody) {
+  for (const double ratio : {1.0, 3.0, 40.0}) {
+    const double flat = 100.0, steep = ratio * flat;
+    const EllipticContact spot =
+        elliptic_contact(approach, steep, flat, modulus);
+    const double a = spot.major_radius, b = spot.minor_radius;
+    const auto ray = [&](double x, double y, double angle) {
+      const double ex = std::cos(angle) / a, ey = std::sin(angle) / b;
+      const double square = ex * ex + ey * ey;
+      const double half = (ex * x / a + ey * y / b) / square;
+      const double depth = 1.0 - x * x / a / a - y * y / b / b;
+      const double reach = std::sqrt(depth / square + half * half);
+      // int_0 sqrt(square (reach^2 - (s + half)^2)) ds up to the rim
+      return 0.5 * std::sqrt(square) *
+             (reach * reach * std::acos(half / reach) -
+              half * std::sqrt(reach * reach - half * half));
+    };
+    for (const auto& [at_x, at_y] :
+         {std::pair{0.0, 0.0}, {0.7, 0.0}, {0.0, 0.6}, {0.5, -0.5}}) {
+      const double x = at_x * a, y = at_y * b;
+      double displacement = 0.0;
+      for (int quarter = 0; quarter < 64; ++quarter)
+        displacement += boost::math::quadrature::gauss<double, 20>::integrate(
+            [&](double angle) { return ray(x, y, angle); }, quarter * pi / 32.0,
+            (quarter + 1) * pi / 32.0);
+      displacement *= spot.peak_pressure / (pi * modulus);
+
+      EXPECT_NEAR((displacement + 0.5 * (flat * x * x + steep * y * y)) /
+                      approach,
+                  1.0, 1e-9)
+          << ratio << ' ' << at_x << ' ' << at_y;
+    }
+  }
+}
+
+// Claim: the load is the pressure's volume, and the order of the curvatures
+// does not matter. Tolerance: rounding.
+TEST(EllipticHertz, LoadIsThePressuresVolume) {
+  const EllipticContact spot = elliptic_contact(approach, 30.0, 900.0, modulus);
+  const EllipticContact same = elliptic_contact(approach, 900.0, 30.0, modulus);
+
+  EXPECT_NEAR(spot.load / (2.0 / 3.0 * pi * spot.major_radius *
+                           spot.minor_radius * spot.peak_pressure),
+              1.0, 1e-14);
+  EXPECT_EQ(spot.load, same.load);
+  EXPECT_EQ(spot.major_radius, same.major_radius);
+  EXPECT_EQ(elliptic_contact(0.0, 1.0, 2.0, 1.0).peak_pressure, 0.0);
+  EXPECT_THROW(elliptic_contact(approach, 0.0, 1.0, 1.0), std::domain_error);
+  EXPECT_THROW(elliptic_factors(1.0), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::theory

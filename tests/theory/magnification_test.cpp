@@ -1,0 +1,215 @@
+// Claims about theory/magnification.hpp: what is hidden is the same theory
+// again, volume is conserved when the surfaces open, and what is refused.
+#include "theory/magnification.hpp"
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/theory/spectra.hpp"
+
+namespace asperity::theory {
+namespace {
+
+using std::numbers::pi;
+
+// The paper's Fig. 15: 1.3 GPa, magnifications counted from the roll-off.
+constexpr double pressure = 1.3e9;
+
+MagnifiedContact surface_under(double nominal_pressure) {
+  const SelfAffine shape = surface_of_the_paper();
+  return MagnifiedContact(
+      PerssonContact(shape.spectrum(), modulus_of_the_paper, 0.42),
+      nominal_pressure, shape.roll_off);
+}
+
+// Claim: A and h_rms by the closed moments of the self-affine formula.
+// Tolerance: rounding of some thousand positive terms.
+TEST(Magnification, AreaAndHeightAreMomentsAboveAndBelow) {
+  const SelfAffine shape = surface_of_the_paper();
+  const MagnifiedContact contact = surface_under(pressure);
+  const double ratio = pressure / modulus_of_the_paper;
+  for (const double zeta : {0.4, 0.9, 1.0, 2.5}) {
+    const double q = zeta * shape.roll_off;
+    const double seen = shape.moment(q, 3);
+    const double hidden = shape.moment(shape.high, 1) - shape.moment(q, 1);
+
+    EXPECT_NEAR(contact.area_fraction(zeta) /
+                    std::erf(ratio / std::sqrt(pi * seen)),
+                1.0, 1e-13);
+    EXPECT_NEAR(contact.rms_height(zeta) / std::sqrt(2.0 * pi * hidden), 1.0,
+                1e-13);
+    EXPECT_NEAR(contact.apparent_pressure(zeta) * contact.area_fraction(zeta) /
+                    pressure,
+                1.0, 1e-15);
+  }
+}
+
+// Claim: outside zeta_0..zeta_1 there is nothing more to see: at zeta_0 the
+// whole contact of (4) and (14), from zeta_1 on no gap. q_ref shifts zeta_0.
+TEST(Magnification, EndsAreTheWholeContactAndNoGap) {
+  const MagnifiedContact contact = surface_under(pressure);
+  const double lowest = contact.lowest_magnification();
+  const double highest = contact.highest_magnification();
+
+  EXPECT_NEAR(lowest, 6.04e7 / 1.81e8, 1e-15);
+  EXPECT_NEAR(highest, 4.0, 1e-15);
+  for (const double zeta : {0.01 * lowest, lowest}) {
+    EXPECT_EQ(contact.area_fraction(zeta), 1.0);
+    EXPECT_NEAR(contact.mean_gap(zeta) / contact.contact().mean_gap(pressure),
+                1.0, 1e-15);
+    EXPECT_NEAR(contact.mean_gap_as_printed(zeta) / contact.mean_gap(zeta), 1.0,
+                1e-13);
+  }
+  for (const double zeta : {highest, 50.0}) {
+    EXPECT_NEAR(contact.area_fraction(zeta) /
+                    contact.contact().area_fraction(pressure),
+                1.0, 1e-14);
+    EXPECT_EQ(contact.rms_height(zeta), 0.0);
+    EXPECT_EQ(contact.mean_gap(zeta), 0.0);
+    EXPECT_EQ(contact.mean_gap_as_printed(zeta), 0.0);
+    EXPECT_EQ(contact.opening_gap(zeta), 0.0);
+  }
+}
+
+// Claim: (23) as an integral over wavevectors, with w(q, zeta) inside and
+// either w outside. Tolerance: tanh-sinh's and q - q_L's lost digits.
+TEST(Magnification, GapIsThePapersIntegralInEitherReading) {
+  const SelfAffine shape = surface_of_the_paper();
+  const MagnifiedContact contact = surface_under(pressure);
+  boost::math::quadrature::tanh_sinh<double> quadrature;
+  const double zeta = 1.5, low = zeta * shape.roll_off;
+  SelfAffine above = shape; // only q^{-2-2H} is left
+  above.low = above.roll_off = low;
+  above.strength = shape(low);
+  const double ratio = contact.apparent_pressure(zeta) / modulus_of_the_paper;
+  const auto gap = [&](bool as_printed) {
+    return quadrature.integrate(
+        [&](double t) {
+          const double q = low + t * t;
+          const double inner =
+              1.0 / std::sqrt(pi * above.moment_over(t * t, 3));
+          const double outer =
+              as_printed ? 1.0 / std::sqrt(pi * shape.moment(q, 3)) : inner;
+          const double x = inner * ratio;
+          return x < 25.0 ? 2.0 * t * std::sqrt(pi) * q * q * shape(q) * outer *
+                                gap_kernel(x).at(0.42)
+                          : 0.0;
+        },
+        0.0, std::sqrt(shape.high - low), 1e-13);
+  };
+
+  EXPECT_NEAR(contact.mean_gap(zeta) / gap(false), 1.0, 1e-12);
+  EXPECT_NEAR(contact.mean_gap_as_printed(zeta) / gap(true), 1.0, 1e-12);
+  EXPECT_LT(contact.mean_gap_as_printed(zeta), contact.mean_gap(zeta));
+}
+
+// Claim: (25) is the limit of its own finite step, to second order in the
+// step: halving it quarters the distance.
+TEST(Magnification, OpeningGapIsTheLimitOfASmallStep) {
+  const MagnifiedContact contact = surface_under(pressure);
+  for (const double zeta : {0.5, 0.8, 1.5, 3.0}) {
+    const double limit = contact.opening_gap(zeta);
+    const auto error = [&](double step) {
+      return contact.opening_gap(zeta * std::exp(-step),
+                                 zeta * std::exp(step)) /
+                 limit -
+             1.0;
+    };
+
+    const double order = std::log2(error(0.02) / error(0.01));
+
+    EXPECT_NEAR(order, 2.0, 0.01) << "zeta " << zeta;
+    EXPECT_LT(std::abs(error(0.01)), 0.01) << "zeta " << zeta;
+  }
+}
+
+// Claim: all that opens between zeta_0 and zeta_1 is 1 - A(zeta_1) of area and
+// u(zeta_0) of volume, the two moments of P_u. Tolerance: the quadrature's.
+TEST(Magnification, OpeningRatesAddUpToAreaAndMeanGap) {
+  for (const double load : {0.1e9, pressure}) {
+    const MagnifiedContact contact = surface_under(load);
+    boost::math::quadrature::tanh_sinh<double> quadrature(8);
+    const auto total = [&](auto member) {
+      const auto over = [&](double from, double to) {
+        return quadrature.integrate(
+            [&](double log_zeta) {
+              return contact.opening_rates(std::exp(log_zeta)).*member;
+            },
+            std::log(from), std::log(to), 1e-7);
+      };
+      return over(contact.lowest_magnification(), 1.0) +
+             over(1.0, contact.highest_magnification());
+    };
+
+    EXPECT_NEAR(total(&OpeningRates::area),
+                1.0 - contact.contact().area_fraction(load), 1e-9);
+    EXPECT_NEAR(total(&OpeningRates::volume) / contact.contact().mean_gap(load),
+                1.0, 1e-8);
+  }
+}
+
+// Claim: with a single shell seen or not, all opens in one step, at the mean
+// gap over the area that opens; (25) itself has no meaning there.
+TEST(Magnification, ShellsOpenInSteps) {
+  const PerssonContact rough(
+      HeightSpectrum(std::vector<SpectrumShell>{{1e7, 1e-17}, {4e7, 1e-18}}),
+      2e9, 0.4);
+  const MagnifiedContact contact(rough, 1e7, 1e7);
+  const double area = contact.area_fraction(1.0);
+
+  EXPECT_EQ(contact.area_fraction(0.99), 1.0);
+  EXPECT_EQ(contact.area_fraction(3.9), area);
+  EXPECT_LT(contact.area_fraction(4.0), area);
+  EXPECT_NEAR(contact.opening_gap(0.5, 5.0) *
+                  (1.0 - contact.area_fraction(5.0)) / rough.mean_gap(1e7),
+              1.0, 1e-14);
+  EXPECT_THROW(contact.opening_gap(1.0), std::domain_error);
+  EXPECT_THROW(contact.opening_gap(1.5, 2.5), std::domain_error);
+}
+
+// Claim: the inverse of A(zeta); no value when the area stays larger.
+// Tolerance: rounding of A over dA/dln zeta, and of q - q_L.
+TEST(Magnification, OfAnAreaUndoesTheArea) {
+  const MagnifiedContact contact = surface_under(pressure);
+  for (const double zeta : {0.35, 1.0, 3.99}) {
+    const auto found =
+        contact.magnification_of_area(contact.area_fraction(zeta));
+    ASSERT_TRUE(found.has_value());
+    const double condition = 1.0 / contact.opening_rates(zeta).area;
+    EXPECT_NEAR(*found / zeta, 1.0, 1e-15 * condition + 1e-13);
+  }
+  EXPECT_FALSE(contact.magnification_of_area(0.01).has_value());
+}
+
+// Claim: the polymer surrogate of Sec. 8 at 10 MPa and E* = 2 GPa, worked out
+// in another program. Tolerance: half a unit of the last printed digit.
+TEST(Magnification, PolymerSurrogateHasItsPrintedNumbers) {
+  const double reference = 2.0 * pi / 10e-6;
+  const SelfAffine polymer =
+      SelfAffine{0.95, 2.0 * reference, 4.5 * reference, 128.0 * reference, 1.0}
+          .with_rms_height(34e-9);
+  const MagnifiedContact contact(PerssonContact(polymer.spectrum(), 2e9, 0.38),
+                                 10e6, reference);
+
+  EXPECT_NEAR(contact.mean_gap(1.0) / 34e-9, 1.215, 5e-4);
+  EXPECT_NEAR(contact.mean_gap(10.0) / contact.mean_gap(1.0), 0.032, 5e-4);
+  EXPECT_NEAR(contact.area_fraction(10.0), 0.077, 5e-4);
+  EXPECT_NEAR(contact.contact().gap_decay_length() / 34e-9, 0.409, 5e-4);
+}
+
+TEST(Magnification, RefusesWhatIsOutsideItsRange) {
+  const MagnifiedContact contact = surface_under(pressure);
+  EXPECT_THROW(surface_under(0.0), std::domain_error);
+  EXPECT_THROW(MagnifiedContact(contact.contact(), 1.0, -1.0),
+               std::domain_error);
+  EXPECT_THROW(contact.mean_gap(0.0), std::domain_error);
+  EXPECT_THROW(contact.magnification_of_area(1.0), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::theory

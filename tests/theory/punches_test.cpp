@@ -1,0 +1,80 @@
+// Claims about theory/punches.hpp: the stated pressure makes the stated
+// displacement, inside and outside, and carries the stated load.
+#include "theory/punches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "tests/theory/axisymmetric.hpp"
+
+namespace asperity::theory {
+namespace {
+
+constexpr double modulus = 2e9, load = 3.0;
+
+// Claim: both punches' displacement is that of their pressure. Tolerance: the
+// quadrature of root and logarithmic singularities at its ends, which sees
+// distances to a no finer than eps a: sqrt(eps).
+TEST(Punches, PressureMakesTheDisplacement) {
+  const FlatPunch punch(1e-3, modulus);
+  const Cone cone(0.1, modulus);
+  const double a = cone.contact(load).contact_radius;
+  for (const double ratio : {0.0, 0.3, 0.9, 1.1, 2.0, 30.0}) {
+    const double flat = displacement_under(
+        [&](double s) { return s < 1e-3 ? punch.pressure(load, s) : 0.0; },
+        {0.0, 1e-3}, modulus, 1e-3 * ratio);
+    const double pointed = displacement_under(
+        [&](double s) { return s > 0.0 ? cone.pressure(load, s) : 0.0; },
+        {0.0, a}, modulus, ratio * a);
+
+    EXPECT_NEAR(flat / punch.displacement(load, 1e-3 * ratio), 1.0, 1e-7)
+        << ratio;
+    EXPECT_NEAR(pointed / cone.displacement(load, a * ratio), 1.0, 1e-7)
+        << ratio;
+  }
+}
+
+// Claim: the load is the pressure's volume and the rigid depth is u(0).
+TEST(Punches, CarryTheirLoad) {
+  const FlatPunch punch(1e-3, modulus);
+  const Cone cone(0.1, modulus);
+  const PunchContact spot = cone.contact(load);
+  const auto flat = [&](double s) {
+    return s < 1e-3 ? punch.pressure(load, s) : 0.0;
+  };
+  const auto pointed = [&](double s) {
+    return s > 0.0 ? cone.pressure(load, s) : 0.0;
+  };
+
+  EXPECT_NEAR(load_of(flat, {0.0, 1e-3}) / load, 1.0, 1e-7);
+  EXPECT_NEAR(load_of(pointed, {0.0, spot.contact_radius}) / load, 1.0, 1e-10);
+  EXPECT_EQ(cone.displacement(load, 0.0), spot.approach);
+  EXPECT_NEAR(punch.contact(load).approach * 2.0 * modulus * 1e-3, load, 1e-14);
+}
+
+// Claim: far away both are point loads, F/(pi E* r), to second order in a/r.
+TEST(Punches, ArePointLoadsFarAway) {
+  const FlatPunch punch(1e-3, modulus);
+  const Cone cone(0.1, modulus);
+  for (const double radius : {1.0, 10.0}) {
+    const double point = load / (std::numbers::pi * modulus * radius);
+    EXPECT_NEAR(punch.displacement(load, radius) / point, 1.0,
+                1e-6 / radius / radius);
+    EXPECT_NEAR(cone.displacement(load, radius) / point, 1.0,
+                1e-6 / radius / radius);
+  }
+}
+
+TEST(Punches, RefuseWhatIsOutsideTheirRange) {
+  EXPECT_THROW(FlatPunch(0.0, 1.0), std::domain_error);
+  EXPECT_THROW(Cone(-0.1, 1.0), std::domain_error);
+  EXPECT_THROW(Cone(0.1, 1.0).contact(-1.0), std::domain_error);
+  EXPECT_NO_THROW(FlatPunch(1.0, 1.0).contact(-1.0));
+  EXPECT_THROW(FlatPunch(1.0, 1.0).pressure(1.0, -1.0), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::theory

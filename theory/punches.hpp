@@ -1,0 +1,64 @@
+#pragma once
+
+// Two rigid punches on an elastic half-space with closed fields: the flat
+// cylinder and the cone.
+
+namespace asperity::theory {
+
+/// What a punch of revolution does: radius of contact, depth and load.
+struct PunchContact {
+  double contact_radius = 0.0; ///< a [m]
+  double approach = 0.0;       ///< delta [m], towards contact
+  double load = 0.0;           ///< F [N]
+};
+
+/// A flat-ended cylinder: F = 2 E* a delta.
+/// @see  K. L. Johnson, Contact Mechanics (1985), Sec. 3.8
+class FlatPunch {
+public:
+  /// @param punch_radius     a [m] > 0
+  /// @param contact_modulus  E* [Pa] > 0
+  /// @throws std::domain_error  an argument outside its range or not finite,
+  ///         here and below
+  FlatPunch(double punch_radius, double contact_modulus);
+
+  /// @param load  F [N], tension too: the edge does not move
+  PunchContact contact(double load) const;
+
+  /// F/(2 pi a^2 sqrt(1 - r^2/a^2)) for r < a, infinite at the edge, 0 outside
+  /// [Pa].
+  double pressure(double load, double radius) const;
+
+  /// delta for r <= a, (2 delta/pi) asin(a/r) outside [m].
+  double displacement(double load, double radius) const;
+
+private:
+  double punch_radius_;
+  double contact_modulus_;
+};
+
+/// A cone of height s r: a = 2 delta/(pi s), F = (pi/2) E* s a^2.
+/// @see  I. N. Sneddon, Int. J. Eng. Sci. 3, 47 (1965)
+class Cone {
+public:
+  /// @param slope            s of its flank against the face [1] > 0, small
+  /// @param contact_modulus  E* [Pa] > 0
+  /// @throws std::domain_error  an argument outside its range or not finite,
+  ///         here and below
+  Cone(double slope, double contact_modulus);
+
+  /// @param load  F [N] >= 0
+  PunchContact contact(double load) const;
+
+  /// (E* s/2) arcosh(a/r) for r < a, infinite on the axis, 0 outside [Pa].
+  double pressure(double load, double radius) const;
+
+  /// delta - s r for r <= a, s [a asin(a/r) + sqrt(r^2 - a^2) - r] outside [m].
+  double displacement(double load, double radius) const;
+
+private:
+  double slope_;
+  double contact_modulus_;
+};
+
+} // namespace asperity::theory
