@@ -32,6 +32,10 @@ const std::vector<ExpectationName>& expectation_names() {
        .description = "Largest |u - u of theory| / h_rms where "
                       "0.3 < u / h_rms < 1.5 [1].",
        .needs_theory = true},
+      {.name = "pressure_difference",
+       .description = "Of a variant, \"md.explicit\": largest relative "
+                      "difference of p at equal u to its method, \"md\" [1].",
+       .variants_only = true},
       {.name = "mean_gap_error",
        .description = "Largest |mean gap - exact| / amplitude [1].",
        .surfaces = {wave_1d}},

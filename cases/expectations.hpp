@@ -15,6 +15,7 @@ struct ExpectationName {
   std::string description;     ///< one sentence, with the unit
   bool theory_answers = false; ///< else: numerical methods only
   bool needs_theory = false;   ///< the case must have a [theory] to compare to
+  bool variants_only = false;  ///< of "md.explicit" beside "md", not of "md"
   std::vector<SurfaceKind> surfaces = {}; ///< empty: any
 };
 

@@ -25,7 +25,9 @@ bool is_theory(const MethodSpec& method) {
 }
 
 bool answers(const MethodSpec& method, const ExpectationName& quantity) {
-  return quantity.theory_answers || !is_theory(method);
+  const bool is_variant = method.name.find('.') != std::string::npos;
+  return (quantity.theory_answers || !is_theory(method)) &&
+         (is_variant || !quantity.variants_only);
 }
 
 /// Half the band's width: a number, or "5 %" of |value|.

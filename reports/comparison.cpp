@@ -110,6 +110,24 @@ double largest_gap_deviation(std::span<const Deviation> rows,
   return largest;
 }
 
+double largest_pressure_difference(std::span<const CurvePoint> points,
+                                   const CurveFunction& reference) {
+  const double step = 1e-3; // of ln p, over which du_ref is taken
+  const double ratio = std::exp(step);
+  double largest = not_a_number;
+  for (const CurvePoint& row : loading_rows(points)) {
+    double fall = reference.gap(row.nominal_pressure) -
+                  reference.gap(row.nominal_pressure * ratio);
+    if (!std::isfinite(fall)) // the last row of the other curve
+      fall = reference.gap(row.nominal_pressure / ratio) -
+             reference.gap(row.nominal_pressure);
+    const double shift =
+        std::abs(row.mean_gap - reference.gap(row.nominal_pressure));
+    largest = std::fmax(largest, shift * step / std::abs(fall));
+  }
+  return largest;
+}
+
 double light_load_area_excess(std::span<const Deviation> rows) {
   double sum = 0.0;
   int count = 0;

@@ -58,6 +58,12 @@ inline constexpr double comparison_gap_high = 1.5;
 double largest_gap_deviation(std::span<const Deviation> rows,
                              double rms_height);
 
+/// Largest relative difference of the pressure at equal mean gap to another
+/// curve, to first order in it: |u - u_ref| over |du_ref/dln p| at the row's
+/// pressure. NaN if no row lies in the other curve's range.
+double largest_pressure_difference(std::span<const results::CurvePoint> points,
+                                   const CurveFunction& reference);
+
 /// Mean of A/A_ref - 1 over the rows with 0 < A/A_0 <= 15 %;
 /// NaN if there is none.
 double light_load_area_excess(std::span<const Deviation> rows);

@@ -24,8 +24,14 @@ double set_gamma(const cases::Case& rough_case, const MethodRecord& method) {
 
 SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
                          const MethodRecord& method, std::size_t realization) {
-  if (uses_formula(rough_case, method))
-    return theory_of_formula(rough_case.surface, result.contact_modulus);
+  if (uses_formula(rough_case, method)) {
+    const auto magnification = magnification_of(rough_case, method);
+    std::optional<double> highest;
+    if (magnification)
+      highest = *magnification * rough_case.surface.wavevector_roll_off;
+    return theory_of_formula(rough_case.surface, result.contact_modulus,
+                             highest);
+  }
   if (!method.realizations[realization].own_surface &&
       realization >= result.surfaces.size())
     return {};
@@ -127,6 +133,16 @@ Estimate gap_deviation_of(const MethodRecord& method,
                                 comparison_gap_low, comparison_gap_high));
 }
 
+Estimate pressure_difference_to(const MethodRecord& method,
+                                const MethodRecord& base) {
+  std::vector<double> largest;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r)
+    largest.push_back(
+        largest_pressure_difference(method.realizations[r].points,
+                                    CurveFunction(curve_of(base, r).points)));
+  return largest_of(largest, "no load that " + base.name + " also has");
+}
+
 Estimate set_parameter(const cases::Case& rough_case,
                        const MethodRecord& method) {
   Estimate estimate;
@@ -165,6 +181,8 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
   }
   quantities["gamma_theory"] = mean_of(
       summary.fits, &RealizationFits::parameter, &ParameterFit::gamma_theory);
+  if (const MethodRecord* base = base_method(result, method))
+    quantities["pressure_difference"] = pressure_difference_to(method, *base);
   if (reference == nullptr)
     return;
   quantities["gap_deviation"] =

@@ -71,17 +71,39 @@ SurfaceScales scales_of(const results::Result& result,
   return scales;
 }
 
-const results::MethodRecord* reference_theory(const results::Result& result) {
+std::optional<double> magnification_of(const cases::Case& rough_case,
+                                       const results::MethodRecord& method) {
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (spec.name == method.name)
+      return spec.magnification;
+  return std::nullopt;
+}
+
+const results::MethodRecord*
+reference_theory(const results::Result& result, const cases::Case& rough_case,
+                 const results::MethodRecord& method) {
+  const std::optional<double> seen = magnification_of(rough_case, method);
   const results::MethodRecord* first = nullptr;
-  for (const results::MethodRecord& method : result.methods) {
-    if (method.kind != "theory" || method.realizations.empty())
+  for (const results::MethodRecord& theory : result.methods) {
+    if (theory.kind != "theory" || theory.realizations.empty() ||
+        magnification_of(rough_case, theory) != seen)
       continue;
-    if (method.name == "theory")
-      return &method;
+    if (theory.name == "theory")
+      return &theory;
     if (first == nullptr)
-      first = &method;
+      first = &theory;
   }
   return first;
+}
+
+const results::MethodRecord* base_method(const results::Result& result,
+                                         const results::MethodRecord& method) {
+  const std::size_t dot = method.name.find('.');
+  for (const results::MethodRecord& base : result.methods)
+    if (dot != std::string::npos && base.name == method.name.substr(0, dot) &&
+        !base.realizations.empty())
+      return &base;
+  return nullptr;
 }
 
 } // namespace asperity::reports

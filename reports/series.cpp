@@ -65,7 +65,8 @@ SeriesRow mean_of(const Sum& sum) {
 
 std::vector<SeriesRow> rows_of(const ReportEntry& entry,
                                const MethodRecord& method) {
-  const MethodRecord* reference = reference_theory(*entry.result);
+  const MethodRecord* reference =
+      reference_theory(*entry.result, *entry.contact_case, method);
   std::map<int, Sum> steps;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
     const SurfaceScales scales =

@@ -101,9 +101,9 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
   summary.case_hash = result.case_hash;
   summary.status = result.status;
   summary.provenance = result.provenance;
-  const MethodRecord* reference = reference_theory(result);
-  if (reference != nullptr)
-    summary.reference_method = reference->name;
+  const MethodRecord* whole = reference_theory(result, rough_case, {});
+  if (whole != nullptr)
+    summary.reference_method = whole->name;
   std::vector<cases::ReferenceValue> references;
   if (!result.reference.empty())
     references = cases::read_reference_text(result.reference,
@@ -111,6 +111,8 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
   const std::vector<std::string> at_load =
       names_at_load(rough_case.expectations, references);
   for (const MethodRecord& method : result.methods) {
+    const MethodRecord* reference =
+        reference_theory(result, rough_case, method);
     summary.methods.push_back(
         summarize_method(result, rough_case, method, reference));
     add_quantities_at_load(result, rough_case, method, reference, at_load,

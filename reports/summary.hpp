@@ -9,6 +9,7 @@
 #include "results/result.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,8 @@ struct Summary {
   std::string case_hash;
   std::string status; ///< of the result: running | complete | interrupted
   results::Provenance provenance;
-  std::string reference_method; ///< theory the others are held against, or ""
+  std::string reference_method; ///< theory that methods without magnification
+                                ///< are held against, or ""
   std::vector<MethodSummary> methods;
   std::vector<Verdict> verdicts;
   std::vector<PublishedValue> published; ///< in the order of reference.csv
@@ -111,9 +113,22 @@ SurfaceScales scales_of(const results::Result& result,
                         const results::MethodRecord& method,
                         std::size_t realization);
 
-/// The theory record that other methods are compared with: the one called
-/// "theory", else the first of that kind; null if there is none.
-const results::MethodRecord* reference_theory(const results::Result& result);
+/// The magnification at which a method of the case sees the surface; empty for
+/// all of its roughness.
+std::optional<double> magnification_of(const cases::Case& rough_case,
+                                       const results::MethodRecord& method);
+
+/// The theory record that a method is compared with: of those that see the
+/// surface at its magnification the one called "theory", else the first; null
+/// if there is none.
+const results::MethodRecord*
+reference_theory(const results::Result& result, const cases::Case& rough_case,
+                 const results::MethodRecord& method);
+
+/// The method whose variant this is, "md" of "md.explicit"; null if it is none
+/// or its method did not run.
+const results::MethodRecord* base_method(const results::Result& result,
+                                         const results::MethodRecord& method);
 
 /// @throws cases::CaseError  the result's reference has mistakes
 Summary summarize(const results::Result& result, const cases::Case& rough_case);

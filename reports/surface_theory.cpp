@@ -46,13 +46,15 @@ SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
 }
 
 SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
-                                double contact_modulus) {
+                                double contact_modulus,
+                                std::optional<double> highest) {
   if (surface.kind != cases::SurfaceKind::self_affine)
     return {};
-  const surfaces::IsotropicSpectrum spectrum =
+  const surfaces::IsotropicSpectrum formula =
       surfaces::formula_spectrum(surface);
-  return prepared(theory::HeightSpectrum(theory::SpectrumFormula{
-                      spectrum.density, spectrum.kinks}),
+  const theory::HeightSpectrum spectrum(
+      theory::SpectrumFormula{formula.density, formula.kinks});
+  return prepared(highest ? spectrum.between(0.0, *highest) : spectrum,
                   contact_modulus);
 }
 

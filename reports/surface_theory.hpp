@@ -5,6 +5,8 @@
 #include "cases/case.hpp"
 #include "reports/fits.hpp"
 
+#include <optional>
+
 namespace asperity::reports {
 
 /// What fits need of the theory of one surface. Empty `gap`: the theory of
@@ -20,8 +22,10 @@ struct SurfaceTheory {
 SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
                                 double contact_modulus);
 
-/// From the formula of a self-affine case; empty for other kinds.
+/// From the formula of a self-affine case, of the roughness up to `highest`
+/// [rad/m] where that is given; empty for other kinds.
 SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
-                                double contact_modulus);
+                                double contact_modulus,
+                                std::optional<double> highest = {});
 
 } // namespace asperity::reports

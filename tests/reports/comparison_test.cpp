@@ -55,6 +55,21 @@ TEST(CurveFunction, DoesNotExtrapolate) {
   EXPECT_TRUE(std::isnan(CurveFunction({}).gap(1e6)));
 }
 
+// Claim: on an exponential a shift of u by s u_0 is a relative difference s of
+// p to first order, at the ends of the other curve too, and rows beyond them do
+// not count. Tolerance: u_ref is differenced over 1e-3 of ln p, where it is
+// straight; rounding of the difference, 1e-16/1e-3.
+TEST(PressureDifference, IsTheShiftOverTheDecay) {
+  const CurveFunction reference(reference_rows(5));
+  std::vector<CurvePoint> rows = reference_rows(6);
+  rows[5].mean_gap += 0.5 * decay; // beyond the last row of the reference
+  for (std::size_t i = 0; i < 5; ++i)
+    rows[i].mean_gap += (i == 4 ? 0.003 : -0.001) * decay;
+
+  EXPECT_NEAR(largest_pressure_difference(rows, reference), 0.003, 1e-12);
+  EXPECT_TRUE(std::isnan(largest_pressure_difference({}, reference)));
+}
+
 // Claim: only rows with 0.3 < u/h_rms < 1.5 count, and rows the reference does
 // not reach are left out. u/h_rms of the rows here: 0.2, 1.0, 1.4, 1.7 with
 // offsets 0.5, 0.03, -0.05, 0.5 of h_rms. Tolerance: rounding.
