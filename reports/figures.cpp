@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
 namespace asperity::reports {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 void append(std::vector<Figure>& figures, std::optional<Figure> figure) {
   if (figure)
     figures.push_back(std::move(*figure));
+}
+
+void append(std::vector<Figure>& figures, std::vector<Figure> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(figures));
 }
 
 // The case's name as a folder's: whatever is not a letter or digit is a dash.
@@ -33,6 +38,7 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
     append(group.figures, gap_deviation_figure(series));
     group.figures.push_back(area_figure(series));
     group.figures.push_back(area_coefficient_figure(series));
+    append(group.figures, area_theory_figure(series));
   }
   return group;
 }
@@ -48,10 +54,11 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     group.figures = exact_figures(entry);
   append(group.figures, surface_figure(entry));
   append(group.figures, spectrum_figure(entry));
-  if (!is_exact_shape(entry.contact_case->surface))
-    append(group.figures, pressure_distribution_figure(entry));
-  for (Figure& figure : map_figures(entry))
-    group.figures.push_back(std::move(figure));
+  if (!is_exact_shape(entry.contact_case->surface)) {
+    append(group.figures, pressure_distribution_figures(entry));
+    append(group.figures, gap_distribution_figures(entry));
+  }
+  append(group.figures, map_figures(entry));
   return group;
 }
 

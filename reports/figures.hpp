@@ -27,8 +27,16 @@ Figure area_figure(std::span<const Series> series);
 /// A E* h'/(A_0 p) against A/A_0: the constant of proportionality itself.
 Figure area_coefficient_figure(std::span<const Series> series);
 
-/// P(sigma) of the kept pressure maps at up to three loads against (1).
-std::optional<Figure> pressure_distribution_figure(const ReportEntry& entry);
+/// A of each method against the theory's at the same load, with the diagonal,
+/// and their ratio. None without a theory and a method.
+std::optional<Figure> area_theory_figure(std::span<const Series> series);
+
+/// P(sigma) of the kept pressure maps at up to three loads, with (20) fitted
+/// to each and the theory's (1): a figure a method, as map_figures has them.
+std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry);
+
+/// P_u of the kept gap maps where the faces do not touch: a figure a method.
+std::vector<Figure> gap_distribution_figures(const ReportEntry& entry);
 
 /// The height map of realisation 0, and C(q) of all with the formula if any.
 std::optional<Figure> surface_figure(const ReportEntry& entry);

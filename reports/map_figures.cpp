@@ -73,30 +73,26 @@ constexpr const char* map_style =
     "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset size "
     "ratio -1\nset colorbox\nset cbtics scale 0.4\n";
 
-Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
-                  const results::SurfaceRecord& surface) {
-  const std::vector<results::Fields>& maps = method.realizations.front().fields;
+Figure map_figure(const std::string& method,
+                  const std::vector<const results::Fields*>& maps,
+                  const SurfaceScales& scales) {
   const std::vector<std::size_t> chosen = three_of(maps.size());
-  const double stress =
-      entry.result->contact_modulus * surface.rms_slope; // E* h'
-  std::string safe_name = method.name;
-  std::replace(safe_name.begin(), safe_name.end(), '.', '-');
+  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
   Figure figure;
-  figure.name = "maps-" + safe_name;
-  figure.title = "Pressure and gap, " + method.name;
+  figure.name = "maps-" + file_word(method);
+  figure.title = "Pressure and gap, " + method;
   figure.width = 330 * static_cast<int>(chosen.size()) + 20;
   figure.height = 590;
   CsvTable table({"map", "step", "nominal_pressure [Pa]"});
   std::string pressures;
   std::string gaps;
   for (const std::size_t i : chosen) {
-    const results::Fields& fields = maps[i];
-    const double load = fields.nominal_pressure / entry.result->contact_modulus;
+    const results::Fields& fields = *maps[i];
+    const double load = fields.nominal_pressure / scales.contact_modulus;
     table.add(fmt::format("{}", i),
               {static_cast<double>(fields.step), fields.nominal_pressure});
-    const Picture pressure = picture_of(surface.grid, fields.pressure, stress);
-    const Picture gap =
-        picture_of(surface.grid, fields.gap, surface.rms_height);
+    const Picture pressure = picture_of(fields.grid, fields.pressure, stress);
+    const Picture gap = picture_of(fields.grid, fields.gap, scales.rms_height);
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     pressures +=
@@ -104,10 +100,10 @@ Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
                     gnuplot_markup(fmt::format("p / E* = {:.3g}", load)),
                     std::max(pressure.largest, 1e-12));
     pressures += image_of(figure.name + "-" + pressure_name + ".csv",
-                          surface.grid, pressure);
+                          fields.grid, pressure);
     gaps += fmt::format("unset title\nset cbrange [0:{:.4g}]\n",
                         std::max(gap.largest, 1e-12));
-    gaps += image_of(figure.name + "-" + gap_name + ".csv", surface.grid, gap);
+    gaps += image_of(figure.name + "-" + gap_name + ".csv", fields.grid, gap);
     figure.maps.emplace_back(pressure_name, pressure.csv);
     figure.maps.emplace_back(gap_name, gap.csv);
   }
@@ -116,7 +112,7 @@ Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
       "white where there is none; below: gap over h_rms ({:.3g} nm), dark "
       "where "
       "the faces touch. Sides in µm.",
-      chosen.size(), stress * 1e-6, surface.rms_height * 1e9);
+      chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
   figure.script = fmt::format("{}set multiplot layout 2,{} margins "
                               "0.05,0.94,0.05,0.94 spacing 0.09,0.05\n{}{}{}{}"
                               "unset multiplot\n",
@@ -128,41 +124,14 @@ Figure map_figure(const ReportEntry& entry, const results::MethodRecord& method,
 
 } // namespace
 
-namespace {
-
-// A variant, "fem.hard", whose maps would repeat those of its "fem".
-bool is_variant_of_shown(const results::Result& result,
-                         const results::MethodRecord& method) {
-  const std::string base = method.name.substr(0, method.name.find('.'));
-  return base != method.name &&
-         std::any_of(result.methods.begin(), result.methods.end(),
-                     [&](const results::MethodRecord& other) {
-                       return other.name == base &&
-                              !other.realizations.empty() &&
-                              !other.realizations.front().fields.empty();
-                     });
-}
-
-} // namespace
-
 std::vector<Figure> map_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
-  if (entry.result->surfaces.empty())
-    return figures;
-  const results::SurfaceRecord& surface = entry.result->surfaces.front();
-  for (const results::MethodRecord& method : entry.result->methods) {
-    if (method.realizations.empty() ||
-        method.realizations.front().fields.empty() ||
-        is_variant_of_shown(*entry.result, method))
-      continue;
-    const auto& maps = method.realizations.front().fields;
-    const bool is_whole =
-        std::all_of(maps.begin(), maps.end(), [&](const auto& fields) {
-          return fields.pressure.size() == surface.grid.size() &&
-                 fields.gap.size() == surface.grid.size();
-        });
-    if (is_whole && surface.rms_height > 0.0 && surface.rms_slope > 0.0)
-      figures.push_back(map_figure(entry, method, surface));
+  for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
+    const std::vector<const results::Fields*> maps = whole_maps(*method);
+    const SurfaceScales scales =
+        scales_of(*entry.result, *entry.contact_case, *method, 0);
+    if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
+      figures.push_back(map_figure(method->name, maps, scales));
   }
   return figures;
 }

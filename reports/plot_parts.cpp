@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity::reports {
@@ -56,6 +58,49 @@ const Series* theory_of(std::span<const Series> series, const Series& method) {
     if (one.is_theory() && one.entry == method.entry && !one.rows.empty())
       return &one;
   return nullptr;
+}
+
+std::vector<const results::MethodRecord*>
+methods_with_maps(const results::Result& result) {
+  std::vector<const results::MethodRecord*> methods;
+  for (const results::MethodRecord& method : result.methods) {
+    const std::string base = method.name.substr(0, method.name.find('.'));
+    const bool is_shown = std::any_of(methods.begin(), methods.end(),
+                                      [&](const results::MethodRecord* other) {
+                                        return other->name == base;
+                                      });
+    if (!is_shown && !method.realizations.empty() &&
+        !method.realizations.front().fields.empty())
+      methods.push_back(&method);
+  }
+  return methods;
+}
+
+std::vector<const results::Fields*>
+whole_maps(const results::MethodRecord& method) {
+  std::vector<const results::Fields*> whole;
+  for (const results::Fields& fields : method.realizations.front().fields)
+    if (const std::size_t size = fields.grid.size();
+        size > 0 && fields.pressure.size() == size &&
+        fields.gap.size() == size && fields.grid.length_x > 0.0)
+      whole.push_back(&fields);
+  return whole;
+}
+
+std::string file_word(std::string method_name) {
+  std::replace(method_name.begin(), method_name.end(), '.', '-');
+  return method_name;
+}
+
+std::string load_color(std::size_t load) {
+  constexpr std::array colors{"#56B4E9", "#0072B2", "#35102b"};
+  return fmt::format("linecolor rgb '{}'", colors[load % colors.size()]);
+}
+
+std::string load_sign(std::size_t load) {
+  constexpr std::array signs{8, 4, 6};
+  return fmt::format("pointtype {} pointsize 0.6 linewidth 1.2 {}",
+                     signs[load % signs.size()], load_color(load));
 }
 
 std::vector<std::size_t> three_of(std::size_t count) {

@@ -32,6 +32,23 @@ const Series* first_numerical(std::span<const Series> series);
 /// The theory that ran on the same case as `method`, or null.
 const Series* theory_of(std::span<const Series> series, const Series& method);
 
+/// Methods whose realisation 0 has maps, without a variant, "fem.hard", whose
+/// maps would repeat those of its "fem".
+std::vector<const results::MethodRecord*>
+methods_with_maps(const results::Result& result);
+
+/// The kept maps of realisation 0 that are whole: both of the size of their
+/// grid, whose sides are known.
+std::vector<const results::Fields*>
+whole_maps(const results::MethodRecord& method);
+
+/// A method's name as a file's: "fem-hard".
+std::string file_word(std::string method_name);
+
+/// Colour and sign of the first, second and third load of a figure.
+std::string load_color(std::size_t load);
+std::string load_sign(std::size_t load);
+
 /// First, middle and last of `count` things, each once.
 std::vector<std::size_t> three_of(std::size_t count);
 

@@ -24,7 +24,8 @@ struct Sum {
 };
 
 void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
-               double theory_gap) {
+               const CurveFunction& theory) {
+  const double theory_gap = theory.gap(point.nominal_pressure);
   const double gap = point.mean_gap / scales.rms_height;
   SeriesRow& row = sum.row;
   row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
@@ -38,6 +39,8 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
   row.gap += gap;
   row.area += area;
   row.area_corrected += point.area_fraction_corrected;
+  row.area_fit += point.area_fraction_fit;
+  row.theory_area += theory.area_fraction(point.nominal_pressure);
   row.iterations += point.iterations;
   row.cpu_time += point.cpu_time;
   ++sum.count;
@@ -51,9 +54,9 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
 SeriesRow mean_of(const Sum& sum) {
   SeriesRow row = sum.row;
   const double count = sum.count;
-  for (double* number :
-       {&row.pressure, &row.pressure_slope, &row.gap, &row.area,
-        &row.area_corrected, &row.iterations, &row.cpu_time})
+  for (double* number : {&row.pressure, &row.pressure_slope, &row.gap,
+                         &row.area, &row.area_corrected, &row.area_fit,
+                         &row.theory_area, &row.iterations, &row.cpu_time})
     *number /= count;
   row.theory_gap =
       sum.with_theory == sum.count ? row.theory_gap / count : not_a_number;
@@ -74,8 +77,7 @@ std::vector<SeriesRow> rows_of(const ReportEntry& entry,
       if (point.status != results::StepStatus::converged ||
           point.nominal_pressure <= 0.0)
         continue;
-      add_point(steps[point.step], point, scales,
-                theory.gap(point.nominal_pressure));
+      add_point(steps[point.step], point, scales, theory);
     }
   }
   std::vector<SeriesRow> rows;

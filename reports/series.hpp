@@ -29,9 +29,11 @@ struct SeriesRow {
   double area_low = 0.0;
   double area_high = 0.0;
   double area_corrected = 0.0;      ///< [1]
+  double area_fit = 0.0;            ///< (21) of the fit [1]; NaN: none
   double theory_gap = not_a_number; ///< u/h_rms of the reference theory
-  double iterations = 0.0;          ///< mean [1]
-  double cpu_time = 0.0;            ///< mean [s]
+  double theory_area = 0.0; ///< A/A_0 of the reference theory; NaN: none
+  double iterations = 0.0;  ///< mean [1]
+  double cpu_time = 0.0;    ///< mean [s]
 };
 
 struct Series {

@@ -47,6 +47,7 @@ inline results::Fields fields(const results::SurfaceRecord& surface, int step,
   results::Fields maps;
   maps.step = step;
   maps.nominal_pressure = nominal_pressure;
+  maps.grid = surface.grid;
   double sum = 0.0;
   for (const double height : surface.heights) {
     const double overlap = height - level * surface.rms_height;

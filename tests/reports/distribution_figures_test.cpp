@@ -1,0 +1,183 @@
+// Claims about the figures of pressures, gaps and areas: the numbers drawn are
+// those of the maps, on the grid they were made on.
+#include "reports/figures.hpp"
+#include "reports/report.hpp"
+#include "theory/pressure_distribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+/// The numbers of a figure's data by the curve's name.
+std::map<std::string, Rows> curves_of(const Figure& figure) {
+  std::map<std::string, Rows> curves;
+  std::istringstream lines(figure.data);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    const std::size_t end = line.find('"', 1);
+    std::istringstream fields(line.substr(end + 2));
+    std::vector<double> numbers;
+    for (std::string field; std::getline(fields, field, ',');)
+      numbers.push_back(std::strtod(field.c_str(), nullptr));
+    curves[line.substr(1, end - 1)].push_back(numbers);
+  }
+  return curves;
+}
+
+class Distributions : public ::testing::Test {
+protected:
+  Distributions() {
+    // a grid of its own, coarser than the surface's
+    fields.step = 3;
+    fields.grid = {100, 100, 10e-6, 10e-6};
+    fields.pressure.assign(fields.grid.size(), 0.0);
+    fields.gap.assign(fields.grid.size(), 0.0);
+  }
+
+  /// A result whose "fem" has this one map.
+  ReportEntry entry() {
+    result.methods[1].realizations[0].fields = {fields};
+    return entry_of(result, rough);
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  results::Result result = synthetic::rough_result(rough, 1);
+  results::Fields fields;
+};
+
+// Claim: pressures that are spread as (20) with G~ = 0.64 G are said to have
+// r = 0.64, and the curve drawn is that (20). Full contact, where (20) is a
+// Gaussian and its quantiles are those of erf; p = 8 spreads.
+TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
+  const double stress =
+      synthetic::contact_modulus * result.surfaces[0].rms_slope;
+  const double variance = 0.64 * stress * stress / 8.0;
+  const double spread = std::sqrt(2.0 * variance);
+  const double mean = 8.0 * spread;
+  fields.nominal_pressure = mean;
+  double quantile = -5.0; // marched by the density: dz = dshare/density
+  const auto n = static_cast<double>(fields.grid.size());
+  for (double& pressure : fields.pressure) {
+    const double share =
+        (static_cast<double>(&pressure - fields.pressure.data()) + 0.5) / n;
+    for (int newton = 0; newton < 60; ++newton)
+      quantile -=
+          std::clamp((0.5 * std::erfc(-quantile / std::sqrt(2.0)) - share) /
+                         (0.3989 * std::exp(-0.5 * quantile * quantile)),
+                     -0.5, 0.5);
+    pressure = mean + spread * quantile;
+  }
+
+  const ReportEntry made = entry();
+  const std::vector<Figure> figures = pressure_distribution_figures(made);
+
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].name, "pressure-distribution-fem");
+  EXPECT_NE(figures[0].script.find("r = 0.64"), std::string::npos);
+  for (const auto& [name, rows] : curves_of(figures[0])) {
+    if (!name.starts_with("(20)"))
+      continue;
+    ASSERT_EQ(rows.size(), 161U);
+    for (const auto& row : rows) // to a per cent of G, 2 % of the top
+      EXPECT_NEAR(row[2] / stress,
+                  theory::pressure_density(row[1] * stress, mean, variance),
+                  0.02 / (spread * std::sqrt(6.28)));
+  }
+}
+
+// Claim: P_u is that of the nodes that are apart: u = 1 to 3 h_rms in equal
+// shares on 60 % of the face has the density 0.3/h_rms there, and what is
+// closed, at zero, pressed in, or atoms closer than their distance, is said.
+TEST_F(Distributions, OfGapsAreOfWhatIsApart) {
+  const double height = result.surfaces[0].rms_height;
+  const std::size_t apart = fields.gap.size() * 6 / 10;
+  for (std::size_t i = 0; i < fields.gap.size(); ++i) {
+    const bool is_apart = i < apart;
+    fields.gap[i] =
+        is_apart
+            ? height * (1.0 + 2.0 * (static_cast<double>(i) + 0.5) / 6000.0)
+            : (i % 2 == 0 ? 0.0 : -0.1 * height);
+    fields.pressure[i] = is_apart ? 0.1 * static_cast<double>(i % 2) : 1e6;
+  }
+
+  const ReportEntry made = entry();
+  const std::vector<Figure> figures = gap_distribution_figures(made);
+
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_NE(figures[0].script.find("40 % closed"), std::string::npos);
+  for (const auto& [name, rows] : curves_of(figures[0]))
+    for (const auto& row : rows)
+      if (row[1] > 1.1) {
+        EXPECT_NEAR(row[2], 0.3, 0.003); // a node more or less of 150 a bin
+      }
+}
+
+// Claim: maps are drawn on their own grid and measured in the surface the
+// method ran on; a map whose size is not that of its grid is not drawn.
+TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
+  fields.pressure[5] = 1e6;
+  fields.gap[7] = 1e-9;
+  ReportEntry made = entry();
+
+  ASSERT_EQ(map_figures(made).size(), 1U);
+  EXPECT_NE(map_figures(made)[0].script.find("($1+0.5)*0.1)"),
+            std::string::npos);
+
+  fields.pressure.pop_back();
+  made = entry();
+  EXPECT_TRUE(map_figures(made).empty());
+  EXPECT_TRUE(pressure_distribution_figures(made).empty());
+}
+
+TEST_F(Distributions, OfAMapThatPullsAreDrawnWithoutACurve) {
+  fields.pressure.assign(fields.grid.size(), -1e6);
+  fields.pressure[5] = 2e6;
+
+  const ReportEntry made = entry();
+  const std::vector<Figure> figures = pressure_distribution_figures(made);
+
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(curves_of(figures[0]).size(), 1U);
+}
+
+// The "fem" is the theory with 1.25 times its area, here fitted 1.5 times.
+TEST_F(Distributions, OfAreasStandAgainstTheTheory) {
+  for (results::CurvePoint& point : result.methods[1].realizations[0].points)
+    point.area_fraction_fit = 1.5 * synthetic::contact_of(rough.surface)
+                                        .area_fraction(point.nominal_pressure);
+  const ReportEntry made = entry();
+
+  const auto figure = area_theory_figure(series_of(std::span(&made, 1)));
+
+  ASSERT_TRUE(figure.has_value());
+  EXPECT_NE(figure->caption.find("fem counted +25 %, by (21) +50 %"),
+            std::string::npos);
+  const auto curves = curves_of(*figure);
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(curves.at("fem").size(), 16U);
+  for (const auto& row : curves.at("fem")) {
+    EXPECT_NEAR(row[3], 1.5 * row[1], 1e-9);
+    EXPECT_NEAR(row[5], 1.5, 1e-9);
+  }
+
+  result.methods.erase(result.methods.begin());
+  const ReportEntry alone = entry_of(result, rough);
+  EXPECT_FALSE(area_theory_figure(series_of(std::span(&alone, 1))).has_value());
+}
+
+} // namespace
+} // namespace asperity::reports
