@@ -1,8 +1,10 @@
 #include "md/atomic_contact.hpp"
 
 #include "cases/case_error.hpp"
+#include "md/explicit_contact.hpp"
 #include "md/green_contact.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace asperity::md {
@@ -14,9 +16,9 @@ std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {
   case cases::AtomBulk::green:
     return make_green_contact(std::move(request));
   case cases::AtomBulk::explicit_layers:
-    break;
+    return make_explicit_contact(std::move(request));
   }
-  throw cases::CaseError("[md] bulk = \"explicit\" is not in this build");
+  throw std::logic_error("a bulk nobody makes");
 }
 
 } // namespace asperity::md

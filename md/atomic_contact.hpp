@@ -46,7 +46,8 @@ struct AtomStep {
   int evaluations = 0;
   double residual = 0.0;  ///< as RelaxationSettings::tolerance
   bool converged = false; ///< in balance, and nothing went through
-  std::string note;       ///< why not; empty otherwise
+  std::string note;       ///< why not, or by how much a hot step fluctuates;
+                          ///< empty otherwise
 };
 
 class AtomicContact {

@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
+#include "md/dump.hpp"
 #include "md/green_system.hpp"
 #include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
@@ -150,7 +151,7 @@ Relaxation GreenContact::balance(const Load& load, const Watch& watch) {
   return relaxation;
 }
 
-AtomStep GreenContact::solve(Control control, double amount, int /*step*/,
+AtomStep GreenContact::solve(Control control, double amount, int step,
                              const Watch& watch) {
   Load load{Load::Kind::nominal_pressure, amount};
   if (control == Control::nominal_pressure)
@@ -170,6 +171,11 @@ AtomStep GreenContact::solve(Control control, double amount, int /*step*/,
   const std::string fault = fault_of(answer.inspection, request_.layer.size());
   answer.note = fault.empty() ? relaxation.note : fault;
   answer.converged = relaxation.converged && fault.empty();
+  if (request_.settings.dump)
+    write_atoms(
+        request_.scratch / fmt::format("step-{:04}.xyz", step), request_.layer,
+        std::array{substrate_atoms(request_.substrate, request_.heights),
+                   contact_atoms(system_, state_, answer.pressure)});
   if (!fault.empty() || !std::isfinite(relaxation.energy))
     state_ = before;
   return answer;

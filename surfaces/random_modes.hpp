@@ -9,7 +9,10 @@ namespace asperity::surfaces {
 
 /// Named streams of random numbers: draws of different streams never meet.
 /// The numbers are part of what a seed means and never change.
-enum class RandomStream : std::uint64_t { surface_modes = 1 };
+enum class RandomStream : std::uint64_t {
+  surface_modes = 1,
+  thermal_noise = 2, ///< drawn in md/thermal_noise.hpp
+};
 
 /// Two independent numbers, uniform in the open interval (0, 1).
 struct UniformPair {

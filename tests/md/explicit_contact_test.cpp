@@ -1,0 +1,238 @@
+// Claims about md/explicit_contact.hpp: the load program of a rough contact by
+// each minimiser, and what is said about a step.
+#include "cases/case_error.hpp"
+#include "md/explicit_contact.hpp"
+#include "md/shown_modulus.hpp"
+#include "md/slab_symbol.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
+#include "tests/md/rough_contact.hpp"
+
+namespace asperity::md {
+namespace {
+
+using cases::AtomMinimizer;
+using cases::Control;
+using scenes::angstrom;
+using scenes::RoughContact;
+
+AtomRequest request_of(const RoughContact& scene) {
+  AtomRequest request;
+  cases::MdSettings& settings = request.settings;
+  settings.bulk = cases::AtomBulk::explicit_layers;
+  settings.levels = scene.levels;
+  settings.layers = scene.layers;
+  settings.interaction_energy = scenes::paper_atoms().energy;
+  settings.interaction_distance = scenes::paper_atoms().distance;
+  settings.cutoff = 10.0 * angstrom;
+  settings.contact_distance = scenes::contact_distance;
+  settings.tolerance = 1e-6;
+  settings.mass = scenes::atom_mass;
+  settings.time_step = 10e-15;
+  settings.damping = 6e11;
+  settings.duration = 100e-12;
+  request.youngs_modulus = scenes::paper_crystal().youngs_modulus;
+  request.poisson_ratio = scenes::paper_crystal().poisson_ratio;
+  request.layer = scene.layer();
+  request.substrate = scene.substrate();
+  request.heights = scene.heights();
+  return request;
+}
+
+RoughContact small_scene() {
+  RoughContact scene{16};
+  scene.levels = 2;
+  scene.layers = 3;
+  return scene;
+}
+
+class Folder : public ::testing::Test {
+protected:
+  Folder() { std::filesystem::create_directories(path); }
+
+  ~Folder() override { std::filesystem::remove_all(path); }
+
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() /
+      ("asperity-explicit-" + std::to_string(::getpid()));
+};
+
+// Claim: pressure control and held height are two ways to one curve, although
+// one presses on the plate and the other on the layer. Tolerance: the residual,
+// 1e-6 of the mean force, over the stiffness of the curve, whose reach is some
+// hundred times larger; 1e-4.
+TEST(ExplicitContact, PressureAndHeightAgree) {
+  const auto by_pressure = make_explicit_contact(request_of(small_scene()));
+  const auto by_height = make_explicit_contact(request_of(small_scene()));
+  for (const double pressure : {2e8, 2e9}) {
+    const AtomStep pressed =
+        by_pressure->solve(Control::nominal_pressure, pressure, 0);
+    const AtomStep held =
+        by_height->solve(Control::mean_gap, pressed.mean_gap, 0);
+
+    ASSERT_TRUE(pressed.converged) << pressed.note;
+    ASSERT_TRUE(held.converged) << held.note;
+    EXPECT_NEAR(pressed.nominal_pressure / pressure, 1.0, 1e-5);
+    EXPECT_NEAR(held.nominal_pressure / pressure, 1.0, 1e-4);
+    // L-BFGS remembers its steps in single precision.
+    EXPECT_NEAR(held.mean_gap, pressed.mean_gap, 1e-9 * angstrom);
+    EXPECT_NEAR(held.elastic_energy / pressed.elastic_energy, 1.0, 1e-4);
+    EXPECT_NEAR(held.interface_energy / pressed.interface_energy, 1.0, 1e-4);
+    EXPECT_EQ(held.inspection.in_contact, pressed.inspection.in_contact);
+    EXPECT_GT(pressed.contact_count, 0.0);
+    EXPECT_GT(pressed.elastic_energy, 0.0);
+  }
+}
+
+// Claim: L-BFGS, FIRE and damped motion give one answer. Tolerance: as above.
+TEST(ExplicitContact, AllMinimizersAgree) {
+  AtomRequest request = request_of(small_scene());
+  const AtomStep lbfgs =
+      make_explicit_contact(request)->solve(Control::nominal_pressure, 1e9, 0);
+  request.settings.minimizer = AtomMinimizer::fire;
+  const AtomStep fire =
+      make_explicit_contact(request)->solve(Control::nominal_pressure, 1e9, 0);
+  request.settings.minimizer = AtomMinimizer::dynamics;
+  const AtomStep motion = make_explicit_contact(request)->solve(
+      Control::mean_gap, lbfgs.mean_gap, 0);
+
+  for (const AtomStep* step : {&lbfgs, &fire, &motion}) {
+    ASSERT_TRUE(step->converged) << step->note;
+    EXPECT_TRUE(step->note.empty());
+    EXPECT_LE(step->residual, 1e-6);
+    EXPECT_NEAR(step->nominal_pressure / 1e9, 1.0, 1e-4);
+    EXPECT_NEAR(step->mean_gap, lbfgs.mean_gap, 1e-4 * angstrom);
+    EXPECT_NEAR(step->elastic_energy / lbfgs.elastic_energy, 1.0, 1e-4);
+  }
+  EXPECT_LT(motion.evaluations, 10000); // it ended early
+}
+
+// Claim: lifted off, the block bears no pressure and rests, and that is an
+// answer.
+TEST(ExplicitContact, NothingTouchesFarAbove) {
+  const auto contact = make_explicit_contact(request_of(small_scene()));
+  ASSERT_TRUE(contact->solve(Control::nominal_pressure, 1e9, 0).converged);
+
+  const AtomStep step = contact->solve(Control::mean_gap, 20.0 * angstrom, 1);
+
+  EXPECT_TRUE(step.converged);
+  EXPECT_EQ(step.nominal_pressure, 0.0);
+  EXPECT_EQ(step.contact_count, 0.0);
+  EXPECT_EQ(step.interface_energy, 0.0);
+  EXPECT_NEAR(step.mean_gap, 20.0 * angstrom, 1e-12 * angstrom);
+  EXPECT_NEAR(step.elastic_energy, 0.0, 1e-20);
+}
+
+// Claim: a hot step is the mean of its second half, says by how much it
+// fluctuates, and interrupted and taken up again by another contact gives the
+// same bits.
+TEST_F(Folder, HotStepIsAveragedAndTakenUpAgain) {
+  AtomRequest request = request_of(small_scene());
+  request.settings.minimizer = AtomMinimizer::dynamics;
+  request.settings.temperature = 300.0;
+  request.settings.damping = 5e12;
+  request.settings.time_step = 5e-15;
+  request.settings.duration = 1.5e-12;
+  const AtomStep whole =
+      make_explicit_contact(request)->solve(Control::mean_gap, 1e-10, 3);
+  ASSERT_TRUE(whole.converged) << whole.note;
+  EXPECT_TRUE(whole.note.starts_with("mean over 15 samples at 300 K"))
+      << whole.note;
+  EXPECT_GT(whole.nominal_pressure, 0.0);
+
+  request.scratch = path;
+  const AtomStep stopped = make_explicit_contact(request)->solve(
+      Control::mean_gap, 1e-10, 3,
+      [](const Progress& progress) { return progress.evaluations < 222; });
+  EXPECT_FALSE(stopped.converged);
+  EXPECT_EQ(stopped.note, "stopped");
+  EXPECT_TRUE(std::filesystem::exists(path / "step-0003.motion"));
+  int first = 0;
+  const AtomStep resumed = make_explicit_contact(request)->solve(
+      Control::mean_gap, 1e-10, 3, [&](const Progress& progress) {
+        first = first == 0 ? progress.evaluations : first;
+        return true;
+      });
+
+  EXPECT_EQ(first, 231);
+  EXPECT_EQ(resumed.pressure, whole.pressure);
+  EXPECT_EQ(resumed.gap, whole.gap);
+  EXPECT_EQ(resumed.note, whole.note);
+}
+
+// Claim: a step that went through the substrate is not a result.
+TEST(ExplicitContact, SaysThatAtomsWentThrough) {
+  AtomRequest request = request_of(small_scene());
+  request.settings.interaction_energy *= 1e-9; // nothing to stop them
+  const auto contact = make_explicit_contact(request);
+
+  const AtomStep step = contact->solve(Control::mean_gap, -4.0 * angstrom, 0);
+
+  EXPECT_FALSE(step.converged);
+  EXPECT_TRUE(step.note.find("atoms went through") != std::string::npos)
+      << step.note;
+}
+
+int atoms_in(const std::filesystem::path& dump) {
+  int atoms = -1;
+  std::ifstream(dump) >> atoms;
+  return atoms;
+}
+
+// Claim: dumps are named by the step and hold what the bulk has: substrate and
+// lowest layer, or all free atoms.
+TEST_F(Folder, DumpsTheAtomsOfAStep) {
+  AtomRequest request = request_of(small_scene());
+  request.scratch = path;
+  request.settings.dump = true;
+
+  make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 12);
+  request.settings.bulk = cases::AtomBulk::green;
+  request.settings.depth = {18.0 * scenes::layer_spacing};
+  make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 13);
+
+  const int both = 26 * 26 + 256;
+  EXPECT_EQ(atoms_in(path / "step-0012.xyz"), both + 2 * 256 + 3 * 64);
+  EXPECT_EQ(atoms_in(path / "step-0013.xyz"), both);
+}
+
+// Claim: one deep level shows the modulus that slab doubling finds. Tolerance:
+// rounding. Four levels of six layers show it within 1 %.
+TEST(ShownModulus, IsThatOfTheSlab) {
+  const Crystal crystal = scenes::paper_crystal();
+  const double angle = 2.0 * std::acos(-1.0) / 63.0; // nearest to 0.1
+
+  const double one = shown_contact_modulus(crystal, 1, 40);
+
+  const SlabSymbol slab(crystal);
+  EXPECT_NEAR(one / slab.contact_modulus(angle, 0.0, 40), 1.0, 1e-12);
+  EXPECT_NEAR(shown_contact_modulus(crystal, 4, 6) /
+                  slab.contact_modulus(0.1, 0.0, 90),
+              1.0, 0.01);
+}
+
+TEST(ExplicitContact, RefusesWhatItIsNot) {
+  AtomRequest request = request_of(small_scene());
+  request.settings.bulk = cases::AtomBulk::green;
+  EXPECT_THROW(make_explicit_contact(request), cases::CaseError);
+  request = request_of(small_scene());
+  request.settings.modes = cases::AtomModes::normal;
+  EXPECT_THROW(make_explicit_contact(request), cases::CaseError);
+  request = request_of(small_scene());
+  request.settings.levels = 6;
+  EXPECT_THROW(make_explicit_contact(request), std::domain_error);
+  EXPECT_THROW(make_explicit_contact(request_of(small_scene()))
+                   ->solve(Control::nominal_pressure, 0.0, 0),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::md

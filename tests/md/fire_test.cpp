@@ -1,0 +1,131 @@
+// Claims about md/fire.hpp and md/dynamics_run.hpp: three ways to one balance.
+#include "md/dynamics_run.hpp"
+#include "md/fire.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/md/rough_contact.hpp"
+
+namespace asperity::md {
+namespace {
+
+using scenes::angstrom;
+using scenes::RoughContact;
+
+constexpr double tolerance = 1e-7;
+
+RelaxationSettings tight() {
+  RelaxationSettings settings;
+  settings.tolerance = tolerance;
+  return settings;
+}
+
+/// Largest difference of the normal forces, in units of their mean.
+double force_difference(const System& system, std::span<const double> a,
+                        std::span<const double> b) {
+  const std::vector<double> first = normal_forces(system, a);
+  const std::vector<double> second = normal_forces(system, b);
+  double difference = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    difference = std::max(difference, std::abs(first[i] - second[i]));
+    mean += std::abs(first[i]) / static_cast<double>(first.size());
+  }
+  return difference / mean;
+}
+
+class ThreeWays : public ::testing::TestWithParam<Load> {
+protected:
+  ThreeWays() : system(scene().system()) {
+    system.set_load(GetParam());
+    start = system.undeformed(GetParam().kind == Load::Kind::height
+                                  ? GetParam().amount
+                                  : scene().highest() + 4.0 * angstrom);
+  }
+
+  static RoughContact scene() {
+    RoughContact scene{16};
+    scene.levels = 2;
+    scene.layers = 3;
+    return scene;
+  }
+
+  ExplicitSystem system;
+  std::vector<double> start;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Loads, ThreeWays,
+    ::testing::Values(Load{Load::Kind::nominal_pressure, 1e9},
+                      Load{Load::Kind::height, 5.0 * angstrom}));
+
+// Claim: FIRE ends in the balance of L-BFGS. Tolerance: both leave a residual
+// of 1e-7 of the mean force, root mean square over all unknowns; the largest
+// force of a layer may be off by sqrt(unknowns) times the softest wave's reach,
+// 1e-4.
+TEST_P(ThreeWays, FireEndsWhereLbfgsDoes) {
+  std::vector<double> by_lbfgs = start;
+  std::vector<double> by_fire = start;
+
+  const Relaxation lbfgs = relax(system, by_lbfgs, tight());
+  const Relaxation fire = relax_by_fire(system, by_fire, tight());
+
+  ASSERT_TRUE(lbfgs.converged) << lbfgs.note;
+  ASSERT_TRUE(fire.converged) << fire.note;
+  RecordProperty("lbfgs_evaluations", lbfgs.evaluations);
+  RecordProperty("fire_evaluations", fire.evaluations);
+  EXPECT_LE(fire.residual, tolerance);
+  EXPECT_NEAR(fire.energy / lbfgs.energy, 1.0, 1e-9);
+  EXPECT_LT(force_difference(system, by_lbfgs, by_fire), 1e-4);
+}
+
+// Claim: damped motion ends there too, and ends early. Tolerance as above. The
+// damping is near critical for the block on its contact: 9 m a surface atom on
+// some 0.5 N/m.
+TEST_P(ThreeWays, DampedMotionEndsWhereLbfgsDoes) {
+  std::vector<double> by_lbfgs = start;
+  const Relaxation lbfgs = relax(system, by_lbfgs, tight());
+  ASSERT_TRUE(lbfgs.converged) << lbfgs.note;
+  // Begun not far away: falling from 4 A takes the block long.
+  std::vector<double> by_motion = by_lbfgs;
+  for (std::size_t i = 0; i < by_motion.size(); ++i)
+    by_motion[i] += 0.2 * (start[i] - by_lbfgs[i]);
+  if (GetParam().kind == Load::Kind::height)
+    by_motion = start;
+  const DynamicsRun run{
+      {10e-15, 6e11, 0.0, 0, 1}, 100e-12, tolerance, {}, 1000, {}};
+
+  const DynamicsOutcome outcome =
+      run_dynamics(system, GetParam(), by_motion, run);
+
+  ASSERT_TRUE(outcome.relaxation.converged) << outcome.relaxation.note;
+  RecordProperty("steps", outcome.relaxation.evaluations);
+  EXPECT_LT(outcome.relaxation.evaluations, 10000);
+  EXPECT_EQ(outcome.average.samples, 0);
+  EXPECT_NEAR(outcome.relaxation.energy / lbfgs.energy, 1.0, 1e-9);
+  EXPECT_LT(force_difference(system, by_lbfgs, by_motion), 1e-4);
+}
+
+// Claim: FIRE says why it stopped.
+TEST_P(ThreeWays, FireGivesUpAsAResult) {
+  RelaxationSettings settings = tight();
+  settings.max_evaluations = 5;
+  std::vector<double> state = start;
+
+  const Relaxation short_run = relax_by_fire(system, state, settings);
+  EXPECT_FALSE(short_run.converged);
+  EXPECT_EQ(short_run.evaluations, 5);
+  EXPECT_EQ(short_run.note, "max_evaluations reached");
+
+  const Relaxation stopped = relax_by_fire(
+      system, state, tight(), [](const Progress&) { return false; });
+  EXPECT_FALSE(stopped.converged);
+  EXPECT_EQ(stopped.note, "stopped");
+}
+
+} // namespace
+} // namespace asperity::md
