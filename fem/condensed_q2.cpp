@@ -1,7 +1,7 @@
 #include "fem/condensed_q2.hpp"
 
 #include "fem/cell_stiffness.hpp"
-#include "fem/parallel_rows.hpp"
+#include "base/parallel_rows.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -31,7 +31,8 @@ struct LayerForces {
 
 /// What a converged answer must not have: an atom that went through.
 struct Inspection {
-  int below_substrate = 0;        ///< atoms lower than the surface under them
+  int below_substrate = 0;        ///< atoms lower than the surface under them,
+                                  ///< or at no finite place
   int close_pairs = 0;            ///< pairs nearer than the asked distance
   double shortest_distance = 0.0; ///< of any pair within the cut-off [m];
                                   ///< infinity if there is none
@@ -46,7 +47,8 @@ struct Inspection {
 class Interface {
 public:
   /// @throws std::domain_error  lengths differ, or twice the cut-off is longer
-  ///                            than the period; a bad interaction
+  ///                            than the period; a bad interaction; a lattice
+  ///                            that is not square; heights that are not finite
   Interface(const Interaction& interaction, const Grid& layer,
             const Grid& substrate, std::span<const double> heights,
             int threads = 1);
@@ -56,15 +58,21 @@ public:
   const Grid& layer() const;
   const Interaction& interaction() const;
 
-  /// Overwrites `forces`.
+  /// Overwrites `forces`. An atom at no finite place has NaN for a force, and
+  /// so has the energy.
   /// @return  the energy of all pairs [J]
-  /// @par Accuracy  force = -grad U to 1e-6; the same bits for any number of
-  ///                threads
+  /// @throws std::domain_error  planes of another size
+  /// @par Accuracy  1e-12 against a plain double loop over all pairs; force =
+  ///                -grad U to that rounding. The same bits for any number of
+  ///                threads and, as nothing is fused and vectors are four wide
+  ///                everywhere, on any processor.
   double energy_and_forces(const LayerView& atoms,
                            const LayerForces& forces) const;
 
   /// @param close_distance    [m], 2.2e-10 for the paper's atoms
   /// @param contact_distance  d_c [m]
+  /// @throws std::domain_error  planes of another size, a distance beyond the
+  ///                            cut-off
   Inspection inspect(const LayerView& atoms, double close_distance,
                      double contact_distance) const;
 
@@ -78,6 +86,7 @@ private:
 
 /// The periodic substrate lattice nearest to spacing a/phi, phi the golden
 /// mean, with an even number of atoms: 648 for 400 (Sec. 4).
+/// @throws std::domain_error  layer_atoms < 1
 int incommensurate_atoms(int layer_atoms);
 
 } // namespace asperity::md

@@ -1,0 +1,61 @@
+#include "md/interaction.hpp"
+
+#include "base/require.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::md {
+
+void require_sound(const Interaction& interaction) {
+  require_positive("energy", interaction.energy, "J");
+  require_positive("distance", interaction.distance, "m");
+  require_positive("taper_begin", interaction.taper_begin, "m");
+  require_positive("cutoff", interaction.cutoff, "m");
+  require_between("attraction", interaction.attraction, 0.0, 1.0, "1");
+  if (interaction.cutoff <= interaction.taper_begin)
+    refuse_argument(
+        "cutoff", interaction.cutoff,
+        fmt::format("> taper_begin = {:.6g} m", interaction.taper_begin));
+}
+
+PairTerm pair_term(const Interaction& interaction, double distance) {
+  require_sound(interaction);
+  require_positive("distance", distance, "m");
+  const auto sixth_power = [&](double r) {
+    return std::pow(interaction.distance / r, 6);
+  };
+  const double attraction = interaction.attraction;
+  const double y = sixth_power(distance);
+  const double y_begin = sixth_power(interaction.taper_begin);
+  const double y_end = sixth_power(interaction.cutoff);
+  if (y <= y_end)
+    return {};
+
+  const double width = y_begin - y_end;
+  const double t = std::fmin((y - y_end) / width, 1.0);
+  const double taper = t * t * (3.0 - 2.0 * t);
+  double energy = 2.0 * width *
+                  ((y_end - attraction) * t * t * t * (1.0 - 0.5 * t) +
+                   width * std::pow(t, 4) * (0.75 - 0.4 * t));
+  if (y > y_begin)
+    energy += (y - y_begin) * (y + y_begin - 2.0 * attraction);
+  return {interaction.energy * energy, 12.0 * interaction.energy * y *
+                                           (y - attraction) * taper /
+                                           (distance * distance)};
+}
+
+double wall_pressure(const Interaction& interaction, double atom_area,
+                     double substrate_area, double height) {
+  require_sound(interaction);
+  require_positive("atom_area", atom_area, "m^2");
+  require_positive("substrate_area", substrate_area, "m^2");
+  require_positive("height", height, "m");
+  return 2.0 * std::numbers::pi * interaction.energy * interaction.distance /
+         (atom_area * substrate_area) *
+         std::pow(interaction.distance / height, 11);
+}
+
+} // namespace asperity::md

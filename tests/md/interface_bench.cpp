@@ -1,0 +1,86 @@
+// Cost of one sum over all pairs, a layer of 400 x 400 atoms on 648 x 648 as in
+// the paper, by the cut-off [A]. A flat wall at d_c is the worst case; over a
+// rough one, most atoms are higher than any of their partners can reach.
+#include "md/interface.hpp"
+#include "surfaces/realization.hpp"
+#include "surfaces/self_affine.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "tests/md/small_interface.hpp"
+
+namespace asperity::md {
+namespace {
+
+using scenes::angstrom;
+using scenes::Planes;
+
+const Grid layer = scenes::lattice(400, 104e-9);
+const Grid substrate = scenes::lattice(648, 104e-9);
+
+void run(benchmark::State& state, const std::vector<double>& heights,
+         const Planes& atoms, double attraction, double in_reach) {
+  Interaction law = scenes::paper_atoms(attraction);
+  law.cutoff = static_cast<double>(state.range(0)) * angstrom;
+  law.taper_begin = 0.9 * law.cutoff;
+  const Interface interface(law, layer, substrate, heights);
+  Planes forces(layer.size());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        interface.energy_and_forces(atoms.view(), forces.forces()));
+  state.counters["ns_per_atom"] =
+      benchmark::Counter(static_cast<double>(layer.size()),
+                         benchmark::Counter::kIsIterationInvariantRate |
+                             benchmark::Counter::kInvert);
+  state.counters["in_reach"] = in_reach;
+}
+
+void flat_wall(benchmark::State& state, double attraction) {
+  Planes atoms(layer.size());
+  std::fill(atoms.z.begin(), atoms.z.end(), scenes::contact_distance);
+  run(state, std::vector<double>(substrate.size()), atoms, attraction, 1.0);
+}
+
+BENCHMARK_CAPTURE(flat_wall, repulsion, 0.0)
+    ->Arg(8)
+    ->Arg(10)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(flat_wall, attraction, 1.0)
+    ->Arg(10)
+    ->Unit(benchmark::kMillisecond);
+
+/// The paper's roughness, h_rms = 10 A, with the layer flat at `height` [A]
+/// but where it is pushed up to d_c over the surface.
+void rough_wall(benchmark::State& state) {
+  const double unit = 2.0 * std::numbers::pi / 104e-9;
+  const auto spectrum =
+      surfaces::SelfAffineSpectrum::with_rms_height(
+          {0.8, unit, 3.0 * unit, 216.0 * unit}, 10.0 * angstrom)
+          .isotropic();
+  const std::vector<double> heights =
+      surfaces::realize(spectrum, substrate, {1, 0}).heights;
+  const double height = static_cast<double>(state.range(1)) * angstrom;
+  Planes atoms(layer.size());
+  const std::vector<double> below =
+      Interface(scenes::paper_atoms(), layer, substrate, heights)
+          .heights_below(atoms.view());
+  double in_reach = 0.0;
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    atoms.z[i] = std::max(height, below[i] + scenes::contact_distance);
+    in_reach += atoms.z[i] < below[i] + 10.0 * angstrom ? 1.0 : 0.0;
+  }
+  run(state, heights, atoms, 0.0, in_reach / static_cast<double>(layer.size()));
+}
+
+BENCHMARK(rough_wall)
+    ->Args({10, 5})
+    ->Args({10, 15})
+    ->Args({10, 25})
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace asperity::md

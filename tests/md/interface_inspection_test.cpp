@@ -1,0 +1,198 @@
+// Claims about md/interface.hpp: what it counts, and what it refuses.
+#include "md/interface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/md/small_interface.hpp"
+
+namespace asperity::md {
+namespace {
+
+using scenes::angstrom;
+using scenes::lattice;
+using scenes::paper_atoms;
+using scenes::Planes;
+using scenes::Scene;
+
+constexpr double close = 2.2 * angstrom;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A commensurate flat wall, every atom over one of the substrate's, out of
+/// reach at 20 A: 3.9 A from column to column.
+struct FlatWall {
+  Grid grid = lattice(8, 31.2 * angstrom);
+  std::vector<double> heights = std::vector<double>(64);
+  Planes atoms = Planes(64);
+
+  FlatWall() { std::fill(atoms.z.begin(), atoms.z.end(), 20.0 * angstrom); }
+
+  Inspection inspect() const {
+    return Interface(paper_atoms(), grid, grid, heights)
+        .inspect(atoms.view(), close, scenes::contact_distance);
+  }
+};
+
+TEST(Inspection, FindsNothingOutOfReach) {
+  const Inspection found = FlatWall().inspect();
+
+  EXPECT_EQ(found.below_substrate, 0);
+  EXPECT_EQ(found.close_pairs, 0);
+  EXPECT_EQ(found.in_contact, 0);
+  EXPECT_EQ(found.shortest_distance, infinity);
+}
+
+// Claim: each of four atoms is counted for what it is; the height of an atom
+// over its partner is the shortest distance. Tolerance: eps of it, times 4.
+TEST(Inspection, CountsAMadeUpState) {
+  FlatWall wall;
+  wall.atoms.z[3] = 4.3 * angstrom;   // in contact
+  wall.atoms.z[20] = 4.4 * angstrom;  // not
+  wall.atoms.z[21] = -1.5 * angstrom; // through: near one atom
+  wall.atoms.x[40] = 1.95 * angstrom; // halfway between two, near both
+  wall.atoms.z[40] = 0.9 * angstrom;
+
+  const Inspection found = wall.inspect();
+
+  EXPECT_EQ(found.below_substrate, 1);
+  EXPECT_EQ(found.close_pairs, 3);
+  EXPECT_EQ(found.in_contact, 3);
+  EXPECT_NEAR(found.shortest_distance / angstrom, 1.5, 1e-14);
+}
+
+TEST(Inspection, CountsAnAtomThatIsNowhereAsThrough) {
+  FlatWall wall;
+  wall.atoms.y[5] = std::numeric_limits<double>::quiet_NaN();
+
+  EXPECT_EQ(wall.inspect().below_substrate, 1);
+}
+
+// Claim: the counts are those of a loop over all pairs; threads change nothing.
+TEST(Inspection, CountsAsAllPairsOneByOne) {
+  const Scene scene(10, 16, 40.0 * angstrom, 21, 2.0 * angstrom);
+  std::vector<double> shortest(scene.layer.size(), infinity);
+  int close_pairs = 0;
+  for_all_pairs(scene, [&](std::size_t i, double dx, double dy, double dz) {
+    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    shortest[i] = std::min(shortest[i], distance);
+    close_pairs += distance < close ? 1 : 0;
+  });
+  const auto in_contact =
+      std::count_if(shortest.begin(), shortest.end(), [](double distance) {
+        return distance < scenes::contact_distance;
+      });
+
+  for (const int threads : {1, 3}) {
+    const Inspection found =
+        scene.interface(paper_atoms(), threads)
+            .inspect(scene.atoms.view(), close, scenes::contact_distance);
+
+    EXPECT_GT(close_pairs, 0);
+    EXPECT_EQ(found.close_pairs, close_pairs);
+    EXPECT_EQ(found.in_contact, in_contact);
+    EXPECT_NEAR(found.shortest_distance /
+                    *std::min_element(shortest.begin(), shortest.end()),
+                1.0, 1e-12);
+  }
+}
+
+// Claim: the height below is the node's at a node and bilinear between, through
+// the seam as well. Tolerance: eps of the heights, times 10.
+TEST(HeightsBelow, AreBilinear) {
+  const Scene scene(10, 10, 0.0, 2);
+  const Interface interface = scene.interface(paper_atoms());
+  const auto height = [&](int ix, int iy) {
+    return scene.heights[scene.substrate.index(ix % 10, iy % 10)];
+  };
+  Planes atoms(100);
+  const std::vector<double> at_nodes = interface.heights_below(atoms.view());
+  const double spacing = scene.substrate.spacing_x();
+  for (std::size_t i = 0; i < 100; ++i) {
+    atoms.x[i] = 0.25 * spacing;
+    atoms.y[i] = 0.5 * spacing - 2.0 * scene.layer.length_y;
+  }
+
+  const std::vector<double> between = interface.heights_below(atoms.view());
+
+  for (int iy = 0; iy < 10; ++iy)
+    for (int ix = 0; ix < 10; ++ix) {
+      const std::size_t i = scene.layer.index(ix, iy);
+      EXPECT_NEAR(at_nodes[i], height(ix, iy), 1e-25);
+      EXPECT_NEAR(between[i],
+                  0.375 * (height(ix, iy) + height(ix, iy + 1)) +
+                      0.125 * (height(ix + 1, iy) + height(ix + 1, iy + 1)),
+                  1e-24);
+    }
+}
+
+// Claim: the paper's 648 for 400, and the golden mean of other lattices.
+TEST(IncommensurateAtoms, AreTheNearestEvenNumber) {
+  EXPECT_EQ(incommensurate_atoms(400), 648);
+  EXPECT_EQ(incommensurate_atoms(100), 162);
+  EXPECT_EQ(incommensurate_atoms(1), 2);
+  EXPECT_THROW(incommensurate_atoms(0), std::domain_error);
+}
+
+template <class Act>
+std::string message_of(const Act& act) {
+  try {
+    act();
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(InterfaceRefusal, NamesTheArgument) {
+  const Grid layer = lattice(10, 26.0 * angstrom);
+  const Grid substrate = lattice(16, 26.0 * angstrom);
+  const std::vector<double> heights(substrate.size());
+  const auto build = [&](const Interaction& law, const Grid& upper,
+                         const Grid& lower, std::span<const double> given,
+                         int threads) {
+    return message_of([&] { Interface(law, upper, lower, given, threads); });
+  };
+  const Interaction law = paper_atoms();
+
+  EXPECT_EQ(build(law, layer, lattice(16, 26.1 * angstrom), heights, 1),
+            "length of the substrate = 2.61e-09, but must be 2.6e-09 m, as of "
+            "the layer");
+  Interaction far = law;
+  far.cutoff = 13.1 * angstrom;
+  EXPECT_EQ(build(far, layer, substrate, heights, 1),
+            "cutoff = 1.31e-09, but must be at most half of the period "
+            "2.6e-09 m");
+  far.energy = -1.0;
+  EXPECT_EQ(build(far, layer, substrate, heights, 1),
+            "energy = -1, but must be finite and > 0 [J]");
+  EXPECT_EQ(build(law, layer, substrate, std::vector<double>(5), 1),
+            "size of heights = 5, but must be 256, one value a site");
+  EXPECT_EQ(build(law, layer, substrate, heights, 0),
+            "threads = 0, but must be finite and > 0 [1]");
+  EXPECT_NE(build(law, {10, 8, 2.6e-9, 2.6e-9}, substrate, heights, 1), "");
+  EXPECT_NE(build(law, layer, {16, 16, 2.6e-9, 2e-9}, heights, 1), "");
+  std::vector<double> bad = heights;
+  bad[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(build(law, layer, substrate, bad, 1), "");
+
+  const Interface good(law, layer, substrate, heights);
+  Planes few(99);
+  Planes forces(100);
+  EXPECT_EQ(
+      message_of([&] { good.energy_and_forces(few.view(), forces.forces()); }),
+      "size of atoms = 99, but must be 100, one value a site");
+  EXPECT_THROW(good.energy_and_forces(forces.view(), few.forces()),
+               std::domain_error);
+  EXPECT_THROW(good.heights_below(few.view()), std::domain_error);
+  EXPECT_THROW(good.inspect(forces.view(), close, 11.0 * angstrom),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::md
