@@ -27,7 +27,6 @@ PairTerm pair_term(const Interaction& interaction, double distance) {
   const auto sixth_power = [&](double r) {
     return std::pow(interaction.distance / r, 6);
   };
-  const double attraction = interaction.attraction;
   const double y = sixth_power(distance);
   const double y_begin = sixth_power(interaction.taper_begin);
   const double y_end = sixth_power(interaction.cutoff);
@@ -35,16 +34,19 @@ PairTerm pair_term(const Interaction& interaction, double distance) {
     return {};
 
   const double width = y_begin - y_end;
-  const double t = std::fmin((y - y_end) / width, 1.0);
-  const double taper = t * t * (3.0 - 2.0 * t);
-  double energy = 2.0 * width *
-                  ((y_end - attraction) * t * t * t * (1.0 - 0.5 * t) +
-                   width * std::pow(t, 4) * (0.75 - 0.4 * t));
-  if (y > y_begin)
-    energy += (y - y_begin) * (y + y_begin - 2.0 * attraction);
-  return {interaction.energy * energy, 12.0 * interaction.energy * y *
-                                           (y - attraction) * taper /
-                                           (distance * distance)};
+  const double full = y_begin - interaction.attraction;
+  double steepness = y - interaction.attraction; // of U/2 over y
+  double energy = 0.0;
+  if (y < y_begin) {
+    const double t = (y - y_end) / width;
+    steepness = t * t * ((3.0 - 2.0 * t) * full - (1.0 - t) * width);
+    energy = 2.0 * width * t * t * t *
+             ((1.0 - 0.5 * t) * full - (1.0 / 3.0 - 0.25 * t) * width);
+  } else
+    energy = width * (full - width / 6.0) +
+             (y - y_begin) * (y + y_begin - 2.0 * interaction.attraction);
+  return {interaction.energy * energy,
+          12.0 * interaction.energy * y * steepness / (distance * distance)};
 }
 
 double wall_pressure(const Interaction& interaction, double atom_area,

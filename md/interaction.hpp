@@ -8,16 +8,19 @@ namespace asperity::md {
 /// U(r) = eps [(r_0/r)^12 - attraction 2 (r_0/r)^6]
 ///
 /// attraction = 0 is the paper's repulsion (Sec. 4); attraction = 1 is
-/// Lennard-Jones with its minimum -eps at r_0, scaled in between. The force is
-/// -dU/dr times the taper
+/// Lennard-Jones with its minimum -eps at r_0, scaled in between. With
+/// y = (r_0/r)^6 this is eps (y^2 - 2 attraction y), and between taper_begin
+/// and the cut-off its slope over y, 2 (y - attraction), is replaced by a cubic
+/// in y that joins it there with value and slope and is 0 with slope 0 at the
+/// cut-off:
 ///
-///     T = 3 t^2 - 2 t^3,  t = (y - y_end)/(y_begin - y_end) kept within 0..1,
-///     y = (r_0/r)^6, y_end at the cut-off, y_begin at taper_begin
+///     dU/dy = 2 eps t^2 [(3 - 2t)(y_begin - attraction) - (1 - t) D]
+///     t = (y - y_end)/D,  D = y_begin - y_end
 ///
-/// and the energy is the integral of that force from the cut-off inwards,
-/// int 2 (y - attraction) T dy in units of eps: a polynomial in y, and force =
-/// -grad U holds exactly. The force has a continuous slope. What it costs:
-/// inside taper_begin the energy of every pair is shifted by a constant.
+/// The energy is the integral of that from the cut-off inwards, a polynomial
+/// in y, so force = -grad U holds exactly, and the force has a continuous
+/// slope. Up to taper_begin the force is the untruncated one, and the energy of
+/// every pair is shifted by one constant.
 struct Interaction {
   double energy = 0.0;      ///< eps [J] > 0
   double distance = 0.0;    ///< r_0 [m] > 0

@@ -16,16 +16,22 @@
 namespace asperity::md {
 namespace {
 
-/// Where the sites of one side of the layer are in the substrate's lattice:
-/// site i at i n_s / n_l, split in integers so that nothing is lost.
-double site(int i, int layer_points, int substrate_points) {
-  const std::int64_t product = std::int64_t{i} * substrate_points;
-  return static_cast<double>(product / layer_points) +
-         static_cast<double>(product % layer_points) / layer_points;
+/// The sites of one side of the layer in the substrate's lattice, site i at
+/// i n_s / n_l, split in integers so that nothing is lost.
+std::vector<double> sites_of(int layer_points, int substrate_points) {
+  std::vector<double> sites;
+  for (std::int64_t i = 0; i < layer_points; ++i) {
+    const std::int64_t product = i * substrate_points;
+    sites.push_back(static_cast<double>(product / layer_points) +
+                    static_cast<double>(product % layer_points) / layer_points);
+  }
+  return sites;
 }
 
 /// A coordinate brought into 0 <= c < points.
 double wrapped(double coordinate, int points) {
+  if (coordinate >= 0.0 && coordinate < points)
+    return coordinate;
   const double inside = coordinate - points * std::floor(coordinate / points);
   return inside < points ? std::max(inside, 0.0) : 0.0;
 }
@@ -65,40 +71,45 @@ struct Interface::Kernel {
   ReducedLaw law;
   Substrate substrate;
 
-  LatticePoint point(int ix, int iy, double x, double y) const {
+  std::vector<double> sites; ///< along a side, in substrate spacings
+
+  LatticePoint point(const LayerView& atoms, int ix, int iy) const {
     const int points = substrate_grid.points_x;
     const double spacing = substrate_grid.spacing_x();
-    return {wrapped(site(ix, layer.points_x, points) + x / spacing, points),
-            wrapped(site(iy, layer.points_y, points) + y / spacing, points)};
+    const std::size_t i = layer.index(ix, iy);
+    const auto coordinate = [&](int site, double displacement) {
+      return wrapped(sites[static_cast<std::size_t>(site)] +
+                         displacement / spacing,
+                     points);
+    };
+    return {coordinate(ix, atoms.x[i]), coordinate(iy, atoms.y[i])};
   }
 
-  AtomSum sum_of_atom(const LayerView& atoms, int ix, int iy,
-                      std::vector<Strip>& strips) const;
+  AtomSum sum_of_atom(const LayerView& atoms, int ix, int iy) const;
   double sum_of_row(const LayerView& atoms, const LayerForces& forces,
                     int iy) const;
   Inspection inspect_row(const LayerView& atoms, int iy, double close_distance,
                          double contact_distance) const;
 };
 
-AtomSum Interface::Kernel::sum_of_atom(const LayerView& atoms, int ix, int iy,
-                                       std::vector<Strip>& strips) const {
+AtomSum Interface::Kernel::sum_of_atom(const LayerView& atoms, int ix,
+                                       int iy) const {
   const std::size_t i = layer.index(ix, iy);
   if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, nan};
   }
   const double z = atoms.z[i] / interaction.distance;
-  substrate.find_strips(point(ix, iy, atoms.x[i], atoms.y[i]), z, strips);
-  return sum_strips(law, strips, substrate.heights(), substrate.spacing(), z);
+  return sum_window(law, substrate.window(point(atoms, ix, iy), z),
+                    substrate.spacing(), z);
 }
 
 double Interface::Kernel::sum_of_row(const LayerView& atoms,
                                      const LayerForces& forces, int iy) const {
   const double unit = 12.0 * interaction.energy / interaction.distance;
-  std::vector<Strip> strips;
   double energy = 0.0;
   for (int ix = 0; ix < layer.points_x; ++ix) {
-    const AtomSum sum = sum_of_atom(atoms, ix, iy, strips);
+    const AtomSum sum = sum_of_atom(atoms, ix, iy);
     const std::size_t i = layer.index(ix, iy);
     forces.x[i] = unit * sum.x;
     forces.y[i] = unit * sum.y;
@@ -113,7 +124,6 @@ Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
                                           double contact_distance) const {
   Inspection found{.shortest_distance =
                        std::numeric_limits<double>::infinity()};
-  std::vector<Strip> strips;
   for (int ix = 0; ix < layer.points_x; ++ix) {
     const std::size_t i = layer.index(ix, iy);
     if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
@@ -121,17 +131,18 @@ Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
       continue;
     }
     const double z = atoms.z[i] / interaction.distance;
-    const LatticePoint under = point(ix, iy, atoms.x[i], atoms.y[i]);
+    const LatticePoint under = point(atoms, ix, iy);
     found.below_substrate += z < substrate.height_at(under) ? 1 : 0;
 
-    substrate.find_strips(under, z, strips);
+    const Window window = substrate.window(under, z);
     double shortest = std::numeric_limits<double>::infinity();
-    for (const Strip& strip : strips)
+    for (const Strip& strip : window.strips)
       for (int lane = 0; lane < strip_width; ++lane) {
         const double distance =
             interaction.distance *
-            std::hypot(strip.x - lane * substrate.spacing(), strip.y,
-                       z - substrate.heights()[strip.first + lane]);
+            std::hypot(window.x - strip.x - lane * substrate.spacing(),
+                       window.y - strip.y,
+                       z - window.heights[strip.height + lane]);
         found.close_pairs += distance < close_distance ? 1 : 0;
         shortest = std::min(shortest, distance);
       }
@@ -162,7 +173,8 @@ Interface::Interface(const Interaction& interaction, const Grid& layer,
   require_positive("threads", threads, "1");
   kernel_ = std::make_unique<Kernel>(Kernel{
       interaction, layer, substrate, threads, reduced(interaction),
-      Substrate(substrate, heights, interaction.cutoff, interaction.distance)});
+      Substrate(substrate, heights, interaction.cutoff, interaction.distance),
+      sites_of(layer.points_x, substrate.points_x)});
 }
 
 Interface::~Interface() = default;
@@ -222,12 +234,10 @@ std::vector<double> Interface::heights_below(const LayerView& atoms) const {
   std::vector<double> heights;
   heights.reserve(layer.size());
   for (int iy = 0; iy < layer.points_y; ++iy)
-    for (int ix = 0; ix < layer.points_x; ++ix) {
-      const std::size_t i = layer.index(ix, iy);
-      heights.push_back(kernel_->interaction.distance *
-                        kernel_->substrate.height_at(
-                            kernel_->point(ix, iy, atoms.x[i], atoms.y[i])));
-    }
+    for (int ix = 0; ix < layer.points_x; ++ix)
+      heights.push_back(
+          kernel_->interaction.distance *
+          kernel_->substrate.height_at(kernel_->point(atoms, ix, iy)));
   return heights;
 }
 

@@ -1,7 +1,5 @@
 #include "md/interface_kernel.hpp"
 
-#include <cmath>
-
 namespace asperity::md {
 namespace {
 
@@ -17,40 +15,44 @@ using UnalignedVector [[gnu::vector_size(strip_width * sizeof(double)),
 #define ASPERITY_WIDE gnu::hot
 #endif
 
-template <bool has_attraction>
-[[gnu::always_inline]] inline void
-sum_pairs(const ReducedLaw& law, std::span<const Strip> strips,
-          const double* heights, double spacing, double z, AtomSum& sum) {
-  const Vector steps = spacing * Vector{0.0, 1.0, 2.0, 3.0};
-  const double width = law.y_begin - law.y_end;
-  Vector energy{}, force_x{}, force_y{}, force_z{};
-  for (const Strip& strip : strips) {
-    const Vector h =
-        *reinterpret_cast<const UnalignedVector*>(heights + strip.first);
-    const Vector dx = strip.x - steps;
-    const Vector dz = z - h;
-    const Vector inverse = 1.0 / (dx * dx + strip.y * strip.y + dz * dz);
-    const Vector y = inverse * inverse * inverse;
+// The processor keeps few pairs in flight, and from the distance to the force
+// is a long way: so strips go through in bundles, each step for all of them.
+constexpr std::size_t bundle = 32;
 
-    Vector u = y - law.y_end;
-    u = u > 0.0 ? u : Vector{};
-    u = u < width ? u : Vector{} + width;
-    const Vector y_max = y > law.y_begin ? y : Vector{} + law.y_begin;
-    const Vector u2 = u * u;
-    Vector lever = y_max + law.y_begin;
-    Vector slope = y;
-    if constexpr (has_attraction) {
-      lever -= 2.0 * law.attraction;
-      slope -= law.attraction;
+[[ASPERITY_WIDE]] void sum_pairs(const ReducedLaw& law, const Window& window,
+                                 double spacing, double z, AtomSum& sum) {
+  const Vector x = window.x - spacing * Vector{0.0, 1.0, 2.0, 3.0};
+  const Vector width = Vector{} + law.width;
+  const double rise = 2.0 / 3.0 * law.square;
+  const double bend = 0.5 * law.cube;
+  Vector energy{}, force_x{}, force_y{}, force_z{};
+  Vector dx[bundle], dz[bundle], inverse[bundle], force[bundle];
+  for (auto strips = window.strips; !strips.empty();) {
+    const std::size_t count = strips.size() < bundle ? strips.size() : bundle;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Strip& strip = strips[i];
+      const double dy = window.y - strip.y;
+      dx[i] = x - strip.x;
+      dz[i] = z - *reinterpret_cast<const UnalignedVector*>(window.heights +
+                                                            strip.height);
+      inverse[i] = 1.0 / (dx[i] * dx[i] + dy * dy + dz[i] * dz[i]);
     }
-    energy +=
-        (y_max - law.y_begin) * lever +
-        u2 * u * (law.rise + u * (law.rise_slope + u * law.rise_curvature));
-    const Vector force =
-        (y * inverse) * slope * (u2 * (law.taper_square + law.taper_cube * u));
-    force_x += force * dx;
-    force_y += force * strip.y;
-    force_z += force * dz;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector y = inverse[i] * inverse[i] * inverse[i];
+      Vector p = y - law.y_end;
+      p = p > 0.0 ? p : Vector{};
+      const Vector u = p < width ? p : width;
+      const Vector v = p - u;
+      const Vector u2 = u * u;
+      energy += u2 * u * (rise + bend * u) + v * (v + law.lever);
+      force[i] = y * inverse[i] * (u2 * (law.square + law.cube * u) + v);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      force_x += force[i] * dx[i];
+      force_y += force[i] * (window.y - strips[i].y);
+      force_z += force[i] * dz[i];
+    }
+    strips = strips.subspan(count);
   }
   const auto total = [](const Vector& v) {
     return (v[0] + v[1]) + (v[2] + v[3]);
@@ -58,45 +60,26 @@ sum_pairs(const ReducedLaw& law, std::span<const Strip> strips,
   sum = {total(energy), total(force_x), total(force_y), total(force_z)};
 }
 
-[[ASPERITY_WIDE]] void sum_repulsion(const ReducedLaw& law,
-                                     std::span<const Strip> strips,
-                                     const double* heights, double spacing,
-                                     double z, AtomSum& sum) {
-  sum_pairs<false>(law, strips, heights, spacing, z, sum);
-}
-
-[[ASPERITY_WIDE]] void sum_attraction(const ReducedLaw& law,
-                                      std::span<const Strip> strips,
-                                      const double* heights, double spacing,
-                                      double z, AtomSum& sum) {
-  sum_pairs<true>(law, strips, heights, spacing, z, sum);
-}
-
 } // namespace
 
 ReducedLaw reduced(const Interaction& interaction) {
-  const double begin =
-      std::pow(interaction.distance / interaction.taper_begin, 6);
-  const double end = std::pow(interaction.distance / interaction.cutoff, 6);
+  const auto sixth_power = [&](double r) { // not pow: its last bits vary
+    const double ratio = interaction.distance / r;
+    const double cube = ratio * ratio * ratio;
+    return cube * cube;
+  };
+  const double begin = sixth_power(interaction.taper_begin);
+  const double end = sixth_power(interaction.cutoff);
   const double width = begin - end;
-  const double lever = end - interaction.attraction;
-  return {begin,
-          end,
-          interaction.attraction,
-          3.0 / (width * width),
-          -2.0 / (width * width * width),
-          2.0 * lever / (width * width),
-          1.5 / (width * width) - lever / (width * width * width),
-          -0.8 / (width * width * width)};
+  const double full = begin - interaction.attraction;
+  return {end, width, (3.0 * full - width) / (width * width),
+          (width - 2.0 * full) / (width * width * width), 2.0 * full};
 }
 
-AtomSum sum_strips(const ReducedLaw& law, std::span<const Strip> strips,
-                   const double* heights, double spacing, double z) {
+AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
+                   double z) {
   AtomSum sum;
-  if (law.attraction == 0.0)
-    sum_repulsion(law, strips, heights, spacing, z, sum);
-  else
-    sum_attraction(law, strips, heights, spacing, z, sum);
+  sum_pairs(law, window, spacing, z, sum);
   return sum;
 }
 

@@ -11,34 +11,39 @@
 
 namespace asperity::md {
 
-/// What the kernel needs of the pair law: with y = (r_0/r)^6, D = y_begin -
-/// y_end and u = y - y_end kept within 0..D,
+/// What the kernel needs of the pair law: with y = (r_0/r)^6, p = y - y_end >=
+/// 0, u = min(p, width) and v = p - u,
 ///
-///     taper    u^2 (taper_square + taper_cube u)
-///     energy   u^3 (rise + u (rise_slope + rise_curvature u))
-///              + (y_max - y_begin)(y_max + y_begin - 2 attraction)
+///     G           = u^2 (square + cube u) + v
+///     U           = u^3 (2/3 square + 1/2 cube u) + v (v + lever)      [eps]
+///     -U'(r)/r    = G y (r_0/r)^2                            [12 eps/r_0^2]
 ///
-/// y_max = max(y, y_begin): the closed form of pair_term without a branch.
+/// which is pair_term without a branch.
 struct ReducedLaw {
-  double y_begin = 0.0;
   double y_end = 0.0;
-  double attraction = 0.0;
-  double taper_square = 0.0;
-  double taper_cube = 0.0;
-  double rise = 0.0;
-  double rise_slope = 0.0;
-  double rise_curvature = 0.0;
+  double width = 0.0; ///< y_begin - y_end
+  double square = 0.0;
+  double cube = 0.0;
+  double lever = 0.0; ///< 2 (y_begin - attraction)
 };
 
 ReducedLaw reduced(const Interaction& interaction);
 
 constexpr int strip_width = 4;
 
-/// Four substrate atoms next to each other in a row, as one atom sees them.
+/// Four substrate atoms next to each other in a row, from the corner of a cell.
 struct Strip {
-  double x = 0.0;         ///< from the first of them to the atom [r_0]
-  double y = 0.0;         ///< the same across the rows
-  std::int64_t first = 0; ///< where its height is
+  double x = 0.0;          ///< of the first of them [r_0]
+  double y = 0.0;          ///< [r_0]
+  std::int64_t height = 0; ///< index of its height
+};
+
+/// What one atom sees.
+struct Window {
+  double x = 0.0;                  ///< the atom from the corner [r_0]
+  double y = 0.0;                  ///< [r_0]
+  const double* heights = nullptr; ///< [r_0], the first is that of the corner
+  std::span<const Strip> strips;
 };
 
 struct AtomSum {
@@ -48,10 +53,9 @@ struct AtomSum {
   double z = 0.0;
 };
 
-/// @param heights  of the substrate [r_0]; strips index it
 /// @param spacing  of the substrate [r_0]
 /// @param z        height of the atom [r_0]
-AtomSum sum_strips(const ReducedLaw& law, std::span<const Strip> strips,
-                   const double* heights, double spacing, double z);
+AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
+                   double z);
 
 } // namespace asperity::md

@@ -7,7 +7,7 @@ namespace asperity::md {
 namespace {
 
 constexpr int block_width = 4;
-constexpr int chord_steps = 8;
+constexpr int parts = 4; ///< of a cell, along a side, with lists of their own
 
 std::size_t as_index(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -27,11 +27,7 @@ Substrate::Substrate(const Grid& grid, std::span<const double> heights,
       blocks_((grid.points_x + block_width - 1) / block_width) {
   pad(grid, heights, unit);
   find_highest(grid.points_x);
-  const int n_chords =
-      static_cast<int>(chord_steps * reach_ * reach_ / (spacing_ * spacing_)) +
-      2;
-  for (int i = 1; i <= n_chords; ++i)
-    half_chords_.push_back(std::sqrt(i / double{chord_steps}));
+  list_strips();
 }
 
 void Substrate::pad(const Grid& grid, std::span<const double> heights,
@@ -77,35 +73,61 @@ void Substrate::find_highest(int points) {
     }
 }
 
-void Substrate::find_strips(const LatticePoint& point, double z,
-                            std::vector<Strip>& strips) const {
-  strips.clear();
-  const int block_x = static_cast<int>(point.column) / block_width;
-  const int block_y = static_cast<int>(point.row) / block_width;
-  const double above = std::max(
-      z - highest_[as_index(block_y) * as_index(blocks_) + as_index(block_x)],
-      0.0);
-  const double radius_square =
-      (reach_ * reach_ - above * above) / (spacing_ * spacing_);
-  if (!(radius_square > 0.0))
-    return;
+// The squares of the radii are 1, 2, 3 ... spacings^2 up to beyond the reach.
+void Substrate::list_strips() {
+  const double reach = reach_ / spacing_;
+  const int n_radii = static_cast<int>(reach * reach) + 1;
+  for (int radius_square = 1; radius_square <= n_radii; ++radius_square)
+    for (int row = 0; row < parts; ++row)
+      for (int column = 0; column < parts; ++column) {
+        list_begins_.push_back(strips_.size());
+        list_strips(column / double{parts}, row / double{parts},
+                    std::min<double>(radius_square, reach * reach));
+      }
+  list_begins_.push_back(strips_.size());
+}
 
-  const double radius = std::sqrt(radius_square);
-  const double column = point.column + margin_;
-  const double centre = point.row + margin_;
-  const int last_row = static_cast<int>(centre + radius);
-  for (int row = static_cast<int>(centre - radius) + 1; row <= last_row;
-       ++row) {
-    const double across = centre - row;
-    const double left = std::max(radius_square - across * across, 0.0);
-    const double half =
-        half_chords_[as_index(static_cast<int>(chord_steps * left))];
-    const int last = static_cast<int>(column + half);
-    for (int i = static_cast<int>(column - half) + 1; i <= last;
+// All columns within the radius of any point of the part, row by row; a little
+// more, for the rounding.
+void Substrate::list_strips(double column, double row, double radius_square) {
+  const double side = 1.0 / parts + 1e-9;
+  const int farthest = static_cast<int>(std::sqrt(radius_square)) + 1;
+  for (int j = -farthest; j <= farthest + 1; ++j) {
+    const double across = std::max({0.0, row - j, j - row - side});
+    if (across * across > radius_square)
+      continue;
+    const double half_chord = std::sqrt(radius_square - across * across) + 1e-9;
+    const int last = static_cast<int>(std::floor(column + side + half_chord));
+    for (int i = static_cast<int>(std::ceil(column - half_chord)); i <= last;
          i += strip_width)
-      strips.push_back(
-          {(column - i) * spacing_, across * spacing_, row * stride_ + i});
+      strips_.push_back({i * spacing_, j * spacing_, j * stride_ + i});
   }
+}
+
+Window Substrate::window(const LatticePoint& point, double z) const {
+  const int column = static_cast<int>(point.column);
+  const int row = static_cast<int>(point.row);
+  const double x = point.column - column;
+  const double y = point.row - row;
+  Window window{x * spacing_,
+                y * spacing_,
+                padded_.data() + (row + margin_) * stride_ + column + margin_,
+                {}};
+
+  const double highest =
+      highest_[as_index(row / block_width) * as_index(blocks_) +
+               as_index(column / block_width)];
+  const double above = std::max(z - highest, 0.0);
+  if (above >= reach_)
+    return window;
+  const int radius = static_cast<int>((reach_ * reach_ - above * above) /
+                                      (spacing_ * spacing_));
+  const int part =
+      static_cast<int>(y * parts) * parts + static_cast<int>(x * parts);
+  const std::size_t list = as_index(radius * parts * parts + part);
+  window.strips = std::span(strips_).subspan(
+      list_begins_[list], list_begins_[list + 1] - list_begins_[list]);
+  return window;
 }
 
 double Substrate::height_at(const LatticePoint& point) const {

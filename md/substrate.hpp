@@ -29,23 +29,21 @@ public:
   Substrate(const Grid& grid, std::span<const double> heights, double reach,
             double unit);
 
-  /// The strips of all substrate atoms that are nearer than `reach` to an atom
-  /// at this point and height, and of some that are not. Empty if it is that
-  /// much higher than any of them.
-  /// @param strips  overwritten
-  void find_strips(const LatticePoint& point, double z,
-                   std::vector<Strip>& strips) const;
+  /// All substrate atoms that are nearer than `reach` to an atom at this point
+  /// and height, and some that are not. No strips if the atom is that much
+  /// higher than any of them.
+  Window window(const LatticePoint& point, double z) const;
 
   /// Bilinear between the four nodes about the point.
   double height_at(const LatticePoint& point) const;
 
   double spacing() const { return spacing_; }
 
-  const double* heights() const { return padded_.data(); }
-
 private:
   void pad(const Grid& grid, std::span<const double> heights, double unit);
   void find_highest(int points);
+  void list_strips();
+  void list_strips(double column, double row, double radius_square);
 
   double reach_ = 0.0;
   double spacing_ = 0.0;
@@ -56,10 +54,10 @@ private:
   int blocks_ = 0;              ///< along a side
   std::vector<double> highest_; ///< within reach of any point of a block
 
-  /// Half of the chord at a distance from the centre, in spacings, by the
-  /// square of what is left of the radius in steps of 1/chord_steps; rounded
-  /// up.
-  std::vector<double> half_chords_;
+  /// The strips about a point of each part of a cell, for each radius, one
+  /// list after the other; list i ends where list i + 1 begins.
+  std::vector<Strip> strips_;
+  std::vector<std::size_t> list_begins_;
 };
 
 } // namespace asperity::md

@@ -58,7 +58,8 @@ public:
 
   /// step = P forces, P symmetric positive definite and near the inverse of
   /// the second derivatives: the crystal's own stiffness with contact_stiffness
-  /// [N/m] an atom of the lowest layer for the interface.
+  /// [N/m] an atom of the lowest layer for the interface. It may go by the
+  /// state that was evaluated last.
   virtual void precondition(std::span<const double> forces,
                             double contact_stiffness,
                             std::span<double> step) const = 0;

@@ -1,0 +1,249 @@
+// Claims about md/green_system.hpp: forces are minus the gradient of the
+// energy under every load, and what the load holds stays where it is.
+#include "md/green_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace asperity::md {
+namespace {
+
+using cases::AtomModes;
+
+constexpr double spacing = 2.6e-10;
+constexpr int points = 12;
+constexpr Grid layer{points, points, points* spacing, points* spacing};
+constexpr Grid substrate{20, 20, points* spacing, points* spacing};
+constexpr Interaction interaction{1.192e-20, 3.28e-10, 10e-10, 8e-10, 0.0};
+constexpr double height = 4e-10;
+
+GreenSystem system_of(AtomModes modes, const Load& load) {
+  std::vector<double> heights(substrate.size());
+  for (int iy = 0; iy < 20; ++iy)
+    for (int ix = 0; ix < 20; ++ix)
+      heights[substrate.index(ix, iy)] =
+          0.5e-10 * std::cos(0.1 * std::numbers::pi * (ix + 2 * iy));
+  GreenSystem system(
+      SurfaceStiffness({Lattice::isotropic, spacing, 77.2e9, 0.42}, layer,
+                       points, modes),
+      Interface(interaction, layer, substrate, heights));
+  system.set_load(load);
+  return system;
+}
+
+std::vector<double> random_vector(std::size_t size, double most,
+                                  unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-most, most);
+  std::vector<double> values(size);
+  for (double& value : values)
+    value = uniform(generator);
+  return values;
+}
+
+double mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+struct Scene {
+  AtomModes modes;
+  Load load;
+};
+
+class EveryScene : public ::testing::TestWithParam<Scene> {
+protected:
+  EveryScene()
+      : system(system_of(GetParam().modes, GetParam().load)),
+        state(system.undeformed(height)),
+        forces(system.size()) {
+    const std::vector<double> noise = random_vector(state.size(), 3e-11, 1);
+    const bool is_normal = GetParam().modes == AtomModes::normal;
+    for (std::size_t i = is_normal ? 2 * layer.size() : 0; i < state.size();
+         ++i)
+      state[i] += noise[i];
+  }
+
+  /// Removes from a displacement what the scene holds.
+  std::vector<double> allowed(std::vector<double> displacement) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::span plane =
+          std::span(displacement).subspan(axis * layer.size(), layer.size());
+      const double shift =
+          axis < 2 || GetParam().load.kind == Load::Kind::height ? mean(plane)
+                                                                 : 0.0;
+      for (double& value : plane)
+        value = axis < 2 && GetParam().modes == AtomModes::normal
+                    ? 0.0
+                    : value - shift;
+    }
+    return displacement;
+  }
+
+  static double dot(const std::vector<double>& left,
+                    const std::vector<double>& right) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      sum += left[i] * right[i];
+    return sum;
+  }
+
+  GreenSystem system;
+  std::vector<double> state;
+  std::vector<double> forces;
+};
+
+// Claim: the energy's fall along an allowed displacement is the forces' work.
+// Central difference over 2e-14 m: (2e-14 / r_0)^2 and the rounding 1e-15 of
+// the energy over its relative change of 1e-8 leave 1e-6.
+TEST_P(EveryScene, ForcesAreMinusTheGradient) {
+  const double length = 1e-14;
+  const std::vector<double> along =
+      allowed(random_vector(state.size(), 1.0, 2));
+  std::vector<double> unused(forces.size());
+  std::vector<double> ahead = state;
+  std::vector<double> behind = state;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    ahead[i] += length * along[i];
+    behind[i] -= length * along[i];
+  }
+
+  system.energy_and_forces(state, forces);
+  const double fall = system.energy_and_forces(behind, unused).energy -
+                      system.energy_and_forces(ahead, unused).energy;
+
+  EXPECT_NEAR(0.5 * fall / length / dot(forces, along), 1.0, 1e-6);
+}
+
+TEST_P(EveryScene, WhatIsHeldFeelsNoForce) {
+  system.energy_and_forces(state, forces);
+
+  const std::vector<double> expected = allowed(forces);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    EXPECT_NEAR(forces[i], expected[i], 1e-22); // rounding of 1e-9 N
+}
+
+// Claim: P is symmetric, positive definite and keeps to what is allowed.
+TEST_P(EveryScene, PreconditionerIsSymmetricAndPositive) {
+  system.energy_and_forces(state, forces);
+  const std::vector<double> first =
+      allowed(random_vector(state.size(), 1e-10, 3));
+  const std::vector<double> second =
+      allowed(random_vector(state.size(), 1e-10, 4));
+  std::vector<double> from_first(state.size());
+  std::vector<double> from_second(state.size());
+
+  system.precondition(first, 2.0, from_first);
+  system.precondition(second, 2.0, from_second);
+
+  const double size =
+      std::sqrt(dot(first, from_first) * dot(second, from_second));
+  EXPECT_NEAR(dot(first, from_second) / size, dot(second, from_first) / size,
+              1e-13);
+  EXPECT_GT(dot(first, from_first), 0.0);
+  const std::vector<double> expected = allowed(from_first);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(from_first[i], expected[i], 1e-23);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, EveryScene,
+    ::testing::Values(
+        Scene{AtomModes::vector, {Load::Kind::nominal_pressure, 1e9}},
+        Scene{AtomModes::vector, {Load::Kind::height, height}},
+        Scene{AtomModes::normal, {Load::Kind::nominal_pressure, 1e9}},
+        Scene{AtomModes::normal, {Load::Kind::height, height}}));
+
+// Claim: far from the substrate P is the inverse of the second derivatives,
+// for waves: after one step along P forces no force is left but the pressure.
+TEST(GreenSystem, PreconditionerInvertsTheFreeBlock) {
+  GreenSystem system =
+      system_of(AtomModes::vector, {Load::Kind::height, 100e-10});
+  std::vector<double> state = system.undeformed(100e-10);
+  const std::vector<double> noise = random_vector(state.size(), 1e-11, 5);
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state[i] += noise[i];
+  std::vector<double> forces(state.size());
+  std::vector<double> step(state.size());
+  std::vector<double> after(state.size());
+  const double negligible = 1e-9; // against the bulk's stiffness of 10 N/m
+
+  system.energy_and_forces(state, forces);
+  system.precondition(forces, negligible, step);
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state[i] += step[i];
+  system.energy_and_forces(state, after);
+
+  for (std::size_t i = 0; i < after.size(); ++i)
+    EXPECT_NEAR(after[i], 0.0, 1e-7 * 1e-10);
+}
+
+// Claim: under pressure alone the block comes down as a whole, by the force an
+// atom over what stands for its contact, S at rest being one factor in all.
+TEST(GreenSystem, PreconditionerLowersTheWholeBlock) {
+  const double stiffness = 2.0;
+  GreenSystem system =
+      system_of(AtomModes::vector, {Load::Kind::nominal_pressure, 1e9});
+  std::vector<double> state = system.undeformed(100e-10);
+  std::vector<double> forces(state.size());
+  std::vector<double> step(state.size());
+
+  system.energy_and_forces(state, forces);
+  system.precondition(forces, stiffness, step);
+
+  const double plain = -1e9 * spacing * spacing / stiffness;
+  const double factor = step.back() / plain;
+  EXPECT_GT(factor, 1.0); // (k_loc + k_c) / k_loc
+  EXPECT_LT(factor, 1.5);
+  for (std::size_t i = 2 * layer.size(); i < step.size(); ++i)
+    EXPECT_NEAR(step[i] / step.back(), 1.0, 1e-12);
+}
+
+// Claim: the energy is the sum of bulk, pairs and load, each by itself.
+TEST(GreenSystem, AddsUpItsEnergies) {
+  const double pressure = 2e9;
+  GreenSystem system =
+      system_of(AtomModes::vector, {Load::Kind::nominal_pressure, pressure});
+  std::vector<double> state = system.undeformed(height);
+  const std::vector<double> noise = random_vector(state.size(), 1e-11, 6);
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state[i] += noise[i];
+  std::vector<double> forces(state.size());
+  std::vector<double> pairs(state.size());
+  const std::size_t n = layer.size();
+  const std::span all(pairs);
+
+  const Evaluation evaluation = system.energy_and_forces(state, forces);
+
+  const LayerView atoms = layer_of(system, state);
+  const double interface_energy = system.interface().energy_and_forces(
+      atoms, {all.subspan(0, n), all.subspan(n, n), all.subspan(2 * n, n)});
+  const double load = pressure * layer.area() * mean(atoms.z);
+  EXPECT_NEAR(evaluation.energy /
+                  (system.elastic_energy(state) + interface_energy + load),
+              1.0, 1e-14);
+  EXPECT_NEAR(evaluation.contact_force / mean(all.subspan(2 * n, n)), 1.0,
+              1e-14);
+  EXPECT_GT(system.elastic_energy(state), 0.0);
+  EXPECT_NEAR(system.elastic_energy(system.undeformed(height)), 0.0, 1e-40);
+}
+
+TEST(GreenSystem, RefusesTwoLayers) {
+  const Grid other{10, 10, layer.length_x, layer.length_y};
+  const std::vector<double> heights(substrate.size(), 0.0);
+
+  EXPECT_THROW(
+      GreenSystem(SurfaceStiffness({Lattice::isotropic, spacing, 77.2e9, 0.42},
+                                   layer, points, AtomModes::vector),
+                  Interface(interaction, other, substrate, heights)),
+      std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::md

@@ -1,0 +1,255 @@
+// Claims about md/relaxation.hpp, on systems whose balance is known in closed
+// form: it is found, within the step that is allowed, and giving up is said.
+#include "md/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace asperity::md {
+namespace {
+
+/// Unknowns with an energy each: E = sum of energy(i, x_i). The contact force
+/// is 1 N, so residuals are root mean square forces.
+class Separate final : public System {
+public:
+  using Term = std::function<double(std::size_t, double)>;
+
+  Separate(std::size_t size, Term energy, Term force)
+      : size_(size), energy_(std::move(energy)), force_(std::move(force)) {}
+
+  const Grid& layer() const override { return grid_; }
+
+  std::size_t size() const override { return size_; }
+
+  void set_load(const Load&) override {}
+
+  std::vector<double> undeformed(double height) const override {
+    return std::vector<double>(size_, height);
+  }
+
+  Evaluation energy_and_forces(std::span<const double> state,
+                               std::span<double> forces) const override {
+    Evaluation evaluation{0.0, contact_force};
+    for (std::size_t i = 0; i < size_; ++i) {
+      evaluation.energy += energy_(i, state[i]);
+      forces[i] = force_(i, state[i]);
+      if (!last_.empty())
+        longest = std::max(longest, std::abs(state[i] - last_[i]));
+    }
+    if (last_.empty())
+      last_.assign(state.begin(), state.end());
+    return evaluation;
+  }
+
+  void precondition(std::span<const double> forces, double contact_stiffness,
+                    std::span<double> step) const override {
+    for (std::size_t i = 0; i < size_; ++i)
+      step[i] = forces[i] / contact_stiffness;
+  }
+
+  double elastic_energy(std::span<const double>) const override { return 0.0; }
+
+  const Interface& interface() const override {
+    throw std::logic_error("there is none");
+  }
+
+  double contact_force = 1.0;
+  mutable double longest = 0.0; ///< distance of any state from the first
+
+private:
+  std::size_t size_;
+  Term energy_;
+  Term force_;
+  Grid grid_{1, 1, 1.0, 1.0};
+  mutable std::vector<double> last_;
+};
+
+/// Springs of stiffness 1 .. 1e4, balanced at x_i = i.
+Separate springs(std::size_t count) {
+  const auto stiffness = [count](std::size_t i) {
+    return std::pow(10.0, 4.0 * static_cast<double>(i) /
+                              static_cast<double>(count - 1));
+  };
+  return {count,
+          [=](std::size_t i, double x) {
+            const double away = x - static_cast<double>(i);
+            return 0.5 * stiffness(i) * away * away;
+          },
+          [=](std::size_t i, double x) {
+            return -stiffness(i) * (x - static_cast<double>(i));
+          }};
+}
+
+/// A weight i + 1 on a wall of force 12 x^-13: balance at (12/(i+1))^(1/13).
+Separate walls(std::size_t count) {
+  return {count,
+          [](std::size_t i, double x) {
+            return std::pow(x, -12.0) + static_cast<double>(i + 1) * x;
+          },
+          [](std::size_t i, double x) {
+            return 12.0 * std::pow(x, -13.0) - static_cast<double>(i + 1);
+          }};
+}
+
+RelaxationSettings unit_settings() {
+  RelaxationSettings settings;
+  settings.tolerance = 1e-9;
+  settings.largest_step = 1e3;
+  settings.contact_stiffness = 1.0;
+  return settings;
+}
+
+// Claim: a residual of 1e-9 leaves each spring of stiffness >= 1 within
+// 1e-9 sqrt(50) of its balance.
+TEST(Relax, FindsTheBalanceOfSprings) {
+  const Separate system = springs(50);
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax(system, state, unit_settings());
+
+  ASSERT_TRUE(answer.converged) << answer.note;
+  EXPECT_TRUE(answer.note.empty());
+  EXPECT_LE(answer.residual, 1e-9);
+  EXPECT_LE(answer.largest_residual, 1e-9 * std::sqrt(50.0));
+  for (std::size_t i = 0; i < state.size(); ++i)
+    EXPECT_NEAR(state[i], static_cast<double>(i), 1e-8);
+}
+
+// Claim: a preconditioner that is the inverse needs one step.
+TEST(Relax, TakesTheStepOfAnExactInverse) {
+  const Separate system(
+      5, [](std::size_t, double x) { return 1.5 * (x - 1.0) * (x - 1.0); },
+      [](std::size_t, double x) { return -3.0 * (x - 1.0); });
+  RelaxationSettings settings = unit_settings();
+  settings.contact_stiffness = 3.0;
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax(system, state, settings);
+
+  EXPECT_TRUE(answer.converged);
+  EXPECT_EQ(answer.evaluations, 2);
+}
+
+// Claim: falling from afar onto the wall, whose stiffness rises by 1e9 on the
+// way, ends in balance. The curvature there is 156 x^-14 > 10.
+TEST(Relax, LandsOnASteepWall) {
+  const Separate system = walls(20);
+  RelaxationSettings settings = unit_settings();
+  settings.largest_step = 0.3;
+  settings.max_evaluations = 1000;
+  std::vector<double> state = system.undeformed(5.0);
+
+  const Relaxation answer = relax(system, state, settings);
+
+  ASSERT_TRUE(answer.converged) << answer.note;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    EXPECT_NEAR(state[i],
+                std::pow(12.0 / static_cast<double>(i + 1), 1.0 / 13.0), 1e-9);
+}
+
+// Claim: the first state that is tried lies within the allowed step.
+TEST(Relax, KeepsToTheLargestStep) {
+  const Separate system = springs(50);
+  RelaxationSettings settings = unit_settings();
+  settings.largest_step = 0.01;
+  settings.max_evaluations = 2;
+  std::vector<double> state = system.undeformed(0.0);
+
+  relax(system, state, settings);
+
+  EXPECT_NEAR(system.longest, 0.01, 1e-12);
+}
+
+TEST(Relax, SaysWhenItsEvaluationsAreUsedUp) {
+  const Separate system = springs(50);
+  RelaxationSettings settings = unit_settings();
+  settings.max_evaluations = 7;
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax(system, state, settings);
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_EQ(answer.evaluations, 7);
+  EXPECT_NE(answer.note.find("no balance after 7 evaluations"),
+            std::string::npos)
+      << answer.note;
+}
+
+// Claim: forces that point uphill are noticed, and the state is given back.
+TEST(Relax, SaysWhenThereIsNoWayDown) {
+  const Separate system(
+      5, [](std::size_t, double x) { return 0.5 * x * x; },
+      [](std::size_t, double x) { return x; });
+  std::vector<double> state = system.undeformed(1.0);
+
+  const Relaxation answer = relax(system, state, unit_settings());
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_NE(answer.note.find("no way down"), std::string::npos) << answer.note;
+  EXPECT_EQ(state, system.undeformed(1.0));
+}
+
+TEST(Relax, SaysWhenTheStartHasNoEnergy) {
+  const Separate system = walls(3);
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax(system, state, unit_settings());
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_NE(answer.note.find("not finite"), std::string::npos) << answer.note;
+}
+
+TEST(Relax, StopsWhenTheWatchSaysSo) {
+  const Separate system = springs(50);
+  std::vector<double> state = system.undeformed(0.0);
+  std::vector<Progress> seen;
+
+  const Relaxation answer =
+      relax(system, state, unit_settings(), [&](const Progress& progress) {
+        seen.push_back(progress);
+        return seen.size() < 4;
+      });
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_EQ(answer.note, "stopped from outside");
+  ASSERT_EQ(seen.size(), 4U);
+  EXPECT_GT(seen[3].evaluations, seen[0].evaluations);
+  EXPECT_LT(seen[3].energy, seen[0].energy);
+}
+
+TEST(ResidualOf, IsTheRootMeanSquareOverTheContactForce) {
+  const std::vector<double> forces{3.0, -4.0, 0.0, 0.0};
+
+  EXPECT_DOUBLE_EQ(residual_of({0.0, 5.0}, forces), 0.5);
+}
+
+TEST(Relax, IsNotInBalanceWhereNothingTouches) {
+  Separate system(
+      3, [](std::size_t, double) { return 0.0; },
+      [](std::size_t, double) { return 0.0; });
+  system.contact_force = 0.0;
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax(system, state, unit_settings());
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_EQ(answer.residual, std::numeric_limits<double>::infinity());
+}
+
+TEST(Relax, RefusesSettingsWithoutSense) {
+  const Separate system = springs(5);
+  std::vector<double> state = system.undeformed(0.0);
+  RelaxationSettings settings = unit_settings();
+  settings.contact_stiffness = 0.0;
+  EXPECT_THROW(relax(system, state, settings), std::domain_error);
+  state.pop_back();
+  EXPECT_THROW(relax(system, state, unit_settings()), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::md
