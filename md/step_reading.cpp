@@ -1,0 +1,44 @@
+#include "md/step_reading.hpp"
+
+#include <numeric>
+
+namespace asperity::md {
+namespace {
+
+double mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+} // namespace
+
+void read_step(const System& system, std::span<const double> state,
+               std::span<const double> normal_forces,
+               const ReadingDistances& distances, AtomStep& step) {
+  const Grid& layer = system.layer();
+  const LayerView atoms = layer_of(system, state);
+  const std::vector<double> surface = system.interface().heights_below(atoms);
+  step.pressure.resize(layer.size());
+  step.gap.resize(layer.size());
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    step.pressure[i] = normal_forces[i] / layer.cell_area();
+    step.gap[i] = atoms.z[i] - surface[i] - distances.contact;
+  }
+  step.nominal_pressure = mean(step.pressure);
+  step.mean_gap = mean(atoms.z) - distances.contact;
+  step.inspection =
+      system.interface().inspect(atoms, distances.close, distances.contact);
+  step.contact_count =
+      step.inspection.in_contact / static_cast<double>(layer.size());
+  step.elastic_energy = system.elastic_energy(state) / layer.area();
+
+  std::vector<double> forces(3 * layer.size());
+  const std::span all(forces);
+  step.interface_energy = system.interface().energy_and_forces(
+                              atoms, {all.subspan(0, layer.size()),
+                                      all.subspan(layer.size(), layer.size()),
+                                      all.subspan(2 * layer.size())}) /
+                          layer.area();
+}
+
+} // namespace asperity::md
