@@ -1,0 +1,100 @@
+// Claim: at small slopes the block computed by LAMMPS and our own answer alike.
+// They share the pair law and nothing else: LAMMPS finds its own pairs, has
+// bonds for the crystal, every atom of its block, and another minimiser.
+// Skipped where the Debian package lammps is not installed.
+#include "md/child_process.hpp"
+#include "md/green_system.hpp"
+#include "md/lammps_block.hpp"
+#include "md/lammps_contact.hpp"
+#include "md/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/md/lammps_scenes.hpp"
+
+namespace asperity::md {
+namespace {
+
+constexpr int points = 32;
+constexpr int cells = 16;
+constexpr double rms_slope = 0.05;
+constexpr double modulus = 77.2e9 / (1.0 - 0.25 * 0.25); // E* [Pa]
+
+/// Our own answer, far below the other's residual.
+struct OwnAnswer {
+  std::vector<double> pressure;
+  double nominal_pressure = 0.0;
+  double elastic_energy = 0.0;
+  double interface_energy = 0.0;
+};
+
+OwnAnswer answer_at(const AtomRequest& request, double mean_gap) {
+  const LammpsBlock block = lammps_block(request);
+  GreenSystem system(SurfaceStiffness(block.crystal, block.layer, cells,
+                                      cases::AtomModes::vector),
+                     Interface(block.interaction, block.layer, block.substrate,
+                               block.heights));
+  const double height = mean_gap + request.settings.contact_distance;
+  std::vector<double> state = system.undeformed(height);
+  system.set_load({Load::Kind::height, height});
+  RelaxationSettings settings;
+  settings.tolerance = 1e-7;
+  const Relaxation relaxation = relax(system, state, settings);
+  EXPECT_TRUE(relaxation.converged) << relaxation.note;
+
+  const double area = block.layer.area();
+  OwnAnswer answer;
+  for (const double force : normal_forces(system, state)) {
+    answer.pressure.push_back(force / block.layer.cell_area());
+    answer.nominal_pressure += force / area;
+  }
+  answer.elastic_energy = system.elastic_energy(state) / area;
+  std::vector<double> forces(state.size());
+  answer.interface_energy =
+      system.energy_and_forces(state, forces).energy / area -
+      answer.elastic_energy;
+  return answer;
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Tolerance: 0.3 % of p at the same u is what the engines are held to. What is
+// left is that bonds turn and stretch where our springs are linear: rms_slope^2
+// is 0.25 %. An energy is held to twice that, as strain enters it twice. An
+// atom on a flank feels it most: 1 % of the root mean square pressure, four
+// times rms_slope^2 for the slopes of two rms and more.
+TEST(LammpsAgreement, PressureAgainstGapIsThatOfTheGreenBlock) {
+  if (program_on_path("lmp").empty())
+    GTEST_SKIP() << "lmp is not installed (Debian package lammps)";
+  const AtomRequest request = scenes::small_request(points, cells, rms_slope);
+  const auto lammps = make_lammps_contact(request);
+
+  for (int step = 0; step < 2; ++step) {
+    const double pressure = (0.01 + 0.02 * step) * modulus;
+    const AtomStep found =
+        lammps->solve(cases::Control::nominal_pressure, pressure, step);
+    ASSERT_TRUE(found.converged) << found.note;
+    const OwnAnswer own = answer_at(request, found.mean_gap);
+
+    EXPECT_NEAR(found.nominal_pressure / own.nominal_pressure, 1.0, 3e-3);
+    EXPECT_NEAR(found.elastic_energy / own.elastic_energy, 1.0, 5e-3);
+    EXPECT_NEAR(found.interface_energy / own.interface_energy, 1.0, 3e-3);
+    std::vector<double> difference = own.pressure;
+    for (std::size_t i = 0; i < difference.size(); ++i)
+      difference[i] -= found.pressure[i];
+    EXPECT_LT(root_mean_square(difference) / root_mean_square(own.pressure),
+              1e-2);
+  }
+  std::filesystem::remove_all(request.scratch);
+}
+
+} // namespace
+} // namespace asperity::md

@@ -1,0 +1,150 @@
+// Claims about md/lammps_contact.hpp that need no second engine: both controls
+// give one curve, its energy is its work, any number of processes the same
+// answer, and a step that fails says why. Skipped where the Debian package
+// lammps is not installed.
+#include "md/child_process.hpp"
+#include "md/lammps_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/md/lammps_scenes.hpp"
+
+namespace asperity::md {
+namespace {
+
+using cases::Control;
+
+constexpr double modulus = 77.2e9 / (1.0 - 0.25 * 0.25); // E* [Pa]
+
+class LammpsContactTest : public testing::Test {
+protected:
+  void SetUp() override {
+    if (program_on_path("lmp").empty())
+      GTEST_SKIP() << "lmp is not installed (Debian package lammps)";
+  }
+
+  ~LammpsContactTest() override {
+    std::filesystem::remove_all(request.scratch);
+  }
+
+  AtomRequest request = scenes::small_request(12, 6, 0.05);
+};
+
+/// Smallest u the curve is asked at; contact is light to moderate there.
+constexpr double gap = 0.2e-10;
+
+// Tolerance: p falls by 2.3 in 1e-10 m, and a residual of 1e-4 leaves u
+// uncertain by 1e-4 of that.
+TEST_F(LammpsContactTest, BothControlsGiveOneCurve) {
+  const auto contact = make_lammps_contact(request);
+  const double pressure = 0.01 * modulus;
+
+  const AtomStep pressed =
+      contact->solve(Control::nominal_pressure, pressure, 0);
+  const AtomStep held = contact->solve(Control::mean_gap, pressed.mean_gap, 1);
+
+  ASSERT_TRUE(pressed.converged) << pressed.note;
+  ASSERT_TRUE(held.converged) << held.note;
+  EXPECT_NEAR(pressed.nominal_pressure / pressure, 1.0, 3e-4);
+  EXPECT_NEAR(held.mean_gap, pressed.mean_gap, 1e-17);
+  EXPECT_NEAR(held.nominal_pressure / pressed.nominal_pressure, 1.0, 3e-4);
+}
+
+// Claim: the energy stored on the way from one gap to a smaller one is the work
+// of the pressure, dE/du = -p. Tolerance: the residual, 1e-4, of p; Simpson's
+// rule over two steps of 0.1 angstrom misses (2.3 * 0.1)^4 / 180.
+TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
+  const auto contact = make_lammps_contact(request);
+  constexpr double step = 0.1e-10;
+
+  std::vector<AtomStep> curve;
+  for (int i = 0; i < 3; ++i)
+    curve.push_back(contact->solve(Control::mean_gap, gap - i * step, i));
+
+  const auto energy = [&](int i) {
+    return curve[static_cast<std::size_t>(i)].elastic_energy +
+           curve[static_cast<std::size_t>(i)].interface_energy;
+  };
+  const double work =
+      step / 3.0 *
+      (curve[0].nominal_pressure + 4.0 * curve[1].nominal_pressure +
+       curve[2].nominal_pressure);
+  EXPECT_NEAR((energy(2) - energy(0)) / work, 1.0, 2e-4);
+}
+
+// Tolerance: two answers within the residual of the same one.
+TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
+  if (program_on_path("mpirun").empty())
+    GTEST_SKIP() << "mpirun is not installed";
+  const AtomStep one =
+      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+  request.settings.ranks = 2;
+  const AtomStep two =
+      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+  request.settings.ranks = 1;
+  request.settings.minimizer = cases::AtomMinimizer::fire;
+  const AtomStep fire =
+      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+
+  for (const AtomStep* other : {&two, &fire}) {
+    ASSERT_TRUE(other->converged) << other->note;
+    EXPECT_NEAR(other->nominal_pressure / one.nominal_pressure, 1.0, 1e-4);
+    for (std::size_t i = 0; i < one.pressure.size(); ++i)
+      EXPECT_NEAR(other->pressure[i] / one.nominal_pressure,
+                  one.pressure[i] / one.nominal_pressure, 5e-3);
+  }
+}
+
+TEST_F(LammpsContactTest, MapsMeansAndDumpAreOfTheSameAtoms) {
+  request.settings.dump = true;
+  const AtomStep step =
+      make_lammps_contact(request)->solve(Control::mean_gap, gap, 7);
+
+  ASSERT_EQ(step.pressure.size(), request.layer.size());
+  const double n = static_cast<double>(request.layer.size());
+  const double mean =
+      std::accumulate(step.pressure.begin(), step.pressure.end(), 0.0) / n;
+  EXPECT_NEAR(step.nominal_pressure / mean, 1.0, 1e-12);
+  EXPECT_NEAR(step.mean_gap, gap, 1e-17);
+  EXPECT_EQ(step.inspection.in_contact / n, step.contact_count);
+  // Where the gap is small the pressure is high.
+  const auto smallest = std::min_element(step.gap.begin(), step.gap.end());
+  const auto at = static_cast<std::size_t>(smallest - step.gap.begin());
+  EXPECT_GT(step.pressure[at], 2.0 * mean);
+  EXPECT_TRUE(
+      std::filesystem::exists(request.scratch / "lammps" / "step-0007.dump"));
+}
+
+TEST_F(LammpsContactTest, OutOfReachThereIsNoPressure) {
+  const AtomStep step =
+      make_lammps_contact(request)->solve(Control::mean_gap, 20e-10, 0);
+
+  EXPECT_TRUE(step.converged) << step.note;
+  EXPECT_EQ(step.nominal_pressure, 0.0);
+  EXPECT_EQ(step.interface_energy, 0.0);
+}
+
+TEST_F(LammpsContactTest, AStepThatFailsSaysWhy) {
+  request.settings.max_evaluations = 5;
+  const auto contact = make_lammps_contact(request);
+
+  const AtomStep tired = contact->solve(Control::nominal_pressure, 1e9, 0);
+  EXPECT_FALSE(tired.converged);
+  EXPECT_NE(tired.note.find("but must be at most 0.0001"), std::string::npos)
+      << tired.note;
+
+  const AtomStep stopped = contact->solve(
+      Control::nominal_pressure, 1e9, 1, [](const Progress&) { return false; });
+  EXPECT_FALSE(stopped.converged);
+  EXPECT_NE(stopped.note.find("stopped"), std::string::npos) << stopped.note;
+
+  EXPECT_THROW(contact->solve(Control::nominal_pressure, 0.0, 2),
+               std::domain_error);
+  EXPECT_NE(contact->description().find("LAMMPS"), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::md

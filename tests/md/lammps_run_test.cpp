@@ -1,0 +1,122 @@
+// Claims about md/lammps_run.hpp: LAMMPS is found along PATH or asked for by
+// its package, and how it ended is told in its own words. What needs the
+// program is skipped where the Debian package lammps is not installed.
+#include "cases/case_error.hpp"
+#include "md/child_process.hpp"
+#include "md/lammps_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <unistd.h>
+
+namespace asperity::md {
+namespace {
+
+class LammpsRunTest : public testing::Test {
+protected:
+  LammpsRunTest() {
+    std::filesystem::create_directories(folder);
+    path = std::getenv("PATH");
+  }
+
+  ~LammpsRunTest() override {
+    ::setenv("PATH", path.c_str(), 1);
+    std::filesystem::remove_all(folder);
+  }
+
+  void write(const char* name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+
+  std::string refusal(int ranks) const {
+    try {
+      find_lammps(ranks, folder);
+    } catch (const cases::CaseError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      ("asperity-lammps-run-" + std::to_string(::getpid()));
+  std::string path;
+};
+
+#define NEEDS_LAMMPS()                                                         \
+  if (program_on_path("lmp").empty())                                          \
+  GTEST_SKIP() << "lmp is not installed (Debian package lammps)"
+
+TEST_F(LammpsRunTest, AMissingProgramIsAskedForByItsPackage) {
+  ::setenv("PATH", folder.c_str(), 1);
+
+  EXPECT_EQ(refusal(1), "[md] engine = \"lammps\" needs the program lmp; "
+                        "install the Debian package lammps");
+
+  write("lmp", "#!/bin/sh\necho I am another lmp\n");
+  std::filesystem::permissions(folder / "lmp", std::filesystem::perms::all);
+  EXPECT_NE(refusal(2).find("mpirun"), std::string::npos) << refusal(2);
+  EXPECT_NE(refusal(1).find("does not answer as LAMMPS does"),
+            std::string::npos)
+      << refusal(1);
+}
+
+TEST_F(LammpsRunTest, VersionIsADate) {
+  NEEDS_LAMMPS();
+
+  const std::string version = find_lammps(1, folder).version;
+
+  ASSERT_FALSE(version.empty());
+  EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(version[0]))) << version;
+}
+
+TEST_F(LammpsRunTest, FailureIsToldByLammpsOwnLine) {
+  NEEDS_LAMMPS();
+  write("wrong.in", "units metal\natom_style no_such_style\n");
+
+  const LammpsRun run =
+      run_lammps(find_lammps(1, folder), folder, "wrong.in", "wrong.log");
+
+  EXPECT_FALSE(run.finished);
+  EXPECT_NE(run.note.find("ERROR: Unrecognized atom style 'no_such_style'"),
+            std::string::npos)
+      << run.note;
+  EXPECT_NE(run.note.find((folder / "wrong.log").string()), std::string::npos)
+      << run.note;
+}
+
+TEST_F(LammpsRunTest, IsStoppedWhenAskedTo) {
+  NEEDS_LAMMPS();
+  write("long.in", "units metal\nshell sleep 1000\n");
+  int questions = 0;
+
+  const LammpsRun run =
+      run_lammps(find_lammps(1, folder), folder, "long.in", "long.log",
+                 [&](const std::string&) { return ++questions < 3; });
+
+  EXPECT_FALSE(run.finished);
+  EXPECT_EQ(run.note, "stopped while LAMMPS was at work");
+  EXPECT_EQ(questions, 3);
+}
+
+TEST_F(LammpsRunTest, SeveralProcessesAreOneRun) {
+  NEEDS_LAMMPS();
+  if (program_on_path("mpirun").empty())
+    GTEST_SKIP() << "mpirun is not installed";
+  write("two.in", "region box block 0 2 0 1 0 1\ncreate_box 1 box\n");
+
+  const LammpsRun run =
+      run_lammps(find_lammps(2, folder), folder, "two.in", "two.log");
+
+  EXPECT_TRUE(run.finished) << run.note;
+  std::ifstream log(folder / "two.log");
+  const std::string text{std::istreambuf_iterator<char>(log), {}};
+  EXPECT_NE(text.find("2 by 1 by 1 MPI processor grid"), std::string::npos)
+      << text;
+}
+
+} // namespace
+} // namespace asperity::md
