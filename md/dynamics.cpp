@@ -1,5 +1,6 @@
 #include "md/dynamics.hpp"
 
+#include "base/physical_constants.hpp"
 #include "base/require.hpp"
 #include "md/thermal_noise.hpp"
 
@@ -57,7 +58,7 @@ void Dynamics::exchange_heat() {
     return;
 
   const std::span<const double> masses = system_.masses();
-  const double spread = (1.0 - kept * kept) * boltzmann_constant *
+  const double spread = (1.0 - kept * kept) * boltzmann *
                         settings_.temperature; // m <v^2> of the kicks
   noise_.resize(forces_.size());
   draw_normal(settings_.seed, motion_.step, settings_.threads, noise_);
@@ -94,8 +95,7 @@ std::vector<double> thermal_velocities(const InertialSystem& system,
   std::vector<double> velocities(system.size());
   draw_normal(settings.seed, -1, settings.threads, velocities);
   for (std::size_t i = 0; i < velocities.size(); ++i)
-    velocities[i] *=
-        std::sqrt(boltzmann_constant * settings.temperature / masses[i]);
+    velocities[i] *= std::sqrt(boltzmann * settings.temperature / masses[i]);
   system.hold(velocities);
   return velocities;
 }

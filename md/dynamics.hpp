@@ -10,9 +10,6 @@
 
 namespace asperity::md {
 
-/// k_B, exact since the SI of 2019 [J/K].
-inline constexpr double boltzmann_constant = 1.380649e-23;
-
 struct DynamicsSettings {
   double time_step = 0.0;   ///< h [s] > 0
   double damping = 0.0;     ///< rate gamma at which momenta fade [1/s] >= 0

@@ -1,4 +1,5 @@
 // Claims about md/dynamics.hpp: energy, temperature and spread.
+#include "base/physical_constants.hpp"
 #include "md/dynamics.hpp"
 #include "md/thermal_noise.hpp"
 
@@ -103,7 +104,7 @@ TEST(Dynamics, GivesOscillatorsTheCanonicalSpread) {
   constexpr int n_steps = 600;
   std::vector<double> potential(system.size());
   std::vector<double> kinetic(system.size());
-  const double unit = boltzmann_constant * 300.0 * n_steps;
+  const double unit = boltzmann * 300.0 * n_steps;
   for (int i = 0; i < n_steps; ++i) {
     dynamics.step();
     for (std::size_t k = 0; k < system.size(); ++k) {
@@ -145,8 +146,8 @@ TEST(Dynamics, SharesTheEnergyAmongAllLayers) {
     for (std::size_t i = begin; i < end; ++i)
       energy += system.masses()[i] * dynamics.motion().velocities[i] *
                 dynamics.motion().velocities[i];
-    return energy / (boltzmann_constant * 300.0 *
-                     static_cast<double>(end - begin - n_held));
+    return energy /
+           (boltzmann * 300.0 * static_cast<double>(end - begin - n_held));
   };
 
   std::vector<double> lowest, inside, coarse;
