@@ -2,6 +2,7 @@
 
 #include "cases/case_error.hpp"
 #include "md/green_contact.hpp"
+#include "md/lammps_contact.hpp"
 
 #include <utility>
 
@@ -9,7 +10,7 @@ namespace asperity::md {
 
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {
   if (request.settings.engine == cases::AtomEngine::lammps)
-    throw cases::CaseError("[md] engine = \"lammps\" is not in this build");
+    return make_lammps_contact(std::move(request));
   switch (request.settings.bulk) {
   case cases::AtomBulk::green:
     return make_green_contact(std::move(request));
