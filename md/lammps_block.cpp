@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
+#include "md/request_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,17 +32,6 @@ void require_supported(const cases::MdSettings& settings,
            "engine = \"asperity\"");
 }
 
-Interaction interaction_of(const cases::MdSettings& settings) {
-  Interaction interaction;
-  interaction.energy = settings.interaction_energy;
-  interaction.distance = settings.interaction_distance;
-  interaction.cutoff = settings.cutoff;
-  interaction.taper_begin = 0.9 * settings.cutoff;
-  interaction.attraction =
-      settings.potential == cases::AtomPotential::lennard_jones ? 1.0 : 0.0;
-  return interaction;
-}
-
 } // namespace
 
 double LammpsBlock::bond_stiffness() const {
@@ -65,8 +55,7 @@ LammpsBlock lammps_block(const AtomRequest& request) {
   block.layer = request.layer;
   block.substrate = request.substrate;
   block.heights = request.heights;
-  block.crystal = {Lattice::central, block.layer.spacing_x(),
-                   request.youngs_modulus, request.poisson_ratio};
+  block.crystal = crystal_of(request);
   block.interaction = interaction_of(settings);
   const double depth = settings.depth.in_si(request.scales);
   require_positive("depth", depth, "m");

@@ -2,10 +2,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/require.hpp"
+#include "md/green_contact.hpp"
 #include "md/lammps_answer.hpp"
 #include "md/lammps_block.hpp"
 #include "md/lammps_input.hpp"
 #include "md/lammps_run.hpp"
+#include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
 
 #include <fmt/format.h>
@@ -24,12 +26,6 @@ using cases::Control;
 
 /// The first step starts this far over the highest substrate atom [m].
 constexpr double start_clearance = 4e-10;
-
-/// Two atoms nearer than this have gone through each other: 2.2 angstrom for
-/// the paper's r_0.
-double close_distance(const Interaction& interaction) {
-  return 2.2 / 3.28 * interaction.distance;
-}
 
 double height_above(const LammpsBlock& block) {
   return *std::max_element(block.heights.begin(), block.heights.end()) +
@@ -119,7 +115,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
     LammpsAnswer answer = read_answer(block_, folder_);
     fill(answer, result);
     judge(result);
-    if (result.inspection.below_substrate + result.inspection.close_pairs == 0)
+    if (fault_of(result.inspection, block_.layer.size()).empty())
       start_ = std::move(answer.positions);
     if (request_.settings.dump)
       std::filesystem::rename(folder_ / lammps_file::answer,
@@ -181,7 +177,7 @@ void LammpsContact::fill(const LammpsAnswer& answer, AtomStep& result) const {
   result.mean_gap = mean_height(block_, answer.positions) -
                     request_.settings.contact_distance;
   result.inspection =
-      interface_.inspect(layer.view(), close_distance(block_.interaction),
+      interface_.inspect(layer.view(), close_distance(request_.settings),
                          request_.settings.contact_distance);
   result.contact_count = result.inspection.in_contact / static_cast<double>(n);
   result.elastic_energy = answer.bond_energy / area;
@@ -193,15 +189,8 @@ void LammpsContact::fill(const LammpsAnswer& answer, AtomStep& result) const {
 
 void LammpsContact::judge(AtomStep& result) const {
   const double tolerance = request_.settings.tolerance;
-  const int n_below = result.inspection.below_substrate;
-  const int n_close = result.inspection.close_pairs;
-  if (n_below > 0 || n_close > 0)
-    result.note = fmt::format(
-        "{} of {} atoms are below the substrate and {} pairs nearer than "
-        "{:.3g} m: atoms went through",
-        n_below, block_.layer.size(), n_close,
-        close_distance(block_.interaction));
-  else if (!(result.residual <= tolerance))
+  result.note = fault_of(result.inspection, block_.layer.size());
+  if (result.note.empty() && !(result.residual <= tolerance))
     result.note = fmt::format("residual {:.3g} after {} evaluations, but must "
                               "be at most {:.3g}",
                               result.residual, result.evaluations, tolerance);

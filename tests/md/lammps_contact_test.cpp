@@ -120,7 +120,7 @@ TEST_F(LammpsContactTest, MapsMeansAndDumpAreOfTheSameAtoms) {
 
 TEST_F(LammpsContactTest, OutOfReachThereIsNoPressure) {
   const AtomStep step =
-      make_lammps_contact(request)->solve(Control::mean_gap, 20e-10, 0);
+      make_atomic_contact(request)->solve(Control::mean_gap, 20e-10, 0);
 
   EXPECT_TRUE(step.converged) << step.note;
   EXPECT_EQ(step.nominal_pressure, 0.0);
