@@ -3,6 +3,7 @@
 // The periodic rectangle every field lives on: its points, steps and
 // wavevectors. Owns the storage order and the DFT's wavenumber convention.
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -53,6 +54,12 @@ struct Grid {
 /// The Nyquist row n/2 of an even n counts as positive.
 inline int signed_wavenumber(int j, int n) {
   return j <= n / 2 ? j : j - n;
+}
+
+/// Whether two lengths are meant to be one: 10 um and 100 times 0.1 um differ
+/// by the rounding of a product.
+inline bool is_same_length(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * std::abs(b);
 }
 
 /// q = 2 pi j / length [rad/m] of the integer wavenumber j.

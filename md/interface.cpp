@@ -159,7 +159,7 @@ Interface::Interface(const Interaction& interaction, const Grid& layer,
   require_sound(interaction);
   require_square("layer", layer);
   require_square("substrate", substrate);
-  if (layer.length_x != substrate.length_x)
+  if (!is_same_length(substrate.length_x, layer.length_x))
     refuse_argument("length of the substrate", substrate.length_x,
                     fmt::format("{:.6g} m, as of the layer", layer.length_x));
   require_length("heights", heights.size(), substrate.size());

@@ -62,10 +62,11 @@ public:
   /// so has the energy.
   /// @return  the energy of all pairs [J]
   /// @throws std::domain_error  planes of another size
-  /// @par Accuracy  1e-12 against a plain double loop over all pairs; force =
-  ///                -grad U to that rounding. The same bits for any number of
-  ///                threads and, as nothing is fused and vectors are four wide
-  ///                everywhere, on any processor.
+  /// @par Accuracy  1e-12 of the largest force, and of the sum of |U|, against
+  /// a
+  ///                plain double loop; force = -grad U as exactly. The same
+  ///                bits for any number of threads and, as nothing is fused and
+  ///                lanes are summed in one order, on any x86-64 processor.
   double energy_and_forces(const LayerView& atoms,
                            const LayerForces& forces) const;
 

@@ -1,64 +1,101 @@
 #include "md/interface_kernel.hpp"
 
+#include <array>
+
 namespace asperity::md {
 namespace {
 
-// Four doubles, whatever the processor has: the compiler makes two of two or
-// one of four of them, and every operation rounds alike.
-using Vector [[gnu::vector_size(strip_width * sizeof(double))]] = double;
-using UnalignedVector [[gnu::vector_size(strip_width * sizeof(double)),
-                        gnu::aligned(8), gnu::may_alias]] = double;
+// Processors differ in how many doubles they take at a time. Each operation
+// rounds alike in all, and the lanes of a strip are summed in one order.
+using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
 
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
-#define ASPERITY_WIDE gnu::target_clones("avx2", "default")
-#else
-#define ASPERITY_WIDE gnu::hot
-#endif
+template <class Vector>
+struct Lanes {
+  static constexpr std::size_t width = sizeof(Vector) / sizeof(double);
+  static constexpr std::size_t parts = strip_width / width; ///< of a strip
+
+  /// As it lies in an array of doubles.
+  using Unaligned [[gnu::aligned(alignof(double)), gnu::may_alias]] = Vector;
+
+  using Strip = std::array<Vector, parts>;
+
+  [[gnu::always_inline]] static double total(const Strip& strip) {
+    if constexpr (parts == 1)
+      return (strip[0][0] + strip[0][1]) + (strip[0][2] + strip[0][3]);
+    else
+      return (strip[0][0] + strip[0][1]) + (strip[1][0] + strip[1][1]);
+  }
+};
 
 // The processor keeps few pairs in flight, and from the distance to the force
 // is a long way: so strips go through in bundles, each step for all of them.
 constexpr std::size_t bundle = 32;
 
-[[ASPERITY_WIDE]] void sum_pairs(const ReducedLaw& law, const Window& window,
-                                 double spacing, double z, AtomSum& sum) {
-  const Vector x = window.x - spacing * Vector{0.0, 1.0, 2.0, 3.0};
+template <class Vector>
+[[gnu::always_inline]] inline AtomSum sum_pairs(const ReducedLaw& law,
+                                                const Window& window,
+                                                double spacing, double z) {
+  using Lanes = md::Lanes<Vector>;
+  constexpr std::size_t parts = Lanes::parts;
+  typename Lanes::Strip x, energy{}, force_x{}, force_y{}, force_z{};
+  for (std::size_t lane = 0; lane < strip_width; ++lane)
+    x[lane / Lanes::width][lane % Lanes::width] =
+        window.x - spacing * static_cast<double>(lane);
+  const Vector y_end = Vector{} + law.y_end;
   const Vector width = Vector{} + law.width;
   const double rise = 2.0 / 3.0 * law.square;
   const double bend = 0.5 * law.cube;
-  Vector energy{}, force_x{}, force_y{}, force_z{};
-  Vector dx[bundle], dz[bundle], inverse[bundle], force[bundle];
+
+  Vector dx[bundle * parts], dz[bundle * parts], inverse[bundle * parts];
+  Vector force[bundle * parts];
   for (auto strips = window.strips; !strips.empty();) {
     const std::size_t count = strips.size() < bundle ? strips.size() : bundle;
     for (std::size_t i = 0; i < count; ++i) {
-      const Strip& strip = strips[i];
-      const double dy = window.y - strip.y;
-      dx[i] = x - strip.x;
-      dz[i] = z - *reinterpret_cast<const UnalignedVector*>(window.heights +
-                                                            strip.height);
-      inverse[i] = 1.0 / (dx[i] * dx[i] + dy * dy + dz[i] * dz[i]);
+      const double dy = window.y - strips[i].y;
+      const double* heights = window.heights + strips[i].height;
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t j = i * parts + part;
+        dx[j] = x[part] - strips[i].x;
+        dz[j] = z - *reinterpret_cast<const typename Lanes::Unaligned*>(
+                        heights + part * Lanes::width);
+        inverse[j] = 1.0 / (dx[j] * dx[j] + dy * dy + dz[j] * dz[j]);
+      }
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector y = inverse[i] * inverse[i] * inverse[i];
-      Vector p = y - law.y_end;
-      p = p > 0.0 ? p : Vector{};
-      const Vector u = p < width ? p : width;
-      const Vector v = p - u;
-      const Vector u2 = u * u;
-      energy += u2 * u * (rise + bend * u) + v * (v + law.lever);
-      force[i] = y * inverse[i] * (u2 * (law.square + law.cube * u) + v);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      force_x += force[i] * dx[i];
-      force_y += force[i] * (window.y - strips[i].y);
-      force_z += force[i] * dz[i];
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t j = i * parts + part;
+        const Vector y = inverse[j] * inverse[j] * inverse[j];
+        const Vector p = (y > y_end ? y : y_end) - y_end;
+        const Vector u = p < width ? p : width;
+        const Vector v = p - u;
+        const Vector u2 = u * u;
+        const Vector bent = bend * u; // half of cube u
+        energy[part] += u2 * u * (rise + bent) + v * (v + law.lever);
+        force[j] = y * inverse[j] * (u2 * (law.square + bent + bent) + v);
+      }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t j = i * parts + part;
+        force_x[part] += force[j] * dx[j];
+        force_y[part] += force[j] * (window.y - strips[i].y);
+        force_z[part] += force[j] * dz[j];
+      }
     strips = strips.subspan(count);
   }
-  const auto total = [](const Vector& v) {
-    return (v[0] + v[1]) + (v[2] + v[3]);
-  };
-  sum = {total(energy), total(force_x), total(force_y), total(force_z)};
+  return {Lanes::total(energy), Lanes::total(force_x), Lanes::total(force_y),
+          Lanes::total(force_z)};
 }
+
+#ifdef __x86_64__
+[[gnu::target("avx2")]] AtomSum sum_four_wide(const ReducedLaw& law,
+                                              const Window& window,
+                                              double spacing, double z) {
+  return sum_pairs<Four>(law, window, spacing, z);
+}
+
+const bool has_four_wide = __builtin_cpu_supports("avx2") > 0;
+#endif
 
 } // namespace
 
@@ -76,11 +113,18 @@ ReducedLaw reduced(const Interaction& interaction) {
           (width - 2.0 * full) / (width * width * width), 2.0 * full};
 }
 
+AtomSum sum_two_wide(const ReducedLaw& law, const Window& window,
+                     double spacing, double z) {
+  return sum_pairs<Two>(law, window, spacing, z);
+}
+
 AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
                    double z) {
-  AtomSum sum;
-  sum_pairs(law, window, spacing, z, sum);
-  return sum;
+#ifdef __x86_64__
+  if (has_four_wide)
+    return sum_four_wide(law, window, spacing, z);
+#endif
+  return sum_two_wide(law, window, spacing, z);
 }
 
 } // namespace asperity::md

@@ -53,9 +53,14 @@ struct AtomSum {
   double z = 0.0;
 };
 
+/// Four wide where the processor has AVX2, else two wide: the same bits.
 /// @param spacing  of the substrate [r_0]
 /// @param z        height of the atom [r_0]
 AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
                    double z);
+
+/// What sum_window does on a processor without AVX2.
+AtomSum sum_two_wide(const ReducedLaw& law, const Window& window,
+                     double spacing, double z);
 
 } // namespace asperity::md

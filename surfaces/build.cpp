@@ -1,17 +1,20 @@
 #include "surfaces/build.hpp"
 
+#include "base/require.hpp"
 #include "cases/case_error.hpp"
 #include "surfaces/edges.hpp"
 #include "surfaces/exact_shapes.hpp"
 #include "surfaces/levelling.hpp"
 #include "surfaces/map_file.hpp"
 #include "surfaces/realization.hpp"
+#include "surfaces/resample.hpp"
 #include "surfaces/self_affine.hpp"
 #include "surfaces/statistics.hpp"
 #include "surfaces/tabulated_spectrum.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -74,29 +77,40 @@ IsotropicSpectrum table_spectrum(const SurfaceSpec& surface) {
   return spectrum;
 }
 
-void require_points(const SurfaceSpec& surface, double wavevector_high,
-                    const Grid& grid) {
-  const int needed = points_needed(wavevector_high, grid.length_x);
-  if (grid.points_x >= needed)
+/// @param points_name  whose number of points it is
+/// @param highest      of the waves [rad/m], called highest_name
+void require_points(const SurfaceSpec& surface, const char* points_name,
+                    const Grid& grid, const std::string& highest_name,
+                    double highest) {
+  const int needed = std::max(points_needed(highest, grid.length_x),
+                              points_needed(highest, grid.length_y));
+  const int points = std::min(grid.points_x, grid.points_y);
+  if (points >= needed)
     return;
-  const std::string band = surface.kind == SurfaceKind::spectrum
-                               ? fmt::format("the last q of {}", surface.file)
-                               : std::string("surface.wavevector_high");
   throw cases::CaseError(fmt::format(
-      "surface.points = {}, but must be >= {} to carry {} = {:.6g} 1/m (a wave "
-      "of {:.6g} m) over surface.length = {:.6g} m",
-      grid.points_x, needed, band, wavevector_high,
-      2.0 * std::numbers::pi / wavevector_high, grid.length_x));
+      "{} = {}, but must be >= {} to carry {} = {:.6g} 1/m (a wave of {:.6g} "
+      "m) over surface.length = {:.6g} m",
+      points_name, points, needed, highest_name, highest,
+      2.0 * std::numbers::pi / highest, *surface.length));
 }
 
-/// Scales to the rms the case asks for; the spectrum has it already.
-void rescale(HeightMap& map, const SurfaceSpec& surface,
-             const IsotropicSpectrum& spectrum) {
+std::string band_end_name(const SurfaceSpec& surface) {
+  return surface.kind == SurfaceKind::spectrum
+             ? fmt::format("the last q of {}", surface.file)
+             : std::string("surface.wavevector_high");
+}
+
+/// To the rms the case asks for; the spectrum has it already.
+double rescaling(const HeightMap& map, const SurfaceSpec& surface,
+                 const IsotropicSpectrum& spectrum) {
   const Statistics found = statistics(map);
   const bool is_by_slope = surface.rms_slope && !surface.rms_height;
-  const double factor =
-      is_by_slope ? std::sqrt(spectrum.mean_square_slope) / found.rms_slope
-                  : std::sqrt(spectrum.mean_square_height) / found.rms_height;
+  return is_by_slope
+             ? std::sqrt(spectrum.mean_square_slope) / found.rms_slope
+             : std::sqrt(spectrum.mean_square_height) / found.rms_height;
+}
+
+void multiply(HeightMap& map, double factor) {
   for (double& height : map.heights)
     height *= factor;
 }
@@ -104,11 +118,49 @@ void rescale(HeightMap& map, const SurfaceSpec& surface,
 HeightMap random_surface(const SurfaceSpec& surface, int realization) {
   const Grid grid = square_grid(surface);
   const IsotropicSpectrum spectrum = formula_spectrum(surface);
-  require_points(surface, spectrum.wavevector_high(), grid);
+  require_points(surface, "surface.points", grid, band_end_name(surface),
+                 spectrum.wavevector_high());
   HeightMap map =
       realize(spectrum, grid, {surface.seed, realization}, surface.amplitudes);
   if (surface.rescale)
-    rescale(map, surface, spectrum);
+    multiply(map, rescaling(map, surface, spectrum));
+  return map;
+}
+
+/// The spectrum up to a wavevector within its band; its moments stay those of
+/// the whole.
+IsotropicSpectrum cut(IsotropicSpectrum spectrum, double highest) {
+  std::erase_if(spectrum.kinks, [&](double kink) { return kink >= highest; });
+  spectrum.kinks.push_back(highest);
+  spectrum.density = [highest, whole = std::move(spectrum.density)](double q) {
+    return is_in_band(q, 0.0, highest) ? whole(q) : 0.0;
+  };
+  return spectrum;
+}
+
+HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
+                            const Grid& grid,
+                            const std::optional<double>& highest) {
+  const RandomKey key{surface.seed, realization};
+  const IsotropicSpectrum whole = formula_spectrum(surface);
+  const bool is_cut = highest && *highest < whole.wavevector_high();
+  if (is_cut && *highest < whole.wavevector_low())
+    refuse_argument("highest_wavevector", *highest,
+                    fmt::format(">= {:.6g} rad/m, where the spectrum begins",
+                                whole.wavevector_low()));
+  const IsotropicSpectrum kept = is_cut ? cut(whole, *highest) : whole;
+  require_points(surface, "points of the grid", grid,
+                 is_cut ? "highest_wavevector" : band_end_name(surface),
+                 kept.wavevector_high());
+
+  HeightMap map = realize(kept, grid, key, surface.amplitudes);
+  if (surface.rescale) {
+    // Of the modes alone, so that any grid which carries them will do.
+    const int points = points_needed(whole.wavevector_high(), grid.length_x);
+    const Grid enough{points, points, grid.length_x, grid.length_y};
+    multiply(map, rescaling(realize(whole, enough, key, surface.amplitudes),
+                            surface, whole));
+  }
   return map;
 }
 
@@ -117,6 +169,44 @@ HeightMap measured_surface(const SurfaceSpec& surface) {
                                   {surface.length, surface.height_unit});
   remove_trend(map, surface.level);
   return with_edges(std::move(map), surface.edges);
+}
+
+HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
+                              const std::optional<double>& highest) {
+  HeightMap map = measured_surface(surface);
+  if (highest)
+    map = low_passed(map, *highest);
+  const double rms_height = statistics(map).rms_height;
+  Resampled resampled = resample(map, grid);
+  constexpr double rounding = 1e-20; // of the squares of two transforms
+  if (resampled.dropped > rounding * rms_height * rms_height)
+    throw cases::CaseError(fmt::format(
+        "a grid of {} by {} points is too coarse for the {} by {} of {}: waves "
+        "of rms {:.6g} m would be lost",
+        grid.points_x, grid.points_y, map.grid.points_x, map.grid.points_y,
+        surface.file, std::sqrt(resampled.dropped)));
+  return std::move(resampled.map);
+}
+
+HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
+  switch (surface.kind) {
+  case SurfaceKind::sphere:
+    return paraboloid(grid, surface.radius);
+  case SurfaceKind::wave_1d:
+    return wave_1d(grid, surface.amplitude, surface.wavelength);
+  case SurfaceKind::wave_2d:
+    return wave_2d(grid, surface.amplitude, surface.wavelength);
+  default:
+    throw std::domain_error("surface.kind is none of SurfaceKind");
+  }
+}
+
+void require_length(const SurfaceSpec& surface, const Grid& grid) {
+  const double length = required(surface.length, "surface.length");
+  for (const double side : {grid.length_x, grid.length_y})
+    if (!is_same_length(side, length))
+      refuse_argument("length of the grid", side,
+                      fmt::format("surface.length = {:.6g} m", length));
 }
 
 } // namespace
@@ -135,20 +225,25 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
 }
 
 HeightMap build_surface(const SurfaceSpec& surface, int realization) {
-  switch (surface.kind) {
-  case SurfaceKind::self_affine:
-  case SurfaceKind::spectrum:
+  if (is_random(surface.kind))
     return random_surface(surface, realization);
-  case SurfaceKind::measured:
+  if (surface.kind == SurfaceKind::measured)
     return measured_surface(surface);
-  case SurfaceKind::sphere:
-    return paraboloid(square_grid(surface), surface.radius);
-  case SurfaceKind::wave_1d:
-    return wave_1d(square_grid(surface), surface.amplitude, surface.wavelength);
-  case SurfaceKind::wave_2d:
-    return wave_2d(square_grid(surface), surface.amplitude, surface.wavelength);
-  }
-  throw std::domain_error("surface.kind is none of SurfaceKind");
+  return shape_on(surface, square_grid(surface));
+}
+
+HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
+                           const Grid& grid,
+                           std::optional<double> highest_wavevector) {
+  if (highest_wavevector)
+    require_positive("highest_wavevector", *highest_wavevector, "rad/m");
+  if (surface.kind == SurfaceKind::measured)
+    return measured_surface_on(surface, grid, highest_wavevector);
+  require_length(surface, grid);
+  if (is_random(surface.kind))
+    return random_surface_on(surface, realization, grid, highest_wavevector);
+  const HeightMap shape = shape_on(surface, grid);
+  return highest_wavevector ? low_passed(shape, *highest_wavevector) : shape;
 }
 
 } // namespace asperity::surfaces

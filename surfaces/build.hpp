@@ -7,6 +7,8 @@
 #include "surfaces/height_map.hpp"
 #include "surfaces/isotropic_spectrum.hpp"
 
+#include <optional>
+
 namespace asperity::surfaces {
 
 /// Whether the kind is random, so that realisations differ.
@@ -27,5 +29,23 @@ IsotropicSpectrum formula_spectrum(const cases::SurfaceSpec& surface);
 ///                            points too few for the shortest wave
 /// @throws std::domain_error  values no case can have
 HeightMap build_surface(const cases::SurfaceSpec& surface, int realization);
+
+/// The same surface at the nodes of another grid, and no finer than asked.
+///
+/// A random surface is realised there: the same phases, and amplitudes with the
+/// factor of the whole surface where the case rescales, whatever is left out. A
+/// measured map is resampled. The exact shapes are their formula; the
+/// paraboloid has its top at node (n/2, n/2) and mean 0 over the nodes of this
+/// grid.
+/// @param grid                of the surface's lengths
+/// @param highest_wavevector  modes of |q| above are left out [rad/m] > 0
+/// @throws cases::CaseError   as build_surface; a grid too coarse for what is
+///                            not left out
+/// @throws std::domain_error  values no case can have, another length, or a
+///                            highest_wavevector that leaves no wave of a
+///                            random surface
+HeightMap build_surface_on(const cases::SurfaceSpec& surface, int realization,
+                           const Grid& grid,
+                           std::optional<double> highest_wavevector = {});
 
 } // namespace asperity::surfaces

@@ -63,5 +63,12 @@ TEST(SignedWavenumber, CountsTheNyquistRowAsPositive) {
   EXPECT_EQ(signed_wavenumber(3, 5), -2);
 }
 
+// Claim: a product that rounds is the length it means, a printed one is not.
+TEST(Grid, TakesARoundedLengthForTheSame) {
+  EXPECT_NE(10.0 * 1e-6, 1e-5);
+  EXPECT_TRUE(is_same_length(10.0 * 1e-6, 1e-5));
+  EXPECT_FALSE(is_same_length(1e-5 * (1.0 + 1e-11), 1e-5));
+}
+
 } // namespace
 } // namespace asperity

@@ -1,0 +1,69 @@
+// Claims about md/interface_kernel.hpp and md/substrate.hpp.
+#include "md/interface_kernel.hpp"
+#include "md/substrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/md/small_interface.hpp"
+
+namespace asperity::md {
+namespace {
+
+// Claim: processors with and without AVX2 find the same bits. (Without, this
+// test says nothing.)
+TEST(SumWindow, GivesTheSameBitsTwoAndFourWide) {
+  const scenes::Scene scene(10, 16, 0.0, 1);
+  for (const double attraction : {0.0, 0.7}) {
+    const Interaction law = scenes::paper_atoms(attraction);
+    const Substrate substrate(scene.substrate, scene.heights, law.cutoff,
+                              law.distance);
+    const std::vector<double> places =
+        scenes::random_numbers(300, 0.0, 16.0, 4);
+    for (std::size_t i = 0; i < 100; ++i) {
+      const double z = 1.0 + 0.1 * places[3 * i + 2];
+      const Window window =
+          substrate.window({places[3 * i], places[3 * i + 1]}, z);
+
+      const AtomSum any =
+          sum_window(reduced(law), window, substrate.spacing(), z);
+      const AtomSum two =
+          sum_two_wide(reduced(law), window, substrate.spacing(), z);
+
+      EXPECT_NE(two.energy, 0.0);
+      EXPECT_EQ(any.energy, two.energy);
+      EXPECT_EQ(any.x, two.x);
+      EXPECT_EQ(any.y, two.y);
+      EXPECT_EQ(any.z, two.z);
+    }
+  }
+}
+
+// Claim: an atom that is higher than the cut-off over all it could reach costs
+// nothing, one at d_c hardly more than its circle: strips of four, an overhang
+// of two a row and a quarter of a cell.
+TEST(Substrate, ListsLittleBeyondTheReach) {
+  const scenes::Scene scene(10, 16, 0.0, 1);
+  const double spacing = scene.substrate.spacing_x();
+  const Substrate substrate(scene.substrate, std::vector<double>(256),
+                            10.0 * scenes::angstrom, spacing);
+  const double reach = 10.0 * scenes::angstrom / spacing;
+  const double height = scenes::contact_distance / spacing;
+  const double radius = std::sqrt(reach * reach - height * height);
+
+  const std::size_t listed =
+      substrate.window({3.3, 15.9}, height).strips.size();
+
+  EXPECT_TRUE(substrate.window({3.3, 15.9}, reach).strips.empty());
+  EXPECT_GE(4.0 * static_cast<double>(listed),
+            std::numbers::pi * radius * radius);
+  EXPECT_LE(4.0 * static_cast<double>(listed),
+            std::numbers::pi * std::pow(radius + 0.25, 2) +
+                2.0 * (2.0 * radius + 1.0));
+}
+
+} // namespace
+} // namespace asperity::md
