@@ -20,7 +20,8 @@ namespace asperity::theory {
 /// The moments: int P_u du = 1 with the delta, int u P_u du = u(zeta_0), the
 /// mean gap. The tail falls as 1/(u^2 ln^2 u), so there is no variance.
 ///
-/// @par Accuracy  1e-9 relative: zeta(u) is a root, and near zeta_0 the
+/// @par Accuracy  1e-9 relative up to some 5 h_rms: zeta(u) is a root, and near
+/// zeta_0 the
 ///      digits of q - q_L are lost. Model: as MagnifiedContact.
 class GapDistribution {
 public:

@@ -1,8 +1,8 @@
 #pragma once
 
-// The two ends, light and nearly full, of an elastic half-space on a rigid
-// egg-box, h = D cos(2 pi x/lambda) cos(2 pi y/lambda). Between them there is
-// no closed form.
+// An elastic half-space on a rigid egg-box, h = D cos(2 pi x/lambda) cos(2 pi
+// y/lambda): the two ends, light and nearly full, in closed form, and what lies
+// between them from a numerical solution.
 
 namespace asperity::theory {
 
@@ -11,8 +11,10 @@ namespace asperity::theory {
 ///      crests and two troughs, each a square array of period lambda/sqrt2.
 ///
 /// Members throw std::domain_error for an argument outside its range or not
-/// finite. They return the limits themselves; how far each limit holds is
-/// said with it, as measured against a numerical solution.
+/// finite. The light_ and heavy_ members return the limits themselves; how far
+/// each limit holds is said with it, as measured against a numerical solution.
+/// The members without a prefix hold at every load: they interpolate a table
+/// (wave_2d_table.hpp) of what is left of the limits, in P^{2/3}.
 class Wave2dContact {
 public:
   /// @param amplitude        D, height of a crest over the mean plane [m] > 0
@@ -26,9 +28,20 @@ public:
   /// Energy per nominal area in full contact, D p*/8 [J/m^2].
   double full_contact_energy() const;
 
+  /// A/A_0 [1] 0..1, to 2e-4 as measured between the table's rows; at both ends
+  /// to 2e-3 of itself and of the open area.
+  /// @param nominal_pressure  p [Pa] >= 0, here and below
+  double area_fraction(double nominal_pressure) const;
+
+  /// Between the mean planes [m], to 2e-6 D; 0 in full contact.
+  double mean_gap(double nominal_pressure) const;
+
+  /// Energy per nominal area, int p (-du) = int_0^p u dp' - p u [J/m^2], to
+  /// 3e-7 D p*.
+  double elastic_energy(double nominal_pressure) const;
+
   /// Hertz on every crest: A/A_0 = pi (3 P/8 pi)^{2/3} [1]. For P < 0.1; low
   /// by some 0.75 P^{2/3} of itself.
-  /// @param nominal_pressure  p [Pa] >= 0, here and below
   double light_area_fraction(double nominal_pressure) const;
 
   /// Mean gap of Hertz's crests with their neighbours' share of the approach,

@@ -1,6 +1,7 @@
 // Claims about theory/gap_kernel.hpp, each against an integral taken directly.
 #include "theory/gap_kernel.hpp"
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/expint.hpp>
 #include <gtest/gtest.h>
@@ -94,6 +95,25 @@ TEST(GapKernelSlope, IntegratesToTheFallOfTheKernel) {
         std::log(x), std::log(2.0 * x));
 
     EXPECT_NEAR(fall, integral, 2e-14) << "x = " << x;
+  }
+}
+
+// Claim: the slope's rate integrates to what the slope changes by, over a
+// factor of two in x. Tolerance: the quadrature's.
+TEST(GapKernelSlopeRate, IntegratesToTheChangeOfTheSlope) {
+  for (const double x : {1e-3, 0.1, 0.6, 1.0, 2.5}) {
+    const auto integral = [&](auto part) {
+      return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+          [&](double t) { return part(gap_kernel_slope_rate(t)) / t; }, x,
+          2.0 * x, 10, 1e-14);
+    };
+    const GammaParts low = gap_kernel_slope(x);
+    const GammaParts high = gap_kernel_slope(2.0 * x);
+
+    EXPECT_NEAR(integral([](GammaParts p) { return p.linear; }),
+                high.linear - low.linear, 1e-14);
+    EXPECT_NEAR(integral([](GammaParts p) { return p.cubic; }),
+                high.cubic - low.cubic, 1e-14);
   }
 }
 

@@ -74,6 +74,40 @@ TEST(FormulaSpectrum, NodesIntegrateSmoothFunctionsOfTheSlope) {
   agree([](double m) { return std::log(m); });
 }
 
+// Claim: the steps of 1/q add up to its whole fall, over a hole in the spectrum
+// too, and the density is the formula inside q_L..q_1 and 0 outside.
+// Tolerance: rounding of some thousand positive terms.
+TEST(FormulaSpectrum, StepsOfInverseWavevectorsAddUp) {
+  const HeightSpectrum spectrum(
+      SpectrumFormula{[](double q) { return q < 2e7 || q > 5e7 ? 1e-40 : 0.0; },
+                      {1e7, 2e7, 5e7, 9e7}});
+  double sum = 0.0;
+  for (const RoughnessNode& node : spectrum.nodes())
+    sum += node.inverse_step;
+
+  EXPECT_NEAR(sum / (1.0 / 1e7 - 1.0 / 9e7), 1.0, 1e-13);
+  EXPECT_TRUE(spectrum.has_density());
+  EXPECT_EQ(spectrum.density(1.5e7), 1e-40);
+  EXPECT_EQ(spectrum.density(3e7), 0.0);
+  EXPECT_EQ(spectrum.density(9.1e7), 0.0);
+  EXPECT_EQ(spectrum.breaks().size(), 4u);
+  EXPECT_TRUE(spectrum.shells().empty());
+}
+
+// Claim: shells have no density, and are kept in ascending order without the
+// empty ones.
+TEST(ShellSpectrum, KeepsItsShellsAndHasNoDensity) {
+  const HeightSpectrum spectrum(
+      std::vector<SpectrumShell>{{3e7, 1e-18}, {2e7, 0.0}, {1e7, 2e-18}});
+
+  EXPECT_FALSE(spectrum.has_density());
+  EXPECT_THROW(spectrum.density(1e7), std::domain_error);
+  EXPECT_TRUE(spectrum.breaks().empty());
+  ASSERT_EQ(spectrum.shells().size(), 2u);
+  EXPECT_EQ(spectrum.shells()[0].wavevector, 1e7);
+  EXPECT_EQ(spectrum.shells()[1].mean_square_height, 1e-18);
+}
+
 // Claim: for shells the nodes integrate the staircase exactly: powers of m by
 // hand, step by step. Tolerance: cancellation of 20 Legendre moments, measured
 // below 5e-15.

@@ -1,0 +1,73 @@
+#pragma once
+
+// The egg-box contact by the project's own solver, on the square cell of one
+// crest: what the table of theory/wave_2d_table.hpp is made of and judged by.
+
+#include "contact/halfspace.hpp"
+#include "contact/load_sequence.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace asperity::theory {
+
+/// Means over the cell, in units of the amplitude D and of p*.
+struct Wave2dSolution {
+  double area_fraction = 0.0; ///< counted nodes: high by 0.1 perimeter/points
+  double mean_gap = 0.0;      ///< over D
+  double energy = 0.0;        ///< over D p*
+};
+
+/// Solves at ascending p/p*, on several grids that differ in where the crest
+/// lies between the nodes (offsets of low discrepancy), and takes the mean.
+inline std::vector<Wave2dSolution>
+solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
+              int n_offsets) {
+  using std::numbers::pi;
+  // The cell lambda/sqrt2 wide, turned by 45 degrees, has
+  // h = (D/2) [cos(2 pi x) + cos(2 pi y)]; p* = pi E* D per its width.
+  const Grid grid{points, points, 1.0, 1.0};
+  std::vector<Wave2dSolution> means(reduced_pressures.size());
+  for (int offset = 0; offset < n_offsets; ++offset) {
+    const double shift_x = std::fmod(0.5 + offset * 0.7548776662466927, 1.0);
+    const double shift_y = std::fmod(0.5 + offset * 0.5698402909980532, 1.0);
+    std::vector<double> heights(grid.size());
+    for (int iy = 0; iy < points; ++iy)
+      for (int ix = 0; ix < points; ++ix)
+        heights[grid.index(ix, iy)] =
+            0.5 * (std::cos(2.0 * pi * (ix + shift_x) / points) +
+                   std::cos(2.0 * pi * (iy + shift_y) / points));
+    const contact::ElasticBlock half_space{
+        1.0 / pi, 0.0, std::numeric_limits<double>::infinity(),
+        contact::FarFace::clamped};
+    contact::LoadSequence sequence(
+        std::make_unique<contact::FourierOperator>(
+            contact::halfspace_operator(grid, half_space)),
+        heights, {contact::Law::hard, 0.0}, 1e-10, 2000);
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      const contact::ContactSolution solution = sequence.solve(
+          {contact::LoadTarget::Kind::nominal_pressure, reduced_pressures[k]});
+      const double share = 1.0 / static_cast<double>(grid.size()) / n_offsets;
+      for (std::size_t i = 0; i < grid.size(); ++i) {
+        means[k].area_fraction += solution.pressure[i] > 0.0 ? share : 0.0;
+        means[k].energy +=
+            0.5 * share * solution.pressure[i] * solution.displacement[i];
+      }
+      means[k].mean_gap += solution.mean_gap / n_offsets;
+    }
+  }
+  return means;
+}
+
+/// The limit of vanishing spacing from two grids, the second twice as fine: a
+/// counted area is off in the first order; the gap of the finer grid is taken.
+inline Wave2dSolution extrapolated(const Wave2dSolution& coarse,
+                                   const Wave2dSolution& fine) {
+  return {2.0 * fine.area_fraction - coarse.area_fraction, fine.mean_gap,
+          fine.energy};
+}
+
+} // namespace asperity::theory

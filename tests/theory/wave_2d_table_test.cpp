@@ -1,0 +1,125 @@
+// Claims about the members of theory/wave_2d.hpp that hold at every load: they
+// are the project's own solution, and they end where the closed forms do.
+#include "theory/wave_2d.hpp"
+#include "theory/wave_2d_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "tests/theory/wave_2d_solution.hpp"
+
+namespace asperity::theory {
+namespace {
+
+// D = 1, p* = 1
+const Wave2dContact wave(1.0, 1.0,
+                         1.0 / (std::numbers::sqrt2 * std::numbers::pi));
+
+// Claim: between the table's rows it is a fresh solution on coarser grids.
+// Tolerance: what such grids leave. Counting n nodes errs at random by some
+// sqrt(nodes on the rim)/points^2, here 5e-4, and more by the extrapolation;
+// gap and energy are smooth and of second order, 2e-6.
+TEST(Wave2dBetween, IsTheNumericalSolution) {
+  const std::vector<double> pressures{0.01, 0.06, 0.15, 0.3, 0.5, 0.75, 0.93};
+  const auto coarse = solve_wave_2d(pressures, 96, 4);
+  const auto fine = solve_wave_2d(pressures, 192, 4);
+  for (std::size_t k = 0; k < pressures.size(); ++k) {
+    const Wave2dSolution found = extrapolated(coarse[k], fine[k]);
+    EXPECT_NEAR(wave.area_fraction(pressures[k]), found.area_fraction, 1e-3);
+    EXPECT_NEAR(wave.mean_gap(pressures[k]), found.mean_gap, 2e-6);
+    EXPECT_NEAR(wave.elastic_energy(pressures[k]), found.energy, 2e-6);
+  }
+}
+
+// Claim: the work of the load is the elastic energy, of which full contact has
+// D p*/8 in closed form: the gap's integral over the whole table, to 3e-7.
+TEST(Wave2dBetween, DoesTheWorkOfFullContact) {
+  EXPECT_NEAR(wave.elastic_energy(1.0), wave.full_contact_energy(), 3e-7);
+  EXPECT_EQ(wave.elastic_energy(0.0), 0.0);
+}
+
+// Claim: both ends are the closed forms, approached at the rates their doc
+// states.
+TEST(Wave2dBetween, EndsAsTheClosedForms) {
+  for (const double ratio : {1e-6, 1e-4, 1e-3}) {
+    const double order = std::pow(ratio, 2.0 / 3.0);
+    EXPECT_NEAR(wave.area_fraction(ratio) / wave.light_area_fraction(ratio),
+                1.0 + 0.75 * order, 0.1 * order);
+    EXPECT_NEAR(wave.mean_gap(ratio), wave.light_mean_gap(ratio),
+                order * order);
+  }
+  for (const double deficit : {1e-6, 1e-3}) {
+    const double ratio = 1.0 - deficit;
+    EXPECT_NEAR((1.0 - wave.area_fraction(ratio)) /
+                    (1.0 - wave.heavy_area_fraction(ratio)),
+                1.0, deficit + 1e-9);
+    EXPECT_NEAR(wave.mean_gap(ratio) / wave.heavy_mean_gap(ratio), 1.0,
+                deficit + 1e-9);
+  }
+  EXPECT_EQ(wave.area_fraction(0.0), 0.0);
+  EXPECT_EQ(wave.area_fraction(2.0), 1.0);
+  EXPECT_EQ(wave.mean_gap(0.0), 1.0);
+  EXPECT_EQ(wave.mean_gap(1.0), 0.0);
+  EXPECT_THROW(wave.area_fraction(-1.0), std::domain_error);
+}
+
+// Claim: away from where the spots merge each row follows from the cubic
+// through its four neighbours. Tolerance: for the area twice the table's own
+// 1e-4; for the gap what the light end's terms t^{3/2} leave of a cubic, 1e-4
+// at first.
+TEST(Wave2dBetween, RowsFollowFromTheirNeighbours) {
+  const auto rest_of_gap = [](const Wave2dRow& row) {
+    return row.reduced_mean_gap - wave.light_mean_gap(std::pow(row.load, 1.5));
+  };
+  for (std::size_t k = 2; k + 2 < wave_2d_table.size(); ++k) {
+    const double load = wave_2d_table[k].load;
+    if (std::abs(load - 0.375) < 0.03)
+      continue;
+    double area = 0.0, gap = 0.0;
+    for (const std::size_t i : {k - 2, k - 1, k + 1, k + 2}) {
+      double weight = 1.0;
+      for (const std::size_t j : {k - 2, k - 1, k + 1, k + 2})
+        if (j != i)
+          weight *= (load - wave_2d_table[j].load) /
+                    (wave_2d_table[i].load - wave_2d_table[j].load);
+      area += weight * wave_2d_table[i].area_fraction;
+      gap += weight * rest_of_gap(wave_2d_table[i]);
+    }
+
+    EXPECT_NEAR(area, wave_2d_table[k].area_fraction, 5e-4) << load;
+    EXPECT_NEAR(gap, rest_of_gap(wave_2d_table[k]), 2e-5) << load;
+  }
+}
+
+// Claim: area grows and gap falls with load, through the seam of the two
+// interpolants too.
+TEST(Wave2dBetween, IsMonotone) {
+  double last_area = 0.0, last_gap = 1.0;
+  for (int k = 1; k <= 2000; ++k) {
+    const double ratio = std::pow(k / 2000.0, 1.5);
+    EXPECT_GT(wave.area_fraction(ratio), last_area) << ratio;
+    EXPECT_LT(wave.mean_gap(ratio), last_gap) << ratio;
+    last_area = wave.area_fraction(ratio);
+    last_gap = wave.mean_gap(ratio);
+  }
+}
+
+// Claim: dimensions: gap scales with D, energy with D p*, the load with p*.
+TEST(Wave2dBetween, ScalesWithTheWave) {
+  const Wave2dContact other(2e-6, 3e-5, 7e9);
+  const double full = other.full_contact_pressure();
+
+  EXPECT_NEAR(other.area_fraction(0.3 * full) / wave.area_fraction(0.3), 1.0,
+              1e-13);
+  EXPECT_NEAR(other.mean_gap(0.3 * full) / wave.mean_gap(0.3) / 2e-6, 1.0,
+              1e-13);
+  EXPECT_NEAR(other.elastic_energy(0.3 * full) / wave.elastic_energy(0.3) /
+                  (2e-6 * full),
+              1.0, 1e-12);
+}
+
+} // namespace
+} // namespace asperity::theory
