@@ -3,6 +3,7 @@
 // CPU seconds: what a step cost, whatever else runs beside it.
 
 #include <ctime>
+#include <sys/resource.h>
 
 namespace asperity::app {
 
@@ -15,15 +16,23 @@ public:
                               : CLOCK_PROCESS_CPUTIME_ID),
         start_(now()) {}
 
-  /// Since construction [s].
+  /// Since construction, child processes that have ended among it [s].
   double seconds() const { return now() - start_; }
 
 private:
   double now() const {
     timespec time{};
     clock_gettime(clock_, &time);
+    rusage children{};
+    getrusage(RUSAGE_CHILDREN, &children);
     return static_cast<double>(time.tv_sec) +
-           1e-9 * static_cast<double>(time.tv_nsec);
+           1e-9 * static_cast<double>(time.tv_nsec) +
+           in_seconds(children.ru_utime) + in_seconds(children.ru_stime);
+  }
+
+  static double in_seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) +
+           1e-6 * static_cast<double>(time.tv_usec);
   }
 
   clockid_t clock_;

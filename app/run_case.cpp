@@ -223,6 +223,9 @@ void Run::run_elastic(const MethodSpec& method, int realization) {
       solvers_.make(method, surfaces_.of(method, realization), realization,
                     resources_of(method, realization));
   writer_.record_setup_time(method.name, realization, clock.seconds());
+  if (const std::string found = solver->found_at_setup(); !found.empty())
+    writer_.begin_method(method.name, describe(method).kind,
+                         describe(method).text + "; " + found);
   for (std::size_t step = first; step < n_targets && !is_interrupted(); ++step)
     if (!is_done(step))
       run_step(*solver, method, realization, step);

@@ -32,6 +32,10 @@ class StepSolver {
 public:
   virtual ~StepSolver() = default;
   virtual StepAnswer solve(const StepTarget& target) = 0;
+
+  /// What only the solver that was set up knows, for the method's description;
+  /// empty if there is nothing.
+  virtual std::string found_at_setup() const { return {}; }
 };
 
 /// What a method is, in words for the report.

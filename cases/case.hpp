@@ -177,7 +177,7 @@ struct MdSettings {
   std::uint64_t seed = 0;   ///< of the thermal noise
 
   int ranks = 1;     ///< of the child process, for lammps
-  bool dump = false; ///< write the atoms of steps whose fields are kept
+  bool dump = false; ///< write the atoms of every step
 };
 
 /// One method to run. A table [fem] is the method "fem"; a table inside it,

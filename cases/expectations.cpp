@@ -28,6 +28,10 @@ const std::vector<ExpectationName>& expectation_names() {
        .description = "Area by (21) of the fitted pressure distribution over "
                       "theory's at light load, minus 1 [1].",
        .needs_theory = true},
+      {.name = "area_excess_moment",
+       .description = "Area by (21) of the pressures' second moment over "
+                      "theory's at light load, minus 1 [1].",
+       .needs_theory = true},
       {.name = "gap_deviation",
        .description = "Largest |u - u of theory| / h_rms where "
                       "0.3 < u / h_rms < 1.5 [1].",

@@ -199,8 +199,8 @@ std::vector<Key> outside_keys() {
        .type = ValueType::boolean,
        .fallback = "false",
        .example = "true",
-       .description = "Write the atoms of the steps whose maps are kept as "
-                      "extended XYZ, for viewing."},
+       .description = "Write the atoms of every step as extended XYZ, for "
+                      "viewing in OVITO; LAMMPS writes its own dump."},
   };
 }
 

@@ -51,6 +51,15 @@ void add_fit(CsvTable& table, std::size_t index, const Series& series) {
   }
 }
 
+/// From closed contact, or from where a soft wall is pressed in.
+std::string gap_range(std::span<const Series> series) {
+  double lowest = 0.0;
+  for (const Series& one : series)
+    for (const SeriesRow& row : one.rows)
+      lowest = std::min(lowest, row.gap_low);
+  return fmt::format("\nset xrange [{:.4g}:*]", 1.1 * lowest);
+}
+
 } // namespace
 
 Figure pressure_gap_figure(std::span<const ReportEntry> entries,
@@ -96,11 +105,10 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
         number_text(gamma), fitted->label);
   }
   figure.caption += joined_words(series);
-  figure.script = "set xlabel " +
-                  gnuplot_markup("mean separation u / h_{rms}") +
-                  "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") +
-                  "\nset xrange [0:*]\nset offsets 0, 0, 0, graph 0.1\n" +
-                  window_bars(series);
+  figure.script =
+      "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
+      "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") + gap_range(series) +
+      "\nset offsets 0, 0, 0, graph 0.1\n" + window_bars(series);
   if (entries.size() == 1 && !entries.front().summary.methods.empty() &&
       !entries.front().summary.methods.back().fits.empty()) {
     const double height_nm =
@@ -156,8 +164,8 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
   figure.script =
       "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
       "\nset ylabel " + gnuplot_markup("(u − u_{theory}) / h_{rms}  [%]") +
-      "\nset xrange [0:*]\nset offsets graph 0, 0, 0.3, "
-      "0.1\nset object 1 rectangle from 0.3, "
+      gap_range(series) +
+      "\nset offsets graph 0, 0, 0.3, 0.1\nset object 1 rectangle from 0.3, "
       "graph 0 to 1.5, graph 1 behind fillcolor rgb '#0072B2' fillstyle solid "
       "0.06 noborder\n" +
       plot_of(plots);

@@ -191,6 +191,8 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
       area_excess_of(method, *reference, &results::CurvePoint::area_fraction);
   quantities["area_excess_fit"] = area_excess_of(
       method, *reference, &results::CurvePoint::area_fraction_fit);
+  quantities["area_excess_moment"] = area_excess_of(
+      method, *reference, &results::CurvePoint::area_fraction_moment);
 }
 
 } // namespace asperity::reports

@@ -18,7 +18,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 const std::set<std::string> shipped = {
-    "hertz", "polymer", "polymer-nominal", "self-affine", "wave-1d", "wave-2d"};
+    "hertz",       "md-lammps", "md-small", "md-verify",
+    "md-zeta216",  "md-zeta4",  "polymer",  "polymer-nominal",
+    "self-affine", "wave-1d",   "wave-2d"};
 
 Case shipped_case(const std::string& name) {
   return read_case("cases/" + name + "/case.toml");
@@ -53,7 +55,8 @@ TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
 
     EXPECT_EQ(read.name, name);
     EXPECT_GE(read.methods.size(), 2U) << name;
-    EXPECT_EQ(read.surface.points, 512) << name;
+    if (name.rfind("md-", 0) != 0) // the atoms' cases have their lattices'
+      EXPECT_EQ(read.surface.points, 512) << name;
     EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
     EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
@@ -143,7 +146,8 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
   for (const Table& table : vocabulary())
     for (const Key& key : table.keys)
       if (table.name != "expect" && table.name != "md" &&
-          key.name != "magnification" && block.find(key.name) == std::string::npos)
+          key.name != "magnification" &&
+          block.find(key.name) == std::string::npos)
         beyond.insert(table.name + "." + key.name);
 
   EXPECT_EQ(beyond, (std::set<std::string>{
