@@ -55,8 +55,9 @@ TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
 
     EXPECT_EQ(read.name, name);
     EXPECT_GE(read.methods.size(), 2U) << name;
-    if (name.rfind("md-", 0) != 0) // the atoms' cases have their lattices'
+    if (name.rfind("md-", 0) != 0) { // those of atoms have their lattices'
       EXPECT_EQ(read.surface.points, 512) << name;
+    }
     EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
     EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
