@@ -47,15 +47,15 @@ void Progress::step_done(const std::string& method, int realization,
 }
 
 void Progress::at_work(const std::string& method, int realization,
-                       int evaluations, double residual) {
+                       int evaluations, double energy, double residual) {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   if (!is_terminal_ || now - last_drawn_ < shortest_pause)
     return;
   last_drawn_ = now;
   draw_head();
-  fmt::print("  {} r{}  {} evaluations  residual {:.1e}", method, realization,
-             evaluations, residual);
+  fmt::print("  {} r{}  {} evaluations  energy {:.6e} J  residual {:.1e}",
+             method, realization, evaluations, energy, residual);
   std::fflush(stdout);
 }
 

@@ -25,9 +25,10 @@ public:
                  const results::CurvePoint& point, double rms_height);
 
   /// A step is at work; shown on a terminal, a few times a second.
+  /// @param energy    [J]
   /// @param residual  as the method measures it
   void at_work(const std::string& method, int realization, int evaluations,
-               double residual);
+               double energy, double residual);
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -236,7 +236,7 @@ Resources Run::resources_of(const MethodSpec& method, int realization) {
           folder_ / fmt::format("{}-{}", method.name, realization),
           [this, &method, realization](const md::Progress& work) {
             progress_.at_work(method.name, realization, work.evaluations,
-                              work.residual);
+                              work.energy, work.residual);
             return !is_interrupted();
           }};
 }
@@ -267,8 +267,11 @@ void Run::run_step(StepSolver& solver, const MethodSpec& method,
 } // namespace
 
 RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
-  return Run(rough_case, options, chosen_methods(rough_case, options.methods))
-      .execute();
+  std::vector<MethodSpec> methods = chosen_methods(rough_case, options.methods);
+  for (const MethodSpec& method : methods)
+    if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+      md::require_engine(*md);
+  return Run(rough_case, options, std::move(methods)).execute();
 }
 
 } // namespace asperity::app

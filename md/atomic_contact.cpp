@@ -3,11 +3,17 @@
 #include "md/explicit_contact.hpp"
 #include "md/green_contact.hpp"
 #include "md/lammps_contact.hpp"
+#include "md/lammps_run.hpp"
 
 #include <stdexcept>
 #include <utility>
 
 namespace asperity::md {
+
+void require_engine(const cases::MdSettings& settings) {
+  if (settings.engine == cases::AtomEngine::lammps)
+    require_lammps(settings.ranks);
+}
 
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {
   if (request.settings.engine == cases::AtomEngine::lammps)

@@ -68,6 +68,10 @@ public:
   virtual double shown_contact_modulus() const = 0;
 };
 
+/// To be asked before anything is written: is what the engine needs installed?
+/// @throws cases::CaseError  a program is not, with the package that has it
+void require_engine(const cases::MdSettings& settings);
+
 /// @throws cases::CaseError   settings that do not go together, a program that
 ///                            is not installed
 /// @throws std::domain_error  what a part refuses

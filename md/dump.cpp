@@ -98,6 +98,7 @@ void write_atoms(const std::filesystem::path& path, const Grid& cell,
                      x * in_angstrom, y * in_angstrom, z * in_angstrom,
                      pressure * in_gigapascal);
     }
+  std::filesystem::create_directories(path.parent_path());
   write_file_atomically(path, text);
 }
 

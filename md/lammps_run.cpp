@@ -53,7 +53,7 @@ std::string last_line(const std::string& text) {
 
 } // namespace
 
-LammpsProgram find_lammps(int ranks, const std::filesystem::path& folder) {
+LammpsProgram require_lammps(int ranks) {
   LammpsProgram program;
   program.ranks = ranks;
   program.lmp = program_on_path("lmp");
@@ -66,6 +66,11 @@ LammpsProgram find_lammps(int ranks, const std::filesystem::path& folder) {
       throw cases::CaseError("[md] ranks above 1 need the program mpirun; "
                              "install the Debian package mpi-default-bin");
   }
+  return program;
+}
+
+LammpsProgram find_lammps(int ranks, const std::filesystem::path& folder) {
+  LammpsProgram program = require_lammps(ranks);
   std::filesystem::create_directories(folder);
   program.version = version_of(program.lmp, folder);
   return program;

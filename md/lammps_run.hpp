@@ -16,6 +16,10 @@ struct LammpsProgram {
   std::string version; ///< as lmp says it: "29 Sep 2021 - Update 2"
 };
 
+/// The programs a run needs, their version not yet asked for; touches no file.
+/// @throws cases::CaseError  one of them is not installed
+LammpsProgram require_lammps(int ranks);
+
 /// Looks along PATH.
 /// @param folder  for what lmp says of itself
 /// @throws cases::CaseError  no lmp there, or one that does not start; no

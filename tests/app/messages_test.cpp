@@ -66,6 +66,15 @@ TEST_F(Messages, CheckPrintsPublishedValuesAndJudgesNothingByThem) {
   EXPECT_FALSE(says(checked, "another")) << checked.output;
 }
 
+TEST_F(Messages, NameThePackageOfAMissingEngineBeforeAnythingIsWritten) {
+  const Ended refused = run("run md-lammps", "env PATH=" + folder.string());
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "install the Debian package lammps"))
+      << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/md-lammps/result.h5"));
+}
+
 TEST_F(Messages, NameTheMethodsACaseHas) {
   write("small.toml", small_case);
 
