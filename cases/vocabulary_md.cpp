@@ -121,7 +121,9 @@ std::vector<Key> balance_keys() {
        .words = {"lbfgs", "fire", "dynamics"},
        .fallback = "\"lbfgs\"",
        .example = "\"lbfgs\"",
-       .description = "Road to the balance of forces; fire and dynamics need "
+       .description = "Road to the balance of forces; lbfgs of bulk = "
+                      "\"green\" is Newton's method with L-BFGS behind it; "
+                      "fire and dynamics need "
                       "bulk = \"explicit\"."},
       {.name = "tolerance",
        .range = {0.0, 0.1, false, true},

@@ -43,7 +43,9 @@ struct AtomStep {
   double elastic_energy = 0.0;   ///< of the bulk per nominal area [J/m^2]
   double interface_energy = 0.0; ///< of all pairs per nominal area [J/m^2]
   Inspection inspection;
-  int evaluations = 0;
+  int evaluations = 0;    ///< of energy and forces
+  int linearisations = 0; ///< of the second derivatives, a sum over all pairs
+  int products = 0;       ///< of the second derivatives with a step
   double residual = 0.0;  ///< as RelaxationSettings::tolerance
   bool converged = false; ///< in balance, and nothing went through
   std::string note;       ///< why not, or by how much a hot step fluctuates;

@@ -4,6 +4,7 @@
 #include "cases/case_error.hpp"
 #include "md/dump.hpp"
 #include "md/green_system.hpp"
+#include "md/newton.hpp"
 #include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
 #include "md/step_reading.hpp"
@@ -42,6 +43,12 @@ int cells_of(const AtomRequest& request) {
       1, static_cast<int>(std::lround(depth / request.layer.spacing_x())));
 }
 
+void add_effort(const Relaxation& more, Relaxation& sum) {
+  sum.evaluations += more.evaluations;
+  sum.linearisations += more.linearisations;
+  sum.products += more.products;
+}
+
 class GreenContact final : public AtomicContact {
 public:
   explicit GreenContact(AtomRequest request);
@@ -59,7 +66,7 @@ private:
   std::span<double> heights();
   void raise(double height);
   double contact_force();
-  int descend_to(double height);
+  Relaxation descend_to(double height);
   Relaxation balance(const Load& load, const Watch& watch);
 
   AtomRequest request_;
@@ -110,44 +117,46 @@ double GreenContact::contact_force() {
 }
 
 /// Brings a held height down in steps that the surface can follow, and up at
-/// once. Returns the evaluations it took.
-int GreenContact::descend_to(double height) {
+/// once. Returns what it took.
+Relaxation GreenContact::descend_to(double height) {
   const double start =
       std::accumulate(heights().begin(), heights().end(), 0.0) /
       static_cast<double>(heights().size());
-  int evaluations = 0;
+  Relaxation taken;
   for (double at = start - descent; at > height; at -= descent) {
     raise(at);
     system_.set_load({Load::Kind::height, at});
     const double force = contact_force();
-    ++evaluations;
+    ++taken.evaluations;
     if (!(force > 0.0))
       continue;
     RelaxationSettings rough = settings_for(force);
     rough.tolerance = std::max(descent_tolerance, rough.tolerance);
-    evaluations += relax(system_, state_, rough).evaluations;
+    add_effort(relax_by_newton(system_, state_, rough), taken);
   }
   raise(height);
-  return evaluations;
+  return taken;
 }
 
 Relaxation GreenContact::balance(const Load& load, const Watch& watch) {
   if (load.kind == Load::Kind::nominal_pressure) {
     system_.set_load(load);
-    return relax(system_, state_,
-                 settings_for(load.amount * request_.layer.cell_area()), watch);
+    return relax_by_newton(
+        system_, state_, settings_for(load.amount * request_.layer.cell_area()),
+        watch);
   }
-  const int before = descend_to(load.amount) + 1;
+  Relaxation before = descend_to(load.amount);
+  ++before.evaluations; // the force below
   system_.set_load(load);
   const double force = contact_force();
   Relaxation relaxation;
   if (force > 0.0) {
-    relaxation = relax(system_, state_, settings_for(force), watch);
+    relaxation = relax_by_newton(system_, state_, settings_for(force), watch);
   } else { // nothing touches: the flat block is the answer
     state_ = system_.undeformed(load.amount);
     relaxation.converged = true;
   }
-  relaxation.evaluations += before;
+  add_effort(before, relaxation);
   return relaxation;
 }
 
@@ -163,6 +172,8 @@ AtomStep GreenContact::solve(Control control, double amount, int step,
   const Relaxation relaxation = balance(load, watch);
   AtomStep answer;
   answer.evaluations = relaxation.evaluations;
+  answer.linearisations = relaxation.linearisations;
+  answer.products = relaxation.products;
   answer.residual = relaxation.residual;
   read_step(
       system_, state_, normal_forces(system_, state_),

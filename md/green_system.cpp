@@ -36,6 +36,8 @@ GreenSystem::GreenSystem(SurfaceStiffness bulk, Interface interface)
     : bulk_(std::move(bulk)),
       interface_(std::move(interface)),
       local_stiffness_(bulk_.local_stiffness()),
+      curvature_(bulk_.layer().size(), local_stiffness_,
+                 bulk_.modes() == cases::AtomModes::normal),
       contact_(bulk_.layer().size(), 0.0),
       scratch_(3 * bulk_.layer().size()) {
   if (!(interface_.layer() == bulk_.layer()))
@@ -124,6 +126,51 @@ void GreenSystem::precondition(std::span<const double> forces,
     shift(answer.z, mean(given.z) / contact_stiffness);
   scale(answer, contact_stiffness);
   hold(answer);
+}
+
+void GreenSystem::linearise(std::span<const double> state) {
+  curvature_.take(interface_, layer_of(*this, state));
+}
+
+void GreenSystem::limit_softness(double share) {
+  curvature_.limit_softness(share);
+}
+
+void GreenSystem::curvature_times(std::span<const double> step,
+                                  std::span<double> forces) const {
+  const LayerForces product = planes_of(forces);
+  bulk_.apply(layer_of(*this, step), product);
+  curvature_.add_product(layer_of(*this, step), product);
+  hold(product);
+}
+
+void GreenSystem::precondition_curved(std::span<const double> forces,
+                                      std::span<double> step) const {
+  std::ranges::copy(forces, scratch_.begin());
+  const LayerForces given = planes_of(scratch_);
+  const LayerForces answer = planes_of(step);
+  const double contact = curvature_.mean_stiffness();
+  hold(given);
+  curvature_.scale(given);
+  bulk_.solve({given.x, given.y, given.z}, {contact, contact}, answer);
+  if (load_.kind == Load::Kind::nominal_pressure)
+    shift(answer.z, mean(given.z) / contact);
+  curvature_.scale(answer);
+  hold(answer);
+}
+
+void GreenSystem::shorten(std::span<double> step, double longest) const {
+  const LayerForces moved = planes_of(step);
+  for (std::size_t i = 0; i < layer().size(); ++i) {
+    const double length = std::hypot(moved.x[i], moved.y[i], moved.z[i]);
+    if (!(length > longest))
+      continue;
+    const double share = longest / length;
+    moved.x[i] *= share;
+    moved.y[i] *= share;
+    moved.z[i] *= share;
+  }
+  hold(moved);
 }
 
 double GreenSystem::elastic_energy(std::span<const double> state) const {

@@ -3,8 +3,9 @@
 // The block whose bulk is its surface stiffness alone: Green's function
 // molecular dynamics. Owns how bulk, interface and load add up.
 
+#include "md/curved_system.hpp"
+#include "md/interface_curvature.hpp"
 #include "md/surface_stiffness.hpp"
-#include "md/system.hpp"
 
 namespace asperity::md {
 
@@ -15,7 +16,7 @@ namespace asperity::md {
 /// The mean of z is free under pressure and fixed under Kind::height; it costs
 /// the bulk nothing. The mean of x and y never moves; with Modes::normal, x
 /// and y never move at all. An instance holds scratch: one thread at a time.
-class GreenSystem final : public System {
+class GreenSystem final : public CurvedSystem {
 public:
   /// @throws std::domain_error  bulk and interface of different layers
   GreenSystem(SurfaceStiffness bulk, Interface interface);
@@ -31,6 +32,13 @@ public:
                                std::span<double> forces) const override;
   void precondition(std::span<const double> forces, double contact_stiffness,
                     std::span<double> step) const override;
+  void linearise(std::span<const double> state) override;
+  void limit_softness(double share) override;
+  void curvature_times(std::span<const double> step,
+                       std::span<double> forces) const override;
+  void precondition_curved(std::span<const double> forces,
+                           std::span<double> step) const override;
+  void shorten(std::span<double> step, double longest) const override;
   double elastic_energy(std::span<const double> state) const override;
 
   const Interface& interface() const override { return interface_; }
@@ -44,6 +52,7 @@ private:
   Interface interface_;
   Load load_;
   double local_stiffness_ = 0.0;
+  InterfaceCurvature curvature_;
   mutable std::vector<double> contact_; ///< k_i [N/m]
   mutable std::vector<double> scratch_; ///< three planes
 };

@@ -88,6 +88,9 @@ struct Interface::Kernel {
   AtomSum sum_of_atom(const LayerView& atoms, int ix, int iy) const;
   double sum_of_row(const LayerView& atoms, const LayerForces& forces,
                     int iy) const;
+  void second_derivatives_of_row(const LayerView& atoms,
+                                 std::span<SymmetricBlock> blocks,
+                                 int iy) const;
   Inspection inspect_row(const LayerView& atoms, int iy, double close_distance,
                          double contact_distance) const;
 };
@@ -117,6 +120,26 @@ double Interface::Kernel::sum_of_row(const LayerView& atoms,
     energy += sum.energy;
   }
   return interaction.energy * energy;
+}
+
+void Interface::Kernel::second_derivatives_of_row(
+    const LayerView& atoms, std::span<SymmetricBlock> blocks, int iy) const {
+  const double unit =
+      12.0 * interaction.energy / (interaction.distance * interaction.distance);
+  for (int ix = 0; ix < layer.points_x; ++ix) {
+    const std::size_t i = layer.index(ix, iy);
+    SymmetricBlock& block = blocks[i];
+    if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      block = {nan, nan, nan, nan, nan, nan};
+      continue;
+    }
+    const double z = atoms.z[i] / interaction.distance;
+    const SymmetricBlock sum = sum_second_derivatives(
+        law, substrate.window(point(atoms, ix, iy), z), substrate.spacing(), z);
+    block = {unit * sum.xx, unit * sum.yy, unit * sum.zz,
+             unit * sum.xy, unit * sum.xz, unit * sum.yz};
+  }
 }
 
 Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
@@ -202,6 +225,15 @@ double Interface::energy_and_forces(const LayerView& atoms,
   for (const double row_energy : row_energies)
     energy += row_energy;
   return energy;
+}
+
+void Interface::second_derivatives(const LayerView& atoms,
+                                   std::span<SymmetricBlock> blocks) const {
+  require_planes("atoms", atoms, kernel_->layer);
+  require_length("blocks", blocks.size(), kernel_->layer.size());
+  parallel_rows(kernel_->layer.points_y, kernel_->threads, [&](int iy) {
+    kernel_->second_derivatives_of_row(atoms, blocks, iy);
+  });
 }
 
 Inspection Interface::inspect(const LayerView& atoms, double close_distance,

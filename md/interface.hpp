@@ -5,6 +5,7 @@
 
 #include "base/grid.hpp"
 #include "md/interaction.hpp"
+#include "md/symmetric_block.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -69,6 +70,13 @@ public:
   ///                lanes are summed in one order, on any x86-64 processor.
   double energy_and_forces(const LayerView& atoms,
                            const LayerForces& forces) const;
+
+  /// Second derivatives of that energy with the place of each atom [N/m], one
+  /// block an atom: the substrate is rigid, so atoms do not couple. Overwrites
+  /// `blocks`; an atom at no finite place has NaN.
+  /// @throws std::domain_error  planes or blocks of another size
+  void second_derivatives(const LayerView& atoms,
+                          std::span<SymmetricBlock> blocks) const;
 
   /// @param close_distance    [m], 2.2e-10 for the paper's atoms
   /// @param contact_distance  d_c [m]

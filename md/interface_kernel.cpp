@@ -87,7 +87,72 @@ template <class Vector>
           Lanes::total(force_z)};
 }
 
+template <class Vector>
+[[gnu::always_inline]] inline SymmetricBlock
+sum_pair_blocks(const ReducedLaw& law, const Window& window, double spacing,
+                double z) {
+  using Lanes = md::Lanes<Vector>;
+  constexpr std::size_t parts = Lanes::parts;
+  typename Lanes::Strip x, push{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
+  for (std::size_t lane = 0; lane < strip_width; ++lane)
+    x[lane / Lanes::width][lane % Lanes::width] =
+        window.x - spacing * static_cast<double>(lane);
+  const Vector y_end = Vector{} + law.y_end;
+  const Vector width = Vector{} + law.width;
+  const double slope_square = 1.5 * law.square; // 3/4 of G'
+  const double slope_cube = 2.25 * law.cube;
+
+  Vector dx[bundle * parts], dz[bundle * parts], inverse[bundle * parts];
+  for (auto strips = window.strips; !strips.empty();) {
+    const std::size_t count = strips.size() < bundle ? strips.size() : bundle;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double dy = window.y - strips[i].y;
+      const double* heights = window.heights + strips[i].height;
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t j = i * parts + part;
+        dx[j] = x[part] - strips[i].x;
+        dz[j] = z - *reinterpret_cast<const typename Lanes::Unaligned*>(
+                        heights + part * Lanes::width);
+        inverse[j] = 1.0 / (dx[j] * dx[j] + dy * dy + dz[j] * dz[j]);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t j = i * parts + part;
+        const double dy = window.y - strips[i].y;
+        const Vector y = inverse[j] * inverse[j] * inverse[j];
+        const Vector p = (y > y_end ? y : y_end) - y_end;
+        const Vector u = p < width ? p : width;
+        const Vector steepness = u * u * (law.square + law.cube * u) + (p - u);
+        const Vector slope = u * (slope_square + slope_cube * u);
+        const Vector over_steepness = y * inverse[j];
+        const Vector bend =
+            8.0 * over_steepness * inverse[j] * (y * slope + steepness);
+        const Vector bend_x = bend * dx[j];
+        const Vector bend_y = bend * dy;
+        push[part] += over_steepness * steepness;
+        xx[part] += bend_x * dx[j];
+        yy[part] += bend_y * dy;
+        zz[part] += bend * dz[j] * dz[j];
+        xy[part] += bend_x * dy;
+        xz[part] += bend_x * dz[j];
+        yz[part] += bend_y * dz[j];
+      }
+    strips = strips.subspan(count);
+  }
+  const double pushed = Lanes::total(push);
+  return {Lanes::total(xx) - pushed, Lanes::total(yy) - pushed,
+          Lanes::total(zz) - pushed, Lanes::total(xy),
+          Lanes::total(xz),          Lanes::total(yz)};
+}
+
 #ifdef __x86_64__
+[[gnu::target("avx2")]] SymmetricBlock
+sum_blocks_four_wide(const ReducedLaw& law, const Window& window,
+                     double spacing, double z) {
+  return sum_pair_blocks<Four>(law, window, spacing, z);
+}
+
 [[gnu::target("avx2")]] AtomSum sum_four_wide(const ReducedLaw& law,
                                               const Window& window,
                                               double spacing, double z) {
@@ -125,6 +190,16 @@ AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
     return sum_four_wide(law, window, spacing, z);
 #endif
   return sum_two_wide(law, window, spacing, z);
+}
+
+SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
+                                      const Window& window, double spacing,
+                                      double z) {
+#ifdef __x86_64__
+  if (has_four_wide)
+    return sum_blocks_four_wide(law, window, spacing, z);
+#endif
+  return sum_pair_blocks<Two>(law, window, spacing, z);
 }
 
 } // namespace asperity::md

@@ -4,6 +4,7 @@
 // in lengths of r_0 and energies of eps.
 
 #include "md/interaction.hpp"
+#include "md/symmetric_block.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,17 @@ struct AtomSum {
 /// @param z        height of the atom [r_0]
 AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
                    double z);
+
+/// Second derivatives of that energy with the atom's place [12 eps/r_0^2]. With
+/// g = -U'(r)/r of ReducedLaw and G' = dG/dy = u (2 square + 3 cube u), a pair
+/// at distance d adds
+///
+///     -g 1 + 2 y (r_0/r)^4 (3 y G' + 4 G) d d
+///
+/// Lanes as in sum_window.
+SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
+                                      const Window& window, double spacing,
+                                      double z);
 
 /// What sum_window does on a processor without AVX2.
 AtomSum sum_two_wide(const ReducedLaw& law, const Window& window,

@@ -29,9 +29,11 @@ struct Progress {
 
 struct Relaxation {
   bool converged = false;
-  int evaluations = 0;
-  double energy = 0.0;           ///< [J]
-  double residual = 0.0;         ///< root mean square, as `tolerance`
+  int evaluations = 0;    ///< of energy and forces
+  int linearisations = 0; ///< of the second derivatives (Newton's method)
+  int products = 0;       ///< of them with a step, likewise
+  double energy = 0.0;    ///< [J]
+  double residual = 0.0;  ///< root mean square, as `tolerance`
   double largest_residual = 0.0; ///< largest force on any unknown, likewise
   std::string note;              ///< why it did not converge; empty otherwise
 };

@@ -4,30 +4,22 @@
 // once everything above is eliminated. Owns the composition of slabs.
 
 #include "md/crystal.hpp"
+#include "md/symmetric_block.hpp"
 
 #include <array>
 
 namespace asperity::md {
-
-/// A real symmetric 3 x 3 block. With u_x, u_y multiplied by -i and F_x, F_y
-/// as well, the stiffness of a face for one wavevector is real:
-///
-///     (-i F_x, -i F_y, F_z) = K (-i u_x, -i u_y, u_z)
-struct SymmetricBlock {
-  double xx = 0.0;
-  double yy = 0.0;
-  double zz = 0.0;
-  double xy = 0.0;
-  double xz = 0.0;
-  double yz = 0.0;
-};
 
 /// (block + diag(added_x, added_x, added_z))^-1 of a positive definite block.
 SymmetricBlock inverse(const SymmetricBlock& block, double added_lateral = 0.0,
                        double added_normal = 0.0);
 
 /// Layers of one crystal, periodic in x and y, as seen by the wave
-/// exp(i (theta_x j_x + theta_y j_y)) over the lattice sites (j_x, j_y).
+/// exp(i (theta_x j_x + theta_y j_y)) over the lattice sites (j_x, j_y). With
+/// u_x, u_y multiplied by -i and F_x, F_y as well, the stiffness K of a face is
+/// real:
+///
+///     (-i F_x, -i F_y, F_z) = K (-i u_x, -i u_y, u_z)
 class SlabSymbol {
 public:
   /// @throws std::domain_error  as cell_stiffness

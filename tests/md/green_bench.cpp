@@ -1,6 +1,7 @@
-// What a load costs with the green block: the paper's roughness, cut at four
-// times the roll-off, brought up load by load. CPU time is the harness's;
-// counters give evaluations of the forces a load and CPU an evaluation.
+// What a load costs with the green block: the paper's roughness, all of it or
+// cut at four times the roll-off, brought up load by load. CPU time is the
+// harness's; counters give evaluations of the forces, linearisations (a sum
+// over all pairs each) and products of the second derivatives a load.
 #include "md/atomic_contact.hpp"
 #include "md/surface_stiffness.hpp"
 #include "surfaces/build.hpp"
@@ -20,7 +21,7 @@ constexpr double modulus =
     youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 
 /// The paper's block (Sec. 4); a smaller one has its roughness scaled down.
-AtomRequest request_of(int points, cases::AtomModes modes) {
+AtomRequest request_of(int points, cases::AtomModes modes, bool is_cut) {
   const double length = points * spacing;
   const double longest = 2.0 * std::numbers::pi / length;
   cases::SurfaceSpec surface;
@@ -31,7 +32,11 @@ AtomRequest request_of(int points, cases::AtomModes modes) {
   surface.hurst = 0.8;
   surface.wavevector_low = 0.999 * longest;
   surface.wavevector_roll_off = 3.0 * longest;
-  surface.wavevector_high = 12.001 * longest;
+  surface.wavevector_high = is_cut
+                                ? 12.001 * longest
+                                : 0.996 * std::numbers::pi * std::numbers::phi /
+                                      spacing; // the substrate's last
+  surface.rescale = true;
   const surfaces::HeightMap map = surfaces::build_surface(surface, 0);
 
   AtomRequest request;
@@ -51,13 +56,14 @@ AtomRequest request_of(int points, cases::AtomModes modes) {
 
 constexpr double loads[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.26}; // p/E*
 
-/// Arguments: atoms a side, modes, how many of the loads; the last is timed.
+/// Arguments: atoms a side, modes, roughness cut or whole, how many of the
+/// loads; the last is timed.
 void bring_to_load(benchmark::State& state) {
-  const AtomRequest request =
-      request_of(static_cast<int>(state.range(0)),
-                 state.range(1) != 0 ? cases::AtomModes::normal
-                                     : cases::AtomModes::vector);
-  const auto last = static_cast<int>(state.range(2));
+  const AtomRequest request = request_of(
+      static_cast<int>(state.range(0)),
+      state.range(1) != 0 ? cases::AtomModes::normal : cases::AtomModes::vector,
+      state.range(2) != 0);
+  const auto last = static_cast<int>(state.range(3));
   AtomStep answer;
   for (auto _ : state) {
     state.PauseTiming();
@@ -73,14 +79,16 @@ void bring_to_load(benchmark::State& state) {
     state.SkipWithError(answer.note.c_str());
   state.counters["pressure_ratio"] = loads[last];
   state.counters["evaluations"] = answer.evaluations;
+  state.counters["linearisations"] = answer.linearisations;
+  state.counters["products"] = answer.products;
   state.counters["seconds_an_evaluation"] = benchmark::Counter(
       answer.evaluations, benchmark::Counter::kIsIterationInvariantRate |
                               benchmark::Counter::kInvert);
 }
 
 BENCHMARK(bring_to_load)
-    ->ArgNames({"atoms", "normal", "load"})
-    ->ArgsProduct({{100, 400}, {0, 1}, {0, 1, 2, 3, 4, 5}})
+    ->ArgNames({"atoms", "normal", "cut", "load"})
+    ->ArgsProduct({{100, 400}, {0, 1}, {0, 1}, {0, 1, 2, 3, 4, 5}})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
