@@ -55,8 +55,9 @@ const std::vector<ExpectationName>& expectation_names() {
        .theory_answers = true,
        .theory_only = true},
       {.name = "gap_pressure_dependence",
-       .description = "Largest |u(zeta) / u'(zeta) - 1| at zeta >= 2 of the "
-                      "two lightest loads of [magnification] [1].",
+       .description = "Largest |u(zeta) / u'(zeta) - 1| of the two lightest "
+                      "loads of [magnification], from twice the zeta on where "
+                      "roughness begins [1].",
        .theory_answers = true,
        .theory_only = true,
        .study = Study::magnification},
