@@ -5,6 +5,7 @@
 #include "app/methods.hpp"
 #include "app/progress.hpp"
 #include "app/provenance_of_run.hpp"
+#include "app/studies.hpp"
 #include "app/theory_method.hpp"
 #include "app/worker_pool.hpp"
 #include "cases/case_error.hpp"
@@ -173,6 +174,8 @@ RunOutcome Run::execute() {
         (describe(method).runs_alone ? lone_jobs : jobs)
             .push_back([this, &method, r] { run_elastic(method, r); });
     }
+  if (const MethodSpec* studied = cases::study_theory(methods_))
+    jobs.push_back([this, studied] { run_studies(case_, *studied, writer_); });
   pool_.run(jobs);
   for (const WorkerPool::Job& job : lone_jobs)
     pool_.run({&job, 1});

@@ -41,4 +41,12 @@ double MaterialSpec::block_youngs_modulus() const {
   return contact_modulus * (1.0 - *poisson_ratio * *poisson_ratio);
 }
 
+const MethodSpec* study_theory(const std::vector<MethodSpec>& methods) {
+  for (const MethodSpec& method : methods)
+    if (const auto* theory = std::get_if<TheorySettings>(&method.settings);
+        theory && theory->spectrum == TheorySpectrum::formula)
+      return &method;
+  return nullptr;
+}
+
 } // namespace asperity::cases

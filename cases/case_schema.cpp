@@ -123,6 +123,8 @@ std::string at_load_pattern() {
   std::string names;
   for (const ExpectationName& entry : quantities_at_load())
     names += (names.empty() ? "" : "|") + entry.name;
+  for (const ExpectationName& entry : quantities_at_magnification())
+    names += "|" + entry.name;
   return "^ *(" + names + ") *@ *p *=";
 }
 
@@ -162,8 +164,9 @@ std::string json_schema() {
   for (const Table& table : vocabulary()) {
     if (table.is_part)
       schema["$defs"][table.name] = table_schema(table, false);
-    else if (table.name == "material.counter")
-      tables["material"]["properties"]["counter"] = table_schema(table, false);
+    else if (const auto dot = table.name.find('.'); dot != std::string::npos)
+      tables[table.name.substr(0, dot)]["properties"]
+            [table.name.substr(dot + 1)] = table_schema(table, false);
     else if (!table.name.empty())
       tables[table.name] = table_schema(table, false);
     if (table.is_method)

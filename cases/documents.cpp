@@ -129,6 +129,13 @@ std::string at_load_section() {
       "names.\n\n| name | what it is |\n|---|---|\n";
   for (const ExpectationName& entry : quantities_at_load())
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
+  page += "\nOne of a contact seen at a magnification has both, "
+          "`\"area_fraction@p=10 MPa@zeta=10\"`:\nthe load is one of "
+          "[magnification], and between its magnifications the logarithm "
+          "goes\nstraight. The theory of the studies answers.\n\n"
+          "| name | what it is |\n|---|---|\n";
+  for (const ExpectationName& entry : quantities_at_magnification())
+    page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
   return page + "\n";
 }
 

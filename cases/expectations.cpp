@@ -54,6 +54,34 @@ const std::vector<ExpectationName>& expectation_names() {
        .surfaces = {sphere}},
       {.name = "penetration",
        .description = "Largest penetration / h_rms in the maps kept [1]."},
+      {.name = "epsilon",
+       .description = "eps of (16) with the case's gamma [1].",
+       .theory_answers = true,
+       .theory_only = true},
+      {.name = "gap_pressure_dependence",
+       .description = "Largest |u(zeta) / u'(zeta) - 1| of the two lightest "
+                      "loads of [magnification], from twice the zeta on where "
+                      "roughness begins [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+      {.name = "adhesion_flip",
+       .description = "h_rms / h_rms0 at which complete and partial contact "
+                      "have one gamma_eff [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::adhesion},
+      {.name = "adhesion_flip_area",
+       .description = "A/A_0 of the partial contact at the flip [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::adhesion},
+      {.name = "complete_contact_binding",
+       .description = "gamma_eff / Delta gamma of complete contact on the "
+                      "case's surface [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::adhesion},
       {.name = "iterations_max",
        .description = "Most iterations a step took [1]."},
   };
@@ -62,8 +90,10 @@ const std::vector<ExpectationName>& expectation_names() {
 
 const ExpectationName* expectation_called(const std::string& name) {
   const QuantityAtLoadReading reading = read_quantity_at_load(name);
-  const auto& known =
-      reading.at_load ? quantities_at_load() : expectation_names();
+  const auto& known = !reading.at_load ? expectation_names()
+                      : reading.at_load->magnification
+                          ? quantities_at_magnification()
+                          : quantities_at_load();
   const std::string& sought =
       reading.at_load ? reading.at_load->quantity : name;
   for (const ExpectationName& entry : known)

@@ -10,6 +10,9 @@
 
 namespace asperity::cases {
 
+/// The table of the case that a quantity needs beside its methods.
+enum class Study { none, magnification, adhesion };
+
 struct ExpectationName {
   std::string name;
   std::string description;     ///< one sentence, with the unit
@@ -17,6 +20,8 @@ struct ExpectationName {
   bool needs_theory = false;   ///< the case must have a [theory] to compare to
   bool variants_only = false;  ///< of "md.explicit" beside "md", not of "md"
   std::vector<SurfaceKind> surfaces = {}; ///< empty: any
+  bool theory_only = false;               ///< no numerical method answers
+  Study study = Study::none; ///< answered by study_theory() alone if not none
 };
 
 const std::vector<ExpectationName>& expectation_names();

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace asperity::cases {
 namespace {
@@ -19,6 +21,42 @@ std::string without_blanks(const std::string& text) {
 
 QuantityAtLoadReading refused(const std::string& mistake) {
   return {std::nullopt, mistake};
+}
+
+/// The text behind "@key =" between two places of `name`, if it is that key.
+std::optional<std::string> value_of(const std::string& key,
+                                    const std::string& name, std::size_t at,
+                                    std::size_t end) {
+  if (at == std::string::npos)
+    return std::nullopt;
+  const std::string clause = name.substr(at + 1, end - at - 1);
+  const auto equals = clause.find('=');
+  if (equals == std::string::npos ||
+      without_blanks(clause.substr(0, equals)) != key)
+    return std::nullopt;
+  return clause.substr(equals + 1);
+}
+
+std::optional<double> positive_number(const std::optional<std::string>& text) {
+  const std::string digits = without_blanks(text.value_or(""));
+  double number = 0.0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, error] = std::from_chars(digits.data(), end, number);
+  const bool is_good = error == std::errc{} && rest == end &&
+                       std::isfinite(number) && number > 0.0;
+  return is_good ? std::optional(number) : std::nullopt;
+}
+
+/// What is wrong with a name that should be one of `known`; "" if it is.
+std::string mistake_in_name(const std::string& quantity,
+                            const std::vector<ExpectationName>& known) {
+  std::vector<std::string> names;
+  for (const ExpectationName& entry : known)
+    names.push_back(entry.name);
+  if (std::find(names.begin(), names.end(), quantity) != names.end())
+    return "";
+  return fmt::format("asks for {} at a load, which is not known; nearest: {}",
+                     quantity, nearest(quantity, names));
 }
 
 } // namespace
@@ -49,32 +87,59 @@ const std::vector<ExpectationName>& quantities_at_load() {
   return names;
 }
 
+const std::vector<ExpectationName>& quantities_at_magnification() {
+  static const std::vector<ExpectationName> names = {
+      {.name = "area_fraction",
+       .description = "A(zeta)/A_0 [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+      {.name = "reduced_mean_gap",
+       .description = "u(zeta) / h_rms, h_rms of the whole surface [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+      {.name = "mean_gap_ratio",
+       .description = "u(zeta) over the mean gap u [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+  };
+  return names;
+}
+
 bool names_a_load(const std::string& name) {
   return name.find('@') != std::string::npos;
 }
 
 QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
+  const std::string quantity = without_blanks(name.substr(0, name.find('@')));
   const auto at = name.find('@');
-  const auto equals = name.find('=', at);
-  if (at == std::string::npos || equals == std::string::npos ||
-      without_blanks(name.substr(at + 1, equals - at - 1)) != "p")
+  const auto second_at = at == std::string::npos ? at : name.find('@', at + 1);
+  const std::optional<std::string> load = value_of("p", name, at, second_at);
+  if (!load)
     return refused("must be spelt as area_fraction@p=0.01 E* is");
-  const std::string quantity = without_blanks(name.substr(0, at));
-  std::vector<std::string> known;
-  for (const ExpectationName& entry : quantities_at_load())
-    known.push_back(entry.name);
-  if (std::find(known.begin(), known.end(), quantity) == known.end())
-    return refused(fmt::format("asks for {} at a load, which is not known; "
-                               "nearest: {}",
-                               quantity, nearest(quantity, known)));
-  const QuantityReading load =
-      read_quantity(name.substr(equals + 1), Dimension::pressure,
-                    {Yardstick::contact_modulus});
-  if (!load.quantity)
-    return refused("has a p that " + load.mistake);
-  if (!(load.quantity->value > 0.0))
+  const bool has_magnification = second_at != std::string::npos;
+  const std::string mistake = mistake_in_name(
+      quantity,
+      has_magnification ? quantities_at_magnification() : quantities_at_load());
+  if (!mistake.empty())
+    return refused(mistake);
+  const QuantityReading pressure =
+      read_quantity(*load, Dimension::pressure, {Yardstick::contact_modulus});
+  if (!pressure.quantity)
+    return refused("has a p that " + pressure.mistake);
+  if (!(pressure.quantity->value > 0.0))
     return refused("has a p that is not > 0");
-  return {QuantityAtLoad{quantity, *load.quantity}, ""};
+  QuantityAtLoad read{quantity, *pressure.quantity};
+  if (has_magnification) {
+    read.magnification =
+        positive_number(value_of("zeta", name, second_at, std::string::npos));
+    if (!read.magnification)
+      return refused(
+          "must end as in area_fraction@p=0.01 E*@zeta=10, zeta > 0");
+  }
+  return {read, ""};
 }
 
 } // namespace asperity::cases

@@ -1,7 +1,8 @@
 #pragma once
 
 // "area_fraction@p=0.0129 E*": a quantity of the curve at one nominal pressure,
-// for [expect] and for reference.csv. Owns the spelling and the names.
+// and "area_fraction@p=10 MPa@zeta=10": one of the contact seen at a
+// magnification; for [expect] and reference.csv. Owns spelling and names.
 
 #include "cases/expectations.hpp"
 
@@ -12,12 +13,16 @@
 namespace asperity::cases {
 
 struct QuantityAtLoad {
-  std::string quantity;      ///< one of quantities_at_load()
-  Quantity nominal_pressure; ///< > 0, in SI or in E*
+  std::string quantity;                     ///< one of the names below
+  Quantity nominal_pressure;                ///< > 0, in SI or in E*
+  std::optional<double> magnification = {}; ///< zeta > 0
 };
 
 /// All dimensionless [1].
 const std::vector<ExpectationName>& quantities_at_load();
+
+/// At a load and a magnification: the load is one of [magnification].
+const std::vector<ExpectationName>& quantities_at_magnification();
 
 /// True if the name has the '@' that only these have.
 bool names_a_load(const std::string& name);
@@ -28,8 +33,9 @@ struct QuantityAtLoadReading {
   std::string mistake; ///< to be put behind the name
 };
 
-/// Read "name@p=number unit", blanks allowed around each part. The number lies
-/// above 0; its unit is one of a pressure, or E*.
+/// Read "name@p=number unit" or "name@p=number unit@zeta=number", blanks
+/// allowed around each part. The numbers lie above 0; the unit is one of a
+/// pressure, or E*.
 QuantityAtLoadReading read_quantity_at_load(const std::string& name);
 
 } // namespace asperity::cases

@@ -64,6 +64,17 @@ void read_top(const Node& file, Case& read, Mistakes& mistakes) {
   read.title = top.has("title") ? top.text("title") : read.name;
 }
 
+void read_studies(const Node& file, Case& read, Mistakes& mistakes) {
+  const Node magnification =
+      table_called(file, "magnification", false, mistakes);
+  if (magnification.is_table())
+    read.magnification_study =
+        read_magnification_study(magnification, read, mistakes);
+  const Node adhesion = table_called(file, "adhesion", false, mistakes);
+  if (adhesion.is_table())
+    read.adhesion_study = read_adhesion_study(adhesion, read, mistakes);
+}
+
 void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node surface = table_called(file, "surface", true, mistakes);
   const SurfaceKind kind = kind_of(surface);
@@ -81,12 +92,13 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node load = table_called(file, "load", true, mistakes);
   if (load.is_table())
     read.load = read_load(load, mistakes);
+  read_studies(file, read, mistakes);
   const Node report = table_called(file, "report", false, mistakes);
   if (report.is_table())
     read.report = read_report(report, mistakes);
   const Node expect = table_called(file, "expect", false, mistakes);
   if (expect.is_table())
-    read.expectations = read_expectations(expect, kind, read.methods, mistakes);
+    read.expectations = read_expectations(expect, kind, read, mistakes);
   check_together(file, read, mistakes);
 }
 

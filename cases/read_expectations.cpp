@@ -18,15 +18,26 @@ namespace {
 struct Scene {
   SurfaceKind surface;
   const std::vector<MethodSpec>& methods;
+  const Case& read;
+
+  bool has(Study study) const {
+    return study == Study::none ||
+           (study == Study::magnification && read.magnification_study) ||
+           (study == Study::adhesion && read.adhesion_study);
+  }
 };
 
 bool is_theory(const MethodSpec& method) {
   return std::holds_alternative<TheorySettings>(method.settings);
 }
 
-bool answers(const MethodSpec& method, const ExpectationName& quantity) {
+bool answers(const MethodSpec& method, const ExpectationName& quantity,
+             const Scene& scene) {
+  if (quantity.study != Study::none)
+    return &method == study_theory(scene.methods);
   const bool is_variant = method.name.find('.') != std::string::npos;
-  return (quantity.theory_answers || !is_theory(method)) &&
+  return (is_theory(method) ? quantity.theory_answers
+                            : !quantity.theory_only) &&
          (is_variant || !quantity.variants_only);
 }
 
@@ -85,6 +96,10 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
     band.complain(band.node(), fmt::format("is known only for the surfaces {}",
                                            fmt::join(allowed, ", ")));
   }
+  if (!scene.has(quantity.study))
+    band.complain(band.node(), quantity.study == Study::adhesion
+                                   ? "needs the table [adhesion]"
+                                   : "needs the table [magnification]");
   if (quantity.needs_theory &&
       std::none_of(scene.methods.begin(), scene.methods.end(), is_theory))
     band.complain(band.node(),
@@ -95,7 +110,7 @@ std::vector<std::string> answering(const ExpectationName& quantity,
                                    const Scene& scene) {
   std::vector<std::string> names;
   for (const MethodSpec& method : scene.methods)
-    if (answers(method, quantity))
+    if (answers(method, quantity, scene))
       names.push_back(method.name);
   return names;
 }
@@ -148,10 +163,10 @@ Expectation read_band(const Node& node, const std::string& name,
 
 } // namespace
 
-std::vector<Expectation>
-read_expectations(const Node& table, SurfaceKind kind,
-                  const std::vector<MethodSpec>& methods, Mistakes& mistakes) {
-  const Scene scene{kind, methods};
+std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
+                                           const Case& read,
+                                           Mistakes& mistakes) {
+  const Scene scene{kind, read.methods, read};
   TableReader reader(table, vocabulary_table("expect"), mistakes);
   reader.refuse_unknown(keys_at_load(reader));
   std::vector<Expectation> expectations;

@@ -29,10 +29,16 @@ SurfaceSpec read_surface(const Node& node, const std::string& folder,
 MaterialSpec read_material(const Node& table, bool is_poisson_needed,
                            Mistakes& mistakes);
 LoadProgram read_load(const Node& table, Mistakes& mistakes);
+/// @param read  with its surface and methods
+MagnificationStudy read_magnification_study(const Node& table, const Case& read,
+                                            Mistakes& mistakes);
+AdhesionStudy read_adhesion_study(const Node& table, const Case& read,
+                                  Mistakes& mistakes);
 ReportSpec read_report(const Node& table, Mistakes& mistakes);
-std::vector<Expectation>
-read_expectations(const Node& table, SurfaceKind kind,
-                  const std::vector<MethodSpec>& methods, Mistakes& mistakes);
+/// @param read  with its methods and studies
+std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
+                                           const Case& read,
+                                           Mistakes& mistakes);
 
 /// What only the whole case can tell: a lattice without the material's nu, a
 /// magnification below the longest wave.

@@ -70,6 +70,9 @@ const std::vector<Unit>& units() {
       {"1/s", rate},
       {"1/ps", rate, 1e12},
       {"K", temperature},
+      {"kg/m^3", density},
+      {"Pa s", viscosity},
+      {"mPa s", viscosity, 1.0, 1e3},
       {"1/m", wavevector},
       {"Pa/m", stiffness},
       {"E*", pressure, 1.0, 1.0, Yardstick::contact_modulus},
@@ -107,6 +110,10 @@ std::string dimension_name(Dimension dimension) {
     return "rate";
   case Dimension::temperature:
     return "temperature";
+  case Dimension::density:
+    return "density";
+  case Dimension::viscosity:
+    return "viscosity";
   }
   return "";
 }

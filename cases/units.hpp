@@ -24,6 +24,8 @@ enum class Dimension {
   time,            ///< [s]
   rate,            ///< [1/s]
   temperature,     ///< [K]
+  density,         ///< [kg/m^3]
+  viscosity,       ///< [Pa s]
 };
 
 /// A unit as a case file spells it. A number of it is worth

@@ -104,6 +104,8 @@ std::vector<Table> all_tables() {
   std::vector<Table> tables = {top_table(), surface_table()};
   for (Table& table : method_tables())
     tables.push_back(std::move(table));
+  for (Table& table : study_tables())
+    tables.push_back(std::move(table));
   tables.push_back(report_table());
   tables.push_back(expect_table());
   tables.push_back(band_table());

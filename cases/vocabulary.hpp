@@ -98,5 +98,6 @@ std::string reason_of_kind(const std::string& kind);
 Table surface_table();
 Table md_table();
 std::vector<Table> method_tables();
+std::vector<Table> study_tables();
 
 } // namespace asperity::cases

@@ -42,7 +42,8 @@ double number_at(const std::string& quantity, double pressure,
 
 bool is_answered(const cases::ExpectationName& known,
                  const MethodRecord& method, const MethodRecord* reference) {
-  return (known.theory_answers || method.kind != "theory") &&
+  return (method.kind == "theory" ? known.theory_answers
+                                  : !known.theory_only) &&
          (!known.needs_theory || reference != nullptr);
 }
 
@@ -75,6 +76,8 @@ void add_quantities_at_load(const results::Result& result,
       continue;
     const cases::QuantityAtLoad asked =
         *cases::read_quantity_at_load(name).at_load;
+    if (asked.magnification)
+      continue; // of the studies
     const double pressure =
         asked.nominal_pressure.in_si({result.contact_modulus, 0.0, 0.0, 0.0});
     std::vector<FittedValue> values;

@@ -62,6 +62,19 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
   return group;
 }
 
+/// What the studies of one result draw; empty if it has none.
+FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
+                          bool is_one_of_many) {
+  FigureGroup group{"Magnification and adhesion", "", {}};
+  if (is_one_of_many) {
+    group.heading += ": " + entry.summary.case_name;
+    group.folder = folder_name(index, entry.summary.case_name);
+  }
+  append(group.figures, magnification_figures(entry));
+  append(group.figures, adhesion_figures(entry));
+  return group;
+}
+
 } // namespace
 
 std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
@@ -71,6 +84,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
   groups.push_back(shared_curves(entries, series));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     groups.push_back(figures_of_one(entries[i], i, has_many));
+    groups.push_back(study_figures(entries[i], i, has_many));
   }
   FigureGroup cost{"Cost", "", {}};
   append(cost.figures, cost_figure(series));

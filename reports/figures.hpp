@@ -52,6 +52,15 @@ std::optional<Figure> cost_figure(std::span<const Series> series);
 /// Mean gap, contact fraction and their errors against the exact solution.
 std::vector<Figure> exact_figures(const ReportEntry& entry);
 
+/// Of the study of magnifications, as the paper has them: u against zeta; A,
+/// h_rms and u; u and u_1 with A, and any leaks in its caption; the density of
+/// (27) beside P_u of kept maps at a load near its own. None without tables.
+std::vector<Figure> magnification_figures(const ReportEntry& entry);
+
+/// Of the study of adhesion: both branches, equilibrium, and the binding energy
+/// against h_rms. None without its table.
+std::vector<Figure> adhesion_figures(const ReportEntry& entry);
+
 /// Figures that belong together, and the folder below figures/ they go to
 /// (empty: figures/ itself).
 struct FigureGroup {

@@ -3,6 +3,7 @@
 #include "reports/at_load.hpp"
 #include "reports/exact.hpp"
 #include "reports/rough.hpp"
+#include "reports/study_quantities.hpp"
 #include "reports/verdict.hpp"
 
 #include <algorithm>
@@ -117,6 +118,8 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
         summarize_method(result, rough_case, method, reference));
     add_quantities_at_load(result, rough_case, method, reference, at_load,
                            summary.methods.back());
+    add_study_quantities(result, rough_case, method, at_load,
+                         summary.methods.back());
   }
   summary.verdicts = judge(rough_case.expectations, summary.methods,
                            result.status == "complete");

@@ -23,8 +23,8 @@ hid_t file_type(Hdf5Number number) {
   return H5T_IEEE_F64LE;
 }
 
-Hdf5Handle open_dataset(hid_t group, const std::string& name,
-                        const std::string& place) {
+Hdf5Handle dataset_of(hid_t group, const std::string& name,
+                      const std::string& place) {
   return {checked(H5Dopen2(group, name.c_str(), H5P_DEFAULT), place,
                   "find this dataset"),
           H5Dclose};
@@ -110,7 +110,7 @@ void Hdf5Group::append(const std::string& name, std::span<const double> values,
   const bool is_new = !has(name);
   const Hdf5Handle dataset =
       is_new ? create_column(handle_.id(), name, file_type(number), place(name))
-             : open_dataset(handle_.id(), name, place(name));
+             : dataset_of(handle_.id(), name, place(name));
   if (is_new)
     set_unit(dataset.id(), unit, place(name));
   append_to(dataset.id(), H5T_NATIVE_DOUBLE, values.size(), values.data(),
@@ -124,7 +124,7 @@ void Hdf5Group::append(const std::string& name,
     characters.push_back(text.c_str());
   const Hdf5Handle type = text_type();
   const Hdf5Handle dataset =
-      has(name) ? open_dataset(handle_.id(), name, place(name))
+      has(name) ? dataset_of(handle_.id(), name, place(name))
                 : create_column(handle_.id(), name, type.id(), place(name));
   append_to(dataset.id(), type.id(), characters.size(), characters.data(),
             place(name));
@@ -132,7 +132,7 @@ void Hdf5Group::append(const std::string& name,
 
 void Hdf5Group::overwrite(const std::string& name,
                           std::span<const double> values) {
-  const Hdf5Handle dataset = open_dataset(handle_.id(), name, place(name));
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   if (extents(name) != std::vector<std::size_t>{values.size()})
     refuse_hdf5(place(name), "overwrite a column of another length");
   checked(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
@@ -140,8 +140,12 @@ void Hdf5Group::overwrite(const std::string& name,
           place(name), "write this dataset");
 }
 
+Hdf5Group Hdf5Group::open_dataset(const std::string& name) const {
+  return {dataset_of(handle_.id(), name, place(name)), place(name)};
+}
+
 std::vector<std::size_t> Hdf5Group::extents(const std::string& name) const {
-  const Hdf5Handle dataset = open_dataset(handle_.id(), name, place(name));
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.id());
   std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
@@ -150,7 +154,7 @@ std::vector<std::size_t> Hdf5Group::extents(const std::string& name) const {
 }
 
 std::vector<double> Hdf5Group::numbers(const std::string& name) const {
-  const Hdf5Handle dataset = open_dataset(handle_.id(), name, place(name));
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::vector<double> values(
       static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space.id()),
@@ -162,7 +166,7 @@ std::vector<double> Hdf5Group::numbers(const std::string& name) const {
 }
 
 std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
-  const Hdf5Handle dataset = open_dataset(handle_.id(), name, place(name));
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose);
   if (H5Tget_class(type.id()) != H5T_STRING)
     refuse_hdf5(place(name), "read this dataset as text");

@@ -100,6 +100,8 @@ public:
   /// Overwrites a column of the same length.
   void overwrite(const std::string& name, std::span<const double> values);
 
+  /// A dataset as the bearer of its attributes.
+  Hdf5Group open_dataset(const std::string& name) const;
   std::vector<std::size_t> extents(const std::string& name) const;
   /// All values of a dataset, the last index fastest.
   std::vector<double> numbers(const std::string& name) const;

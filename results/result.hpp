@@ -86,6 +86,23 @@ struct MethodRecord {
   std::vector<Curve> realizations; ///< theory from a formula: one
 };
 
+/// One column of a table.
+struct Column {
+  std::string name; ///< as a name of a curve's columns: "mean_gap"
+  std::string unit; ///< SI: "m"; "1" for none
+  std::vector<double> values;
+};
+
+/// What a study of the theory found beside its curve: columns of one length.
+struct Table {
+  std::string name;
+  std::string title; ///< one line for the reader
+  std::vector<Column> columns;
+
+  /// The values of a column, none if there is no such column.
+  std::vector<double> values(const std::string& column) const;
+};
+
 /// Key-value facts about what made the file, in the order they were written.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
@@ -102,6 +119,10 @@ struct Result {
   std::vector<SurfaceRecord> surfaces; ///< one a realisation; empty if the
                                        ///< theory alone ran from a formula
   std::vector<MethodRecord> methods;
+  std::vector<Table> tables = {}; ///< of studies, in the order they were made
+
+  /// Null if there is none of that name.
+  const Table* table(const std::string& name) const;
 };
 
 } // namespace asperity::results

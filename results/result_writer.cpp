@@ -7,6 +7,7 @@
 #include "results/map_size.hpp"
 #include "results/map_storage.hpp"
 #include "results/result_layout.hpp"
+#include "results/table_storage.hpp"
 
 #include <fmt/format.h>
 
@@ -86,6 +87,8 @@ void ResultWriter::adopt(const CaseInfo& info) {
   steps_ = steps_done(old);
   for (const MethodRecord& method : old.methods)
     methods_.insert(method.name);
+  for (const Table& table : old.tables)
+    tables_.insert(table.name);
   const std::lock_guard lock(hdf5_mutex());
   update([&info](Hdf5File& file) {
     file.set_attribute("status", "running");
@@ -246,6 +249,24 @@ bool ResultWriter::has_step(const std::string& method, int realization,
   const std::lock_guard lock(hdf5_mutex());
   const auto found = steps_.find({method, realization});
   return found != steps_.end() && found->second.contains(step);
+}
+
+void ResultWriter::record_table(const Table& table) {
+  require_table(table);
+  const std::lock_guard lock(hdf5_mutex());
+  update([&](Hdf5File& file) {
+    Hdf5Group tables = file.open_or_create(layout::tables);
+    if (tables.has(table.name))
+      tables.remove(table.name);
+    Hdf5Group group = tables.open_or_create(table.name);
+    write_table(group, table);
+  });
+  tables_.insert(table.name);
+}
+
+bool ResultWriter::has_table(const std::string& name) const {
+  const std::lock_guard lock(hdf5_mutex());
+  return tables_.contains(name);
 }
 
 void ResultWriter::finish(const std::string& status) {

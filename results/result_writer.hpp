@@ -99,6 +99,14 @@ public:
   /// True if that row is in the file, from this run or an earlier one.
   bool has_step(const std::string& method, int realization, int step) const;
 
+  /// A study's table; replaces one of the same name.
+  /// @throws std::domain_error  a table or column without a name or with one
+  ///         that has '/', two columns of one name, or of different lengths
+  void record_table(const Table& table);
+
+  /// True if that table is in the file, from this run or an earlier one.
+  bool has_table(const std::string& name) const;
+
   /// @param status  complete | interrupted
   void finish(const std::string& status);
 
@@ -115,6 +123,7 @@ private:
   std::filesystem::path part_;
   StepsDone steps_;
   std::set<std::string> methods_;
+  std::set<std::string> tables_;
 };
 
 } // namespace asperity::results

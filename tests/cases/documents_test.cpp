@@ -34,8 +34,9 @@ nlohmann::json properties_of(const std::string& table) {
     return at("/$defs/expect.band/properties");
   if (table == "load.sweep")
     return at("/properties/load/properties/mean_gap/anyOf/2/properties");
-  if (table == "material.counter")
-    return at("/properties/material/properties/counter/properties");
+  if (const auto dot = table.find('.'); dot != std::string::npos)
+    return at("/properties/" + table.substr(0, dot) + "/properties/" +
+              table.substr(dot + 1) + "/properties");
   return at("/properties/" + table + "/properties");
 }
 
