@@ -147,6 +147,7 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
         beyond.insert(table.name + "." + key.name);
 
   EXPECT_EQ(beyond, (std::set<std::string>{
+                        ".base",
                         "expect.band.above", "expect.band.below",
                         "halfspace.max_iterations", "fem.max_iterations",
                         "report.fields", "surface.amplitudes",
