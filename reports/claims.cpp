@@ -90,6 +90,14 @@ double departure(std::span<const CurvePoint> points,
   return not_a_number;
 }
 
+double gap_shortfall(std::span<const CurvePoint> points,
+                     const CurveFunction& reference, double rms_height) {
+  for (const Deviation& row : deviations(points, reference))
+    if (std::isfinite(row.reference_gap)) // in ascending pressure
+      return (row.reference_gap - row.gap) / rms_height;
+  return not_a_number;
+}
+
 double fractal_dimension(const SurfaceRecord& surface,
                          const cases::SurfaceSpec& spec, double highest) {
   std::vector<double> log_wavevector;
@@ -159,6 +167,7 @@ const std::vector<std::pair<std::string, std::string>>& meanings() {
                         "theory's [1]."},
       {"departure_high", "u / h_rms above which u is over 0.1 h_rms from the "
                          "theory's [1]."},
+      {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
       {"highest_asperity", "Largest height / h_rms [1]."},
       {"rms_height", "Root mean square of the heights [m]."},
       {"fractal_dimension", "3 - H of the measured spectrum [1]."}};
@@ -186,6 +195,12 @@ void add_claim_quantities(const results::Result& result,
   add_curve_quantities(method, summary);
   if (method.kind == "theory" || reference == nullptr)
     return;
+  add_mean(summary, "gap_shortfall", method.realizations.size(),
+           "no load that the theory also has", [&](std::size_t r) {
+             return gap_shortfall(method.realizations[r].points,
+                                  CurveFunction(curve_of(*reference, r).points),
+                                  summary.fits[r].scales.rms_height);
+           });
   for (const auto& [name, direction] :
        {std::pair("departure_low", -1), std::pair("departure_high", 1)})
     add_mean(summary, name, method.realizations.size(),

@@ -26,6 +26,7 @@ inline constexpr double linear_area = 0.10;
 ///  - departure_low, departure_high: u/h_rms at which u leaves the theory's by
 ///    more than departure_tolerance, inwards and outwards of the row nearest to
 ///    u = h_rms; straight between rows
+///  - gap_shortfall: (theory's u - u)/h_rms at the lightest load both have
 ///  - highest_asperity: largest height over h_rms; rms_height [m];
 ///    fractal_dimension: 3 - H of the straight line through ln C(ln q) between
 ///    roll-off and cut-off: of the surface the method ran on

@@ -1,6 +1,6 @@
 #pragma once
 
-// The distribution of the surface's height, as Figs. 4 and 12 of the paper.
+// The distribution of the surface's height, as Figs. 5 and 13 of the paper.
 
 #include "reports/gnuplot.hpp"
 #include "reports/series.hpp"

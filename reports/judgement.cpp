@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::reports {
@@ -20,6 +21,12 @@ std::string distance_words(double value, double difference) {
                      up_to_two_digits(100.0 * difference / std::abs(value)));
 }
 
+// An interval that much else would lie in as well.
+bool is_wide(const cases::ReferenceValue& reference, double interval) {
+  return interval > std::max(reference.uncertainty,
+                             wide_interval * std::abs(reference.value));
+}
+
 } // namespace
 
 Judgement judge_published(const cases::ReferenceValue& reference,
@@ -36,7 +43,9 @@ Judgement judge_published(const cases::ReferenceValue& reference,
   // a number of as many digits as were printed is as near as it can be
   const double rounding = 1e-12 * std::abs(reference.value);
   if (difference <= reference.uncertainty + interval + rounding)
-    return {Reproduction::reproduced, "reproduced"};
+    return {Reproduction::reproduced, is_wide(reference, interval)
+                                          ? "reproduced, within a wide interval"
+                                          : "reproduced"};
   if (!reference.why.empty())
     return {Reproduction::not_reproducible, refusal};
   return {Reproduction::near, distance_words(reference.value, difference)};

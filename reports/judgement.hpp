@@ -18,9 +18,14 @@ enum class Reproduction {
   missing,          ///< we have no number
 };
 
+/// Our interval is called wide where it is more than this share of the value,
+/// and more than the published uncertainty.
+inline constexpr double wide_interval = 0.2;
+
 struct Judgement {
   Reproduction reproduction = Reproduction::missing;
-  std::string words; ///< "reproduced", "within 4.1 %", "not reproducible: ..."
+  std::string words; ///< "reproduced", "reproduced, within a wide interval",
+                     ///< "within 4.1 %", "not reproducible: ..."
 };
 
 /// Our half-width counts as 0 where there is none. "Within x %" is of the

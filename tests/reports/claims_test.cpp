@@ -57,6 +57,8 @@ TEST_F(Claims, FindWhereTheoryIsLeft) {
   // half the row distance (0.2) times half the change of slope.
   EXPECT_NEAR(of("fem", "departure_high").value, 1.6, 0.05);
   EXPECT_FALSE(of("fem", "departure_low").has_value());
+  EXPECT_NEAR(of("fem", "gap_shortfall").value,
+              0.5 * (theory[0].mean_gap / height - 1.5), 1e-12);
 }
 
 // Claim: exactly proportional rows have no deviation, and one that is 6 % too

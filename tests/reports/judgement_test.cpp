@@ -40,6 +40,16 @@ TEST(Judgement, RoundsTheDistanceUp) {
   EXPECT_EQ(words(nothing, ours(0.0234)), "off by 0.024");
 }
 
+// A wide interval meets anything: it is met, and said to be wide.
+TEST(Judgement, SaysThatAnIntervalIsWide) {
+  EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
+  EXPECT_EQ(words(printed, ours(0.5, 0.081)),
+            "reproduced, within a wide interval");
+  EXPECT_EQ(words(nothing, ours(0.015, 0.009)), "reproduced");
+  EXPECT_EQ(words(nothing, ours(0.015, 0.011)),
+            "reproduced, within a wide interval");
+}
+
 TEST(Judgement, SaysWhyOnlyOfWhatIsNotMet) {
   EXPECT_EQ(words(excused, ours(0.42)), "reproduced");
   EXPECT_EQ(words(excused, ours(0.5)), "not reproducible: secret");
