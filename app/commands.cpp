@@ -1,13 +1,17 @@
 #include "app/commands.hpp"
 
 #include "app/case_library.hpp"
+#include "app/collection.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_case.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/case_error.hpp"
 #include "cases/case_schema.hpp"
 #include "cases/documents.hpp"
+#include "cases/node.hpp"
 #include "cases/read_case.hpp"
+#include "cases/toml_text.hpp"
+#include "reports/paper_report.hpp"
 #include "reports/report.hpp"
 #include "reports/verdict.hpp"
 #include "results/csv.hpp"
@@ -31,15 +35,52 @@ ExitCode worse(ExitCode one, ExitCode other) {
 
 /// A case with what stands beside its file, read before anything runs.
 struct ReadCase {
+  FoundCase found;
   cases::Case rough_case;
   std::string reference; ///< text of reference.csv
 };
 
-ReadCase read_with_reference(const std::string& word,
-                             const std::vector<std::string>& overrides = {}) {
-  ReadCase read{cases::read_case(find_case(word).string(), overrides), ""};
+/// What one word of the command line asked for.
+struct Asked {
+  FoundCases found;
+  std::vector<ReadCase> cases;
+};
+
+std::string title_override(const std::string& title) {
+  cases::Node text;
+  text.type = cases::NodeType::text;
+  text.text = title;
+  return "title=" + cases::toml_value(text);
+}
+
+ReadCase read_with_reference(const FoundCase& found,
+                             std::vector<std::string> overrides,
+                             bool is_quick) {
+  const std::string file = found.file.string();
+  if (is_quick) {
+    const cases::Case whole = cases::read_case(file);
+    std::vector<std::string> quick = quick_overrides(found.file);
+    if (quick.empty())
+      fmt::print("{}: there is no quick.set beside it; it runs in full\n",
+                 whole.name);
+    else
+      quick.push_back(title_override(whole.title + reports::quick_mark));
+    overrides.insert(overrides.begin(), quick.begin(), quick.end());
+  }
+  ReadCase read{found, cases::read_case(file, overrides), ""};
   read.reference = reference_text_of(read.rough_case);
+  if (read.found.name.empty())
+    read.found.name = read.rough_case.name;
   return read;
+}
+
+Asked read_asked(const std::string& word,
+                 const std::vector<std::string>& overrides = {},
+                 bool is_quick = false) {
+  Asked asked{find_cases(word), {}};
+  for (const FoundCase& found : asked.found.cases)
+    asked.cases.push_back(read_with_reference(found, overrides, is_quick));
+  return asked;
 }
 
 reports::Summary summary_of(const results::Result& result) {
@@ -94,30 +135,50 @@ ExitCode run_one(const cases::Case& rough_case, const RunOptions& options) {
   return exit_code_of(summary);
 }
 
-fs::path default_folder(const cases::Case& rough_case) {
-  return fs::path("out") / rough_case.name;
+/// Where a case or collection of that name goes to.
+fs::path folder_of(const std::string& name, const RunCommand& command) {
+  if (command.out.empty())
+    return fs::path("out") / name;
+  return command.cases.size() == 1 ? fs::path(command.out)
+                                   : fs::path(command.out) / name;
 }
 
 bool is_result(const fs::path& path) {
   return path.extension() == ".h5" || fs::exists(path / "result.h5");
 }
 
-} // namespace
-
-ExitCode run_cases(const RunCommand& command) {
-  std::vector<ReadCase> read;
-  for (const std::string& word : command.cases)
-    read.push_back(read_with_reference(word, command.overrides));
-  catch_interrupts();
+ExitCode run_asked(const Asked& asked, const RunCommand& command) {
+  const bool is_collection = !asked.found.collection.empty();
   ExitCode end = exit_good;
-  for (const auto& [rough_case, reference] : read) {
-    const fs::path folder = command.out.empty() ? default_folder(rough_case)
-                            : read.size() == 1
-                                ? fs::path(command.out)
-                                : fs::path(command.out) / rough_case.name;
+  std::vector<RunPart> parts;
+  for (const auto& [found, rough_case, reference] : asked.cases) {
+    const fs::path folder = is_collection
+                                ? folder_of(asked.found.collection, command) /
+                                      found.file.parent_path().filename()
+                                : folder_of(found.name, command);
     end =
         worse(end, run_one(rough_case, {folder, command.methods, command.resume,
                                         command.threads, reference}));
+    parts.push_back({found, folder});
+    if (is_interrupted())
+      break;
+  }
+  if (is_collection)
+    write_collection_report(asked.found, parts,
+                            folder_of(asked.found.collection, command));
+  return end;
+}
+
+} // namespace
+
+ExitCode run_cases(const RunCommand& command) {
+  std::vector<Asked> all;
+  for (const std::string& word : command.cases)
+    all.push_back(read_asked(word, command.overrides, command.is_quick));
+  catch_interrupts();
+  ExitCode end = exit_good;
+  for (const Asked& asked : all) {
+    end = worse(end, run_asked(asked, command));
     if (is_interrupted())
       break;
   }
@@ -142,27 +203,32 @@ ExitCode report_results(const std::vector<std::string>& paths,
 
 ExitCode check_targets(const std::vector<std::string>& targets,
                        const std::string& junit) {
-  std::map<std::string, ReadCase> to_run;
+  std::map<std::string, Asked> to_run;
   for (const std::string& target : targets)
     if (!is_result(target))
-      to_run.emplace(target, read_with_reference(target));
+      to_run.emplace(target, read_asked(target));
   std::vector<reports::Summary> summaries;
   ExitCode end = exit_good;
+  const auto judge = [&](reports::Summary summary) {
+    fmt::print("{}\n", summary.case_name);
+    print_verdicts(summary);
+    end = worse(end, exit_code_of(summary));
+    summaries.push_back(std::move(summary));
+  };
   for (const std::string& target : targets) {
-    if (const auto found = to_run.find(target); found != to_run.end()) {
-      const auto& [rough_case, reference] = found->second;
-      const fs::path folder = default_folder(rough_case);
-      catch_interrupts();
+    const auto asked = to_run.find(target);
+    if (asked == to_run.end()) {
+      judge(summary_of(results::read_result(target)));
+      continue;
+    }
+    catch_interrupts();
+    for (const auto& [found, rough_case, reference] : asked->second.cases) {
+      const fs::path folder = fs::path("out") / found.name;
       if (run_case(rough_case, {folder, {}, false, 0, reference})
               .is_interrupted)
         return exit_interrupted;
-      summaries.push_back(write_outputs(folder));
-    } else {
-      summaries.push_back(summary_of(results::read_result(target)));
+      judge(write_outputs(folder));
     }
-    fmt::print("{}\n", summaries.back().case_name);
-    print_verdicts(summaries.back());
-    end = worse(end, exit_code_of(summaries.back()));
   }
   if (!junit.empty())
     write_file_atomically(junit, reports::junit_xml(summaries));
@@ -171,7 +237,7 @@ ExitCode check_targets(const std::vector<std::string>& targets,
 
 ExitCode list_cases() {
   for (const ShippedCase& shipped : shipped_cases())
-    fmt::print("{:<20} {}\n", shipped.name, shipped.title);
+    fmt::print("{:<24} {}\n", shipped.name, shipped.title);
   return exit_good;
 }
 

@@ -15,10 +15,12 @@ struct RunCommand {
   std::vector<std::string> overrides; ///< "key.path=value"
   std::string out; ///< empty: out/<case>; several cases: a folder in it each
   bool resume = false;
+  bool is_quick = false; ///< quick.set of each case laid over it
   int threads = 0;
 };
 
-/// Every case is read before the first is run.
+/// Every case is read before the first is run. After the parts of a collection
+/// comes the report on all of them, in out/<collection>.
 ExitCode run_cases(const RunCommand& command);
 
 /// One report over several results, in `out` (empty: beside a single result,

@@ -19,7 +19,9 @@ using Action = std::function<ExitCode()>;
 void add_run(CLI::App& program, RunCommand& run, Action& action) {
   CLI::App* command = program.add_subcommand(
       "run", "run cases and write result, tables and report of each");
-  command->add_option("case", run.cases, "case file, folder, or a shipped case")
+  command
+      ->add_option("case", run.cases,
+                   "case file, folder, shipped case or collection")
       ->required();
   command
       ->add_option("--methods", run.methods,
@@ -32,6 +34,8 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
   command->add_option("--out", run.out, "folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
                     "go on with the steps an earlier run left out");
+  command->add_flag("--quick", run.is_quick,
+                    "lay the case's quick.set over it: minutes, not precision");
   command->add_option("--threads", run.threads, "default: all cores")
       ->check(CLI::Range(1, 1024));
   command->callback([&] { action = [&] { return run_cases(run); }; });

@@ -159,7 +159,10 @@ std::string json_schema() {
   Json schema = table_schema(vocabulary_table(""), false);
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "Asperity case";
-  schema["required"] = {"schema", "surface", "material", "load"};
+  schema.erase("required"); // of a case that stands on another: nothing
+  const Json whole = {{"required", {"schema", "surface", "material", "load"}}};
+  const Json changes = {{"required", {"base"}}};
+  schema["anyOf"] = {whole, changes};
   Json& tables = schema["properties"];
   for (const Table& table : vocabulary()) {
     if (table.is_part)

@@ -161,7 +161,13 @@ page is generated from the table that the reader checks by
 - `--set key.path=value` lays a value over the file: TOML, or else a string
   (`--set "surface.length=20 um"`); an empty value removes the key. The case
   text in a result ends with a line `#--set key.path=value` for each, and the
-  reader obeys such lines at the end of a file.
+  reader obeys such lines at the end of a file. A key with dots or equals signs
+  stands in quotes: `expect."area_fraction@p=0.01 E*"`.
+- A file whose first key is `base = "../polymer/case.toml"` (relative to itself)
+  is another case with changes: every other key is laid over that case as --set
+  would, and `key = ""` takes a key away, `fem = ""` a whole table. Relative
+  paths of the base still start at its folder. The case text of a result is the
+  base's with the changes as `#--set` lines: it needs neither file again.
 
 )";
 

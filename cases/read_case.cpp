@@ -1,5 +1,6 @@
 #include "cases/read_case.hpp"
 
+#include "cases/base_case.hpp"
 #include "cases/case_text.hpp"
 #include "cases/read_parts.hpp"
 #include "cases/table_reader.hpp"
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace asperity::cases {
 namespace {
@@ -60,6 +59,9 @@ SurfaceKind kind_of(const Node& surface) {
 void read_top(const Node& file, Case& read, Mistakes& mistakes) {
   TableReader top(file, vocabulary_table(""), mistakes);
   top.refuse_unknown(table_names());
+  if (const Node* const base = file.find("base"))
+    mistakes.add(base->place, "base = " + written(*base) +
+                                  ", but only a file can stand on another");
   top.integer("schema");
   read.title = top.has("title") ? top.text("title") : read.name;
 }
@@ -110,38 +112,49 @@ void require_file(const Case& read) {
                     " (a relative path starts at the case file's folder)");
 }
 
+Case read_text(const StackedText& stacked, const std::string& path) {
+  Case read;
+  read.path = path;
+  read.name = name_of(path);
+  std::vector<std::string> entries;
+  for (const LaidOver& over : stacked.overrides)
+    entries.push_back(over.entry);
+  read.text = text_with_overrides(stacked.text, entries);
+
+  Node file = parse_toml(stacked.text, stacked.path);
+  Mistakes mistakes;
+  for (const std::string& entry : overrides_in(stacked.text))
+    apply_override(file, entry, mistakes);
+  for (const LaidOver& over : stacked.overrides)
+    apply_override(file, over.entry, mistakes, over.place);
+
+  read_top(file, read, mistakes);
+  read_tables(file, read, mistakes);
+  mistakes.throw_if_any();
+  return read;
+}
+
+void add(StackedText& stacked, const std::vector<std::string>& overrides) {
+  for (const std::string& entry : overrides)
+    stacked.overrides.push_back({entry, {"--set", 0}});
+}
+
 } // namespace
 
 Case read_case(const std::string& path,
                const std::vector<std::string>& overrides) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || std::filesystem::is_directory(path) ||
-      !(text << stream.rdbuf()))
-    throw_mistake({path, 0}, "there is no such case file");
-  Case read = read_case_text(text.str(), path, overrides);
+  StackedText stacked = read_stacked(path);
+  add(stacked, overrides);
+  Case read = read_text(stacked, path);
   require_file(read);
   return read;
 }
 
 Case read_case_text(const std::string& text, const std::string& path,
                     const std::vector<std::string>& overrides) {
-  Case read;
-  read.path = path;
-  read.name = name_of(path);
-  read.text = text_with_overrides(text, overrides);
-
-  Node file = parse_toml(text, path);
-  Mistakes mistakes;
-  for (const std::string& entry : overrides_in(text))
-    apply_override(file, entry, mistakes);
-  for (const std::string& entry : overrides)
-    apply_override(file, entry, mistakes);
-
-  read_top(file, read, mistakes);
-  read_tables(file, read, mistakes);
-  mistakes.throw_if_any();
-  return read;
+  StackedText stacked{text, path, {}};
+  add(stacked, overrides);
+  return read_text(stacked, path);
 }
 
 } // namespace asperity::cases

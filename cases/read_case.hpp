@@ -13,7 +13,9 @@ namespace asperity::cases {
 /// `fields = "all"`: more maps than any program has steps.
 inline constexpr int all_fields = 1000000;
 
-/// Read the case file at `path`.
+/// Read the case file at `path`, and the case it stands on if it names one as
+/// its `base` (base_case.hpp): the result's text is then that of the base with
+/// a "#--set" line for each key laid over it, and stands alone.
 ///
 /// @param overrides  "key.path=value" each, as --set gives them: laid over the
 ///                   file before it is read, in order. The value is TOML, or

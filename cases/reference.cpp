@@ -15,6 +15,7 @@ namespace asperity::cases {
 namespace {
 
 const std::string header = "quantity,value,unit,uncertainty,source";
+const std::string header_with_why = header + ",why";
 
 // The fields of a line; none if a quote is not closed.
 std::optional<std::vector<std::string>> fields_of(const std::string& line) {
@@ -50,14 +51,14 @@ double number_in(const std::string& field, const std::string& column,
   return number;
 }
 
-void read_line(const std::string& line, const Place& place,
+void read_line(const std::string& line, const Place& place, bool has_why,
                std::vector<ReferenceValue>& values, Mistakes& mistakes) {
   const auto fields = fields_of(line);
-  if (!fields || fields->size() != 5) {
-    mistakes.add(place,
-                 "must have the fields " + header +
-                     (fields ? fmt::format(", but has {}", fields->size())
-                             : ", but a quote is not closed"));
+  if (!fields || fields->size() != (has_why ? 6U : 5U)) {
+    mistakes.add(
+        place, "must have the fields " + (has_why ? header_with_why : header) +
+                   (fields ? fmt::format(", but has {}", fields->size())
+                           : ", but a quote is not closed"));
     return;
   }
   const std::vector<std::string>& field = *fields;
@@ -69,9 +70,10 @@ void read_line(const std::string& line, const Place& place,
   if (names_a_load(field[0]))
     if (const auto reading = read_quantity_at_load(field[0]); !reading.at_load)
       mistakes.add(place, field[0] + " " + reading.mistake);
-  values.push_back(
-      {field[0], number_in(field[1], "value", place, mistakes), field[2],
-       number_in(field[3], "uncertainty", place, mistakes), field[4]});
+  values.push_back({field[0], number_in(field[1], "value", place, mistakes),
+                    field[2],
+                    number_in(field[3], "uncertainty", place, mistakes),
+                    field[4], has_why ? field[5] : ""});
 }
 
 } // namespace
@@ -91,17 +93,20 @@ std::vector<ReferenceValue> read_reference_text(const std::string& text,
   std::istringstream lines(text);
   int line_number = 0;
   bool has_header = false;
+  bool has_why = false;
   for (std::string line; std::getline(lines, line);) {
     const Place place{fmt::format("{}:{}", path, ++line_number), line_number};
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
     if (line.empty() || line.front() == '#')
       continue;
-    if (!has_header && line != header)
+    if (!has_header)
+      has_why = line == header_with_why;
+    if (!has_header && !has_why && line != header)
       mistakes.add(place, fmt::format("\"{}\", but the first line must be {}",
                                       line, header));
     else if (has_header)
-      read_line(line, place, values, mistakes);
+      read_line(line, place, has_why, values, mistakes);
     has_header = true;
   }
   if (!has_header)

@@ -16,11 +16,14 @@ struct ReferenceValue {
   std::string unit;         ///< "1" for none
   double uncertainty = 0.0; ///< in the same unit, 0 for an exact value
   std::string source;       ///< paper and place, or the formula
+  /// Why the number cannot follow from what its source states; empty: it can.
+  std::string why = {};
 };
 
-/// Read a file whose first line is quantity,value,unit,uncertainty,source and
-/// whose fields may stand in double quotes ("" inside them is one quote). Empty
-/// lines and lines that begin with # are skipped.
+/// Read a file whose first line is quantity,value,unit,uncertainty,source, with
+/// ",why" behind it if the lines have that sixth field, and whose fields may
+/// stand in double quotes ("" inside them is one quote). Empty lines and lines
+/// that begin with # are skipped.
 /// @throws CaseError  every mistake with its line
 std::vector<ReferenceValue> read_reference(const std::string& path);
 

@@ -1,8 +1,10 @@
 #include "cases/toml_text.hpp"
 
+#include <fmt/format.h>
 #include <toml.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -112,11 +114,33 @@ Node value_or_text(const std::string& text, const Place& place,
   }
 }
 
+// Where `letter` stands outside quotes, from `start` on; npos if nowhere.
+std::size_t find_unquoted(const std::string& text, char letter,
+                          std::size_t start = 0) {
+  bool is_quoted = false;
+  for (std::size_t i = start; i < text.size(); ++i) {
+    if (text[i] == '"')
+      is_quoted = !is_quoted;
+    else if (text[i] == letter && !is_quoted)
+      return i;
+  }
+  return std::string::npos;
+}
+
+std::string without_quotes(const std::string& key) {
+  const bool is_quoted =
+      key.size() >= 2 && key.front() == '"' && key.back() == '"';
+  return is_quoted ? key.substr(1, key.size() - 2) : key;
+}
+
 std::vector<std::string> split_at_dots(const std::string& path) {
   std::vector<std::string> keys;
-  std::istringstream stream(path);
-  for (std::string key; std::getline(stream, key, '.');)
-    keys.push_back(trimmed(key));
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t dot =
+        std::min(find_unquoted(path, '.', start), path.size());
+    keys.push_back(without_quotes(trimmed(path.substr(start, dot - start))));
+    start = dot + 1;
+  }
   return keys;
 }
 
@@ -173,10 +197,55 @@ Node parse_toml_value(const std::string& text, const Place& place,
   return node;
 }
 
+std::string toml_key(const std::string& key) {
+  const bool is_bare =
+      !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-';
+      });
+  return is_bare ? key : "\"" + key + "\"";
+}
+
+std::string toml_value(const Node& node) {
+  switch (node.type) {
+  case NodeType::text: {
+    std::string quoted = "\"";
+    for (const char letter : node.text) {
+      const auto code = static_cast<unsigned char>(letter);
+      if (code < 0x20 || code == 0x7f)
+        quoted += fmt::format("\\u{:04x}", code);
+      else
+        quoted +=
+            (letter == '"' || letter == '\\' ? "\\" : "") + std::string{letter};
+    }
+    return quoted + "\"";
+  }
+  case NodeType::floating: {
+    const std::string digits = fmt::format("{}", node.floating);
+    const bool is_whole =
+        digits.find_first_not_of("-0123456789") == digits.npos;
+    return is_whole ? digits + ".0" : digits;
+  }
+  case NodeType::list: {
+    std::string list;
+    for (const Node& element : node.list)
+      list += (list.empty() ? "" : ", ") + toml_value(element);
+    return "[" + list + "]";
+  }
+  case NodeType::table: {
+    std::string table;
+    for (const NodeEntry& entry : node.entries)
+      table += (table.empty() ? " " : ", ") + toml_key(entry.key) + " = " +
+               toml_value(entry.node);
+    return "{" + table + " }";
+  }
+  default:
+    return written(node);
+  }
+}
+
 void apply_override(Node& file, const std::string& override_text,
-                    Mistakes& mistakes) {
-  const Place place{"--set", 0};
-  const auto equals = override_text.find('=');
+                    Mistakes& mistakes, const Place& place) {
+  const auto equals = find_unquoted(override_text, '=');
   const std::string path = trimmed(override_text.substr(0, equals));
   const std::vector<std::string> keys = split_at_dots(path);
   const bool has_empty_key =

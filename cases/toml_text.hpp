@@ -21,10 +21,16 @@ Node parse_toml(const std::string& text, const std::string& path);
 Node parse_toml_value(const std::string& text, const Place& place,
                       const std::string& path);
 
-/// Lay "key.path=value" over the file. The value is read as TOML, and as a
+/// A key and a value as TOML on one line, as parse_toml_value reads it again.
+std::string toml_key(const std::string& key);
+std::string toml_value(const Node& node);
+
+/// Lay "key.path=value" over the file. A key in double quotes may have dots and
+/// equals signs in it. The value is read as TOML, and as a
 /// string if it is none ("34 nm" needs no quotes); an empty value removes the
 /// key. Tables on the way are made. What cannot be applied is a mistake.
+/// @param place  of the override, for messages
 void apply_override(Node& file, const std::string& override_text,
-                    Mistakes& mistakes);
+                    Mistakes& mistakes, const Place& place = {"--set", 0});
 
 } // namespace asperity::cases

@@ -19,6 +19,15 @@ Table top_table() {
           .when = "Always needed.",
           .description = "The file's own keys stand before the first table.",
           .keys = {
+              {.name = "base",
+               .type = ValueType::path,
+               .when = "first key, if it is there",
+               .example = "\"../polymer/case.toml\"",
+               .show = Show::no,
+               .description =
+                   "A case that this one stands on: every other key here is "
+                   "laid over it, and a key or table set to \"\" is taken "
+                   "away."},
               {.name = "schema",
                .type = ValueType::integer,
                .range = between(1, 1),

@@ -43,6 +43,7 @@ struct Estimate {
   double half_width = not_a_number; ///< NaN: no interval can be given
   int realizations = 0;             ///< how many went into the value
   std::string remark;               ///< what the interval means, or why none
+  bool is_input = false;            ///< set in the case, not found
 
   bool has_value() const { return value == value; }
 

@@ -1,5 +1,7 @@
 #include "reports/figures.hpp"
 
+#include "reports/height_figure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,6 +56,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     group.figures = exact_figures(entry);
   append(group.figures, surface_figure(entry));
   append(group.figures, spectrum_figure(entry));
+  append(group.figures, height_figure(entry));
   if (!is_exact_shape(entry.contact_case->surface)) {
     append(group.figures, pressure_distribution_figures(entry));
     append(group.figures, gap_distribution_figures(entry));

@@ -149,6 +149,7 @@ Estimate set_parameter(const cases::Case& rough_case,
   estimate.value = set_gamma(rough_case, method);
   estimate.remark =
       estimate.has_value() ? "set in the case" : "not set in the case";
+  estimate.is_input = estimate.has_value();
   return estimate;
 }
 

@@ -1,6 +1,7 @@
 #include "reports/summary.hpp"
 
 #include "reports/at_load.hpp"
+#include "reports/claims.hpp"
 #include "reports/exact.hpp"
 #include "reports/rough.hpp"
 #include "reports/study_quantities.hpp"
@@ -80,8 +81,10 @@ MethodSummary summarize_method(const Result& result,
   summary.cost = cost_of(method);
   if (is_exact_shape(rough_case.surface))
     add_exact_quantities(result, rough_case, method, summary);
-  else
+  else {
     add_rough_quantities(result, rough_case, method, reference, summary);
+    add_claim_quantities(result, rough_case, method, reference, summary);
+  }
   if (method.kind != "theory") {
     Estimate iterations;
     iterations.value = summary.cost.largest_iterations;

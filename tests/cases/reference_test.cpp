@@ -62,6 +62,21 @@ TEST(Reference, KnowsQuantitiesAtALoad) {
             "not known; nearest: area_excess\n");
 }
 
+// Claim: a sixth field is there for all lines or for none; it may be empty.
+TEST(Reference, MaySayWhyANumberCannotFollow) {
+  const std::string with_why = "quantity,value,unit,uncertainty,source,why\n";
+
+  const auto values = read_reference_text(
+      with_why + "a,1,1,0,s,\"not stated, but drawn\"\nb,1,1,0,s,\n", "r");
+
+  EXPECT_EQ(values.at(0).why, "not stated, but drawn");
+  EXPECT_EQ(values.at(1).why, "");
+  EXPECT_EQ(mistakes_of(with_why + "a,1,1,0,s\n"),
+            "  reference.csv:2: must have the fields "
+            "quantity,value,unit,uncertainty,source,why, but has 5\n");
+  EXPECT_NE(mistakes_of(head + "a,1,1,0,s,w\n"), "");
+}
+
 TEST(Reference, NeedsItsHeader) {
   EXPECT_EQ(mistakes_of("a,1,1,0,s\n"),
             "  reference.csv:1: \"a,1,1,0,s\", but the first line must be " +

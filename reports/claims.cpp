@@ -1,0 +1,224 @@
+#include "reports/claims.hpp"
+
+#include "cases/expectations.hpp"
+#include "reports/comparison.hpp"
+#include "reports/rough.hpp"
+#include "theory/persson.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+using results::MethodRecord;
+using results::SurfaceRecord;
+
+using NumberOf = std::function<double(std::size_t realization)>;
+
+void add_mean(MethodSummary& summary, const std::string& name,
+              std::size_t realizations, const std::string& missing,
+              const NumberOf& number) {
+  std::vector<FittedValue> values;
+  for (std::size_t r = 0; r < realizations; ++r)
+    values.push_back({number(r), not_a_number, 0});
+  Estimate& estimate = summary.quantities[name];
+  estimate = mean_over_realizations(values);
+  if (!estimate.has_value())
+    estimate.remark = missing;
+}
+
+double area_linearity(std::span<const CurvePoint> points) {
+  std::vector<double> ratios;
+  double sum = 0.0;
+  for (const CurvePoint& row : loading_rows(points))
+    if (row.area_fraction_corrected > 0.0 &&
+        row.area_fraction_corrected <= linear_area) {
+      ratios.push_back(row.area_fraction_corrected / row.nominal_pressure);
+      sum += ratios.back();
+    }
+  if (ratios.size() < 2)
+    return not_a_number;
+  const double mean = sum / static_cast<double>(ratios.size());
+  double largest = 0.0;
+  for (const double ratio : ratios)
+    largest = std::max(largest, std::abs(ratio / mean - 1.0));
+  return largest;
+}
+
+double area_at_highest_load(std::span<const CurvePoint> points) {
+  const std::vector<CurvePoint> rows = loading_rows(points);
+  return rows.empty() ? not_a_number : rows.back().area_fraction_corrected;
+}
+
+// u/h_rms at which the rows leave the reference; `direction` +1 walks to larger
+// gaps. Rows in ascending pressure, so the gap falls along them.
+double departure(std::span<const CurvePoint> points,
+                 const CurveFunction& reference, double rms_height,
+                 int direction) {
+  std::vector<Deviation> rows = deviations(points, reference);
+  std::erase_if(rows, [](const Deviation& row) {
+    return !std::isfinite(row.reference_gap);
+  });
+  std::sort(rows.begin(), rows.end(),
+            [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  if (rows.empty())
+    return not_a_number;
+  const auto nearest = std::min_element(
+      rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
+        return std::abs(a.gap - rms_height) < std::abs(b.gap - rms_height);
+      });
+  const auto apart = [&](std::ptrdiff_t i) {
+    const Deviation& row = rows[static_cast<std::size_t>(i)];
+    return std::abs(row.gap - row.reference_gap) / rms_height;
+  };
+  std::ptrdiff_t i = nearest - rows.begin();
+  if (apart(i) > departure_tolerance)
+    return not_a_number;
+  for (std::ptrdiff_t next = i + direction;
+       next >= 0 && next < std::ssize(rows); i = next, next += direction) {
+    if (apart(next) <= departure_tolerance)
+      continue;
+    const double share =
+        (departure_tolerance - apart(i)) / (apart(next) - apart(i));
+    const double near = rows[static_cast<std::size_t>(i)].gap;
+    const double far = rows[static_cast<std::size_t>(next)].gap;
+    return (near + share * (far - near)) / rms_height;
+  }
+  return not_a_number;
+}
+
+double gap_shortfall(std::span<const CurvePoint> points,
+                     const CurveFunction& reference, double rms_height) {
+  for (const Deviation& row : deviations(points, reference))
+    if (std::isfinite(row.reference_gap)) // in ascending pressure
+      return (row.reference_gap - row.gap) / rms_height;
+  return not_a_number;
+}
+
+double fractal_dimension(const SurfaceRecord& surface,
+                         const cases::SurfaceSpec& spec, double highest) {
+  std::vector<double> log_wavevector;
+  std::vector<double> log_spectrum;
+  for (const results::SpectrumPoint& point : surface.spectrum)
+    if (point.spectrum > 0.0 && point.wavevector >= spec.wavevector_roll_off &&
+        point.wavevector <= highest) {
+      log_wavevector.push_back(std::log(point.wavevector));
+      log_spectrum.push_back(std::log(point.spectrum));
+    }
+  if (log_wavevector.size() < 3)
+    return not_a_number;
+  // C ~ q^(-2-2H), D = 3 - H
+  return 4.0 + 0.5 * fit_line(log_wavevector, log_spectrum).slope;
+}
+
+void add_surface_quantities(const results::Result& result,
+                            const cases::Case& contact_case,
+                            const MethodRecord& method,
+                            MethodSummary& summary) {
+  const std::size_t count = method.realizations.size();
+  const auto of_surface = [&](const char* name, auto number) {
+    add_mean(
+        summary, name, count, "the surface is not in the result",
+        [&](std::size_t r) { return number(*surface_of(result, method, r)); });
+  };
+  of_surface("rms_height",
+             [](const SurfaceRecord& surface) { return surface.rms_height; });
+  of_surface("highest_asperity", [](const SurfaceRecord& surface) {
+    return surface.highest / surface.rms_height;
+  });
+  if (contact_case.surface.kind != cases::SurfaceKind::self_affine)
+    return;
+  double highest = contact_case.surface.wavevector_high;
+  if (const auto zeta = magnification_of(contact_case, method))
+    highest =
+        std::min(highest, *zeta * contact_case.surface.wavevector_roll_off);
+  of_surface("fractal_dimension", [&](const SurfaceRecord& surface) {
+    return fractal_dimension(surface, contact_case.surface, highest);
+  });
+}
+
+void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
+  const std::size_t count = method.realizations.size();
+  add_mean(summary, "log_linearity", count, "no window of gamma_slope",
+           [&](std::size_t r) {
+             return summary.fits[r].slope.window.largest_deviation;
+           });
+  add_mean(summary, "area_linearity", count,
+           "fewer than 2 rows at so light a load", [&](std::size_t r) {
+             return area_linearity(method.realizations[r].points);
+           });
+  add_mean(summary, "area_at_highest_load", count, "no rows",
+           [&](std::size_t r) {
+             return area_at_highest_load(method.realizations[r].points);
+           });
+}
+
+const std::vector<std::pair<std::string, std::string>>& meanings() {
+  static const std::vector<std::pair<std::string, std::string>> table = {
+      {"epsilon", "eps of (16) at the case's gamma [1]."},
+      {"log_linearity", "Largest |u - fitted line| / h_rms in the window of "
+                        "gamma_slope [1]."},
+      {"area_linearity", "Largest |(A/p) / mean - 1| up to 10 % contact [1]."},
+      {"area_at_highest_load", "A/A_0 at the highest load of the case [1]."},
+      {"departure_low", "u / h_rms below which u is over 0.1 h_rms from the "
+                        "theory's [1]."},
+      {"departure_high", "u / h_rms above which u is over 0.1 h_rms from the "
+                         "theory's [1]."},
+      {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
+      {"highest_asperity", "Largest height / h_rms [1]."},
+      {"rms_height", "Root mean square of the heights [m]."},
+      {"fractal_dimension", "3 - H of the measured spectrum [1]."}};
+  return table;
+}
+
+} // namespace
+
+void add_claim_quantities(const results::Result& result,
+                          const cases::Case& contact_case,
+                          const MethodRecord& method,
+                          const MethodRecord* reference,
+                          MethodSummary& summary) {
+  const auto gamma = summary.quantities.find("gamma_theory");
+  if (method.kind == "theory" && gamma != summary.quantities.end() &&
+      gamma->second.has_value()) {
+    Estimate& epsilon = summary.quantities["epsilon"];
+    epsilon.value = theory::persson_epsilon(gamma->second.value); // (16)
+    epsilon.realizations = 1;
+    epsilon.remark = "(16) at the gamma of the case";
+  }
+  if (!uses_formula(contact_case, method) &&
+      surface_of(result, method, 0) != nullptr)
+    add_surface_quantities(result, contact_case, method, summary);
+  add_curve_quantities(method, summary);
+  if (method.kind == "theory" || reference == nullptr)
+    return;
+  add_mean(summary, "gap_shortfall", method.realizations.size(),
+           "no load that the theory also has", [&](std::size_t r) {
+             return gap_shortfall(method.realizations[r].points,
+                                  CurveFunction(curve_of(*reference, r).points),
+                                  summary.fits[r].scales.rms_height);
+           });
+  for (const auto& [name, direction] :
+       {std::pair("departure_low", -1), std::pair("departure_high", 1)})
+    add_mean(summary, name, method.realizations.size(),
+             "together as far as the rows go, or apart at h_rms already",
+             [&](std::size_t r) {
+               return departure(method.realizations[r].points,
+                                CurveFunction(curve_of(*reference, r).points),
+                                summary.fits[r].scales.rms_height, direction);
+             });
+}
+
+std::string meaning_of(const std::string& quantity) {
+  if (const auto* known = cases::expectation_called(quantity))
+    return known->description;
+  for (const auto& [name, meaning] : meanings())
+    if (name == quantity)
+      return meaning;
+  return "";
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,79 @@
+#include "reports/height_figure.hpp"
+
+#include "reports/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace asperity::reports {
+namespace {
+
+constexpr std::size_t most_curves = 4;
+constexpr double bin_width = 0.2;    // of h_rms
+constexpr double gaussian_end = 4.0; // of h_rms
+constexpr int gaussian_points = 160;
+
+std::map<int, double> densities(const results::SurfaceRecord& surface) {
+  std::map<int, double> density;
+  const double share =
+      1.0 / (bin_width * static_cast<double>(surface.heights.size()));
+  for (const double height : surface.heights)
+    density[static_cast<int>(
+        std::floor(height / surface.rms_height / bin_width))] += share;
+  return density;
+}
+
+} // namespace
+
+std::optional<Figure> height_figure(const ReportEntry& entry) {
+  if (is_exact_shape(entry.contact_case->surface))
+    return std::nullopt;
+  Figure figure;
+  figure.name = "height-distribution";
+  figure.title = "Distribution of its height";
+  figure.caption = "P_h in units of 1/h_rms; line: the Gaussian of the same "
+                   "h_rms.";
+  CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
+  std::vector<std::string> plots;
+  for (std::size_t r = 0; r < entry.result->surfaces.size(); ++r) {
+    const results::SurfaceRecord& surface = entry.result->surfaces[r];
+    if (surface.heights.empty() || !(surface.rms_height > 0.0) ||
+        plots.size() == most_curves)
+      continue;
+    const std::string name = fmt::format("realisation {}", r);
+    for (const auto& [bin, density] : densities(surface))
+      table.add(name,
+                {static_cast<double>(r), (bin + 0.5) * bin_width, density});
+    plots.push_back(fmt::format(
+        "'height-distribution.csv' using ($2=={} ? $3 : NaN):4 with points "
+        "pointtype 6 pointsize 0.6 linewidth 1.3 linecolor rgb '{}' title {}",
+        r, method_color(r), gnuplot_text(name)));
+    figure.caption += fmt::format(
+        " Realisation {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} "
+        "h_rms.",
+        r, surface.skewness, surface.kurtosis,
+        surface.highest / surface.rms_height);
+  }
+  if (plots.empty())
+    return std::nullopt;
+  for (int k = 0; k <= gaussian_points; ++k) {
+    const double h = gaussian_end * (2.0 * k / gaussian_points - 1.0);
+    table.add(
+        "Gaussian",
+        {-1.0, h, std::exp(-0.5 * h * h) / std::sqrt(2.0 * std::numbers::pi)});
+  }
+  plots.push_back("'height-distribution.csv' using ($2==-1 ? $3 : NaN):4 with "
+                  "lines linewidth 1.5 linecolor rgb '#222222' title "
+                  "'Gaussian'");
+  figure.script = fmt::format("set xlabel {}\nset ylabel {}\n{}",
+                              gnuplot_markup("h/h_{rms}"),
+                              gnuplot_markup("P_h h_{rms}"), plot_of(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace asperity::reports

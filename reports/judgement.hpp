@@ -1,0 +1,37 @@
+#pragma once
+
+// A published number held against one of ours. Owns the words of that
+// judgement; it decides nothing else.
+
+#include "cases/reference.hpp"
+#include "reports/estimate.hpp"
+
+#include <string>
+
+namespace asperity::reports {
+
+enum class Reproduction {
+  reproduced,       ///< |ours - value| <= uncertainty + our interval
+  near,             ///< not so, and nothing is said against the number
+  not_reproducible, ///< not so, and reference.csv says why it cannot be
+  input,            ///< the case sets it: nothing is found out
+  missing,          ///< we have no number
+};
+
+/// Our interval is called wide where it is more than this share of the value,
+/// and more than the published uncertainty.
+inline constexpr double wide_interval = 0.2;
+
+struct Judgement {
+  Reproduction reproduction = Reproduction::missing;
+  std::string words; ///< "reproduced", "reproduced, within a wide interval",
+                     ///< "within 4.1 %", "not reproducible: ..."
+};
+
+/// Our half-width counts as 0 where there is none. "Within x %" is of the
+/// published value, rounded up to two digits; of a value 0 the difference
+/// itself is said.
+Judgement judge_published(const cases::ReferenceValue& reference,
+                          const Estimate& ours);
+
+} // namespace asperity::reports

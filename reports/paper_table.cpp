@@ -1,0 +1,124 @@
+#include "reports/paper_table.hpp"
+
+#include "reports/claims.hpp"
+#include "reports/html_report.hpp"
+#include "reports/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace asperity::reports {
+namespace {
+
+const char* class_of(Reproduction reproduction) {
+  switch (reproduction) {
+  case Reproduction::reproduced:
+    return "reproduced";
+  case Reproduction::near:
+    return "near";
+  case Reproduction::not_reproducible:
+    return "not_reproducible";
+  case Reproduction::input:
+    return "input";
+  case Reproduction::missing:
+    break;
+  }
+  return "missing";
+}
+
+std::string remark_of(const Estimate& estimate) {
+  if (!estimate.has_value())
+    return estimate.remark;
+  return estimate.realizations > 1
+             ? fmt::format("{} realisations", estimate.realizations)
+             : "";
+}
+
+std::string typeset(std::string text) {
+  if (const std::size_t at = text.find("+-"); at != std::string::npos)
+    text.replace(at, 2, "±");
+  return text;
+}
+
+} // namespace
+
+PaperTable paper_table(std::span<const PaperPart> parts) {
+  PaperTable table;
+  for (const PaperPart& part : parts)
+    for (const PublishedValue& published : part.entry.summary.published) {
+      PaperRow row{
+          part.name,    published.reference,
+          true,         std::max<std::size_t>(published.ours.size(), 1),
+          std::nullopt, {}};
+      if (published.ours.empty()) {
+        Estimate none;
+        none.remark = "no method here answers this";
+        row.judgement = judge_published(published.reference, none);
+        table.rows.push_back(row);
+      }
+      for (const OurValue& ours : published.ours) {
+        row.ours = ours;
+        row.judgement = judge_published(published.reference, ours.estimate);
+        table.rows.push_back(row);
+        row.is_first = false;
+      }
+    }
+  return table;
+}
+
+std::string PaperTable::banner() const {
+  int numbers = 0;
+  int reproduced = 0;
+  int near = 0;
+  int refused = 0;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t end = i + 1;
+    while (end < rows.size() && !rows[end].is_first)
+      ++end;
+    const auto some = [&](Reproduction wanted) {
+      return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(i),
+                         rows.begin() + static_cast<std::ptrdiff_t>(end),
+                         [&](const PaperRow& row) {
+                           return row.judgement.reproduction == wanted;
+                         });
+    };
+    ++numbers;
+    if (some(Reproduction::reproduced))
+      ++reproduced;
+    else if (some(Reproduction::near))
+      ++near;
+    else if (some(Reproduction::not_reproducible))
+      ++refused;
+    i = end;
+  }
+  return fmt::format(
+      "Of {} published numbers and claims {} are reproduced by one method at "
+      "least, {} are missed by the distance stated, {} cannot be reproduced "
+      "for the reason stated, and {} have no number of ours.",
+      numbers, reproduced, near, refused,
+      numbers - reproduced - near - refused);
+}
+
+kainjow::mustache::data row_data(const PaperRow& row) {
+  kainjow::mustache::data value;
+  value.set("class", row.is_first ? "first" : "more");
+  value.set("is_first", row.is_first);
+  if (row.is_first) {
+    value.set("n_methods", std::to_string(row.n_methods));
+    value.set("quantity", row.reference.quantity);
+    value.set("meaning", meaning_of(row.reference.quantity));
+    value.set("source", row.reference.source);
+    value.set("published", typeset(published_text(row.reference)));
+    value.set("part", row.part);
+    value.set("section", section_of(row.part));
+  }
+  value.set("method", row.ours ? row.ours->method : "–");
+  value.set("value", row.ours ? number_text(row.ours->estimate) : "–");
+  value.set("remark", row.ours ? remark_of(row.ours->estimate) : "");
+  value.set("verdict_class", class_of(row.judgement.reproduction));
+  value.set("verdict", row.judgement.words);
+  return value;
+}
+
+} // namespace asperity::reports

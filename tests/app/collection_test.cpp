@@ -1,0 +1,118 @@
+// Claims about collections: what is listed, what runs and where it goes, what
+// --quick lays over a case, and what an interruption leaves.
+#include "results/result_reader.hpp"
+
+#include "tests/app/program.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Collection : public ProgramTest {
+protected:
+  Collection() {
+    for (const char* part : {"mine/light", "mine/heavy"})
+      fs::create_directories(folder / part);
+    write("mine/README.md", "# My <paper>\n\nFirst `light`, then `heavy`.\n");
+    write("mine/light/case.toml", small_case);
+    write("mine/light/README.md", "**Shown.** `pressure-gap`\n");
+    write("mine/light/reference.csv",
+          "quantity,value,unit,uncertainty,source,why\n"
+          "epsilon,4.047,1,0.0005,A,\n"
+          "gamma_slope,-70,1,0.5,A,it is a joke\n");
+    write("mine/light/quick.set", "# less\n\nsurface.points=32\n");
+    write("mine/heavy/case.toml", "base = \"../light/case.toml\"\n"
+                                  "title = \"heavy\"\nfem = \"\"\n"
+                                  "[load]\nnominal_pressure = \"0.1 E*\"\n");
+  }
+
+  bool has(const std::string& file) const { return fs::exists(folder / file); }
+};
+
+// Claim: all parts run, in the order of README.md, each to a folder of its own,
+// and a published number that is far away changes no exit code.
+TEST_F(Collection, RunsEveryPartAndReportsOnAll) {
+  const Ended done = run("run mine --methods theory");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  EXPECT_LT(done.output.find("light: small"), done.output.find("heavy: heavy"));
+  for (const char* file :
+       {"out/mine/light/result.h5", "out/mine/light/report.html",
+        "out/mine/heavy/result.h5", "out/mine/heavy/report.html"})
+    EXPECT_TRUE(has(file)) << file;
+  const std::string page = text_of(folder / "out/mine/report.html");
+  EXPECT_NE(page.find("<h1>My &lt;paper&gt;</h1>"), std::string::npos);
+  EXPECT_NE(page.find(">reproduced</td>"), std::string::npos);
+  EXPECT_NE(page.find("not reproducible: it is a joke"), std::string::npos);
+  EXPECT_NE(page.find("<a href=\"heavy/report.html\">"), std::string::npos);
+}
+
+// Claim: a part alone, or a folder named by --out, is as with any case.
+TEST_F(Collection, GoesWhereItIsSent) {
+  EXPECT_EQ(run("run mine/light --methods theory").exit_code, 0);
+  EXPECT_EQ(run("run mine --methods theory --out there").exit_code, 0);
+
+  EXPECT_TRUE(has("out/light/report.html"));
+  EXPECT_TRUE(has("there/heavy/report.html"));
+  EXPECT_TRUE(has("there/report.html"));
+}
+
+// Claim: a mistake in the last part is found before the first runs.
+TEST_F(Collection, ReadsEveryPartBeforeItRunsOne) {
+  write("mine/heavy/reference.csv", "no table\n");
+
+  const Ended refused = run("run mine");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_FALSE(has("out"));
+}
+
+// Claim: quick.set lies under --set, and what was quick says so.
+TEST_F(Collection, RunsQuickly) {
+  const Ended done =
+      run("run mine --quick --methods halfspace --set surface.realizations=1");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  const auto light = results::read_result(folder / "out/mine/light");
+  EXPECT_EQ(light.case_title, "small (quick)");
+  EXPECT_EQ(light.surfaces.at(0).grid.points_x, 32);
+  EXPECT_EQ(light.surfaces.size(), 1U);
+  EXPECT_EQ(results::read_result(folder / "out/mine/heavy").case_title,
+            "heavy");
+  EXPECT_NE(done.output.find("heavy: there is no quick.set"),
+            std::string::npos);
+  EXPECT_NE(text_of(folder / "out/mine/report.html").find("A quick run"),
+            std::string::npos);
+}
+
+// Claim: what was stopped is there and reported on; --resume does the rest,
+// also the parts that had not begun.
+TEST_F(Collection, GoesOnAfterAnInterruption) {
+  const std::string long_run =
+      "run mine --methods halfspace --set surface.points=512 ";
+  const Ended stopped = run(long_run, "timeout -s INT --preserve-status 0.8");
+
+  ASSERT_EQ(stopped.exit_code, 130) << stopped.output;
+  EXPECT_TRUE(has("out/mine/report.html"));
+  EXPECT_FALSE(has("out/mine/heavy"));
+
+  const Ended resumed = run(long_run + "--resume");
+
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+  for (const char* part : {"out/mine/light", "out/mine/heavy"})
+    EXPECT_EQ(results::read_result(folder / part).status, "complete") << part;
+}
+
+TEST_F(Collection, AreListedWithTheirParts) {
+  const std::string listed = run("list").output;
+
+  EXPECT_NE(listed.find("\npaper  "), std::string::npos) << listed;
+  EXPECT_NE(listed.find("\npaper/polymer  "), std::string::npos) << listed;
+  EXPECT_NE(run("run paper/polymers")
+                .output.find("nearest shipped case: paper/polymer"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::app

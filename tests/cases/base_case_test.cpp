@@ -1,0 +1,149 @@
+// Claims about a case that stands on another (cases/base_case.hpp): its keys
+// win, its text stands alone, and a message names the file it is about.
+#include "cases/case_text.hpp"
+#include "cases/read_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "case_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BaseCase : public ::testing::Test {
+protected:
+  BaseCase() {
+    std::string pattern = (fs::temp_directory_path() / "base-XXXXXX").string();
+    folder = mkdtemp(pattern.data());
+    fs::create_directories(folder / "deep/er");
+    write("block.toml", rough_case);
+  }
+
+  ~BaseCase() override { fs::remove_all(folder); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+
+  Case read(const std::string& name,
+            const std::vector<std::string>& overrides = {}) const {
+    return read_case((folder / name).string(), overrides);
+  }
+
+  std::string mistakes_of(const std::string& name) const {
+    try {
+      (void)read(name);
+    } catch (const CaseError& error) {
+      std::string message = error.what();
+      for (std::size_t at = message.find(folder.string());
+           at != std::string::npos; at = message.find(folder.string()))
+        message.erase(at, folder.string().size() + 1);
+      return message.substr(message.find('\n') + 1);
+    }
+    return "";
+  }
+
+  fs::path folder;
+};
+
+const std::string on_block = "base = \"../../block.toml\"\n";
+
+TEST_F(BaseCase, IsTheBaseButForItsOwnKeys) {
+  write("deep/er/case.toml", on_block +
+                                 "title = \"Mine, a \\\"test\\\"\"\n"
+                                 "halfspace = \"\"\n"
+                                 "[surface]\npoints = 64\n"
+                                 "[fem.hard]\ncontact = \"hard\"\n"
+                                 "[load]\nnominal_pressure = [\"2 MPa\", "
+                                 "1e-3]\n");
+
+  const Case mine = read("deep/er/case.toml");
+
+  EXPECT_EQ(mine.name, "er");
+  EXPECT_EQ(mine.title, "Mine, a \"test\"");
+  EXPECT_EQ(mine.surface.points, 64);
+  EXPECT_EQ(mine.surface.realizations, 3);
+  ASSERT_EQ(mine.methods.size(), 3U);
+  EXPECT_EQ(mine.methods[2].name, "fem.hard");
+  ASSERT_EQ(mine.load.targets.size(), 2U);
+  EXPECT_EQ(mine.load.targets[0].value, 2e6);
+  EXPECT_EQ(mine.load.targets[1].value, 1e-3);
+}
+
+// Claim: the text of the case is enough. It is read again with no folder of
+// that name anywhere, and gives the same text and the same numbers.
+TEST_F(BaseCase, HasATextThatStandsAlone) {
+  write("deep/er/case.toml",
+        on_block + "[expect]\n\"area_fraction@p=0.01 E*\" = { value = 0.1, "
+                   "within = \"5 %\" }\n[load]\nnominal_pressure = { from = "
+                   "\"2e-3 E*\", to = \"0.1 E*\", steps = 3, spacing = \"log\" "
+                   "}\n");
+  const Case mine = read("deep/er/case.toml", {"surface.points=128"});
+
+  const Case again = read_case_text(mine.text, "no/such/folder/case.toml");
+
+  EXPECT_EQ(mine.text.find("base ="), std::string::npos);
+  EXPECT_EQ(mine.text.rfind(rough_case, 0), 0U) << "the base byte for byte";
+  EXPECT_EQ(again.text, mine.text);
+  EXPECT_EQ(again.surface.points, 128);
+  ASSERT_EQ(again.load.targets.size(), 3U);
+  EXPECT_EQ(again.load.targets[0].value, 2e-3);
+  ASSERT_EQ(again.expectations.size(), 2U);
+  EXPECT_EQ(again.expectations[1].quantity, "area_fraction@p=0.01 E*");
+}
+
+TEST_F(BaseCase, KeepsTheBasesPathsWithTheBase) {
+  write("map.txt", "1 2 1 2\n2 1 2 1\n1 2 1 2\n2 1 2 1\n");
+  write("measured.toml",
+        shape_case("kind = \"measured\"\nfile = \"map.txt\"\nformat = "
+                   "\"plain\"\nlength = 1e-6\nheight_unit = 1e-9\nlevel = "
+                   "\"plane\"\nedges = \"periodic\"\n"));
+  write("deep/middle.toml", "base = \"../measured.toml\"\n");
+  write("deep/er/top.toml", "base = \"../middle.toml\"\n");
+
+  for (const char* name : {"deep/middle.toml", "deep/er/top.toml"})
+    EXPECT_TRUE(fs::equivalent(read(name).surface.file, folder / "map.txt"))
+        << name;
+}
+
+// Claim: each mistake is said of the file it was written in.
+TEST_F(BaseCase, NamesTheFileAMistakeIsIn) {
+  std::string spoilt = rough_case;
+  spoilt.replace(spoilt.find("hurst = 0.95"), 12, "hurst = 1.95");
+  write("block.toml", spoilt);
+  write("deep/er/case.toml", on_block + "[surface]\npoints = 513\n");
+
+  EXPECT_EQ(mistakes_of("deep/er/case.toml"),
+            "  deep/er/case.toml:3: surface.points = 513, but must be even\n"
+            "  block.toml:10: surface.hurst = 1.95, but must be > 0 and <= 1 "
+            "[1]\n");
+}
+
+TEST_F(BaseCase, SaysWhatABaseMustBe) {
+  write("lost.toml", "base = \"nowhere.toml\"\n");
+  write("second.toml", "title = \"A\"\nbase = \"block.toml\"\n");
+  write("number.toml", "base = 3\n");
+  write("circle.toml", "base = \"circle.toml\"\n");
+
+  EXPECT_EQ(mistakes_of("lost.toml"),
+            "  lost.toml:1: base: there is no case file nowhere.toml\n");
+  EXPECT_EQ(mistakes_of("second.toml"),
+            "  second.toml:2: base must be the file's first key\n");
+  EXPECT_EQ(mistakes_of("number.toml"),
+            "  number.toml:1: base = 3, but must be the path of a file\n");
+  EXPECT_EQ(mistakes_of("circle.toml"),
+            "  circle.toml:1: base leads in a circle\n");
+  EXPECT_NE(asperity::cases::mistakes_of("base = \"block.toml\"\n" + rough_case)
+                .find("only a file can stand on another"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::cases

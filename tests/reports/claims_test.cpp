@@ -1,0 +1,135 @@
+// Claims about reports/claims.hpp and height_figure.hpp, on curves and surfaces
+// whose answers are known beforehand.
+#include "reports/claims.hpp"
+#include "reports/height_figure.hpp"
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+class Claims : public ::testing::Test {
+protected:
+  Estimate of(const std::string& method, const std::string& quantity) const {
+    for (const MethodSummary& one : summarize(result, rough).methods)
+      if (one.name == method)
+        if (const auto found = one.quantities.find(quantity);
+            found != one.quantities.end())
+          return found->second;
+    return {};
+  }
+
+  std::vector<results::CurvePoint>& fem_points() {
+    return result.methods[1].realizations[0].points;
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  results::Result result = synthetic::rough_result(rough, 1);
+};
+
+// Claim: (16) at 0.38, to the digits of an independent quadrature.
+TEST_F(Claims, HaveTheTheorysEpsilon) {
+  EXPECT_NEAR(of("theory", "epsilon").value, 5.496775152921, 1e-11);
+  EXPECT_FALSE(of("fem", "epsilon").has_value());
+}
+
+// Claim: a curve that leaves the theory by a known straight ramp is said to do
+// so where the ramp crosses the tolerance. The rows are straight between, as
+// the ramp is, but u/h_rms of the row itself carries the ramp: rounding only.
+TEST_F(Claims, FindWhereTheoryIsLeft) {
+  const double height =
+      scales_of(result, rough, result.methods[1], 0).rms_height;
+  const auto theory = result.methods[0].realizations[0].points;
+  for (std::size_t i = 0; i < theory.size(); ++i) {
+    const double gap = theory[i].mean_gap / height;
+    const double ramp = gap > 1.5 ? 0.5 * (gap - 1.5) : 0.0;
+    fem_points()[i].mean_gap = (gap - ramp) * height;
+  }
+
+  // u = g - (g - 1.5)/2, apart by 0.1 at g = 1.7: u = 1.6. The ramp's foot
+  // lies between two rows, where the straight line is off by at most its kink:
+  // half the row distance (0.2) times half the change of slope.
+  EXPECT_NEAR(of("fem", "departure_high").value, 1.6, 0.05);
+  EXPECT_FALSE(of("fem", "departure_low").has_value());
+  EXPECT_NEAR(of("fem", "gap_shortfall").value,
+              0.5 * (theory[0].mean_gap / height - 1.5), 1e-12);
+}
+
+// Claim: exactly proportional rows have no deviation, and one that is 6 % too
+// large among n has 0.06 (1 - 1/n)/(1 + 0.06/n). Rounding only.
+TEST_F(Claims, MeasureTheAreasLine) {
+  int n = 0;
+  for (results::CurvePoint& row : fem_points()) {
+    row.area_fraction_corrected =
+        3.0 * row.nominal_pressure / result.contact_modulus;
+    n += row.area_fraction_corrected <= linear_area;
+  }
+  const double straight = of("fem", "area_linearity").value;
+  fem_points()[0].area_fraction_corrected *= 1.06;
+
+  EXPECT_NEAR(straight, 0.0, 1e-14);
+  EXPECT_NEAR(of("fem", "area_linearity").value,
+              0.06 * (1.0 - 1.0 / n) / (1.0 + 0.06 / n), 1e-14);
+  EXPECT_EQ(of("fem", "area_at_highest_load").value,
+            fem_points().back().area_fraction_corrected);
+}
+
+// Claim: the synthetic surface has exactly the spectrum of its formula,
+// H = 0.95. Rings average over wavevectors of unequal length: 0.03.
+TEST_F(Claims, MeasureTheSurface) {
+  EXPECT_NEAR(of("fem", "fractal_dimension").value, 2.05, 0.03);
+  EXPECT_NEAR(of("fem", "rms_height").value, 34e-9, 1e-22);
+  EXPECT_EQ(of("fem", "highest_asperity").value,
+            result.surfaces[0].highest / result.surfaces[0].rms_height);
+  EXPECT_FALSE(of("theory", "rms_height").has_value());
+}
+
+TEST_F(Claims, AreExplained) {
+  for (const char* name :
+       {"epsilon", "departure_high", "gamma_slope", "area_fraction@p=1 MPa"})
+    EXPECT_NE(meaning_of(name), "") << name;
+  EXPECT_EQ(meaning_of("of_my_own"), "");
+}
+
+// Claim: the drawn density integrates to 1 over its bins, and its second
+// moment is h_rms^2, to the digits printed and the bins' own width^2/12.
+TEST_F(Claims, DrawADensityOfHeights) {
+  const ReportEntry entry = entry_of(result, rough);
+
+  const auto figure = height_figure(entry);
+
+  ASSERT_TRUE(figure);
+  double total = 0.0;
+  double second = 0.0;
+  std::istringstream lines(figure->data);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("realisation") == std::string::npos)
+      continue;
+    std::istringstream numbers(line.substr(line.find(',') + 1));
+    double index = 0.0;
+    double height = 0.0;
+    double density = 0.0;
+    char comma = ',';
+    numbers >> index >> comma >> height >> comma >> density;
+    total += 0.2 * density;
+    second += 0.2 * density * height * height;
+  }
+  EXPECT_NEAR(total, 1.0, 1e-4);
+  EXPECT_NEAR(second, 1.0 + 0.04 / 12.0, 0.01);
+}
+
+TEST_F(Claims, DrawNoHeightsThatAreNotThere) {
+  result.surfaces[0].heights.clear();
+  const ReportEntry entry = entry_of(result, rough);
+
+  EXPECT_FALSE(height_figure(entry));
+}
+
+} // namespace
+} // namespace asperity::reports

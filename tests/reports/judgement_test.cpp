@@ -1,0 +1,80 @@
+// Claims about reports/judgement.hpp: each verdict, and where one ends and the
+// next begins.
+#include "reports/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+namespace asperity::reports {
+namespace {
+
+Estimate ours(double value, double half_width = not_a_number) {
+  Estimate estimate;
+  estimate.value = value;
+  estimate.half_width = half_width;
+  return estimate;
+}
+
+std::string words(const cases::ReferenceValue& reference,
+                  const Estimate& estimate) {
+  return judge_published(reference, estimate).words;
+}
+
+const cases::ReferenceValue printed{"gamma", 0.4, "1", 0.05, "paper", ""};
+const cases::ReferenceValue excused{"gamma", 0.4, "1", 0.05, "paper", "secret"};
+const cases::ReferenceValue exact{"pi", 4.0, "1", 0.0, "formula", ""};
+const cases::ReferenceValue nothing{"u", 0.0, "1", 0.01, "paper", ""};
+
+// The digit printed and our interval are added up, no less and no more.
+TEST(Judgement, AddsTheTwoUncertainties) {
+  EXPECT_EQ(words(printed, ours(0.4499)), "reproduced");
+  EXPECT_EQ(words(printed, ours(0.4501)), "within 13 %");
+  EXPECT_EQ(words(printed, ours(0.4501, 0.01)), "reproduced");
+  EXPECT_EQ(words(printed, ours(0.3399, 0.01)), "within 16 %");
+}
+
+// Claim: what is said is never less than the difference: 0.0501/4 is 1.2525 %.
+TEST(Judgement, RoundsTheDistanceUp) {
+  EXPECT_EQ(words(exact, ours(4.0)), "reproduced");
+  EXPECT_EQ(words(exact, ours(4.0501)), "within 1.3 %");
+  EXPECT_EQ(words(exact, ours(-4.0)), "within 200 %");
+  EXPECT_EQ(words(nothing, ours(0.0234)), "off by 0.024");
+}
+
+// A wide interval meets anything: it is met, and said to be wide.
+TEST(Judgement, SaysThatAnIntervalIsWide) {
+  EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
+  EXPECT_EQ(words(printed, ours(0.5, 0.081)),
+            "reproduced, within a wide interval");
+  EXPECT_EQ(words(nothing, ours(0.015, 0.009)), "reproduced");
+  EXPECT_EQ(words(nothing, ours(0.015, 0.011)),
+            "reproduced, within a wide interval");
+}
+
+TEST(Judgement, SaysWhyOnlyOfWhatIsNotMet) {
+  EXPECT_EQ(words(excused, ours(0.42)), "reproduced");
+  EXPECT_EQ(words(excused, ours(0.5)), "not reproducible: secret");
+  EXPECT_EQ(words(excused, ours(not_a_number)), "not reproducible: secret");
+  EXPECT_EQ(judge_published(excused, ours(0.5)).reproduction,
+            Reproduction::not_reproducible);
+}
+
+// What the case sets is not found again, however near it is.
+TEST(Judgement, TakesNoCreditForAnInput) {
+  Estimate set = ours(0.4);
+  set.is_input = true;
+
+  EXPECT_EQ(judge_published(printed, set).reproduction, Reproduction::input);
+}
+
+TEST(Judgement, HasNoneWithoutANumber) {
+  Estimate none;
+  none.remark = "too few rows";
+
+  const Judgement judgement = judge_published(printed, none);
+
+  EXPECT_EQ(judgement.reproduction, Reproduction::missing);
+  EXPECT_EQ(judgement.words, "no number: too few rows");
+}
+
+} // namespace
+} // namespace asperity::reports

@@ -1,0 +1,164 @@
+// Claims about the report on a collection: every published number is there with
+// its verdict, whatever the part; a series of parts is one section; pages link
+// to each other; a browser shows it all.
+#include "reports/paper_report.hpp"
+#include "reports/readme_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string readme = "# part\n\n**Claim.** The gap & the\nload.\n\n"
+                           "**Shown.** `pressure-gap`, `spectrum`\n";
+
+std::ptrdiff_t count(const std::string& text, const std::string& word) {
+  std::ptrdiff_t n = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos;
+       at = text.find(word, at + 1))
+    ++n;
+  return n;
+}
+
+class PaperReport : public ReportFolder {
+protected:
+  PaperReport() {
+    one.reference = "quantity,value,unit,uncertainty,source,why\n"
+                    "epsilon,5.4968,1,0.00005,Sec. 3,\n"
+                    "area_excess,0.29,1,0.005,Sec. 7,\n"
+                    "rms_height,14e-9,m,5e-10,Fig. 12,never stated\n"
+                    "flip,0.9,1,0.05,Sec. 9,\n"
+                    "gamma_slope,0.4,1,0.5,Sec. 7,\n";
+    two = one;
+    two.reference = "";
+    two.status = "interrupted";
+  }
+
+  /// Each part's own report where it is asked for, then the one on all.
+  std::string page_of(const std::vector<std::string>& names,
+                      const std::string& title = "",
+                      bool is_part_drawn = false) {
+    rough.title += title;
+    one.case_title = two.case_title = rough.title;
+    std::vector<PaperPart> parts;
+    for (const std::string& name : names) {
+      const results::Result& result = parts.empty() ? one : two;
+      const ReportEntry entry = entry_of(result, rough);
+      if (is_part_drawn)
+        write_report(std::span(&entry, 1), folder / name);
+      parts.push_back({name, folder / name, readme, entry});
+    }
+    problems =
+        write_paper_report(parts, "# Someone <paper>\n\nAll of it.\n", folder);
+    return text_of(folder / "report.html");
+  }
+
+  results::Result one = synthetic::rough_result(rough, 2);
+  results::Result two;
+  std::vector<std::string> problems;
+};
+
+TEST_F(PaperReport, JudgesEveryPublishedNumber) {
+  const std::string page = page_of({"polymer"});
+
+  // theory's epsilon, and the slope by both methods on one number
+  EXPECT_EQ(count(page, ">reproduced</td>"), 3);
+  EXPECT_EQ(count(page, "<td rowspan=\"2\">gamma_slope<"), 1);
+  EXPECT_EQ(count(page, ">within "), 1); // the synthetic 25 %
+  EXPECT_EQ(count(page, ">not reproducible: never stated</td>"), 1);
+  EXPECT_EQ(count(page, ">no number: no method here answers this</td>"), 1);
+  EXPECT_NE(page.find("Of 5 published numbers and claims 2 are reproduced by "
+                      "one method at least, 1 are missed by the distance "
+                      "stated, 1 cannot be reproduced for the reason stated, "
+                      "and 1 have no number of ours."),
+            std::string::npos);
+  EXPECT_NE(page.find("<h1>Someone &lt;paper&gt;</h1>"), std::string::npos);
+  EXPECT_NE(page.find("The gap &amp; the load."), std::string::npos);
+}
+
+TEST_F(PaperReport, LinksNumbersSectionsAndReports) {
+  const std::string page = page_of({"polymer"}, "", true);
+
+  EXPECT_NE(page.find("<a href=\"#polymer\">polymer</a>"), std::string::npos);
+  EXPECT_NE(page.find("<h2 id=\"polymer\">"), std::string::npos);
+  EXPECT_NE(page.find("<a href=\"polymer/report.html\">"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "polymer/report.html"));
+  EXPECT_EQ(count(page, "<img "), 2);
+  EXPECT_NE(page_of({"polymer", "atoms"})
+                .find("atoms is not complete (status: interrupted)"),
+            std::string::npos);
+}
+
+// Claim: parts that differ by the number at their end share a section and its
+// figures.
+TEST_F(PaperReport, JoinsASeriesOfParts) {
+  const std::string apart = page_of({"size", "shape"});
+  const std::string joined = page_of({"size-1", "size-2"});
+
+  EXPECT_EQ(count(apart, "<h2 id="), 2);
+  EXPECT_EQ(count(joined, "<h2 id="), 1);
+  EXPECT_EQ(count(joined, "<img "), 3); // one gap, a spectrum each
+  EXPECT_EQ(count(joined, "report.html\">"), 2);
+  EXPECT_TRUE(fs::exists(folder / "figures/size/pressure-gap.svg"));
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  EXPECT_EQ(section_of("finite-size-4"), "finite-size");
+  EXPECT_EQ(section_of("zeta4"), "zeta4");
+  EXPECT_EQ(section_of("-4"), "-4");
+}
+
+TEST_F(PaperReport, SaysThatARunWasQuick) {
+  EXPECT_EQ(page_of({"a"}).find("A quick run"), std::string::npos);
+  EXPECT_NE(page_of({"a"}, quick_mark).find("A quick run"), std::string::npos);
+}
+
+TEST_F(PaperReport, SaysThatAPictureIsNotThere) {
+  const ReportEntry entry = entry_of(one, rough);
+  const PaperPart part{"a", folder / "nowhere", readme, entry};
+
+  const auto undrawn = write_paper_report({&part, 1}, "", folder);
+
+  EXPECT_EQ(undrawn.size(), 2U);
+  EXPECT_EQ(count(text_of(folder / "report.html"), "could not be drawn"), 2);
+}
+
+TEST_F(PaperReport, TakesAReadmeApart) {
+  EXPECT_EQ(plain_paragraphs("# A `b`\n\n\nc **d**\ne\n"),
+            (std::vector<std::string>{"A b", "c d e"}));
+  EXPECT_EQ(paragraph_on(readme, "Claim"), "The gap & the load.");
+  EXPECT_EQ(paragraph_on(readme, "Figure"), "");
+  EXPECT_EQ(names_in_paragraph_on(readme, "Shown"),
+            (std::vector<std::string>{"pressure-gap", "spectrum"}));
+}
+
+// Claim: a browser finds every row, and asks nobody for anything.
+TEST_F(PaperReport, OpensInABrowser) {
+  if (std::system("command -v chromium > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "chromium is not installed; ./asperity test installs it";
+  page_of({"size-1", "size-2"});
+  const std::string command =
+      "cd " + folder.string() + " && HOME=" + folder.string() +
+      " timeout --kill-after=5 60 chromium --headless --no-sandbox "
+      "--disable-gpu --disable-dev-shm-usage --no-first-run "
+      "--disable-background-networking --host-resolver-rules='MAP * "
+      "~NOTFOUND' --user-data-dir=browser --dump-dom file://" +
+      (folder / "report.html").string() +
+      " < /dev/null > dom.html 2> browser.log";
+
+  ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "browser.log");
+
+  const std::string dom = text_of(folder / "dom.html");
+  EXPECT_EQ(count(dom, "<tr class=\"first\">"), 5);
+  EXPECT_EQ(count(dom, "<img "), count(dom, "src=\"data:image/"));
+  EXPECT_EQ(dom.find("<script"), std::string::npos);
+  EXPECT_EQ(dom.find("src=\"http"), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports
