@@ -118,7 +118,7 @@ enum class AtomLattice { isotropic, born, central };
 enum class AtomBulk { green, explicit_layers };
 enum class AtomModes { vector, normal };
 enum class AtomPotential { repulsive, lennard_jones };
-enum class AtomMinimizer { lbfgs, fire, dynamics };
+enum class AtomMinimizer { automatic, lbfgs, fire, dynamics };
 
 /// [md]: a block of atoms, simple cubic of spacing length / atoms, on rigid
 /// atoms at the heights of the surface.
@@ -140,7 +140,7 @@ struct MdSettings {
   int levels = 1; ///< of the explicit block: spacing doubles from each to next
   int layers = 6; ///< of cells a level
 
-  AtomMinimizer minimizer = AtomMinimizer::lbfgs;
+  AtomMinimizer minimizer = AtomMinimizer::automatic;
   double tolerance = 1e-4;     ///< root mean square force, relative to the mean
                                ///< normal force an atom
   int max_evaluations = 20000; ///< of the forces, a load step

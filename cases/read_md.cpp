@@ -65,9 +65,10 @@ void read_balance(TableReader& table, MdSettings& md) {
   md.minimizer = table.choice("minimizer", md.minimizer);
   md.tolerance = table.number("tolerance");
   md.max_evaluations = table.integer("max_evaluations");
-  const bool moves = md.minimizer != AtomMinimizer::lbfgs;
+  const bool moves = md.minimizer == AtomMinimizer::fire ||
+                     md.minimizer == AtomMinimizer::dynamics;
   const bool is_dynamics = md.minimizer == AtomMinimizer::dynamics;
-  md.mass = if_given(table, "mass", moves);
+  md.mass = if_given(table, "mass", is_dynamics);
   md.time_step = if_given(table, "time_step", is_dynamics);
   md.damping = if_given(table, "damping", is_dynamics);
   md.duration = if_given(table, "duration", is_dynamics);

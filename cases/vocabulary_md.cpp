@@ -118,13 +118,12 @@ std::vector<Key> balance_keys() {
   return {
       {.name = "minimizer",
        .type = ValueType::word,
-       .words = {"lbfgs", "fire", "dynamics"},
-       .fallback = "\"lbfgs\"",
-       .example = "\"lbfgs\"",
-       .description = "Road to the balance of forces; lbfgs of bulk = "
-                      "\"green\" is Newton's method with L-BFGS behind it; "
-                      "fire and dynamics need "
-                      "bulk = \"explicit\"."},
+       .words = {"auto", "lbfgs", "fire", "dynamics"},
+       .fallback = "\"auto\"",
+       .example = "\"auto\"",
+       .description = "Road to the balance of forces; auto is Newton's method "
+                      "for green and L-BFGS for explicit. fire and dynamics "
+                      "need bulk = \"explicit\"."},
       {.name = "tolerance",
        .range = {0.0, 0.1, false, true},
        .fallback = "1e-4",
@@ -153,7 +152,7 @@ std::vector<Key> dynamics_keys() {
        .dimension = Dimension::mass,
        .range = positive(),
        .need = Need::conditional,
-       .when = "with minimizer = \"fire\" or \"dynamics\"",
+       .when = "with minimizer = \"dynamics\"",
        .example = "\"197 u\"",
        .description = "Of an atom of the block."},
       for_dynamics({.name = "time_step",

@@ -182,7 +182,8 @@ Relaxation ExplicitContact::balance(const Load& load, int step,
     none.converged = true;
     return none;
   }
-  if (settings.minimizer == AtomMinimizer::lbfgs)
+  if (settings.minimizer == AtomMinimizer::automatic ||
+      settings.minimizer == AtomMinimizer::lbfgs)
     return relax(system_, state_, settings_for(force), watch);
   if (settings.minimizer == AtomMinimizer::fire)
     return relax_by_fire(system_, state_, settings_for(force), watch);

@@ -5,6 +5,7 @@
 #include "md/dump.hpp"
 #include "md/green_system.hpp"
 #include "md/newton.hpp"
+#include "md/relaxation.hpp"
 #include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
 #include "md/step_reading.hpp"
@@ -31,9 +32,11 @@ void require_supported(const cases::MdSettings& settings) {
       settings.bulk != cases::AtomBulk::green)
     throw cases::CaseError("[md] this block is bulk = \"green\" of engine = "
                            "\"asperity\"");
-  if (settings.minimizer != cases::AtomMinimizer::lbfgs)
+  if (settings.minimizer != cases::AtomMinimizer::automatic &&
+      settings.minimizer != cases::AtomMinimizer::lbfgs)
     throw cases::CaseError("[md] bulk = \"green\" has no inside that could "
-                           "move in time: its minimizer is \"lbfgs\"");
+                           "move in time: its minimizer is \"auto\" or "
+                           "\"lbfgs\"");
 }
 
 int cells_of(const AtomRequest& request) {
@@ -67,6 +70,7 @@ private:
   void raise(double height);
   double contact_force();
   Relaxation descend_to(double height);
+  Relaxation relaxed(const RelaxationSettings& settings, const Watch& watch);
   Relaxation balance(const Load& load, const Watch& watch);
 
   AtomRequest request_;
@@ -132,18 +136,25 @@ Relaxation GreenContact::descend_to(double height) {
       continue;
     RelaxationSettings rough = settings_for(force);
     rough.tolerance = std::max(descent_tolerance, rough.tolerance);
-    add_effort(relax_by_newton(system_, state_, rough), taken);
+    add_effort(relaxed(rough, {}), taken);
   }
   raise(height);
   return taken;
 }
 
+/// By the asked method, from the state as it is.
+Relaxation GreenContact::relaxed(const RelaxationSettings& settings,
+                                 const Watch& watch) {
+  return request_.settings.minimizer == cases::AtomMinimizer::lbfgs
+             ? relax(system_, state_, settings, watch)
+             : relax_by_newton(system_, state_, settings, watch);
+}
+
 Relaxation GreenContact::balance(const Load& load, const Watch& watch) {
   if (load.kind == Load::Kind::nominal_pressure) {
     system_.set_load(load);
-    return relax_by_newton(
-        system_, state_, settings_for(load.amount * request_.layer.cell_area()),
-        watch);
+    return relaxed(settings_for(load.amount * request_.layer.cell_area()),
+                   watch);
   }
   Relaxation before = descend_to(load.amount);
   ++before.evaluations; // the force below
@@ -151,7 +162,7 @@ Relaxation GreenContact::balance(const Load& load, const Watch& watch) {
   const double force = contact_force();
   Relaxation relaxation;
   if (force > 0.0) {
-    relaxation = relax_by_newton(system_, state_, settings_for(force), watch);
+    relaxation = relaxed(settings_for(force), watch);
   } else { // nothing touches: the flat block is the answer
     state_ = system_.undeformed(load.amount);
     relaxation.converged = true;

@@ -29,7 +29,7 @@ struct LammpsTask {
   double start_height = 0.0; ///< mean z of the lowest layer at the start [m]
   double tolerance = 0.0;    ///< as RelaxationSettings::tolerance
   int max_evaluations = 0;
-  cases::AtomMinimizer minimizer = cases::AtomMinimizer::lbfgs;
+  cases::AtomMinimizer minimizer = cases::AtomMinimizer::automatic;
 };
 
 /// Held: the substrate; the uppermost layer as a rigid plate, free as a whole;
