@@ -1,0 +1,99 @@
+// Claims about theory/hertz_stress.hpp: the stress is in balance, bears the
+// contact's pressure, and is what the axis is known to have.
+#include "theory/hertz_stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace asperity::theory {
+namespace {
+
+const HertzContact contact = hertz_contact(2.0, 5e-3, 70e9);
+const double a = contact.contact_radius;
+const double peak = contact.peak_pressure;
+
+// Claim: d sigma_r/dr + d tau/dz + (sigma_r - sigma_theta)/r = 0 and
+// d tau/dr + d sigma_z/dz + tau/r = 0. Tolerance: central differences over
+// h = 1e-4 a, h^2 of a third derivative of some 100 p_0/a^3.
+TEST(HertzStress, IsInBalance) {
+  const double h = 1e-4 * a;
+  const double nu = 0.3;
+  for (const double r : {0.3 * a, 0.9 * a, 1.2 * a, 3.0 * a})
+    for (const double z : {0.1 * a, 0.5 * a, 2.0 * a}) {
+      const auto at = [&](double dr, double dz) {
+        return hertz_stress(contact, r + dr, z + dz, nu);
+      };
+      const AxisymmetricStress here = at(0.0, 0.0);
+      const double radial =
+          (at(h, 0.0).radial - at(-h, 0.0).radial) / (2.0 * h) +
+          (at(0.0, h).shear - at(0.0, -h).shear) / (2.0 * h) +
+          (here.radial - here.hoop) / r;
+      const double axial = (at(h, 0.0).shear - at(-h, 0.0).shear) / (2.0 * h) +
+                           (at(0.0, h).axial - at(0.0, -h).axial) / (2.0 * h) +
+                           here.shear / r;
+      EXPECT_NEAR(radial * a / peak, 0.0, 1e-6) << r / a << " " << z / a;
+      EXPECT_NEAR(axial * a / peak, 0.0, 1e-6) << r / a << " " << z / a;
+    }
+}
+
+// Claim: the face bears the pressure and no shear; outside, where nothing
+// presses, sigma_r = -sigma_theta = (1 - 2 nu)/3 p_0 a^2/r^2, the tension that
+// cracks glass. Tolerance: rounding.
+TEST(HertzStress, MeetsTheFace) {
+  for (const double r : {0.01, 0.5, 0.99, 1.0, 1.5, 4.0}) {
+    const AxisymmetricStress face = hertz_stress(contact, r * a, 0.0, 0.25);
+
+    EXPECT_NEAR(face.axial / peak, -hertz_pressure(contact, r * a) / peak,
+                1e-7);
+    EXPECT_NEAR(face.shear / peak, 0.0, 1e-15);
+    if (r >= 1.0) {
+      const double tension = 0.5 / 3.0 / (r * r);
+      EXPECT_NEAR(face.radial / peak, tension, 1e-7) << r;
+      EXPECT_NEAR(face.hoop / peak, -tension, 1e-7) << r;
+    }
+  }
+}
+
+// Claim: towards the axis it tends to hertz_axis_stress. Tolerance: the field
+// is even in r, so (r/a)^2 of a curvature of some units.
+TEST(HertzStress, TendsToTheAxis) {
+  for (const double nu : {0.0, 0.3, 0.5})
+    for (const double z : {0.05 * a, 0.48 * a, 3.0 * a}) {
+      const AxisymmetricStress near = hertz_stress(contact, 1e-3 * a, z, nu);
+      const AxisStress axis = hertz_axis_stress(contact, z, nu);
+
+      EXPECT_NEAR(near.axial / peak, axis.axial / peak, 5e-6);
+      EXPECT_NEAR(near.radial / peak, axis.radial / peak, 5e-5);
+      EXPECT_NEAR(near.hoop / peak, axis.radial / peak, 5e-5);
+    }
+}
+
+// Claim: each plane z = const carries the whole load: int -sigma_z 2 pi r dr =
+// F. Tolerance: the midpoint rule in ln r, and the tail 3 F z^3/(2 pi r^5).
+TEST(HertzStress, CarriesTheLoadAtEveryDepth) {
+  for (const double z : {0.2 * a, 1.0 * a}) {
+    double load = 0.0;
+    const int n = 20000;
+    const double low = std::log(1e-4);
+    const double step = (std::log(1e3) - low) / n;
+    for (int i = 0; i < n; ++i) {
+      const double r = a * std::exp(low + (i + 0.5) * step);
+      load -= hertz_stress(contact, r, z, 0.3).axial * 2.0 * std::numbers::pi *
+              r * r * step;
+    }
+
+    EXPECT_NEAR(load / contact.load, 1.0, 1e-6);
+  }
+}
+
+TEST(HertzStress, RefusesWhatIsNoPlaceAndNoBody) {
+  EXPECT_THROW(hertz_stress(contact, -1e-6, 0.0, 0.3), std::domain_error);
+  EXPECT_THROW(hertz_stress(contact, 0.0, -1e-6, 0.3), std::domain_error);
+  EXPECT_THROW(hertz_stress(contact, 0.0, 0.0, 0.6), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::theory
