@@ -1,6 +1,7 @@
 #include "md/newton.hpp"
 
 #include "base/require.hpp"
+#include "md/vector_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -23,20 +24,6 @@ constexpr double stiffening = 0.6;      ///< and after a bad one
 constexpr int most_products = 80;       ///< in one step
 constexpr int shortenings = 2;          ///< of one step before H is stiffened
 constexpr int last_shortenings = 20;    ///< where it cannot be
-
-double dot(std::span<const double> left, std::span<const double> right) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    sum += left[i] * right[i];
-  return sum;
-}
-
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values)
-    most = std::max(most, std::abs(value));
-  return most;
-}
 
 class Newton {
 public:

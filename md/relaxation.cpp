@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "md/curvature_memory.hpp"
+#include "md/vector_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -20,20 +21,6 @@ constexpr double overshoot = 0.9;
 constexpr double energy_rounding = 1e-10;
 
 constexpr int shortenings = 20; ///< of one step before the memory is dropped
-
-double dot(std::span<const double> left, std::span<const double> right) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    sum += left[i] * right[i];
-  return sum;
-}
-
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values)
-    most = std::max(most, std::abs(value));
-  return most;
-}
 
 class Descent {
 public:
