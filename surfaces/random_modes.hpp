@@ -12,6 +12,7 @@ namespace asperity::surfaces {
 enum class RandomStream : std::uint64_t {
   surface_modes = 1,
   thermal_noise = 2, ///< drawn in md/thermal_noise.hpp
+  stress_scenes = 3, ///< drawn in stress/scene.hpp
 };
 
 /// Two independent numbers, uniform in the open interval (0, 1).

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 EVERYTHING = {"base", "cases", "surfaces", "theory", "meshes", "contact", "fem",
-              "md", "results", "reports"}
+              "md", "results", "reports", "stress"}
 MAY_INCLUDE = {
     "base": set(),
     "cases": {"base"},
@@ -20,6 +20,8 @@ MAY_INCLUDE = {
     "md": {"base", "cases", "surfaces"},
     "results": {"base", "cases", "theory"},  # (20) is (1) with another variance
     "reports": {"base", "cases", "surfaces", "theory", "results"},
+    "stress": {"base", "cases", "surfaces", "theory", "contact", "meshes",
+               "results", "fem/plugin.hpp", "md/atomic_contact.hpp"},
     "app": EVERYTHING - {"fem", "md"} | {"fem/plugin.hpp", "md/atomic_contact.hpp"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"(([a-z_]+)/[^"]+)"')

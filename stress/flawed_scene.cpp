@@ -1,0 +1,137 @@
+#include "cases/read_case.hpp"
+#include "contact/load_sequence.hpp"
+#include "surfaces/map_file.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "stress/kinds.hpp"
+
+namespace asperity::stress {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A contact in the scene's numbers with one of them spoilt.
+void solve_spoilt(Scene scene) {
+  if (scene.flaw == Flaw::zero_modulus)
+    scene.contact_modulus = 0.0;
+  scene.family = scene.index % 2 == 0 ? Family::halfspace : Family::slab;
+  const Grid grid = grid_of(scene);
+  SceneSurface surface = surface_of(scene, grid);
+  double& spoilt_height =
+      surface.map.heights[static_cast<std::size_t>(scene.index) % grid.size()];
+  contact::Interface interface {
+    contact::Law::penalty,
+        scene.penalty* scene.contact_modulus / grid.spacing_x()
+  };
+  double tolerance = relative_tolerance * surface.height_scale;
+  contact::LoadTarget target{contact::LoadTarget::Kind::nominal_pressure,
+                             scene.contact_modulus * scene.rms_slope};
+  switch (scene.flaw) {
+  case Flaw::nan_height:
+    spoilt_height = nan;
+    break;
+  case Flaw::infinite_height:
+    spoilt_height = scene.index % 3 == 0 ? -infinity : infinity;
+    break;
+  case Flaw::zero_load:
+    target.amount = 0.0;
+    break;
+  case Flaw::negative_load:
+    target.amount = -target.amount;
+    break;
+  case Flaw::infinite_load:
+    target.amount = infinity;
+    break;
+  case Flaw::closed_wall_gap:
+    interface.law = contact::Law::hard;
+    target = {contact::LoadTarget::Kind::mean_gap, 0.0};
+    break;
+  case Flaw::zero_penalty:
+    interface.penalty = 0.0;
+    break;
+  case Flaw::infinite_penalty:
+    interface.penalty = infinity;
+    break;
+  case Flaw::zero_tolerance:
+    tolerance = 0.0;
+    break;
+  default: // zero_modulus: already in the scene
+    break;
+  }
+  contact::LoadSequence(operator_of(scene, grid, 1), surface.map.heights,
+                        interface, tolerance, 100)
+      .solve(target);
+}
+
+void build_spoilt_block(Scene scene) {
+  scene.family =
+      scene.index % 2 == 0 ? Family::condensed_q1 : Family::condensed_q2;
+  scene.thickness = 1.0;
+  Grid grid = grid_of(scene);
+  switch (scene.flaw) {
+  case Flaw::incompressible:
+    scene.poisson_ratio = 0.5;
+    break;
+  case Flaw::shrinking_layers:
+    scene.growth = 0.5;
+    break;
+  case Flaw::sliver: { // a surface layer is as thick as its cells are wide
+    const int degree = scene.family == Family::condensed_q1 ? 1 : 2;
+    grid.points_x = grid.points_y = 4 * degree;
+    scene.thickness = 1.25 / 4.0;
+    break;
+  }
+  default: // odd_q2_grid
+    scene.family = Family::condensed_q2;
+    grid.points_x += 1;
+    grid.length_x += scene.spacing();
+    break;
+  }
+  operator_of(scene, grid, 1);
+}
+
+void read_spoilt_map(Flaw flaw) {
+  std::istringstream text(flaw == Flaw::nan_in_file
+                              ? "0 1 2\n3 nan 5\n6 7 8\n"
+                              : "0 1 2\n3 4 inf\n6 7 8\n");
+  surfaces::read_height_map(text, "map.txt", cases::MapFormat::plain,
+                            {1e-6, 1e-9});
+}
+
+void read_spoilt_case() {
+  cases::read_case_text("schema = 1\n[surface]\nkind = \"wave-1d\"\n"
+                        "length = nan\npoints = 16\namplitude = \"1 nm\"\n"
+                        "wavelength = \"1 length\"\n[material]\n"
+                        "contact_modulus = \"1 GPa\"\n[load]\n"
+                        "nominal_pressure = [\"0.1 E*\"]\n[halfspace]\n",
+                        "spoilt/case.toml");
+}
+
+} // namespace
+
+void run_flawed(const Scene& scene, SceneReport& report) {
+  switch (scene.flaw) {
+  case Flaw::incompressible:
+  case Flaw::shrinking_layers:
+  case Flaw::sliver:
+  case Flaw::odd_q2_grid:
+    build_spoilt_block(scene);
+    break;
+  case Flaw::nan_in_file:
+  case Flaw::infinity_in_file:
+    read_spoilt_map(scene.flaw);
+    break;
+  case Flaw::nan_in_case:
+    read_spoilt_case();
+    break;
+  default:
+    solve_spoilt(scene);
+    break;
+  }
+  fail(report, {"refusal", name_of(scene.flaw) + " was not refused"});
+}
+
+} // namespace asperity::stress

@@ -1,0 +1,53 @@
+#pragma once
+
+// How each family of scenes is run, and what they have in common. Internal to
+// the room.
+
+#include <vector>
+
+#include "stress/scene_report.hpp"
+#include "stress/scene_surface.hpp"
+#include "stress/verify.hpp"
+
+namespace asperity::stress {
+
+/// Tolerance of a scene's gaps, relative to the rms height: a case's default.
+constexpr double relative_tolerance = 1e-8;
+
+/// Each runs a scene of its family and fills in the report. What is refused is
+/// thrown, as the rooms throw it.
+void run_elastic(const Scene& scene, SceneReport& report);
+void run_full_block(const Scene& scene, SceneReport& report);
+void run_theory(const Scene& scene, SceneReport& report);
+void run_atoms(const Scene& scene, SceneReport& report);
+void run_flawed(const Scene& scene, SceneReport& report);
+
+/// The load program, in SI. The scene's own load is at index load_step().
+/// @param height_scale  [m], see SceneSurface
+std::vector<contact::LoadTarget> targets_of(const Scene& scene,
+                                            double height_scale);
+std::size_t load_step(const Scene& scene);
+
+/// The surface operator of an elastic scene.
+/// @throws std::domain_error  what contact/, meshes/ and fem/ refuse
+std::unique_ptr<contact::SurfaceOperator>
+operator_of(const Scene& scene, const Grid& grid, int threads);
+
+/// C of the flattest and of the steepest of the waves 1, 2, 4, ... along x
+/// [m/Pa].
+struct ComplianceRange {
+  double longest = 0.0;
+  double shortest = 0.0;
+};
+
+ComplianceRange compliance_range(const Grid& grid, const Displace& displace);
+
+/// All pairs of neighbouring steps, and the way back of a cycle against the
+/// way there.
+std::optional<Failure> verify_program(const Scene& scene,
+                                      const std::vector<StepSummary>& steps);
+
+/// Puts a failure into the report.
+void fail(SceneReport& report, const Failure& failure);
+
+} // namespace asperity::stress

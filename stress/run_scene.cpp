@@ -1,0 +1,64 @@
+#include "stress/run_scene.hpp"
+
+#include "cases/case_error.hpp"
+
+#include <ctime>
+#include <exception>
+#include <stdexcept>
+
+#include "stress/kinds.hpp"
+
+namespace asperity::stress {
+namespace {
+
+void run_family(const Scene& scene, SceneReport& report) {
+  switch (scene.family) {
+  case Family::full_block:
+    return run_full_block(scene, report);
+  case Family::atoms:
+    return run_atoms(scene, report);
+  case Family::theory:
+    return run_theory(scene, report);
+  case Family::flawed:
+    return run_flawed(scene, report);
+  default:
+    return run_elastic(scene, report);
+  }
+}
+
+/// A refusal is clear if it says what is allowed, or where in a file the
+/// mistake stands.
+void refuse(const std::string& reason, SceneReport& report) {
+  report.reason = reason;
+  const auto says = [&](const char* words) {
+    return reason.find(words) != std::string::npos;
+  };
+  if (says("must ") || says("too few") || says("no wave") ||
+      says("not a finite number")) {
+    report.outcome = Outcome::refused;
+    return;
+  }
+  fail(report, {"refusal", "unclear: " + reason});
+}
+
+} // namespace
+
+SceneReport run_scene(const Scene& scene) {
+  SceneReport report;
+  report.index = scene.index;
+  const std::clock_t begin = std::clock();
+  try {
+    run_family(scene, report);
+  } catch (const std::domain_error& error) {
+    refuse(error.what(), report);
+  } catch (const cases::CaseError& error) {
+    refuse(error.what(), report);
+  } catch (const std::exception& error) {
+    report.outcome = Outcome::threw;
+    report.reason = error.what();
+  }
+  report.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return report;
+}
+
+} // namespace asperity::stress

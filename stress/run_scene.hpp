@@ -1,0 +1,16 @@
+#pragma once
+
+// A scene from its numbers to its outcome.
+
+#include "stress/scene.hpp"
+#include "stress/scene_report.hpp"
+
+namespace asperity::stress {
+
+/// Runs the scene and every check on it. Nothing is thrown: a std::domain_error
+/// or cases::CaseError is a refusal, any other exception is reported as such. A
+/// refusal must say a reason with what is allowed, and a flawed scene that is
+/// not refused has failed the check "refusal".
+SceneReport run_scene(const Scene& scene);
+
+} // namespace asperity::stress

@@ -1,0 +1,245 @@
+#include "stress/scene.hpp"
+
+#include "base/require.hpp"
+#include "surfaces/random_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+namespace asperity::stress {
+namespace {
+
+/// The counters of the axes: part of what a seed means, never renumbered.
+enum class Axis {
+  family = 1,
+  shape,
+  law,
+  control,
+  top,
+  program,
+  twin,
+  flaw,
+  points,
+  length,
+  hurst,
+  roll_off,
+  shortest_wave,
+  rms_slope,
+  contact_modulus,
+  poisson_ratio,
+  thickness,
+  growth,
+  penalty,
+  load,
+  gamma,
+};
+
+/// Of a block of atoms, the paper's (Sec. 4) [m].
+constexpr double atom_spacing = 2.6e-10;
+
+/// The random numbers of one scene.
+class Draw {
+public:
+  Draw(std::uint64_t seed, int index)
+      : key_{seed, 0, surfaces::RandomStream::stress_scenes}, index_(index) {}
+
+  double uniform(Axis axis, double low, double high) const {
+    return low + (high - low) * pair(axis).first;
+  }
+
+  double log_uniform(Axis axis, double low, double high) const {
+    return std::exp(uniform(axis, std::log(low), std::log(high)));
+  }
+
+  /// An axis' second, independent number is a coin.
+  bool coin(Axis axis) const { return pair(axis).second < 0.5; }
+
+  template <class Value>
+  Value pick(Axis axis, std::initializer_list<Value> values) const {
+    const auto count = static_cast<double>(values.size());
+    return values.begin()[static_cast<std::size_t>(uniform(axis, 0.0, count))];
+  }
+
+  /// One of the values, as likely as its weight says.
+  template <class Value>
+  Value
+  weigh(Axis axis,
+        std::initializer_list<std::pair<Value, double>> weighted_values) const {
+    double sum = 0.0;
+    for (const auto& [value, weight] : weighted_values)
+      sum += weight;
+    double left = uniform(axis, 0.0, sum);
+    for (const auto& [value, weight] : weighted_values)
+      if ((left -= weight) < 0.0)
+        return value;
+    return weighted_values.begin()->first;
+  }
+
+private:
+  surfaces::UniformPair pair(Axis axis) const {
+    return surfaces::draw_mode(key_, index_, static_cast<int>(axis));
+  }
+
+  surfaces::RandomKey key_;
+  int index_;
+};
+
+Family draw_family(const Draw& draw) {
+  return draw.weigh<Family>(Axis::family, {{Family::halfspace, 25.0},
+                                           {Family::slab, 21.0},
+                                           {Family::condensed_q1, 16.0},
+                                           {Family::condensed_q2, 14.0},
+                                           {Family::full_block, 2.0},
+                                           {Family::atoms, 1.0},
+                                           {Family::theory, 11.0},
+                                           {Family::flawed, 10.0}});
+}
+
+Shape draw_shape(const Draw& draw) {
+  return draw.weigh<Shape>(Axis::shape, {{Shape::rough, 8.0},
+                                         {Shape::wave, 1.0},
+                                         {Shape::paraboloid, 1.0},
+                                         {Shape::spike, 1.0},
+                                         {Shape::step, 1.0},
+                                         {Shape::sawtooth, 1.0},
+                                         {Shape::terraces, 1.0},
+                                         {Shape::checkerboard, 1.0},
+                                         {Shape::flat, 1.0}});
+}
+
+Flaw draw_flaw(const Draw& draw) {
+  constexpr int first = static_cast<int>(Flaw::nan_height);
+  constexpr int last = static_cast<int>(Flaw::zero_tolerance);
+  return static_cast<Flaw>(draw.uniform(Axis::flaw, first, last + 1));
+}
+
+/// Pressures fill the decades evenly, half of the draws where contact changes
+/// most; gaps lie where surfaces touch.
+double draw_load(const Draw& draw, const Scene& scene) {
+  if (scene.family == Family::theory)
+    return draw.log_uniform(Axis::load, 1e-12, 100.0);
+  if (scene.control == cases::Control::mean_gap)
+    return scene.law == cases::ContactLaw::penalty && draw.coin(Axis::load)
+               ? draw.uniform(Axis::load, -1.0, 3.0)
+               : draw.log_uniform(Axis::load, 1e-3, 4.0);
+  return draw.coin(Axis::load) ? draw.log_uniform(Axis::load, 1e-9, 100.0)
+                               : draw.log_uniform(Axis::load, 1e-3, 10.0);
+}
+
+void draw_surface(const Draw& draw, Scene& scene) {
+  scene.shape = draw_shape(draw);
+  scene.points = draw.pick<int>(Axis::points, {8, 16, 24, 32, 48, 64});
+  scene.length = draw.log_uniform(Axis::length, 1e-12, 1e6);
+  // Both ends are values of their own: there a piece of a moment is a
+  // logarithm.
+  scene.hurst = std::clamp(draw.uniform(Axis::hurst, -0.1, 1.1), 0.0, 1.0);
+  scene.roll_off = draw.uniform(Axis::roll_off, 1.0, 4.0);
+  scene.shortest_wave =
+      draw.pick<double>(Axis::shortest_wave, {2.0, 2.1, 2.1, 3.0, 4.0, 8.0});
+  scene.rms_slope = draw.log_uniform(Axis::rms_slope, 1e-6, 10.0);
+}
+
+void draw_block(const Draw& draw, Scene& scene) {
+  scene.contact_modulus = draw.log_uniform(Axis::contact_modulus, 1.0, 1e12);
+  scene.poisson_ratio =
+      draw.pick<double>(Axis::poisson_ratio, {0.0, 0.3, 0.49, 0.4999});
+  scene.thickness = draw.log_uniform(Axis::thickness, 0.01, 10.0);
+  scene.growth = std::max(1.0, draw.uniform(Axis::growth, 0.8, 3.0));
+  scene.top = draw.pick<cases::TopFace>(Axis::top, {cases::TopFace::clamped,
+                                                    cases::TopFace::sliding,
+                                                    cases::TopFace::pressure});
+}
+
+} // namespace
+
+Scene draw_scene(std::uint64_t seed, int index) {
+  require_not_negative("index", index, "1");
+  const Draw draw(seed, index);
+  Scene scene;
+  scene.seed = seed;
+  scene.index = index;
+  scene.family = draw_family(draw);
+  draw_surface(draw, scene);
+  draw_block(draw, scene);
+  scene.law = draw.weigh<cases::ContactLaw>(
+      Axis::law, {{cases::ContactLaw::penalty, 4.0},
+                  {cases::ContactLaw::hard, 3.0},
+                  {cases::ContactLaw::augmented, 2.0}});
+  scene.penalty = draw.log_uniform(Axis::penalty, 1e-6, 1e15);
+  scene.control = draw.weigh<cases::Control>(
+      Axis::control, {{cases::Control::nominal_pressure, 7.0},
+                      {cases::Control::mean_gap, 3.0}});
+  scene.load = draw_load(draw, scene);
+  scene.program = draw.pick<Program>(
+      Axis::program, {Program::increments, Program::jump, Program::cycle});
+  scene.twin =
+      draw.pick<Twin>(Axis::twin, {Twin::none, Twin::binary_units,
+                                   Twin::decimal_units, Twin::threads});
+  scene.gamma = draw.log_uniform(Axis::gamma, 0.01, 1.0);
+  if (scene.family == Family::flawed)
+    scene.flaw = draw_flaw(draw);
+  return within_reach(scene);
+}
+
+Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
+  const Scene drawn = draw_scene(seed, index);
+  const Draw draw(seed, index);
+  Scene scene = drawn;
+  const auto keep = [&](Axis axis, auto member) {
+    if (draw.coin(axis))
+      scene.*member = base.*member;
+  };
+  keep(Axis::shape, &Scene::shape);
+  keep(Axis::law, &Scene::law);
+  keep(Axis::top, &Scene::top);
+  keep(Axis::length, &Scene::length);
+  keep(Axis::hurst, &Scene::hurst);
+  keep(Axis::roll_off, &Scene::roll_off);
+  keep(Axis::shortest_wave, &Scene::shortest_wave);
+  keep(Axis::rms_slope, &Scene::rms_slope);
+  keep(Axis::contact_modulus, &Scene::contact_modulus);
+  keep(Axis::poisson_ratio, &Scene::poisson_ratio);
+  keep(Axis::thickness, &Scene::thickness);
+  keep(Axis::growth, &Scene::growth);
+  keep(Axis::penalty, &Scene::penalty);
+  keep(Axis::gamma, &Scene::gamma);
+  if (scene.law != drawn.law && scene.control == cases::Control::mean_gap)
+    scene.load = std::abs(scene.load); // a wall has no negative gap
+  if (scene.family != Family::flawed && draw.coin(Axis::family))
+    scene.family = base.family;
+  return within_reach(scene);
+}
+
+Scene within_reach(Scene scene) {
+  const bool is_full = scene.family == Family::full_block;
+  if (is_full || scene.family == Family::atoms) {
+    scene.points = scene.points <= 32 ? 8 : 16;
+    scene.twin = Twin::none;
+  }
+  if (is_full) {
+    scene.thickness = std::clamp(scene.thickness, 0.1, 2.0);
+    scene.growth = std::max(scene.growth, 1.5);
+  }
+  if (scene.family == Family::atoms) {
+    scene.law = cases::ContactLaw::penalty; // its soft potential
+    scene.control = cases::Control::nominal_pressure;
+    scene.program = Program::increments;
+    scene.load = std::clamp(scene.load, 1e-3, 0.3);
+    scene.rms_slope = std::clamp(scene.rms_slope, 1e-3, 0.2);
+    scene.length = scene.points * atom_spacing;
+    scene.contact_modulus = std::clamp(scene.contact_modulus, 1e10, 1e11);
+    scene.poisson_ratio = std::min(scene.poisson_ratio, 0.49);
+    scene.shape = Shape::rough;
+    scene.shortest_wave = std::max(scene.shortest_wave, 4.0);
+  }
+  // At least two waves of the spectrum lie between its ends.
+  scene.roll_off =
+      std::min(scene.roll_off, 0.5 * scene.points / scene.shortest_wave);
+  scene.roll_off = std::max(scene.roll_off, 1.0);
+  scene.shortest_wave = std::min(scene.shortest_wave, 0.5 * scene.points);
+  return scene;
+}
+
+} // namespace asperity::stress
