@@ -10,6 +10,10 @@ namespace {
 
 constexpr int max_rounds = 200;
 
+/// The softest spring, 1/k over C at half the Nyquist wavevector: a round then
+/// leaves at most a few hundredths of any penetration.
+constexpr double largest_reduced_compliance = 0.01;
+
 double weighted_mean(std::span<const double> field,
                      std::span<const double> weights) {
   double sum = 0.0;
@@ -34,10 +38,13 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const LoadTarget& target,
                                 std::span<const double> initial_pressure) {
   require_positive("local_compliance", problem.local_compliance, "m/Pa");
-  const double compliance = problem.local_compliance;
+  const double compliance =
+      std::min(problem.local_compliance,
+               largest_reduced_compliance * elasticity.short_wave_compliance());
   std::vector<double> heights(problem.heights.begin(), problem.heights.end());
   ContactProblem round = problem;
   round.heights = heights;
+  round.local_compliance = compliance;
   round.gap_tolerance = 0.25 * problem.gap_tolerance;
   LoadTarget round_target = target;
 

@@ -76,7 +76,9 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
 /// The hard wall by augmented Lagrangian: penalty problems on heights raised
 /// by lambda/k, lambda = the pressure of the last one, until no node
 /// penetrates by more than problem.gap_tolerance. problem.local_compliance
-/// is 1/k > 0; each round shrinks a wave's penetration by 1/(1 + k C(q)).
+/// is 1/k > 0; each round shrinks a wave's penetration by 1/(1 + k C(q)). The
+/// answer does not depend on k, so a spring too soft to get there is replaced
+/// by a stiffer one.
 ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const ContactProblem& problem,
                                 const LoadTarget& target,

@@ -65,6 +65,20 @@ TEST_F(Sequence, CoarseStartSavesFineIterations) {
   EXPECT_LT(from_coarse.iterations, cold(0.02).iterations);
 }
 
+// Claim: the spring of an augmentation is no part of its answer, be it a
+// millionth of what a grid's wave resists with. Tolerance: both answers are
+// good to `tolerance` in the gap.
+TEST_F(Sequence, AugmentsAnySpring) {
+  const double wall = cold(0.05).mean_gap;
+  for (const double penalty : {1e-6, 1.0, 1e15}) {
+    LoadSequence program = sequence(Law::augmented, penalty / grid.spacing_x());
+    const ContactSolution found = program.solve({Kind::nominal_pressure, 0.05});
+
+    ASSERT_TRUE(found.converged) << penalty << ": " << found.note;
+    EXPECT_NEAR(found.mean_gap, wall, 2.0 * tolerance) << penalty;
+  }
+}
+
 TEST_F(Sequence, FollowsAGapProgram) {
   LoadSequence by_pressure = sequence(Law::hard);
   LoadSequence by_gap = sequence(Law::hard);
