@@ -1,7 +1,7 @@
 #include "fem/condensed_q2.hpp"
 
-#include "fem/cell_stiffness.hpp"
 #include "base/parallel_rows.hpp"
+#include "fem/cell_stiffness.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -43,10 +43,11 @@ struct Term {
 struct LayerTerms {
   std::vector<Term> even, odd; ///< with cosines, with sines
 
-  explicit LayerTerms(const CellStiffness& cell);
+  /// @param scale  that the matrix is divided by [N/m]
+  LayerTerms(const CellStiffness& cell, double scale);
 };
 
-LayerTerms::LayerTerms(const CellStiffness& cell) {
+LayerTerms::LayerTerms(const CellStiffness& cell, double scale) {
   struct Node {
     std::size_t a, b, plane;
   };
@@ -67,7 +68,8 @@ LayerTerms::LayerTerms(const CellStiffness& cell) {
           continue; // the lower triangle is enough
         const double entry =
             cell.at(cell.row(from.a, from.b, from.plane, c / 3),
-                    cell.row(to.a, to.b, to.plane, c % 3));
+                    cell.row(to.a, to.b, to.plane, c % 3)) /
+            scale;
         const std::size_t phase = (to.b + 2 - from.b) * 5 + to.a + 2 - from.a;
         const bool from_z = c / 3 == 2;
         const bool to_z = c % 3 == 2;
@@ -92,7 +94,8 @@ LayerMatrix symbol(const LayerTerms& layer, const Phases& phases) {
 /// What holds the top plane, besides the layer's own stiffness.
 struct TopHold {
   std::array<bool, 3> is_held; ///< u_x, u_y, u_z = 0
-  double spring = 0.0;         ///< on each free component's uniform mode [N/m]
+  double spring =
+      0.0; ///< on each free component's uniform mode, over the scale
 };
 
 TopHold top_hold(cases::TopFace top, bool is_uniform_mode, double stiffness) {
@@ -140,7 +143,7 @@ PlaneMatrix surface_stiffness(const std::vector<LayerTerms>& layers,
   return plane;
 }
 
-/// (T_0^-1)_zz over the node kinds, times h_x h_y.
+/// (T_0^-1)_zz over the node kinds, times h_x h_y, both without the scale.
 KindBlock surface_compliance(const PlaneMatrix& stiffness, double node_area) {
   Eigen::Matrix<double, plane_size, 4> load =
       Eigen::Matrix<double, plane_size, 4>::Zero();
@@ -170,10 +173,14 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
                                      const LayeredBlock& block, int threads) {
   require_cells(grid, 2);
   require_block(block);
+  // Cholesky takes roots, which round otherwise in other units: hence without.
+  const double scale =
+      block.layers.front().shear_modulus * grid.spacing_x(); // [N/m]
   std::vector<LayerTerms> layers;
   for (const ElasticLayer& layer : block.layers)
     layers.emplace_back(cell_stiffness(2, 2.0 * grid.spacing_x(),
-                                       2.0 * grid.spacing_y(), layer));
+                                       2.0 * grid.spacing_y(), layer),
+                        scale);
 
   Q2Compliance compliance{grid, {}, relative_nodal_areas(2)};
   const int columns = compliance.columns();
@@ -185,7 +192,8 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
                                  static_cast<std::size_t>(columns) +
                              static_cast<std::size_t>(mode_x)];
   };
-  const double spring = block.layers.back().shear_modulus * grid.spacing_x();
+  const double spring =
+      block.layers.back().shear_modulus * grid.spacing_x() / scale;
   parallel_rows(compliance.rows(), threads, [&](int mode_y) {
     for (int mode_x = is_square ? mode_y : 0; mode_x < columns; ++mode_x) {
       const Phases phases(2.0 * std::numbers::pi * mode_x / grid.points_x,
@@ -193,7 +201,7 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
       const TopHold top =
           top_hold(block.top, mode_x == 0 && mode_y == 0, spring);
       at(mode_x, mode_y) = surface_compliance(
-          surface_stiffness(layers, top, phases), grid.cell_area());
+          surface_stiffness(layers, top, phases), grid.cell_area() / scale);
       if (is_square && mode_x != mode_y)
         at(mode_y, mode_x) = mirrored(at(mode_x, mode_y));
     }

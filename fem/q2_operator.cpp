@@ -178,8 +178,11 @@ void Q2Operator::pressure_estimate(std::span<const double> gap,
       Eigen::Matrix4d whole =
           weights.asDiagonal() * block * weights.asDiagonal();
       whole.diagonal() += local_compliance * weights;
+      // Cholesky takes roots, which round otherwise in other units.
+      const double scale = whole(0, 0);
+      whole /= scale;
       Eigen::Map<Eigen::Matrix4d>(inverse_[i].data()) =
-          whole.llt().solve(Eigen::Matrix4d::Identity());
+          whole.llt().solve(Eigen::Matrix4d::Identity()) / scale;
     }
     inverted_compliance_ = local_compliance;
   }

@@ -68,6 +68,35 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(TopFace::clamped, TopFace::sliding,
                                          TopFace::pressure)));
 
+// Claim: nothing depends on units: a compliance and its inverse in lengths and
+// moduli larger by powers of two are the same bits, an odd power of two in E L
+// included, whose root is not a binary number.
+TEST(Q2, HasTheSameBitsInBinaryUnits) {
+  const Grid small{12, 12, 0.7e-6, 0.7e-6};
+  const Grid large{12, 12, 0.7e-6 * 0x1p+20, 0.7e-6 * 0x1p+20};
+  const auto block_on = [](const Grid& grid, double modulus) {
+    const std::vector<double> layers{
+        2.0 * grid.spacing_x(), 3.0 * grid.spacing_x(), 5.0 * grid.spacing_x()};
+    return Q2Operator(condensed_compliance_q2(
+        grid, homogeneous_block(layers, modulus, 0.4, TopFace::sliding)));
+  };
+  Q2Operator first = block_on(small, 3e9);
+  Q2Operator second = block_on(large, 3e9 * 0x1p-17);
+  const std::vector<double> pressure = random_field(small.size(), 3);
+
+  const std::vector<double> by_first = displacement(first, pressure);
+  const std::vector<double> by_second = displacement(second, pressure);
+  std::vector<double> inverse_first(pressure.size());
+  std::vector<double> inverse_second(pressure.size());
+  first.pressure_estimate(by_first, 1e-18, inverse_first);
+  second.pressure_estimate(by_second, 1e-18 * 0x1p+37, inverse_second);
+
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    EXPECT_EQ(by_first[i] * 0x1p+37, by_second[i]);
+    EXPECT_EQ(inverse_first[i], inverse_second[i]);
+  }
+}
+
 // Claim: the interface's promises: weighted symmetry, no weighted mean, and an
 // estimate that inverts C + c but for the mean. Tolerances: rounding of two
 // transforms, and for the inverse times its condition, some 100.
