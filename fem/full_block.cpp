@@ -11,11 +11,31 @@ namespace asperity::fem {
 
 using dealii::Vector;
 
+namespace {
+
+/// The springs that Newton's method is given, in shear moduli a spacing: with
+/// softer ones a multiplier takes many rounds, with stiffer ones the rounding
+/// of a gap is no longer small in the pressure.
+constexpr double softest_spring = 10.0;
+constexpr double stiffest_spring = 1e5;
+
+/// rms height [m], or the spacing for a flat surface: what a gap's tolerance
+/// is a share of.
+double height_scale_of(std::span<const double> heights, double spacing) {
+  const double square =
+      std::inner_product(heights.begin(), heights.end(), heights.begin(), 0.0) /
+      static_cast<double>(heights.size());
+  return square > 0.0 ? std::sqrt(square) : spacing;
+}
+
+} // namespace
+
 NewtonBlock::NewtonBlock(const Grid& grid, int degree,
                          const LayeredBlock& block, LinearSolver linear_solver)
     : system_(grid, degree, block),
       solver_(system_, linear_solver),
       weights_(system_.nodal_areas()),
+      stiffness_scale_(block.layers.front().shear_modulus / grid.spacing_x()),
       displacement_(system_.n_unknowns()),
       multiplier_(grid.size(), 0.0),
       pressure_(grid.size(), 0.0),
@@ -50,17 +70,28 @@ NewtonBlock::displacement(std::span<const double> pressure) {
   return face;
 }
 
-/// Largest |gap| in contact at pressure p: what the law leaves of a wall.
-double NewtonBlock::violation() const {
+/// The spring that Newton's method works with. A penalty within reach is its
+/// own; a wall ends at the same answer with any.
+double NewtonBlock::own_spring(const BlockContact& contact) const {
+  const double low = contact.law == cases::ContactLaw::penalty
+                         ? 0.0
+                         : softest_spring * stiffness_scale_;
+  return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
+}
+
+/// Largest |gap + c p| in contact and overlap outside it: what the law still
+/// lacks.
+double NewtonBlock::violation(double compliance) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < grid().size(); ++i)
-    largest = std::max(largest, pressure_[i] > 0.0 ? std::abs(gap(i))
-                                                   : std::max(0.0, -gap(i)));
+    largest =
+        std::max(largest, pressure_[i] > 0.0
+                              ? std::abs(gap(i) + compliance * pressure_[i])
+                              : std::max(0.0, -gap(i)));
   return largest;
 }
 
-void NewtonBlock::record(const BlockContact& contact, double rms_height,
-                         BlockSolution& answer) {
+void NewtonBlock::record(BlockSolution& answer) {
   answer.pressure = pressure_;
   answer.gap.resize(grid().size());
   double borne = 0.0;
@@ -76,10 +107,7 @@ void NewtonBlock::record(const BlockContact& contact, double rms_height,
   find_imbalance();
   const double unbalanced =
       largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
-  const double gap_violation = contact.law == cases::ContactLaw::penalty
-                                   ? 0.0
-                                   : violation() / rms_height;
-  answer.residual = std::max(unbalanced, gap_violation);
+  answer.residual = std::max(answer.residual, unbalanced);
 }
 
 BlockSolution NewtonBlock::solve(std::span<const double> heights,
@@ -93,23 +121,28 @@ BlockSolution NewtonBlock::solve(std::span<const double> heights,
     refuse_argument("number of heights", static_cast<double>(heights.size()),
                     std::to_string(grid().size()));
   heights_.assign(heights.begin(), heights.end());
-  const double square =
-      std::inner_product(heights.begin(), heights.end(), heights.begin(), 0.0) /
-      static_cast<double>(heights.size());
-  const double rms_height = square > 0.0 ? std::sqrt(square) : 1.0;
+  const double height_scale = height_scale_of(heights, grid().spacing_x());
   std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
 
   BlockSolution answer;
-  const bool is_wall = contact.law != cases::ContactLaw::penalty;
+  BlockContact spring = contact;
+  spring.penalty = own_spring(contact);
+  const double compliance =
+      contact.law == cases::ContactLaw::penalty ? 1.0 / contact.penalty : 0.0;
+  // The part of a pressure that the working spring does not show in the gap.
+  const bool is_own = contact.law == cases::ContactLaw::penalty &&
+                      spring.penalty == contact.penalty;
+  const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
   do {
-    if (!newton(load, contact, answer))
+    if (!newton(load, spring, answer))
       break;
-    answer.converged =
-        !is_wall || violation() <= contact.tolerance * rms_height;
+    answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
+    answer.converged = answer.residual <= contact.tolerance;
     if (!answer.converged)
-      multiplier_ = pressure_;
+      for (std::size_t i = 0; i < multiplier_.size(); ++i)
+        multiplier_[i] = kept * pressure_[i];
   } while (!answer.converged);
-  record(contact, rms_height, answer);
+  record(answer);
   if (answer.converged && !(answer.residual <= contact.tolerance)) {
     answer.converged = false;
     answer.note = "the nodal forces are not balanced to the tolerance";

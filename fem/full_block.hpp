@@ -28,9 +28,10 @@ struct BlockLoad {
 /// The interface law, in SI.
 struct BlockContact {
   cases::ContactLaw law = cases::ContactLaw::penalty;
-  double penalty = 0.0;      ///< k [Pa/m] > 0; the spring of the augmentation
-                             ///< where the law is hard or augmented
-  double tolerance = 1e-8;   ///< of gap, relative to h_rms, and of force
+  double penalty = 0.0;    ///< k [Pa/m] > 0; the spring of the augmentation
+                           ///< where the law is hard or augmented
+  double tolerance = 1e-8; ///< of gap, relative to h_rms (to the spacing for a
+                           ///< flat surface), and of force
   int max_iterations = 2000; ///< Newton steps
 };
 
@@ -59,9 +60,11 @@ struct BlockSolution {
 /// still. lambda = 0 for a penalty; otherwise lambda <- p until no gap in
 /// contact exceeds the tolerance (augmented Lagrangian).
 ///
-/// The penalty acts on the primal unknowns: beyond some 1e7 E/h the rounding of
-/// the gap exceeds 1e-8 of the pressure, and the residual says so. A hard wall
-/// is better reached by augmentation.
+/// The spring acts on the primal unknowns: beyond some 1e7 E/h the rounding of
+/// the gap would exceed 1e-8 of the pressure. So k is bounded by 1e5 mu/h, and
+/// a stiffer penalty k_0 is reached like a wall, by lambda <- (1 - k/k_0) p
+/// until gap + p/k_0 is within the tolerance. Nor is a wall's k softer than
+/// 10 mu/h, with which it would take many rounds.
 class FullBlock {
 public:
   virtual ~FullBlock() = default;

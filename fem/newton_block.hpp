@@ -40,19 +40,20 @@ private:
 
   double mean_gap() const;
   double touching_gap(double nominal_pressure, double penalty) const;
+  double own_spring(const BlockContact& contact) const;
   void update_pressure(double penalty);
   std::vector<bool> contact_set() const;
   void find_imbalance();
   bool newton_step(const BlockLoad& load, double penalty);
   bool newton(const BlockLoad& load, const BlockContact& contact,
               BlockSolution& answer);
-  double violation() const;
-  void record(const BlockContact& contact, double rms_height,
-              BlockSolution& answer);
+  double violation(double compliance) const;
+  void record(BlockSolution& answer);
 
   BlockSystem system_;
   BlockSolver solver_;
   std::vector<double> weights_;
+  double stiffness_scale_; ///< shear modulus of the face over the spacing
   // The state (F.1) is solved for.
   dealii::Vector<double> displacement_; ///< u [m]
   double rigid_gap_ = 0.0;              ///< d [m]
