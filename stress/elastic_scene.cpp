@@ -1,6 +1,5 @@
 #include "contact/halfspace.hpp"
 #include "contact/load_sequence.hpp"
-#include "fem/plugin.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,29 +36,6 @@ contact::FarFace far_face_of(cases::TopFace top) {
     break;
   }
   return contact::FarFace::clamped;
-}
-
-fem::BlockRequest request_of(const Scene& scene, const Grid& grid,
-                             int threads) {
-  fem::BlockRequest request;
-  request.grid = grid;
-  request.settings.element = scene.family == Family::condensed_q1
-                                 ? cases::Element::q1
-                                 : cases::Element::q2;
-  const int degree = scene.family == Family::condensed_q1 ? 1 : 2;
-  // A thin block still has two layers.
-  request.settings.surface_cell_depth =
-      std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
-  request.settings.growth = scene.growth;
-  request.settings.depth = {scene.thickness, cases::Yardstick::length};
-  request.settings.top = scene.top;
-  request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
-                    scene.rms_slope * grid.spacing_x()};
-  request.youngs_modulus =
-      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
-  request.poisson_ratio = scene.poisson_ratio;
-  request.threads = threads;
-  return request;
 }
 
 contact::Interface interface_of(const Scene& scene, const Grid& grid) {
@@ -174,11 +150,32 @@ void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
 
 } // namespace
 
+fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
+                                int degree, int threads) {
+  fem::BlockRequest request;
+  request.grid = grid;
+  request.settings.element =
+      degree == 1 ? cases::Element::q1 : cases::Element::q2;
+  request.settings.surface_cell_depth =
+      std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
+  request.settings.growth = scene.growth;
+  request.settings.depth = {scene.thickness, cases::Yardstick::length};
+  request.settings.top = scene.top;
+  request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
+                    scene.rms_slope * grid.spacing_x()};
+  request.youngs_modulus =
+      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
+  request.poisson_ratio = scene.poisson_ratio;
+  request.threads = threads;
+  return request;
+}
+
 std::unique_ptr<contact::SurfaceOperator>
 operator_of(const Scene& scene, const Grid& grid, int threads) {
   if (scene.family == Family::condensed_q1 ||
       scene.family == Family::condensed_q2)
-    return fem::load_fem_room().condensed(request_of(scene, grid, threads));
+    return fem::load_fem_room().condensed(block_request(
+        scene, grid, scene.family == Family::condensed_q1 ? 1 : 2, threads));
   contact::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
                               std::numeric_limits<double>::infinity(),
                               far_face_of(scene.top)};

@@ -67,30 +67,21 @@ void solve_spoilt(Scene scene) {
 }
 
 void build_spoilt_block(Scene scene) {
-  scene.family =
-      scene.index % 2 == 0 ? Family::condensed_q1 : Family::condensed_q2;
   scene.thickness = 1.0;
+  int degree = scene.index % 2 == 0 ? 1 : 2;
   Grid grid = grid_of(scene);
-  switch (scene.flaw) {
-  case Flaw::incompressible:
-    scene.poisson_ratio = 0.5;
-    break;
-  case Flaw::shrinking_layers:
-    scene.growth = 0.5;
-    break;
-  case Flaw::sliver: { // a surface layer is as thick as its cells are wide
-    const int degree = scene.family == Family::condensed_q1 ? 1 : 2;
-    grid.points_x = grid.points_y = 4 * degree;
-    scene.thickness = 1.25 / 4.0;
-    break;
+  if (scene.flaw == Flaw::odd_q2_grid) {
+    degree = 2;
+    grid = {scene.points + 1, scene.points + 1, scene.length, scene.length};
   }
-  default: // odd_q2_grid
-    scene.family = Family::condensed_q2;
-    grid.points_x += 1;
-    grid.length_x += scene.spacing();
-    break;
-  }
-  operator_of(scene, grid, 1);
+  fem::BlockRequest request = block_request(scene, grid, degree, 1);
+  if (scene.flaw == Flaw::incompressible)
+    request.poisson_ratio = 0.5;
+  if (scene.flaw == Flaw::shrinking_layers)
+    request.settings.growth = 0.5;
+  if (scene.flaw == Flaw::sliver)
+    request.settings.depth = {1.25 * degree, cases::Yardstick::spacing};
+  fem::load_fem_room().condensed(request);
 }
 
 void read_spoilt_map(Flaw flaw) {

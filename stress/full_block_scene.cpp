@@ -1,4 +1,3 @@
-#include "fem/plugin.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,27 +14,6 @@ constexpr double force_tolerance = 1e-8;
 
 /// The spring of a hard wall's augmentation, as a case's default has it [E*/h].
 constexpr double wall_spring = 100.0;
-
-fem::BlockRequest request_of(const Scene& scene, const Grid& grid) {
-  fem::BlockRequest request;
-  request.grid = grid;
-  request.settings.solver = cases::FemSolver::full;
-  // Half of the small blocks are of second order.
-  request.settings.element =
-      scene.index % 2 == 0 ? cases::Element::q1 : cases::Element::q2;
-  const int degree = scene.index % 2 == 0 ? 1 : 2;
-  request.settings.surface_cell_depth =
-      std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
-  request.settings.growth = scene.growth;
-  request.settings.depth = {scene.thickness, cases::Yardstick::length};
-  request.settings.top = scene.top;
-  request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
-                    scene.rms_slope * grid.spacing_x()};
-  request.youngs_modulus =
-      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
-  request.poisson_ratio = scene.poisson_ratio;
-  return request;
-}
 
 contact::ContactSolution as_contact(fem::BlockSolution block,
                                     const Displace& displace) {
@@ -57,8 +35,8 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
 void run_full_block(const Scene& scene, SceneReport& report) {
   const Grid grid = grid_of(scene);
   const SceneSurface surface = surface_of(scene, grid);
-  const std::unique_ptr<fem::FullBlock> block =
-      fem::load_fem_room().full(request_of(scene, grid));
+  const std::unique_ptr<fem::FullBlock> block = fem::load_fem_room().full(
+      block_request(scene, grid, scene.index % 2 == 0 ? 1 : 2, 1));
   const Displace displace = [&](auto pressure, auto displacement) {
     const std::vector<double> answer = block->displacement(pressure);
     if (answer.size() != displacement.size())

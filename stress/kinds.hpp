@@ -3,6 +3,8 @@
 // How each family of scenes is run, and what they have in common. Internal to
 // the room.
 
+#include "fem/plugin.hpp"
+
 #include <vector>
 
 #include "stress/scene_report.hpp"
@@ -27,6 +29,11 @@ void run_flawed(const Scene& scene, SceneReport& report);
 std::vector<contact::LoadTarget> targets_of(const Scene& scene,
                                             double height_scale);
 std::size_t load_step(const Scene& scene);
+
+/// The finite elements of a scene, of degree 1 or 2. Surface layers are cubic
+/// or, in a thin block, half of it.
+fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
+                                int degree, int threads);
 
 /// The surface operator of an elastic scene.
 /// @throws std::domain_error  what contact/, meshes/ and fem/ refuse

@@ -170,7 +170,10 @@ StepSummary summary_of(const AskedContact& asked,
 
 std::optional<Failure> verify_pair(const StepSummary& first,
                                    const StepSummary& second) {
-  const bool is_ordered = first.nominal_pressure <= second.nominal_pressure;
+  // Where nothing touches, equal pressures lie at different gaps.
+  const bool is_ordered = first.nominal_pressure < second.nominal_pressure ||
+                          (first.nominal_pressure == second.nominal_pressure &&
+                           first.mean_gap >= second.mean_gap);
   const StepSummary& a = is_ordered ? first : second;
   const StepSummary& b = is_ordered ? second : first;
   const double tolerance = 2.0 * std::max(a.tolerance, b.tolerance);
