@@ -1,5 +1,6 @@
 // The command line: words to commands, failures to exit codes.
 #include "app/commands.hpp"
+#include "app/stress_command.hpp"
 #include "cases/case_error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -67,6 +68,26 @@ void add_check(CLI::App& program, std::vector<std::string>& targets,
       [&] { action = [&] { return check_targets(targets, junit); }; });
 }
 
+void add_stress(CLI::App& program, StressCommand& stress, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "stress", "run thousands of random scenes and check every answer; exit 3 "
+                "if one is neither verified nor refused");
+  command->add_option("case", stress.cases,
+                      "cases whose settings are perturbed (default: none)");
+  command->add_option("--scenes", stress.scenes, "how many (default: 2000)")
+      ->check(CLI::Range(1, 10000000));
+  command->add_option("--seed", stress.seed, "default: 1");
+  command->add_option("--only", stress.only,
+                      "only scenes of a family or of an axis' value: slab, "
+                      "law=hard");
+  command->add_option("--scene", stress.scene,
+                      "this scene of the seed alone, with all about it");
+  command->add_option("--out", stress.out, "folder (default: out/stress)");
+  command->add_option("--threads", stress.threads, "default: all cores")
+      ->check(CLI::Range(1, 1024));
+  command->callback([&] { action = [&] { return run_stress(stress); }; });
+}
+
 void add_small_commands(CLI::App& program, std::string& name, Action& action) {
   program.add_subcommand("list", "the shipped cases")->callback([&] {
     action = list_cases;
@@ -91,11 +112,13 @@ int run(int argc, char** argv) {
                  "3 the numerics gave up, 4 the machine or a library did");
   Action action;
   RunCommand run;
+  StressCommand stress;
   std::vector<std::string> paths;
   std::string out;
   add_run(program, run, action);
   add_report(program, paths, out, action);
   add_check(program, paths, out, action);
+  add_stress(program, stress, action);
   add_small_commands(program, out, action);
   try {
     program.parse(argc, argv);
