@@ -29,6 +29,22 @@ bool is_wide(const cases::ReferenceValue& reference, double interval) {
 
 } // namespace
 
+const char* reproduction_word(Reproduction reproduction) {
+  switch (reproduction) {
+  case Reproduction::reproduced:
+    return "reproduced";
+  case Reproduction::near:
+    return "near";
+  case Reproduction::not_reproducible:
+    return "not_reproducible";
+  case Reproduction::input:
+    return "input";
+  case Reproduction::missing:
+    break;
+  }
+  return "missing";
+}
+
 Judgement judge_published(const cases::ReferenceValue& reference,
                           const Estimate& ours) {
   const std::string refusal = "not reproducible: " + reference.why;

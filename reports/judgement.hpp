@@ -18,6 +18,10 @@ enum class Reproduction {
   missing,          ///< we have no number
 };
 
+/// "reproduced", "near", "not_reproducible", "input" or "missing": for
+/// programs.
+const char* reproduction_word(Reproduction reproduction);
+
 /// Our interval is called wide where it is more than this share of the value,
 /// and more than the published uncertainty.
 inline constexpr double wide_interval = 0.2;

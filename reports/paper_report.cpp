@@ -192,7 +192,9 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   std::vector<std::string> problems;
   const std::vector<std::string> paragraphs = plain_paragraphs(readme);
   Value page;
-  page.set("title", paragraphs.empty() ? "A collection" : paragraphs.front());
+  const std::string title =
+      paragraphs.empty() ? "A collection" : paragraphs.front();
+  page.set("title", title);
   List lead;
   for (std::size_t i = 1; i < std::min<std::size_t>(paragraphs.size(), 2); ++i)
     lead.push_back(text_item(paragraphs[i]));
@@ -212,6 +214,7 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   page.set("facts", facts_of(parts));
   kainjow::mustache::mustache view{std::string(paper_template)};
   write_file_atomically(folder / "report.html", view.render(page));
+  write_file_atomically(folder / "paper.json", paper_json(parts, table, title));
   return problems;
 }
 

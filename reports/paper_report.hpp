@@ -34,7 +34,8 @@ std::string section_of(const std::string& part_name);
 /// Writes folder/report.html: the heading and first paragraphs of `readme`, the
 /// table of every line of every part's reference.csv with ours by each method,
 /// then the sections. Figures of a single part are those its own report drew;
-/// those of several are drawn into folder/figures/<section>.
+/// those of several are drawn into folder/figures/<section>. The table is in
+/// folder/paper.json too, for programs: docs/results.md says how.
 ///
 /// @param gnuplot  name or path of the program
 /// @return         the figures that could not be drawn, "name: why"

@@ -11,22 +11,6 @@
 namespace asperity::reports {
 namespace {
 
-const char* class_of(Reproduction reproduction) {
-  switch (reproduction) {
-  case Reproduction::reproduced:
-    return "reproduced";
-  case Reproduction::near:
-    return "near";
-  case Reproduction::not_reproducible:
-    return "not_reproducible";
-  case Reproduction::input:
-    return "input";
-  case Reproduction::missing:
-    break;
-  }
-  return "missing";
-}
-
 std::string remark_of(const Estimate& estimate) {
   if (!estimate.has_value())
     return estimate.remark;
@@ -67,11 +51,8 @@ PaperTable paper_table(std::span<const PaperPart> parts) {
   return table;
 }
 
-std::string PaperTable::banner() const {
-  int numbers = 0;
-  int reproduced = 0;
-  int near = 0;
-  int refused = 0;
+PaperCounts PaperTable::counts() const {
+  PaperCounts counts;
   for (std::size_t i = 0; i < rows.size();) {
     std::size_t end = i + 1;
     while (end < rows.size() && !rows[end].is_first)
@@ -83,21 +64,27 @@ std::string PaperTable::banner() const {
                            return row.judgement.reproduction == wanted;
                          });
     };
-    ++numbers;
+    ++counts.numbers;
     if (some(Reproduction::reproduced))
-      ++reproduced;
+      ++counts.reproduced;
     else if (some(Reproduction::near))
-      ++near;
+      ++counts.near;
     else if (some(Reproduction::not_reproducible))
-      ++refused;
+      ++counts.not_reproducible;
+    else
+      ++counts.missing;
     i = end;
   }
+  return counts;
+}
+
+std::string PaperTable::banner() const {
+  const PaperCounts n = counts();
   return fmt::format(
       "Of {} published numbers and claims {} are reproduced by one method at "
       "least, {} are missed by the distance stated, {} cannot be reproduced "
       "for the reason stated, and {} have no number of ours.",
-      numbers, reproduced, near, refused,
-      numbers - reproduced - near - refused);
+      n.numbers, n.reproduced, n.near, n.not_reproducible, n.missing);
 }
 
 kainjow::mustache::data row_data(const PaperRow& row) {
@@ -116,7 +103,7 @@ kainjow::mustache::data row_data(const PaperRow& row) {
   value.set("method", row.ours ? row.ours->method : "–");
   value.set("value", row.ours ? number_text(row.ours->estimate) : "–");
   value.set("remark", row.ours ? remark_of(row.ours->estimate) : "");
-  value.set("verdict_class", class_of(row.judgement.reproduction));
+  value.set("verdict_class", reproduction_word(row.judgement.reproduction));
   value.set("verdict", row.judgement.words);
   return value;
 }

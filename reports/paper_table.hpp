@@ -23,8 +23,19 @@ struct PaperRow {
   Judgement judgement;
 };
 
+/// Published numbers by the best that a method of ours does.
+struct PaperCounts {
+  int numbers = 0;
+  int reproduced = 0;
+  int near = 0;
+  int not_reproducible = 0;
+  int missing = 0; ///< no number of ours, or set in the case
+};
+
 struct PaperTable {
   std::vector<PaperRow> rows;
+
+  PaperCounts counts() const;
 
   /// "Of 9 published numbers 5 are reproduced by a method at least, ..."
   std::string banner() const;
@@ -34,5 +45,9 @@ struct PaperTable {
 PaperTable paper_table(std::span<const PaperPart> parts);
 
 kainjow::mustache::data row_data(const PaperRow& row);
+
+/// paper.json: the table, the counts and the parts, for programs.
+std::string paper_json(std::span<const PaperPart> parts,
+                       const PaperTable& table, const std::string& title);
 
 } // namespace asperity::reports

@@ -1,38 +1,30 @@
-#include "reports/verdict.hpp"
-
-#include <nlohmann/json.hpp>
-
-#include <cmath>
+#include "reports/published_json.hpp"
 
 namespace asperity::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json to_json(const Estimate& estimate) {
-  return {{"value", number(estimate.value)},
-          {"half_width_95", number(estimate.half_width)},
+  return {{"value", json_number(estimate.value)},
+          {"half_width_95", json_number(estimate.half_width)},
           {"realizations", estimate.realizations},
           {"remark", estimate.remark}};
 }
 
 Json to_json(const Window& window) {
-  return {{"mean_gap_low [m]", number(window.gap_low)},
-          {"mean_gap_high [m]", number(window.gap_high)},
-          {"nominal_pressure_low [Pa]", number(window.pressure_low)},
-          {"nominal_pressure_high [Pa]", number(window.pressure_high)},
-          {"largest_deviation [h_rms]", number(window.largest_deviation)},
-          {"tolerance [h_rms]", number(window.tolerance)},
+  return {{"mean_gap_low [m]", json_number(window.gap_low)},
+          {"mean_gap_high [m]", json_number(window.gap_high)},
+          {"nominal_pressure_low [Pa]", json_number(window.pressure_low)},
+          {"nominal_pressure_high [Pa]", json_number(window.pressure_high)},
+          {"largest_deviation [h_rms]", json_number(window.largest_deviation)},
+          {"tolerance [h_rms]", json_number(window.tolerance)},
           {"points", window.points}};
 }
 
 Json to_json(const FittedValue& fitted) {
-  return {{"value", number(fitted.value)},
-          {"standard_error", number(fitted.standard_error)},
+  return {{"value", json_number(fitted.value)},
+          {"standard_error", json_number(fitted.standard_error)},
           {"degrees_of_freedom", fitted.degrees_of_freedom}};
 }
 
@@ -49,9 +41,9 @@ Json fit_json(const Fit& fit, const Named&... named) {
 
 Json to_json(const RealizationFits& fits, bool is_theory) {
   Json json = {
-      {"rms_height [m]", number(fits.scales.rms_height)},
-      {"rms_slope [1]", number(fits.scales.rms_slope)},
-      {"asymptotic_slope (18)", number(fits.asymptotic_slope)},
+      {"rms_height [m]", json_number(fits.scales.rms_height)},
+      {"rms_slope [1]", json_number(fits.scales.rms_slope)},
+      {"asymptotic_slope (18)", json_number(fits.asymptotic_slope)},
       {"slope",
        fit_json(fits.slope, std::pair("gamma_slope", fits.slope.gamma_slope),
                 std::pair("beta", fits.slope.beta))},
@@ -67,9 +59,9 @@ Json to_json(const Cost& cost) {
   return {{"steps", cost.steps},
           {"failed_steps", cost.failed_steps},
           {"largest_iterations", cost.largest_iterations},
-          {"cpu_time [s]", number(cost.cpu_time)},
-          {"setup_cpu_time [s]", number(cost.setup_cpu_time)},
-          {"median_step_cpu_time [s]", number(cost.step_cpu_time)}};
+          {"cpu_time [s]", json_number(cost.cpu_time)},
+          {"setup_cpu_time [s]", json_number(cost.setup_cpu_time)},
+          {"median_step_cpu_time [s]", json_number(cost.step_cpu_time)}};
 }
 
 Json to_json(const MethodSummary& method) {
@@ -89,28 +81,13 @@ Json to_json(const MethodSummary& method) {
 Json to_json(const Verdict& verdict) {
   return {{"quantity", verdict.quantity},
           {"method", verdict.method},
-          {"value", number(verdict.estimate.value)},
-          {"half_width_95", number(verdict.estimate.half_width)},
-          {"low", number(verdict.low)},
-          {"high", number(verdict.high)},
+          {"value", json_number(verdict.estimate.value)},
+          {"half_width_95", json_number(verdict.estimate.half_width)},
+          {"low", json_number(verdict.low)},
+          {"high", json_number(verdict.high)},
           {"verdict", outcome_word(verdict.outcome)},
-          {"remark", verdict.estimate.remark}};
-}
-
-// Ours is empty where no method has a quantity of that name.
-Json to_json(const PublishedValue& published) {
-  Json json = {{"quantity", published.reference.quantity},
-               {"value", number(published.reference.value)},
-               {"unit", published.reference.unit},
-               {"uncertainty", number(published.reference.uncertainty)},
-               {"source", published.reference.source},
-               {"ours", Json::array()}};
-  for (const OurValue& ours : published.ours)
-    json["ours"].push_back({{"method", ours.method},
-                            {"value", number(ours.estimate.value)},
-                            {"half_width_95", number(ours.estimate.half_width)},
-                            {"remark", ours.estimate.remark}});
-  return json;
+          {"remark", verdict.estimate.remark},
+          {"line", check_line(verdict)}};
 }
 
 } // namespace
@@ -131,7 +108,7 @@ std::string summary_json(const Summary& summary) {
   for (const Verdict& verdict : summary.verdicts)
     json["expectations"].push_back(to_json(verdict));
   for (const PublishedValue& published : summary.published)
-    json["published"].push_back(to_json(published));
+    json["published"].push_back(published_json(published));
   for (const MethodSummary& method : summary.methods)
     json["methods"].push_back(to_json(method));
   for (const auto& [key, fact] : summary.provenance)

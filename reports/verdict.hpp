@@ -44,8 +44,8 @@ std::string published_line(const PublishedValue& published);
 /// One test suite a result, one test case a verdict.
 std::string junit_xml(std::span<const Summary> summaries);
 
-/// Fits with intervals and windows, expectations with verdicts, timings and
-/// provenance. Numbers that do not exist are null.
+/// Fits with intervals and windows, expectations and published numbers with
+/// verdicts, timings and provenance. Numbers that do not exist are null.
 std::string summary_json(const Summary& summary);
 
 } // namespace asperity::reports

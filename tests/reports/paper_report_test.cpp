@@ -5,6 +5,7 @@
 #include "reports/readme_text.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -81,6 +82,32 @@ TEST_F(PaperReport, JudgesEveryPublishedNumber) {
             std::string::npos);
   EXPECT_NE(page.find("<h1>Someone &lt;paper&gt;</h1>"), std::string::npos);
   EXPECT_NE(page.find("The gap &amp; the load."), std::string::npos);
+}
+
+// Claim: paper.json has what the page has: each number once with its verdicts,
+// the parts, and the counts of the banner.
+TEST_F(PaperReport, IsThereForPrograms) {
+  const std::string page = page_of({"polymer", "atoms"});
+
+  const auto json = nlohmann::json::parse(text_of(folder / "paper.json"));
+
+  EXPECT_EQ(json["format"], "asperity-paper");
+  EXPECT_EQ(json["title"], "Someone <paper>");
+  EXPECT_NE(page.find(json["banner"].get<std::string>()), std::string::npos);
+  EXPECT_EQ(json["counts"]["numbers"], 5);
+  EXPECT_EQ(json["counts"]["reproduced"], 2);
+  EXPECT_EQ(json["counts"]["near"], 1);
+  EXPECT_EQ(json["counts"]["not_reproducible"], 1);
+  EXPECT_EQ(json["counts"]["missing"], 1);
+  EXPECT_EQ(json["parts"][1]["name"], "atoms");
+  EXPECT_EQ(json["parts"][1]["status"], "interrupted");
+  ASSERT_EQ(json["published"].size(), 5U); // atoms has no reference
+  const auto& height = json["published"][2];
+  EXPECT_EQ(height["part"], "polymer");
+  EXPECT_EQ(height["quantity"], "rms_height");
+  EXPECT_EQ(height["verdict"], "not_reproducible");
+  EXPECT_EQ(height["why"], "never stated");
+  EXPECT_EQ(json["published"][3]["verdict"], "missing");
 }
 
 TEST_F(PaperReport, LinksNumbersSectionsAndReports) {

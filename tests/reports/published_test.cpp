@@ -105,6 +105,33 @@ TEST_F(Published, AreInTheSummaryForPrograms) {
   EXPECT_TRUE(json[2]["ours"].empty());
 }
 
+// Claim: a program finds the verdict of every method in the words of the page,
+// the best of them beside the number, why it cannot be, and the line of the
+// terminal.
+TEST_F(Published, AreJudgedForPrograms) {
+  result.reference = "quantity,value,unit,uncertainty,source,why\n"
+                     "gamma_slope,0.4,1,0.5,A,\n"
+                     "area_excess,0.5,1,0.01,B,\n"
+                     "height,14e-9,m,5e-10,C,never stated\n"
+                     "gamma_theory,0.38,1,0.1,D,\n"; // the theory is given it
+
+  const Summary summary = summarize(result, rough);
+  const auto json = nlohmann::json::parse(summary_json(summary))["published"];
+
+  EXPECT_EQ(json[0]["verdict"], "reproduced");
+  EXPECT_EQ(json[0]["ours"][1]["verdict"], "reproduced");
+  EXPECT_EQ(json[0]["why"], "");
+  EXPECT_EQ(json[0]["line"], published_line(summary.published[0]));
+  // the synthetic 0.25 misses 0.5 by half of it
+  EXPECT_EQ(json[1]["verdict"], "near");
+  EXPECT_EQ(json[1]["ours"][0]["words"], "within 50 %");
+  EXPECT_EQ(json[2]["verdict"], "not_reproducible");
+  EXPECT_EQ(json[2]["why"], "never stated");
+  EXPECT_EQ(json[3]["ours"][0]["verdict"], "input");
+  EXPECT_EQ(json[3]["ours"][1]["verdict"], "reproduced");
+  EXPECT_EQ(json[3]["verdict"], "reproduced");
+}
+
 // Claim: the page has a row a value, its source below, and says in words where
 // nothing of ours stands beside it.
 TEST_F(Published, AreOnThePage) {
