@@ -57,6 +57,23 @@ TEST(HertzStress, MeetsTheFace) {
   }
 }
 
+// Claim: on the axis it is hertz_axis_stress, which has another formula, near
+// and far; nothing is lost close to it. Tolerance: rounding; the field is even
+// in r, so (r/a)^2 of a curvature of some units adds nothing.
+TEST(HertzStress, IsThatOfTheAxis) {
+  for (const double nu : {-1.0, 0.0, 0.3, 0.5})
+    for (const double z : {0.0, 0.05 * a, 0.48 * a, 3.0 * a, 5e4 * a})
+      for (const double r : {0.0, 1e-9 * a}) {
+        const AxisymmetricStress here = hertz_stress(contact, r, z, nu);
+        const AxisStress axis = hertz_axis_stress(contact, z, nu);
+
+        const double size = std::abs(axis.axial);
+        EXPECT_NEAR(here.axial / size, axis.axial / size, 1e-14);
+        EXPECT_NEAR(here.radial / size, axis.radial / size, 1e-14);
+        EXPECT_NEAR(here.hoop / size, axis.radial / size, 1e-14);
+      }
+}
+
 // Claim: towards the axis it tends to hertz_axis_stress. Tolerance: the field
 // is even in r, so (r/a)^2 of a curvature of some units.
 TEST(HertzStress, TendsToTheAxis) {
