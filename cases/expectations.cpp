@@ -42,7 +42,7 @@ const std::vector<ExpectationName>& expectation_names() {
        .variants_only = true},
       {.name = "mean_gap_error",
        .description = "Largest |mean gap - exact| / amplitude [1].",
-       .surfaces = {wave_1d}},
+       .surfaces = {wave_1d, wave_2d}},
       {.name = "area_error",
        .description = "Largest |corrected area fraction - exact| [1].",
        .surfaces = {wave_1d, wave_2d, sphere}},

@@ -1,7 +1,8 @@
 #pragma once
 
 // Numerical answers held against exact contact solutions, for the shapes that
-// have one: sphere (Hertz), 1-D wave (Westergaard), 2-D wave (limits).
+// have one: sphere (Hertz), 1-D wave (Westergaard), 2-D wave (its two ends and,
+// between them, theory's table).
 
 #include "reports/summary.hpp"
 

@@ -112,7 +112,7 @@ std::vector<Figure> exact_figures(const ReportEntry& entry) {
            (area_errors.empty() ? "unknown" : area_errors) + ".",
        [](const SeriesRow& row) { return row.area_corrected; },
        [](const ExactPoint& exact) { return exact.area_fraction; }}));
-  if (entry.contact_case->surface.kind != SurfaceKind::wave_1d ||
+  if (entry.contact_case->surface.kind == SurfaceKind::sphere ||
       entry.result->surfaces.empty())
     return figures;
   figures.push_back(curves_figure(

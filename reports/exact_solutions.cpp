@@ -39,21 +39,15 @@ ExactPoint on_wave_1d(const SurfaceSpec& surface, double contact_modulus,
   return exact;
 }
 
-// Only the two limits are known. Each is used where it misses the area by no
-// more than 0.003 of the nominal one, as wave_2d.hpp says how it falls short:
-// 0.75 P^(2/3) of its own 0.75 P^(2/3), and 0.5 (1 - P) of (3/2 pi) (1 - P).
+// Between its two ends a table: of our own solution on finer grids, so there a
+// continuum half-space is held against itself refined, any other method not.
 ExactPoint on_wave_2d(const SurfaceSpec& surface, double contact_modulus,
                       double nominal_pressure) {
-  constexpr double light_load = 0.01; // of p*
-  constexpr double heavy_load = 0.9;
   const theory::Wave2dContact wave(surface.amplitude, surface.wavelength,
                                    contact_modulus);
-  const double load = nominal_pressure / wave.full_contact_pressure();
   ExactPoint exact;
-  if (load <= light_load)
-    exact.area_fraction = wave.light_area_fraction(nominal_pressure);
-  else if (load >= heavy_load)
-    exact.area_fraction = wave.heavy_area_fraction(nominal_pressure);
+  exact.mean_gap = wave.mean_gap(nominal_pressure);
+  exact.area_fraction = wave.area_fraction(nominal_pressure);
   return exact;
 }
 

@@ -182,7 +182,8 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
       {"expect.kappa={ above = 2, methods = \"fem\" }",
        "expect.kappa.methods = \"fem\", but must be a list of strings"},
       {"expect.mean_gap_error={ below = 1 }",
-       "expect.mean_gap_error is known only for the surfaces wave-1d"},
+       "expect.mean_gap_error is known only for the surfaces wave-1d, "
+       "wave-2d"},
   };
   for (const auto& [entry, answer] : answers)
     EXPECT_EQ(told({entry}), "  --set: " + answer + "\n") << entry;
