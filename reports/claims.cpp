@@ -53,43 +53,6 @@ double area_at_highest_load(std::span<const CurvePoint> points) {
   return rows.empty() ? not_a_number : rows.back().area_fraction_corrected;
 }
 
-// u/h_rms at which the rows leave the reference; `direction` +1 walks to larger
-// gaps. Rows in ascending pressure, so the gap falls along them.
-double departure(std::span<const CurvePoint> points,
-                 const CurveFunction& reference, double rms_height,
-                 int direction) {
-  std::vector<Deviation> rows = deviations(points, reference);
-  std::erase_if(rows, [](const Deviation& row) {
-    return !std::isfinite(row.reference_gap);
-  });
-  std::sort(rows.begin(), rows.end(),
-            [](const auto& a, const auto& b) { return a.gap < b.gap; });
-  if (rows.empty())
-    return not_a_number;
-  const auto nearest = std::min_element(
-      rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-        return std::abs(a.gap - rms_height) < std::abs(b.gap - rms_height);
-      });
-  const auto apart = [&](std::ptrdiff_t i) {
-    const Deviation& row = rows[static_cast<std::size_t>(i)];
-    return std::abs(row.gap - row.reference_gap) / rms_height;
-  };
-  std::ptrdiff_t i = nearest - rows.begin();
-  if (apart(i) > departure_tolerance)
-    return not_a_number;
-  for (std::ptrdiff_t next = i + direction;
-       next >= 0 && next < std::ssize(rows); i = next, next += direction) {
-    if (apart(next) <= departure_tolerance)
-      continue;
-    const double share =
-        (departure_tolerance - apart(i)) / (apart(next) - apart(i));
-    const double near = rows[static_cast<std::size_t>(i)].gap;
-    const double far = rows[static_cast<std::size_t>(next)].gap;
-    return (near + share * (far - near)) / rms_height;
-  }
-  return not_a_number;
-}
-
 double gap_shortfall(std::span<const CurvePoint> points,
                      const CurveFunction& reference, double rms_height) {
   for (const Deviation& row : deviations(points, reference))
@@ -163,10 +126,14 @@ const std::vector<std::pair<std::string, std::string>>& meanings() {
                         "gamma_slope [1]."},
       {"area_linearity", "Largest |(A/p) / mean - 1| up to 10 % contact [1]."},
       {"area_at_highest_load", "A/A_0 at the highest load of the case [1]."},
-      {"departure_low", "u / h_rms below which u is over 0.1 h_rms from the "
-                        "theory's [1]."},
-      {"departure_high", "u / h_rms above which u is over 0.1 h_rms from the "
-                         "theory's [1]."},
+      {"pressure_offset",
+       "Median of ln p / p of theory at equal u, where 0.3 < "
+       "u / h_rms < 1.5 [1]."},
+      {"departure_low",
+       "u / h_rms below which ln p / p of theory at equal u is "
+       "over 0.1 from its median [1]."},
+      {"departure_high", "u / h_rms above which ln p / p of theory at equal u "
+                         "is over 0.1 from its median [1]."},
       {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
       {"highest_asperity", "Largest height / h_rms [1]."},
       {"rms_height", "Root mean square of the heights [m]."},
@@ -201,15 +168,21 @@ void add_claim_quantities(const results::Result& result,
                                   CurveFunction(curve_of(*reference, r).points),
                                   summary.fits[r].scales.rms_height);
            });
-  for (const auto& [name, direction] :
-       {std::pair("departure_low", -1), std::pair("departure_high", 1)})
-    add_mean(summary, name, method.realizations.size(),
-             "together as far as the rows go, or apart at h_rms already",
-             [&](std::size_t r) {
-               return departure(method.realizations[r].points,
+  const auto departure_part = [&](const char* name, const char* missing,
+                                  double Departure::*part) {
+    add_mean(
+        summary, name, method.realizations.size(), missing, [&](std::size_t r) {
+          return departure_from(method.realizations[r].points,
                                 CurveFunction(curve_of(*reference, r).points),
-                                summary.fits[r].scales.rms_height, direction);
-             });
+                                summary.fits[r].scales.rms_height).*
+                 part;
+        });
+  };
+  const char* together = "together as far as the rows go, or not at h_rms";
+  departure_part("pressure_offset", "no row in the comparison's range",
+                 &Departure::offset);
+  departure_part("departure_low", together, &Departure::low);
+  departure_part("departure_high", together, &Departure::high);
 }
 
 std::string meaning_of(const std::string& quantity) {

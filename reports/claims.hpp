@@ -10,9 +10,6 @@
 
 namespace asperity::reports {
 
-/// Over this share of h_rms two mean gaps are apart.
-inline constexpr double departure_tolerance = 0.1;
-
 /// The area is held against a straight line up to here.
 inline constexpr double linear_area = 0.10;
 
@@ -23,9 +20,7 @@ inline constexpr double linear_area = 0.10;
 ///  - area_linearity: largest |(A/p)/mean - 1| over the rows with
 ///    0 < A/A_0 <= linear_area, at least 2, by the best estimate of A
 ///  - area_at_highest_load: the best estimate of A/A_0 there
-///  - departure_low, departure_high: u/h_rms at which u leaves the theory's by
-///    more than departure_tolerance, inwards and outwards of the row nearest to
-///    u = h_rms; straight between rows
+///  - pressure_offset, departure_low, departure_high: departure_from() theory
 ///  - gap_shortfall: (theory's u - u)/h_rms at the lightest load both have
 ///  - highest_asperity: largest height over h_rms; rms_height [m];
 ///    fractal_dimension: 3 - H of the straight line through ln C(ln q) between

@@ -53,6 +53,23 @@ Function interpolant(const std::vector<double>& x,
   };
 }
 
+// x over y: of the heaviest load inwards, the rows where y still rises.
+Function falling_inverse(const std::vector<double>& x,
+                         const std::vector<double>& y) {
+  std::vector<double> rising;
+  std::vector<double> at;
+  for (std::size_t i = x.size(); i-- > 0;)
+    if (rising.empty() || y[i] > rising.back()) {
+      rising.push_back(y[i]);
+      at.push_back(x[i]);
+    }
+  return [rising, between = smooth(rising, at)](double gap) {
+    if (rising.empty() || gap < rising.front() || gap > rising.back())
+      return not_a_number;
+    return between(gap);
+  };
+}
+
 } // namespace
 
 CurveFunction::CurveFunction(std::span<const CurvePoint> points,
@@ -73,6 +90,7 @@ CurveFunction::CurveFunction(std::span<const CurvePoint> points,
       log_area.push_back(std::log(row.*area));
     }
   }
+  log_pressure_of_gap_ = falling_inverse(gap_pressure, gap);
   gap_of_log_pressure_ = interpolant(gap_pressure, gap);
   log_area_of_log_pressure_ = interpolant(area_pressure, log_area);
 }
@@ -83,6 +101,10 @@ double CurveFunction::gap(double nominal_pressure) const {
 
 double CurveFunction::area_fraction(double nominal_pressure) const {
   return std::exp(log_area_of_log_pressure_(std::log(nominal_pressure)));
+}
+
+double CurveFunction::pressure_at_gap(double mean_gap) const {
+  return std::exp(log_pressure_of_gap_(mean_gap));
 }
 
 std::vector<Deviation> deviations(std::span<const CurvePoint> points,

@@ -28,9 +28,14 @@ public:
   double gap(double nominal_pressure) const;           ///< u [m]
   double area_fraction(double nominal_pressure) const; ///< A/A_0 [1]
 
+  /// p [Pa] at a mean gap [m]: monotone cubic of ln p over u, through the rows
+  /// at which the gap falls with the load. At a row: the row. Outside: NaN.
+  double pressure_at_gap(double mean_gap) const;
+
 private:
   std::function<double(double)> gap_of_log_pressure_;
   std::function<double(double)> log_area_of_log_pressure_;
+  std::function<double(double)> log_pressure_of_gap_;
 };
 
 /// One loading row beside the reference at the same pressure.
@@ -63,6 +68,25 @@ double largest_gap_deviation(std::span<const Deviation> rows,
 /// pressure. NaN if no row lies in the other curve's range.
 double largest_pressure_difference(std::span<const results::CurvePoint> points,
                                    const CurveFunction& reference);
+
+/// Where a curve leaves its reference, in pressure at equal gap.
+struct Departure {
+  /// Median of ln p/p_ref over the rows with u/h_rms in the comparison's
+  /// range: the part of the difference that does not change with the load [1].
+  double offset = not_a_number;
+  /// u/h_rms at which ln p/p_ref is more than departure_tolerance from the
+  /// offset, inwards and outwards of the row nearest to u = h_rms; straight
+  /// between rows. NaN: not as far as the rows go, or there already.
+  double low = not_a_number;
+  double high = not_a_number;
+};
+
+/// Of the pressure at equal gap: 10 %.
+inline constexpr double departure_tolerance = 0.1;
+
+/// Rows whose gap the reference does not have are left out.
+Departure departure_from(std::span<const results::CurvePoint> points,
+                         const CurveFunction& reference, double rms_height);
 
 /// Mean of A/A_ref - 1 over the rows with 0 < A/A_0 <= 15 %;
 /// NaN if there is none.

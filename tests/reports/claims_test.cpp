@@ -1,6 +1,7 @@
 // Claims about reports/claims.hpp and height_figure.hpp, on curves and surfaces
 // whose answers are known beforehand.
 #include "reports/claims.hpp"
+#include "reports/comparison.hpp"
 #include "reports/height_figure.hpp"
 #include "reports/report.hpp"
 
@@ -39,26 +40,52 @@ TEST_F(Claims, HaveTheTheorysEpsilon) {
   EXPECT_FALSE(of("fem", "epsilon").has_value());
 }
 
-// Claim: a curve that leaves the theory by a known straight ramp is said to do
-// so where the ramp crosses the tolerance. The rows are straight between, as
-// the ramp is, but u/h_rms of the row itself carries the ramp: rounding only.
+// Claim: a curve whose pressure at equal gap is e^{1/4} of the theory's, and
+// leaves that by straight ramps below 0.5 and above 1.5 h_rms, is said to have
+// that offset and to part where the ramps reach 10 %. Rounding: rows are at the
+// theory's own gaps, and straight between, as the ramps are.
 TEST_F(Claims, FindWhereTheoryIsLeft) {
   const double height =
       scales_of(result, rough, result.methods[1], 0).rms_height;
   const auto theory = result.methods[0].realizations[0].points;
+  ASSERT_LT(theory.back().mean_gap, 0.2 * height);
   for (std::size_t i = 0; i < theory.size(); ++i) {
     const double gap = theory[i].mean_gap / height;
-    const double ramp = gap > 1.5 ? 0.5 * (gap - 1.5) : 0.0;
-    fem_points()[i].mean_gap = (gap - ramp) * height;
+    const double ramp =
+        0.4 * std::fmax(0.0, 0.5 - gap) - 0.2 * std::fmax(0.0, gap - 1.5);
+    fem_points()[i].mean_gap = theory[i].mean_gap;
+    fem_points()[i].nominal_pressure =
+        theory[i].nominal_pressure * std::exp(0.25 + ramp);
   }
 
-  // u = g - (g - 1.5)/2, apart by 0.1 at g = 1.7: u = 1.6. The ramp's foot
-  // lies between two rows, where the straight line is off by at most its kink:
-  // half the row distance (0.2) times half the change of slope.
-  EXPECT_NEAR(of("fem", "departure_high").value, 1.6, 0.05);
-  EXPECT_FALSE(of("fem", "departure_low").has_value());
-  EXPECT_NEAR(of("fem", "gap_shortfall").value,
-              0.5 * (theory[0].mean_gap / height - 1.5), 1e-12);
+  EXPECT_NEAR(of("fem", "pressure_offset").value, 0.25, 1e-12);
+  EXPECT_NEAR(of("fem", "departure_high").value, 2.0, 1e-12);
+  EXPECT_NEAR(of("fem", "departure_low").value, 0.25, 1e-12);
+}
+
+// Claim: a curve that is the theory's but for a factor of the pressure never
+// parts from it, and says so. Rounding.
+TEST_F(Claims, FindNoPartingWhereThereIsNone) {
+  for (results::CurvePoint& row : fem_points())
+    row.mean_gap = CurveFunction(result.methods[0].realizations[0].points)
+                       .gap(row.nominal_pressure);
+  for (results::CurvePoint& row : fem_points())
+    row.nominal_pressure *= 0.7;
+
+  EXPECT_NEAR(of("fem", "pressure_offset").value, std::log(0.7), 1e-12);
+  EXPECT_FALSE(of("fem", "departure_high").has_value());
+  EXPECT_EQ(of("fem", "departure_low").remark,
+            "together as far as the rows go, or not at h_rms");
+}
+
+// Claim: at the lightest load the shortfall is what was taken off the gap.
+TEST_F(Claims, MeasureTheShortfallOfTheGap) {
+  const double height =
+      scales_of(result, rough, result.methods[1], 0).rms_height;
+  fem_points()[0].mean_gap =
+      result.methods[0].realizations[0].points[0].mean_gap - 0.3 * height;
+
+  EXPECT_NEAR(of("fem", "gap_shortfall").value, 0.3, 1e-12);
 }
 
 // Claim: exactly proportional rows have no deviation, and one that is 6 % too
