@@ -1,6 +1,8 @@
 #include "app/elastic_method.hpp"
 
+#include "app/cpu_clock.hpp"
 #include "app/curve_row.hpp"
+#include "app/timed_operator.hpp"
 #include "contact/halfspace.hpp"
 #include "results/observables.hpp"
 
@@ -37,30 +39,51 @@ contact::LoadTarget load_target(const StepTarget& target) {
           target.amount};
 }
 
+/// What does not change from step to step.
+struct SolverSetting {
+  const ContactSettings& contact;
+  const SurfaceOfCase& surface; ///< outlives the solver
+  double area_coefficient;
+  int threads;
+};
+
 /// Any surface operator under the contact room's solver.
 class OperatorSolver final : public StepSolver {
 public:
   OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
-                 const ContactSettings& settings, const SurfaceOfCase& surface,
-                 double area_coefficient)
-      : surface_(surface),
-        area_coefficient_(area_coefficient),
+                 const SolverSetting& setting)
+      : surface_(setting.surface),
+        area_coefficient_(setting.area_coefficient),
+        threads_(setting.threads),
         weights_(elasticity->nodal_weights().begin(),
                  elasticity->nodal_weights().end()),
-        sequence_(std::move(elasticity), surface.record.heights,
-                  interface_of(settings, surface.scales),
-                  settings.tolerance * surface.scales.rms_height,
-                  settings.max_iterations) {}
+        sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
+                                                  threads_),
+                  surface_.record.heights,
+                  interface_of(setting.contact, surface_.scales),
+                  setting.contact.tolerance * surface_.scales.rms_height,
+                  setting.contact.max_iterations) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    return observe(sequence_.solve(load_target(target)),
-                   {weights_, sequence_.local_compliance(), area_coefficient_},
-                   surface_);
+    tally_->cpu_time = 0.0;
+    contact::ContactSolution solution = sequence_.solve(load_target(target));
+    const int transforms = solution.transforms;
+    const CpuClock clock(threads_);
+    StepAnswer answer = observe(
+        std::move(solution),
+        {weights_, sequence_.local_compliance(), area_coefficient_}, surface_);
+    answer.row.observation_time = clock.seconds();
+    answer.row.transforms = transforms;
+    answer.row.transform_time = tally_->cpu_time;
+    return answer;
   }
 
 private:
   const SurfaceOfCase& surface_;
   double area_coefficient_;
+  int threads_;
+  std::shared_ptr<TimedOperator::Tally> tally_ =
+      std::make_shared<TimedOperator::Tally>();
   std::vector<double> weights_;
   contact::LoadSequence sequence_;
 };
@@ -218,16 +241,17 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 int threads) {
   if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
     return std::make_unique<OperatorSolver>(
-        shared_operator(method, surface, threads), half->contact, surface,
-        results::halfspace_area_coefficient);
+        shared_operator(method, surface, threads),
+        SolverSetting{half->contact, surface,
+                      results::halfspace_area_coefficient, threads});
   const auto& block = std::get<FemSettings>(method.settings);
   if (is_full(block))
     return std::make_unique<FullSolver>(
         fem::load_fem_room().full(request(block, surface, threads)),
         block.contact, surface, area_coefficient(block));
   return std::make_unique<OperatorSolver>(
-      shared_operator(method, surface, threads), block.contact, surface,
-      area_coefficient(block));
+      shared_operator(method, surface, threads),
+      SolverSetting{block.contact, surface, area_coefficient(block), threads});
 }
 
 std::unique_ptr<contact::SurfaceOperator>

@@ -32,7 +32,8 @@ std::string kind_of(const std::string& method_name) {
 }
 
 std::vector<MethodSpec> chosen_methods(const cases::Case& rough_case,
-                                       const std::vector<std::string>& names) {
+                                       const RunOptions& options) {
+  const std::vector<std::string>& names = options.methods;
   std::set<std::string> known;
   for (const MethodSpec& method : rough_case.methods) {
     known.insert(method.name);
@@ -48,8 +49,8 @@ std::vector<MethodSpec> chosen_methods(const cases::Case& rough_case,
   for (const MethodSpec& method : rough_case.methods)
     if (names.empty() ||
         std::find(names.begin(), names.end(), method.name) != names.end() ||
-        std::find(names.begin(), names.end(), kind_of(method.name)) !=
-            names.end())
+        (!options.is_exact && std::find(names.begin(), names.end(),
+                                        kind_of(method.name)) != names.end()))
       chosen.push_back(method);
   return chosen;
 }
@@ -181,6 +182,8 @@ RunOutcome Run::execute() {
     pool_.run({&job, 1});
   const bool was_interrupted = is_interrupted();
   writer_.record_provenance(clock.facts());
+  writer_.record_provenance(
+      {{"writing CPU time", fmt::format("{:.4f} s", writer_.cpu_time())}});
   writer_.finish(was_interrupted ? "interrupted" : "complete");
   return {was_interrupted, failed_steps_};
 }
@@ -270,7 +273,7 @@ void Run::run_step(StepSolver& solver, const MethodSpec& method,
 } // namespace
 
 RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
-  std::vector<MethodSpec> methods = chosen_methods(rough_case, options.methods);
+  std::vector<MethodSpec> methods = chosen_methods(rough_case, options);
   for (const MethodSpec& method : methods)
     if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
       md::require_engine(*md);

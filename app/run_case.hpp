@@ -18,6 +18,7 @@ struct RunOptions {
   bool resume = false;
   int threads = 0;            ///< 0: as many as the machine has
   std::string reference = {}; ///< text of the case's reference.csv, or empty
+  bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
 };
 
 struct RunOutcome {

@@ -43,6 +43,9 @@ constexpr std::array columns{
     column<&CurvePoint::iterations>("iterations", "1"),
     column<&CurvePoint::residual>("residual", "1"),
     column<&CurvePoint::cpu_time>("cpu_time", "s"),
+    column<&CurvePoint::transforms>("transforms", "1"),
+    column<&CurvePoint::transform_time>("transform_time", "s"),
+    column<&CurvePoint::observation_time>("observation_time", "s"),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged"),
     column<&CurvePoint::is_unloading>("is_unloading", "1"),
 };

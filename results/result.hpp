@@ -34,6 +34,12 @@ struct CurvePoint {
   int iterations = 0;
   double residual = 0.0; ///< complementarity, relative to h_rms [1]
   double cpu_time = 0.0; ///< [s]
+  int transforms = 0; ///< applications of the elastic operator or its inverse
+                      ///< on the method's grid; 0: not by such an operator
+  double transform_time = not_given;   ///< CPU time of all of them, those on
+                                       ///< coarser grids among it [s]
+  double observation_time = not_given; ///< CPU time of areas, fits and energy
+                                       ///< once the step is solved [s]
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge; empty otherwise

@@ -11,10 +11,18 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
 #include <stdexcept>
 
 namespace asperity::results {
 namespace {
+
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 void require_index(const char* name, int index) {
   require_between(name, index, 0, layout::most_realizations - 1, "1");
@@ -97,6 +105,7 @@ void ResultWriter::adopt(const CaseInfo& info) {
 }
 
 void ResultWriter::update(const Change& change) {
+  const double start = thread_seconds();
   try {
     std::filesystem::copy_file(
         path_, part_, std::filesystem::copy_options::overwrite_existing);
@@ -104,6 +113,7 @@ void ResultWriter::update(const Change& change) {
     change(file);
     file.close();
     std::filesystem::rename(part_, path_);
+    cpu_time_ += thread_seconds() - start;
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(part_, ignored);

@@ -107,6 +107,10 @@ public:
   /// True if that table is in the file, from this run or an earlier one.
   bool has_table(const std::string& name) const;
 
+  /// CPU time of this writer's steps, the copies among it [s]; to be asked
+  /// when no other thread writes.
+  double cpu_time() const { return cpu_time_; }
+
   /// @param status  complete | interrupted
   void finish(const std::string& status);
 
@@ -124,6 +128,7 @@ private:
   StepsDone steps_;
   std::set<std::string> methods_;
   std::set<std::string> tables_;
+  double cpu_time_ = 0.0; ///< [s]
 };
 
 } // namespace asperity::results

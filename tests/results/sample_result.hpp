@@ -52,6 +52,9 @@ inline CurvePoint sample_point(int step) {
   point.iterations = 20 + step;
   point.residual = 1e-9 / (17 + step);
   point.cpu_time = 0.1 * step;
+  point.transforms = 40 + step;
+  point.transform_time = 0.05 * step;
+  point.observation_time = 0.01 * step;
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
