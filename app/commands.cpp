@@ -1,9 +1,11 @@
 #include "app/commands.hpp"
 
+#include "app/bench.hpp"
 #include "app/case_library.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_case.hpp"
+#include "app/target_run.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/case_error.hpp"
 #include "cases/case_schema.hpp"
@@ -38,6 +40,7 @@ struct ReadCase {
   FoundCase found;
   cases::Case rough_case;
   std::string reference; ///< text of reference.csv
+  std::vector<std::string> overrides = {};
 };
 
 /// What one word of the command line asked for.
@@ -67,7 +70,7 @@ ReadCase read_with_reference(const FoundCase& found,
       quick.push_back(title_override(whole.title + reports::quick_mark));
     overrides.insert(overrides.begin(), quick.begin(), quick.end());
   }
-  ReadCase read{found, cases::read_case(file, overrides), ""};
+  ReadCase read{found, cases::read_case(file, overrides), "", overrides};
   read.reference = reference_text_of(read.rough_case);
   if (read.found.name.empty())
     read.found.name = read.rough_case.name;
@@ -122,9 +125,14 @@ reports::Summary write_outputs(const fs::path& folder) {
   return entry.summary;
 }
 
-ExitCode run_one(const cases::Case& rough_case, const RunOptions& options) {
+ExitCode run_one(const cases::Case& rough_case, const RunOptions& options,
+                 bool no_report = false) {
   fmt::print("{}: {}\n", rough_case.name, rough_case.title);
   const RunOutcome outcome = run_case(rough_case, options);
+  if (no_report)
+    return outcome.is_interrupted     ? exit_interrupted
+           : outcome.failed_steps > 0 ? exit_numerics_gave_up
+                                      : exit_good;
   const reports::Summary summary = write_outputs(options.folder);
   print_verdicts(summary);
   fmt::print("report: {}\n", (options.folder / "report.html").string());
@@ -147,23 +155,44 @@ bool is_result(const fs::path& path) {
   return path.extension() == ".h5" || fs::exists(path / "result.h5");
 }
 
+/// At the setting that is chosen for an error, which is then verified.
+ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
+                       const RunOptions& options) {
+  TargetRun target(read.rough_case, read.found.file, read.overrides,
+                   options.folder, read_target_error(command.target_error));
+  if (!target.is_chosen())
+    return exit_numerics_gave_up;
+  const cases::Case chosen = target.chosen_case();
+  ExitCode end = run_one(chosen, options, command.no_report);
+  if (is_interrupted())
+    return end;
+  if (!target.verify(chosen, options.folder))
+    end = worse(end, exit_expectation_failed);
+  if (!command.no_report)
+    write_outputs(options.folder);
+  return end;
+}
+
 ExitCode run_asked(const Asked& asked, const RunCommand& command) {
   const bool is_collection = !asked.found.collection.empty();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
-  for (const auto& [found, rough_case, reference] : asked.cases) {
+  for (const ReadCase& read : asked.cases) {
     const fs::path folder = is_collection
                                 ? folder_of(asked.found.collection, command) /
-                                      found.file.parent_path().filename()
-                                : folder_of(found.name, command);
-    end =
-        worse(end, run_one(rough_case, {folder, command.methods, command.resume,
-                                        command.threads, reference}));
-    parts.push_back({found, folder});
+                                      read.found.file.parent_path().filename()
+                                : folder_of(read.found.name, command);
+    const RunOptions options{folder,         command.methods,
+                             command.resume, command.threads,
+                             read.reference, command.is_exact};
+    end = worse(end, command.target_error.empty()
+                         ? run_one(read.rough_case, options, command.no_report)
+                         : run_to_target(read, command, options));
+    parts.push_back({read.found, folder});
     if (is_interrupted())
       break;
   }
-  if (is_collection)
+  if (is_collection && !command.no_report)
     write_collection_report(asked.found, parts,
                             folder_of(asked.found.collection, command));
   return end;
@@ -222,7 +251,8 @@ ExitCode check_targets(const std::vector<std::string>& targets,
       continue;
     }
     catch_interrupts();
-    for (const auto& [found, rough_case, reference] : asked->second.cases) {
+    for (const auto& [found, rough_case, reference, overrides] :
+         asked->second.cases) {
       const fs::path folder = fs::path("out") / found.name;
       if (run_case(rough_case, {folder, {}, false, 0, reference})
               .is_interrupted)

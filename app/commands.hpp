@@ -17,6 +17,9 @@ struct RunCommand {
   bool resume = false;
   bool is_quick = false; ///< quick.set of each case laid over it
   int threads = 0;
+  bool is_exact = false;         ///< `methods` are names alone, no kinds
+  std::string target_error = {}; ///< "1%"; empty: the case's own settings
+  bool no_report = false;        ///< result.h5 alone, as a benchmark wants it
 };
 
 /// Every case is read before the first is run. After the parts of a collection

@@ -1,4 +1,5 @@
 // The command line: words to commands, failures to exit codes.
+#include "app/bench.hpp"
 #include "app/commands.hpp"
 #include "app/stress_command.hpp"
 #include "cases/case_error.hpp"
@@ -37,9 +38,53 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
                     "go on with the steps an earlier run left out");
   command->add_flag("--quick", run.is_quick,
                     "lay the case's quick.set over it: minutes, not precision");
+  command->add_option("--target-error", run.target_error,
+                      "the cheapest setting predicted to err by less, e.g. "
+                      "1%, verified by a finer run");
+  command->add_flag("--exactly", run.is_exact,
+                    "--methods are names alone: fem is not fem.hard");
+  command->add_flag("--no-report", run.no_report, "write result.h5 alone");
   command->add_option("--threads", run.threads, "default: all cores")
       ->check(CLI::Range(1, 1024));
   command->callback([&] { action = [&] { return run_cases(run); }; });
+}
+
+void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "bench", "what each setting of a case's methods costs and how far its "
+               "answer is from the truth");
+  command
+      ->add_option("case", bench.contact_case,
+                   "case file, folder, shipped case")
+      ->required();
+  command
+      ->add_option("--methods", bench.methods,
+                   "only these, by name or kind: fem,theory")
+      ->delimiter(',');
+  command
+      ->add_option("--set", bench.overrides,
+                   "key=value over the case file, e.g. surface.points=128")
+      ->allow_extra_args(false);
+  command->add_option("--out", bench.out, "folder (default: out/<case>/bench)");
+  command
+      ->add_option("--repeats", bench.repeats,
+                   "timed runs of a setting, after one that warms up")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--realizations", bench.realizations, "at most so many")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--budget", bench.budget,
+                   "seconds, after which settings are run once and those but "
+                   "the points are left out")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--quick", bench.is_quick,
+                    "quick.set, points alone, one timed run, a minute");
+  command->add_option("--target-error", bench.target_error,
+                      "also choose the cheapest setting for it: 1%");
+  command->callback([&] { action = [&] { return bench_case(bench); }; });
 }
 
 void add_report(CLI::App& program, std::vector<std::string>& results,
@@ -116,6 +161,8 @@ int run(int argc, char** argv) {
   std::vector<std::string> paths;
   std::string out;
   add_run(program, run, action);
+  BenchCommand bench;
+  add_bench(program, bench, action);
   add_report(program, paths, out, action);
   add_check(program, paths, out, action);
   add_stress(program, stress, action);

@@ -1,0 +1,136 @@
+#include "app/forecast.hpp"
+
+#include "cases/quantity_at_load.hpp"
+#include "reports/bench_answer.hpp"
+#include "reports/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace asperity::app {
+namespace {
+
+using reports::BenchAnswer;
+using reports::BenchPoint;
+
+constexpr double lowest_order = 0.5;  // of a forecast
+constexpr double highest_order = 2.0; // a lucky pair promises no more
+constexpr double order_unknown = 1.0;
+
+bool means(const std::string& quantity, const std::string& column) {
+  return column == quantity ||
+         (quantity == any_area && reports::is_area(column));
+}
+
+} // namespace
+
+double Forecast::error(const std::string& quantity, int points,
+                       double growth_share) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [name, term] : terms) {
+    if (!means(quantity, name))
+      continue;
+    const double error =
+        term.error *
+            std::pow(static_cast<double>(finest) / points, term.order) +
+        term.floor * growth_share * growth_share;
+    least = std::fmin(least, error);
+  }
+  return least;
+}
+
+double Forecast::cpu_time(int points) const {
+  return fixed_time + step_time.at(points);
+}
+
+std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
+  const std::string gap = contact_case.load.control == cases::Control::mean_gap
+                              ? "nominal_pressure"
+                              : "mean_gap";
+  std::vector<std::string> asked;
+  const auto add = [&](const std::string& name) {
+    if (std::find(asked.begin(), asked.end(), name) == asked.end())
+      asked.push_back(name);
+  };
+  const bool is_exact = reports::is_exact_shape(contact_case.surface);
+  for (const cases::Expectation& one : contact_case.expectations) {
+    const std::string& name = one.quantity;
+    if (name == "gap_deviation" || name == "mean_gap_error" ||
+        name == "approach_error" || name == "pressure_difference")
+      add(gap);
+    else if (name.starts_with("area_") || name == "contact_radius_error")
+      add(cases::names_a_load(name) && !is_exact ? name : any_area);
+    else if (!is_exact && (name == "gamma_slope" || name == "gamma_theory" ||
+                           name == "kappa" || name == "beta"))
+      add(name);
+  }
+  if (asked.empty())
+    asked = {gap, any_area};
+  return asked;
+}
+
+Forecast::Term term_of(std::span<const BenchPoint> coarse,
+                       const std::string& column) {
+  const std::size_t n = coarse.size();
+  const std::vector<double> scale =
+      reports::scale_of(column, coarse[n - 1].answer);
+  // Between the run at i and the one before it.
+  const auto difference = [&](std::size_t i) {
+    const auto fine = coarse[i].answer.values.find(column);
+    const auto rough = coarse[i - 1].answer.values.find(column);
+    const bool is_known = fine != coarse[i].answer.values.end() &&
+                          rough != coarse[i - 1].answer.values.end() &&
+                          fine->second.size() == scale.size() &&
+                          rough->second.size() == scale.size();
+    return is_known
+               ? reports::rms_difference(fine->second, rough->second, scale)
+               : reports::not_a_number;
+  };
+  Forecast::Term term;
+  term.order = order_unknown;
+  if (n >= 3) {
+    const std::array spacings{1.0 / coarse[n - 3].points,
+                              1.0 / coarse[n - 2].points,
+                              1.0 / coarse[n - 1].points};
+    const double order =
+        reports::observed_order(spacings, difference(n - 2), difference(n - 1));
+    if (std::isfinite(order))
+      term.order = std::clamp(order, lowest_order, highest_order);
+  }
+  const double ratio = static_cast<double>(coarse[n - 1].points) /
+                       static_cast<double>(coarse[n - 2].points);
+  term.error = difference(n - 1) / (std::pow(ratio, term.order) - 1.0);
+  return term;
+}
+
+void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
+              std::span<const std::string> quantities) {
+  std::vector<double> points;
+  std::vector<double> times;
+  for (const BenchPoint& point : coarse) {
+    points.push_back(point.points);
+    times.push_back(point.phases.steps());
+  }
+  forecast.finest = coarse.back().points;
+  forecast.step_time = reports::fit_power_law(points, times);
+  forecast.fixed_time = coarse.back().cpu.median - times.back();
+  for (const std::string& quantity : quantities)
+    for (const auto& [column, values] : coarse.back().answer.values)
+      if (means(quantity, column))
+        if (const Forecast::Term term = term_of(coarse, column);
+            std::isfinite(term.error))
+          forecast.terms[column] = term;
+}
+
+void add_growth(Forecast& forecast, const BenchPoint& as_it_is,
+                const BenchPoint& halved) {
+  for (auto& [column, term] : forecast.terms) {
+    const double difference =
+        reports::error_against(halved.answer, as_it_is.answer, column);
+    term.floor = std::isfinite(difference) ? difference * 4.0 / 3.0 : 0.0;
+  }
+}
+
+} // namespace asperity::app

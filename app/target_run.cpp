@@ -1,0 +1,94 @@
+#include "app/target_run.hpp"
+
+#include "app/sweep.hpp"
+#include "cases/case_hash.hpp"
+#include "cases/read_case.hpp"
+#include "reports/bench_answer.hpp"
+#include "reports/bench_report.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+BenchRunnerOptions search_options(const cases::Case& contact_case,
+                                  const std::filesystem::path& file,
+                                  std::vector<std::string> overrides,
+                                  const std::filesystem::path& folder) {
+  for (std::string& one : common_overrides(contact_case, 1))
+    overrides.push_back(std::move(one));
+  return {file, std::move(overrides), folder / "target-error", 1,
+          std::numeric_limits<double>::infinity()};
+}
+
+results::Provenance facts_of(const reports::TargetOutcome& outcome) {
+  results::Provenance facts{{"target error", reports::per_cent(outcome.target)},
+                            {"target error, verified", outcome.finer}};
+  for (const reports::Promise& promise : outcome.promises)
+    facts.emplace_back(
+        fmt::format("target error, {} of {}", promise.quantity, promise.method),
+        fmt::format("promised {}, predicted {}, found {}: {} ({})",
+                    reports::per_cent(outcome.target),
+                    reports::per_cent(promise.predicted),
+                    reports::per_cent(promise.found),
+                    promise.is_kept ? "kept" : "not kept", promise.estimator));
+  return facts;
+}
+
+} // namespace
+
+TargetRun::TargetRun(const cases::Case& contact_case,
+                     std::filesystem::path file,
+                     std::vector<std::string> overrides,
+                     const std::filesystem::path& folder, double target)
+    : file_(std::move(file)),
+      overrides_(std::move(overrides)),
+      search_(contact_case,
+              search_options(contact_case, file_, overrides_, folder)) {
+  fmt::print("{}: looking for the cheapest setting with an error of {}\n",
+             contact_case.name, reports::per_cent(target));
+  outcome_ = search_.choose(target);
+  if (is_chosen())
+    fmt::print("chosen: {}; predicted {:.3g} s of CPU time a realisation\n",
+               outcome_.chosen, outcome_.predicted_cpu_time);
+  else
+    fmt::print("{}\n", outcome_.problem);
+}
+
+cases::Case TargetRun::chosen_case() const {
+  std::vector<std::string> overrides = overrides_;
+  overrides.insert(overrides.end(), outcome_.overrides.begin(),
+                   outcome_.overrides.end());
+  return cases::read_case(file_.string(), overrides);
+}
+
+bool TargetRun::verify(const cases::Case& chosen,
+                       const std::filesystem::path& folder) {
+  results::Result result = results::read_result(folder);
+  std::map<std::string, reports::BenchAnswer> answers;
+  for (results::MethodRecord& method : result.methods)
+    if (!method.realizations.empty())
+      method.realizations.resize(1); // as the finer runs have
+  for (const results::MethodRecord& method : result.methods)
+    answers[method.name] = reports::answer_of(result, chosen, method.name);
+  search_.verify(outcome_, answers);
+  print_outcome(outcome_);
+  results::ResultWriter writer(folder,
+                               {result.case_name, result.case_title,
+                                result.case_text, result.case_hash,
+                                result.contact_modulus, result.reference},
+                               results::ResultWriter::Mode::resume);
+  writer.record_provenance(facts_of(outcome_));
+  writer.finish(result.status);
+  return std::all_of(
+      outcome_.promises.begin(), outcome_.promises.end(),
+      [](const reports::Promise& promise) { return promise.is_kept; });
+}
+
+} // namespace asperity::app

@@ -1,0 +1,40 @@
+#pragma once
+
+// asperity run --target-error: the case at the cheapest setting predicted to
+// keep an error, and in its result whether it did.
+
+#include "app/target_error.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+class TargetRun {
+public:
+  /// Runs the coarse grids and chooses; says what on standard output.
+  /// @param contact_case  of that file with those overrides
+  /// @param folder        of the case's result; the search works below it
+  TargetRun(const cases::Case& contact_case, std::filesystem::path file,
+            std::vector<std::string> overrides,
+            const std::filesystem::path& folder, double target);
+
+  bool is_chosen() const { return outcome_.problem.empty(); }
+
+  /// The case with the chosen settings laid over it, as --set would.
+  cases::Case chosen_case() const;
+
+  /// Holds the result of that case against one finer run a method, says what
+  /// was promised and found, and writes both into the result as facts.
+  /// @return  true if every promise held
+  bool verify(const cases::Case& chosen, const std::filesystem::path& folder);
+
+private:
+  std::filesystem::path file_;
+  std::vector<std::string> overrides_;
+  TargetSearch search_;
+  reports::TargetOutcome outcome_;
+};
+
+} // namespace asperity::app

@@ -1,0 +1,173 @@
+// Claims about `asperity bench` and --target-error as a user meets them, on a
+// wave of seconds that has an exact answer.
+#include "results/result_reader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/app/program.hpp"
+
+namespace asperity::app {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string wave = R"(schema = 1
+title = "wave"
+[surface]
+kind = "wave-1d"
+length = "1 um"
+points = 64
+wavelength = "1 length"
+amplitude = "0.003183098861837907 length"
+[material]
+contact_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = { from = "2e-3 E*", to = "8e-3 E*", steps = 3, spacing = "linear" }
+[halfspace]
+contact = "hard"
+[expect]
+mean_gap_error = { below = 1e-2, methods = ["halfspace"] }
+)";
+
+class Bench : public ProgramTest {
+protected:
+  Bench() { write("wave.toml", wave); }
+
+  Json json() const {
+    return Json::parse(text_of(folder / "b" / "bench.json"));
+  }
+};
+
+const Json& series_on(const Json& bench, const std::string& axis) {
+  for (const Json& series : bench["series"])
+    if (series["axis"] == axis)
+      return series;
+  throw std::runtime_error("no series over " + axis);
+}
+
+// Claim: every setting is measured and answers the same every time; transforms
+// are counted, and their time lies within that of the run.
+TEST_F(Bench, MeasuresEverySetting) {
+  const Ended done = run("bench wave.toml --repeats 2 --out b");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  const Json bench = json();
+  ASSERT_GE(bench["points"].size(), 5U); // three grids, two more tolerances
+  for (const Json& point : bench["points"]) {
+    EXPECT_EQ(point["problem"], "") << point["label"];
+    EXPECT_EQ(point["repeats"], 2);
+    EXPECT_TRUE(point["is_repeatable"]) << point["label"];
+    EXPECT_GT(point["peak_memory [B]"], 1e6);
+    EXPECT_GT(point["transforms"], point["iterations"]);
+    const double cpu = point["cpu_time"]["median [s]"];
+    const double transforms = point["phases"]["transforms [s]"];
+    EXPECT_GT(transforms, 0.0);
+    EXPECT_LT(transforms, cpu);
+  }
+}
+
+/// One run for several claims.
+class QuickBench : public Bench {
+protected:
+  QuickBench() {
+    done_ = run("bench wave.toml --quick --target-error 0.5% --out b");
+  }
+
+  void expect_complete_table() const;
+  void expect_order_and_front() const;
+  void expect_verified_promise() const;
+
+  Ended done_;
+};
+
+void QuickBench::expect_complete_table() const {
+  std::istringstream table(text_of(folder / "b" / "bench.csv"));
+  std::string head;
+  std::getline(table, head);
+  std::size_t rows = 0;
+  for (std::string row; std::getline(table, row); ++rows)
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','),
+              std::count(head.begin(), head.end(), ','))
+        << row;
+  EXPECT_EQ(rows, json()["points"].size());
+  EXPECT_TRUE(std::filesystem::exists(folder / "b" / "report.html"));
+}
+
+// The counted area of a wave is of first order in the spacing, and
+// along each front what costs more errs less. Tolerance: whole nodes of a strip
+// contact round the area by up to a node, which over a factor of four in h
+// moves the slope by less than a half.
+void QuickBench::expect_order_and_front() const {
+  const Json bench = json();
+  const double slope = series_on(
+      bench, "surface.points")["orders"]["area_fraction"]["error"]["exponent"];
+  EXPECT_NEAR(slope, 1.0, 0.5);
+  for (const auto& [quantity, front] : bench["fronts"].items())
+    for (std::size_t k = 1; k < front.size(); ++k) {
+      const Json& cheap = bench["points"][front[k - 1].get<std::size_t>()];
+      const Json& dear = bench["points"][front[k].get<std::size_t>()];
+      EXPECT_LT(cheap["cpu_time"]["median [s]"],
+                dear["cpu_time"]["median [s]"]);
+      EXPECT_LT(dear["errors"][quantity], cheap["errors"][quantity]);
+    }
+}
+
+void QuickBench::expect_verified_promise() const {
+  const Json target = json()["targets"][0];
+  ASSERT_EQ(target["problem"], "");
+  ASSERT_EQ(target["promises"].size(), 1U); // the mean gap, of [expect]
+  for (const Json& promise : target["promises"]) {
+    EXPECT_LT(promise["predicted"], 0.005);
+    EXPECT_GT(promise["found"], 0.0);
+    EXPECT_EQ(promise["is_kept"], promise["found"] < 0.005);
+  }
+}
+
+// Claims: a table row a setting, each as long as the head; order and front; a
+// promise says what was found, and "kept" is what the numbers say.
+TEST_F(QuickBench, IsWholeConsistentAndTrueToItsWord) {
+  ASSERT_EQ(done_.exit_code, 0) << done_.output;
+
+  expect_complete_table();
+  expect_order_and_front();
+  expect_verified_promise();
+}
+
+// Claim: a run for an error is the case with the chosen settings in its text,
+// and its result says whether the promise held.
+TEST_F(Bench, RunsTheChosenSetting) {
+  const Ended done =
+      run("run wave.toml --target-error 0.5% --no-report --out r");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  const results::Result result = results::read_result(folder / "r");
+  EXPECT_NE(result.case_text.find("#--set surface.points="), std::string::npos);
+  EXPECT_EQ(result.status, "complete");
+  const auto fact = std::find_if(
+      result.provenance.begin(), result.provenance.end(), [](const auto& one) {
+        return one.first == "target error, mean_gap of halfspace";
+      });
+  ASSERT_NE(fact, result.provenance.end());
+  EXPECT_NE(fact->second.find(": kept"), std::string::npos) << fact->second;
+}
+
+// Claim: what cannot be had is said, not tried.
+TEST_F(Bench, SaysWhatItCannotDo) {
+  const Ended none = run("run wave.toml --target-error 1e-9 --out r");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.output.find("no setting up to"), std::string::npos);
+
+  const Ended wrong = run("bench wave.toml --target-error 1m --out b");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.output.find("must be a share such as 1%"), std::string::npos);
+
+  const Ended method = run("bench wave.toml --methods md --out b");
+  EXPECT_EQ(method.exit_code, 2);
+}
+
+} // namespace
+} // namespace asperity::app

@@ -1,0 +1,87 @@
+// Claims about what coarse runs promise of finer ones, held against runs made
+// by formula: an error c h^p, a cost a + b n^e.
+#include "app/forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+constexpr double limit = 2.0;
+constexpr double order = 1.5;
+constexpr double cost_exponent = 2.3;
+
+/// A run whose kappa errs by 30 / n^1.5 and costs 0.5 s and 1e-6 n^2.3.
+reports::BenchPoint run_on(int points) {
+  reports::BenchPoint run;
+  run.points = points;
+  run.answer.values["kappa"] = {limit + 30.0 * std::pow(points, -order)};
+  run.answer.rms_height = 1.0;
+  run.phases.solving = 1e-6 * std::pow(points, cost_exponent);
+  run.cpu.median = 0.5 + run.phases.solving;
+  return run;
+}
+
+Forecast forecast_from(const std::vector<reports::BenchPoint>& coarse) {
+  Forecast forecast;
+  add_runs(forecast, coarse, std::vector<std::string>{"kappa"});
+  return forecast;
+}
+
+// Claim: order, error and cost at any finer grid. Tolerance: the error is
+// relative to the finest coarse answer, which is off the limit by 4 %.
+TEST(Forecast, FindsOrderErrorAndCost) {
+  const Forecast forecast =
+      forecast_from({run_on(32), run_on(64), run_on(128)});
+
+  EXPECT_NEAR(forecast.terms.at("kappa").order, order, 1e-6);
+  const double expected = 30.0 * std::pow(1024.0, -order) / limit;
+  EXPECT_NEAR(forecast.error("kappa", 1024, 1.0) / expected, 1.0, 0.04);
+  EXPECT_NEAR(forecast.cpu_time(1024) /
+                  (0.5 + 1e-6 * std::pow(1024.0, cost_exponent)),
+              1.0, 1e-9);
+}
+
+// Claim: from two runs the order is taken as 1, so the promise of a faster
+// series is too careful and never too bold.
+TEST(Forecast, OfTwoRunsIsCareful) {
+  const Forecast forecast = forecast_from({run_on(64), run_on(128)});
+
+  const double error = 30.0 * std::pow(1024.0, -order) / limit;
+  EXPECT_EQ(forecast.terms.at("kappa").order, 1.0);
+  EXPECT_GT(forecast.error("kappa", 1024, 1.0), error);
+}
+
+// Claim: of the layers' growth, second order in its logarithm, a run with half
+// of it tells all: 4/3 of the difference as it is, a quarter of that at half.
+// Tolerance: rounding.
+TEST(Forecast, AddsTheFloorOfTheLayers) {
+  Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
+  forecast.growth = 1.2;
+  const double before = forecast.error("kappa", 4096, 1.0);
+  reports::BenchPoint as_it_is = run_on(32);
+  reports::BenchPoint halved = as_it_is;
+  as_it_is.answer.values["kappa"] = {limit + 4.0 * 0.01};
+  halved.answer.values["kappa"] = {limit + 0.01};
+
+  add_growth(forecast, as_it_is, halved);
+
+  const double floor = 0.04 / (limit + 0.01);
+  EXPECT_NEAR(forecast.error("kappa", 4096, 1.0) - before, floor, 1e-12);
+  EXPECT_NEAR(forecast.error("kappa", 4096, 0.5) - before, floor / 4.0, 1e-12);
+}
+
+// Claim: asked for the area, the estimator that errs least serves.
+TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
+  Forecast forecast;
+  forecast.finest = 64;
+  forecast.terms["area_fraction"] = {.error = 0.1, .order = 1.0};
+  forecast.terms["area_fraction_corrected"] = {.error = 0.02, .order = 1.0};
+
+  EXPECT_NEAR(forecast.error(any_area, 128, 1.0), 0.01, 1e-15);
+}
+
+} // namespace
+} // namespace asperity::app
