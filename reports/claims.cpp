@@ -3,6 +3,8 @@
 #include "cases/expectations.hpp"
 #include "reports/comparison.hpp"
 #include "reports/rough.hpp"
+#include "reports/tail_of_surface.hpp"
+#include "reports/two_faces.hpp"
 #include "theory/persson.hpp"
 
 #include <algorithm>
@@ -103,6 +105,26 @@ void add_surface_quantities(const results::Result& result,
   });
 }
 
+// Of one value: the two surfaces are one pair.
+void add_sum_quantities(const results::Result& result,
+                        const cases::SurfaceSpec& surface,
+                        MethodSummary& summary) {
+  const auto sum = sum_of_two_faces(result);
+  if (!sum)
+    return;
+  const auto add = [&](const char* name, double value) {
+    Estimate& estimate = summary.quantities[name];
+    estimate.value = value;
+    estimate.realizations = 1;
+    estimate.remark = "of both surfaces together";
+  };
+  add("sum_rms_height", sum->rms_height);
+  if (surface.kind == cases::SurfaceKind::self_affine)
+    add("sum_spectrum_ratio",
+        sum_spectrum_ratio(result, *sum, surface.wavevector_roll_off,
+                           surface.wavevector_high));
+}
+
 void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
   const std::size_t count = method.realizations.size();
   add_mean(summary, "log_linearity", count, "no window of gamma_slope",
@@ -135,8 +157,13 @@ const std::vector<std::pair<std::string, std::string>>& meanings() {
       {"departure_high", "u / h_rms above which ln p / p of theory at equal u "
                          "is over 0.1 from its median [1]."},
       {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
+      {"asperity_shortfall", "(Theory's u - u) / h_rms at the lightest load, u "
+                             "that of separate asperities without end [1]."},
       {"highest_asperity", "Largest height / h_rms [1]."},
       {"rms_height", "Root mean square of the heights [m]."},
+      {"sum_rms_height", "h_rms of the sum of both surfaces [m]."},
+      {"sum_spectrum_ratio", "Mean of C(q) of the sum of both surfaces over "
+                             "C_0 + C_1, roll-off to cut-off [1]."},
       {"fractal_dimension", "3 - H of the measured spectrum [1]."}};
   return table;
 }
@@ -156,9 +183,12 @@ void add_claim_quantities(const results::Result& result,
     epsilon.realizations = 1;
     epsilon.remark = "(16) at the gamma of the case";
   }
+  add_tail_quantities(result, contact_case, method, summary);
   if (!uses_formula(contact_case, method) &&
-      surface_of(result, method, 0) != nullptr)
+      surface_of(result, method, 0) != nullptr) {
     add_surface_quantities(result, contact_case, method, summary);
+    add_sum_quantities(result, contact_case.surface, summary);
+  }
   add_curve_quantities(method, summary);
   if (method.kind == "theory" || reference == nullptr)
     return;

@@ -25,6 +25,8 @@ inline constexpr double linear_area = 0.10;
 ///  - highest_asperity: largest height over h_rms; rms_height [m];
 ///    fractal_dimension: 3 - H of the straight line through ln C(ln q) between
 ///    roll-off and cut-off: of the surface the method ran on
+///  - highest_asperity, asperity_shortfall of a theory: add_tail_quantities()
+///  - sum_rms_height [m], sum_spectrum_ratio: of two faces, see two_faces.hpp
 /// Each is the mean over the realisations that have it.
 void add_claim_quantities(const results::Result& result,
                           const cases::Case& contact_case,

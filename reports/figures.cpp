@@ -55,6 +55,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
   if (is_exact_shape(entry.contact_case->surface))
     group.figures = exact_figures(entry);
   append(group.figures, surface_figure(entry));
+  append(group.figures, two_faces_figure(entry));
   append(group.figures, spectrum_figure(entry));
   append(group.figures, height_figure(entry));
   if (!is_exact_shape(entry.contact_case->surface)) {

@@ -42,6 +42,9 @@ std::vector<Figure> gap_distribution_figures(const ReportEntry& entry);
 std::optional<Figure> surface_figure(const ReportEntry& entry);
 std::optional<Figure> spectrum_figure(const ReportEntry& entry);
 
+/// Both maps and their sum, of a result that sum_of_two_faces() takes.
+std::optional<Figure> two_faces_figure(const ReportEntry& entry);
+
 /// Pressure and gap maps of the kept loads, a figure a method; a variant such
 /// as "fem.hard" has none if its "fem" has.
 std::vector<Figure> map_figures(const ReportEntry& entry);

@@ -1,6 +1,7 @@
 #include "reports/height_figure.hpp"
 
 #include "reports/plot_parts.hpp"
+#include "reports/two_faces.hpp"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,11 @@ std::map<int, double> densities(const results::SurfaceRecord& surface) {
   return density;
 }
 
+std::string capital(std::string text) {
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
 } // namespace
 
 std::optional<Figure> height_figure(const ReportEntry& entry) {
@@ -39,12 +45,11 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
                    "h_rms.";
   CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
   std::vector<std::string> plots;
-  for (std::size_t r = 0; r < entry.result->surfaces.size(); ++r) {
-    const results::SurfaceRecord& surface = entry.result->surfaces[r];
+  const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,
+                       const std::string& name) {
     if (surface.heights.empty() || !(surface.rms_height > 0.0) ||
         plots.size() == most_curves)
-      continue;
-    const std::string name = fmt::format("realisation {}", r);
+      return;
     for (const auto& [bin, density] : densities(surface))
       table.add(name,
                 {static_cast<double>(r), (bin + 0.5) * bin_width, density});
@@ -53,11 +58,15 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
         "pointtype 6 pointsize 0.6 linewidth 1.3 linecolor rgb '{}' title {}",
         r, method_color(r), gnuplot_text(name)));
     figure.caption += fmt::format(
-        " Realisation {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} "
-        "h_rms.",
-        r, surface.skewness, surface.kurtosis,
+        " {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} h_rms.",
+        capital(name), surface.skewness, surface.kurtosis,
         surface.highest / surface.rms_height);
-  }
+  };
+  const auto& surfaces = entry.result->surfaces;
+  for (std::size_t r = 0; r < surfaces.size(); ++r)
+    add(surfaces[r], r, fmt::format("realisation {}", r));
+  if (const auto sum = sum_of_two_faces(*entry.result))
+    add(*sum, surfaces.size(), "sum of both");
   if (plots.empty())
     return std::nullopt;
   for (int k = 0; k <= gaussian_points; ++k) {

@@ -1,5 +1,6 @@
 #include "reports/figures.hpp"
 #include "reports/plot_parts.hpp"
+#include "reports/two_faces.hpp"
 
 #include <fmt/format.h>
 
@@ -170,6 +171,45 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       "'x [µm]'\nset ylabel 'y [µm]'\n{}",
       map_style, height_palette, -span, span,
       image_of("surface-map.csv", surface.grid, picture));
+  return figure;
+}
+
+std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
+  const auto sum = sum_of_two_faces(*entry.result);
+  if (!sum)
+    return std::nullopt;
+  Figure figure;
+  figure.name = "two-faces";
+  figure.title = "Both faces and their sum";
+  figure.width = 1010;
+  figure.height = 330;
+  figure.script = fmt::format("{}{}set multiplot layout 1,3 margins "
+                              "0.05,0.94,0.08,0.9 spacing 0.09,0.05\n",
+                              map_style, height_palette);
+  CsvTable table({"face", "rms_height [m]", "rms_slope [1]", "skewness [1]",
+                  "kurtosis [1]", "highest [m]"});
+  const auto add = [&](const results::SurfaceRecord& face,
+                       const std::string& name, const std::string& title) {
+    const Picture picture = picture_of(face.grid, face.heights, 1e-9);
+    const double span = std::max(std::abs(picture.least), picture.largest);
+    figure.maps.emplace_back(name, picture.csv);
+    table.add(name, {face.rms_height, face.rms_slope, face.skewness,
+                     face.kurtosis, face.highest});
+    figure.script +=
+        fmt::format("set title {}\nset cbrange [{:.4g}:{:.4g}]\n",
+                    gnuplot_text(fmt::format("{}, {:.3g} nm rms", title,
+                                             face.rms_height * 1e9)),
+                    -span, span);
+    figure.script += image_of("two-faces-" + name + ".csv", face.grid, picture);
+  };
+  add(entry.result->surfaces[0], "first", "realisation 0");
+  add(entry.result->surfaces[1], "second", "realisation 1");
+  add(*sum, "sum", "sum of both");
+  figure.script += "unset multiplot\n";
+  figure.caption =
+      "Heights in nm, sides in µm. The sum is what a flat block of the two "
+      "bodies' combined stiffness meets.";
+  figure.data = table.text();
   return figure;
 }
 

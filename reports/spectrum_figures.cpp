@@ -1,5 +1,6 @@
 #include "reports/figures.hpp"
 #include "reports/plot_parts.hpp"
+#include "reports/two_faces.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -16,18 +17,24 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   figure.title = "Its spectrum";
   CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
   std::vector<std::string> plots;
-  for (std::size_t r = 0; r < surfaces.size(); ++r) {
-    if (surfaces[r].spectrum.empty())
-      continue;
-    for (const results::SpectrumPoint& point : surfaces[r].spectrum)
+  const auto add = [&](const results::SurfaceRecord& surface, std::size_t index,
+                       const std::string& name) {
+    if (surface.spectrum.empty())
+      return;
+    for (const results::SpectrumPoint& point : surface.spectrum)
       if (point.spectrum > 0.0)
-        table.add(fmt::format("realisation {}", r),
-                  {static_cast<double>(r), point.wavevector, point.spectrum});
+        table.add(name, {static_cast<double>(index), point.wavevector,
+                         point.spectrum});
     plots.push_back(fmt::format(
         "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with points pointtype 6 "
         "pointsize 0.5 linewidth 1 linecolor rgb '{}' title {}",
-        r, method_color(r), gnuplot_text(fmt::format("realisation {}", r))));
-  }
+        index, method_color(index), gnuplot_text(name)));
+  };
+  for (std::size_t r = 0; r < surfaces.size(); ++r)
+    add(surfaces[r], r, fmt::format("realisation {}", r));
+  const auto sum = sum_of_two_faces(*entry.result);
+  if (sum)
+    add(*sum, surfaces.size() + 1, "sum of both");
   if (plots.empty())
     return std::nullopt;
   figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
@@ -48,6 +55,18 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
         "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
         "linecolor rgb '#222222' title 'formula'",
         surfaces.size()));
+    if (sum) {
+      plots.push_back(fmt::format(
+          "'spectrum.csv' using ($2=={} ? $3 : NaN):(2*$4) with lines "
+          "linewidth 1.5 dashtype 2 linecolor rgb '#222222' title 'twice the "
+          "formula'",
+          surfaces.size()));
+      figure.caption += fmt::format(
+          " The sum of both faces has C_0 + C_1: their ratio is {:.3f} on "
+          "average between roll-off and cut-off.",
+          sum_spectrum_ratio(*entry.result, *sum, spec.wavevector_roll_off,
+                             spec.wavevector_high));
+    }
     floor = 0.03 * formula.density(spec.wavevector_high);
     figure.caption += fmt::format(
         " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",

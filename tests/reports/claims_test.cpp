@@ -4,6 +4,8 @@
 #include "reports/comparison.hpp"
 #include "reports/height_figure.hpp"
 #include "reports/report.hpp"
+#include "theory/asperity_models.hpp"
+#include "theory/highest_peak.hpp"
 
 #include <gtest/gtest.h>
 
@@ -115,6 +117,28 @@ TEST_F(Claims, MeasureTheSurface) {
   EXPECT_EQ(of("fem", "highest_asperity").value,
             result.surfaces[0].highest / result.surfaces[0].rms_height);
   EXPECT_FALSE(of("theory", "rms_height").has_value());
+}
+
+// Claim: the theory of the formula has the asperity model's gap at its lightest
+// load: put back into the model it gives that load. Tolerance: of the root, 40
+// bits. And it has the expected height of the case's own cell.
+TEST_F(Claims, HaveTheTailOfASurfaceWithoutEnd) {
+  const theory::HeightSpectrum spectrum =
+      synthetic::contact_of(rough.surface).spectrum();
+  const auto& first = result.methods[0].realizations[0].points.front();
+
+  const double gap = first.mean_gap - of("theory", "asperity_shortfall").value *
+                                          spectrum.rms_height();
+
+  EXPECT_NEAR(theory::bush_gibson_thomas(spectrum.profile_moments(),
+                                         synthetic::contact_modulus, gap)
+                      .nominal_pressure /
+                  first.nominal_pressure,
+              1.0, 1e-10);
+  EXPECT_NEAR(of("theory", "highest_asperity").value,
+              theory::expected_highest(spectrum.profile_moments(),
+                                       synthetic::length * synthetic::length),
+              1e-9);
 }
 
 TEST_F(Claims, AreExplained) {

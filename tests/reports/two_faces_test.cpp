@@ -1,0 +1,109 @@
+// Claims about reports/two_faces.hpp: two surfaces that nothing is pressed on
+// are the faces of one contact, whose roughness adds up as it should.
+#include "reports/figures.hpp"
+#include "reports/height_figure.hpp"
+#include "reports/report.hpp"
+#include "reports/two_faces.hpp"
+#include "surfaces/shells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+class TwoFaces : public ::testing::Test {
+protected:
+  TwoFaces() {
+    result.methods.pop_back(); // theory alone
+    for (results::SurfaceRecord& face : result.surfaces)
+      measure(face);
+  }
+
+  // As a run does.
+  static void measure(results::SurfaceRecord& face) {
+    face.spectrum.clear();
+    for (const auto& shell :
+         surfaces::spectral_shells({face.grid, face.heights}))
+      face.spectrum.push_back(
+          {shell.wavevector, surfaces::shell_density(shell, face.grid)});
+  }
+
+  double ratio(const results::SurfaceRecord& sum) const {
+    return sum_spectrum_ratio(result, sum, rough.surface.wavevector_roll_off,
+                              rough.surface.wavevector_high);
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  results::Result result = synthetic::rough_result(rough, 2);
+};
+
+// Claim: heights add up node by node; by Parseval the sum's h_rms is that of
+// its heights. Rounding.
+TEST_F(TwoFaces, AddUpNodeByNode) {
+  const auto sum = sum_of_two_faces(result);
+
+  ASSERT_TRUE(sum);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < sum->heights.size(); ++i) {
+    const double height =
+        result.surfaces[0].heights[i] + result.surfaces[1].heights[i];
+    ASSERT_EQ(sum->heights[i], height);
+    squares += height * height;
+  }
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(sum->heights.size())) /
+                  sum->rms_height,
+              1.0, 1e-12);
+}
+
+// Claim: independent faces have C_0 + C_1. Tolerance: a shell of n modes, n/2
+// of them free, is off by the mean of as many cosines of random angles,
+// 1/sqrt(n), and by as much again for Gaussian amplitudes; of some 70 shells
+// some 20 have 8 modes, which leaves 0.02 of the mean, three times that here.
+TEST_F(TwoFaces, HaveTheSumOfTheirSpectra) {
+  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 1.0, 0.06);
+}
+
+// Claim: a face on itself has 4 C = 2 (C + C), on half of its mould C/4 = 0.2
+// (C
+// + C/4). Rounding.
+TEST_F(TwoFaces, AreToldFromFacesThatFitIntoEachOther) {
+  result.surfaces[1] = result.surfaces[0];
+  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 2.0, 1e-12);
+
+  for (double& height : result.surfaces[1].heights)
+    height *= -0.5;
+  measure(result.surfaces[1]);
+  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 0.2, 1e-12);
+}
+
+TEST_F(TwoFaces, AreNoneWhereSomethingIsPressed) {
+  EXPECT_FALSE(sum_of_two_faces(synthetic::rough_result(rough, 2)));
+  EXPECT_FALSE(sum_of_two_faces(synthetic::rough_result(rough, 3)));
+  result.surfaces[1].heights.clear();
+  EXPECT_FALSE(sum_of_two_faces(result));
+}
+
+// Claim: the report has the maps, the third distribution and the third
+// spectrum, and not where there is one surface.
+TEST_F(TwoFaces, AreDrawnWithTheirSum) {
+  const ReportEntry pair = entry_of(result, rough);
+
+  const auto maps = two_faces_figure(pair);
+
+  ASSERT_TRUE(maps);
+  EXPECT_EQ(maps->maps.size(), 3U);
+  EXPECT_NE(spectrum_figure(pair)->data.find("sum of both"), std::string::npos);
+  EXPECT_NE(height_figure(pair)->caption.find("Sum of both: skewness"),
+            std::string::npos);
+  result.surfaces.pop_back();
+  const ReportEntry one = entry_of(result, rough);
+  EXPECT_FALSE(two_faces_figure(one));
+  EXPECT_EQ(spectrum_figure(one)->data.find("sum of both"), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports
