@@ -26,11 +26,18 @@ const std::set<std::string> shipped = {
 const std::set<std::string> blocks_of_atoms = {
     "md-lammps", "md-small", "md-verify", "md-zeta216", "md-zeta4"};
 
-const std::set<std::string> parts_of_paper = {
-    "adhesion",      "finite-size-1",       "finite-size-2",
-    "finite-size-4", "magnification-atoms", "magnification-polymer",
-    "polymer",       "pressures-atoms",     "separation-atoms",
-    "surface-atoms", "surface-polymer"};
+const std::set<std::string> parts_of_paper = {"adhesion",
+                                              "finite-size-1",
+                                              "finite-size-2",
+                                              "finite-size-4",
+                                              "finite-size-8",
+                                              "magnification-atoms",
+                                              "magnification-polymer",
+                                              "polymer",
+                                              "pressures-atoms",
+                                              "separation-atoms",
+                                              "surface-atoms",
+                                              "surface-polymer"};
 
 std::set<std::string> folders_in(const std::string& folder) {
   std::set<std::string> found;
