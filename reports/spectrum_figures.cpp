@@ -18,7 +18,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
   std::vector<std::string> plots;
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t index,
-                       const std::string& name) {
+                       const std::string& name, std::size_t color) {
     if (surface.spectrum.empty())
       return;
     for (const results::SpectrumPoint& point : surface.spectrum)
@@ -28,13 +28,13 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
     plots.push_back(fmt::format(
         "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with points pointtype 6 "
         "pointsize 0.5 linewidth 1 linecolor rgb '{}' title {}",
-        index, method_color(index), gnuplot_text(name)));
+        index, method_color(color), gnuplot_text(name)));
   };
   for (std::size_t r = 0; r < surfaces.size(); ++r)
-    add(surfaces[r], r, fmt::format("realisation {}", r));
+    add(surfaces[r], r, fmt::format("realisation {}", r), r);
   const auto sum = sum_of_two_faces(*entry.result);
   if (sum)
-    add(*sum, surfaces.size() + 1, "sum of both");
+    add(*sum, surfaces.size() + 1, "sum of both", surfaces.size());
   if (plots.empty())
     return std::nullopt;
   figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
