@@ -1,20 +1,19 @@
 #include "base/fourier.hpp"
 
-#include <fftw3.h>
+#include "base/fourier_plans.hpp"
 
 #include <cassert>
 #include <mutex>
 #include <stdexcept>
 
 namespace asperity {
-namespace {
 
-/// FFTW's planner is not thread safe; executing a plan is. There is one planner
-/// in the process, hence one mutex: this room is a shared library.
 std::mutex& planner_mutex() {
   static std::mutex mutex;
   return mutex;
 }
+
+namespace {
 
 fftw_complex* as_fftw(std::complex<double>* spectrum) {
   return reinterpret_cast<fftw_complex*>(spectrum);

@@ -1,7 +1,7 @@
 #pragma once
 
 // Real two-dimensional discrete Fourier transforms on a Grid, with their plans
-// kept. Owns FFTW: no other file of the project includes its header.
+// kept. FFTW itself stays inside this room.
 
 #include "base/grid.hpp"
 

@@ -8,22 +8,29 @@
 
 namespace asperity {
 
-/// Calls do_row(row) once for each row in 0..n_rows-1, on `threads` threads
-/// that each take the next free row. Every row writes its own results only, so
-/// the number of threads changes no bit; what is to be summed over rows is
-/// summed by the caller afterwards, in their order. do_row does not throw.
+/// Calls do_turn(turn, worker) once for each turn in 0..n_turns-1, on `threads`
+/// threads that each take the next free turn; `worker` in 0..threads-1 names
+/// the thread, for its scratch. Every turn writes its own results only, so the
+/// number of threads changes no bit; what is to be summed over turns is summed
+/// by the caller afterwards, in their order. do_turn does not throw.
 /// @param threads  >= 1; with 1 no thread is started
-template <class DoRow>
-void parallel_rows(int n_rows, int threads, const DoRow& do_row) {
-  std::atomic<int> next_row = 0;
-  const auto work = [&] {
-    for (int row = next_row++; row < n_rows; row = next_row++)
-      do_row(row);
+template <class DoTurn>
+void parallel_turns(int n_turns, int threads, const DoTurn& do_turn) {
+  std::atomic<int> next_turn = 0;
+  const auto work = [&](int worker) {
+    for (int turn = next_turn++; turn < n_turns; turn = next_turn++)
+      do_turn(turn, worker);
   };
   std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads && i < n_rows; ++i)
-    helpers.emplace_back(work);
-  work();
+  for (int i = 1; i < threads && i < n_turns; ++i)
+    helpers.emplace_back(work, i);
+  work(0);
+}
+
+/// The same for rows that need no scratch: do_row(row).
+template <class DoRow>
+void parallel_rows(int n_rows, int threads, const DoRow& do_row) {
+  parallel_turns(n_rows, threads, [&](int row, int) { do_row(row); });
 }
 
 } // namespace asperity

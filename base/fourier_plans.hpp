@@ -1,0 +1,45 @@
+#pragma once
+
+// FFTW in either precision under one name. Only this room's sources include it.
+
+#include <fftw3.h>
+
+#include <complex>
+#include <mutex>
+
+namespace asperity {
+
+/// FFTW's planner is not thread safe; executing a plan is. There is one planner
+/// a precision in the process, hence one mutex: this room is a shared library.
+std::mutex& planner_mutex();
+
+template <class Real>
+struct Fftw;
+
+template <>
+struct Fftw<double> {
+  using Plan = fftw_plan;
+  using Complex = fftw_complex;
+  static constexpr auto plan_row = fftw_plan_dft_r2c_1d;
+  static constexpr auto plan_row_back = fftw_plan_dft_c2r_1d;
+  static constexpr auto plan_columns = fftw_plan_many_dft;
+  static constexpr auto forward_row = fftw_execute_dft_r2c;
+  static constexpr auto backward_row = fftw_execute_dft_c2r;
+  static constexpr auto columns = fftw_execute_dft;
+  static constexpr auto destroy = fftw_destroy_plan;
+};
+
+template <>
+struct Fftw<float> {
+  using Plan = fftwf_plan;
+  using Complex = fftwf_complex;
+  static constexpr auto plan_row = fftwf_plan_dft_r2c_1d;
+  static constexpr auto plan_row_back = fftwf_plan_dft_c2r_1d;
+  static constexpr auto plan_columns = fftwf_plan_many_dft;
+  static constexpr auto forward_row = fftwf_execute_dft_r2c;
+  static constexpr auto backward_row = fftwf_execute_dft_c2r;
+  static constexpr auto columns = fftwf_execute_dft;
+  static constexpr auto destroy = fftwf_destroy_plan;
+};
+
+} // namespace asperity
