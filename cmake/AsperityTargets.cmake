@@ -62,12 +62,18 @@ function(asperity_test path)
   endif()
 endfunction()
 
-# asperity_benchmark(contact/solver DEPENDS asperity::contact) builds
-# tests/contact/solver_bench.cpp with Google Benchmark; run by hand, never by ctest.
+# asperity_benchmark(contact/kernels DEPENDS asperity::contact [SMOKE regex]) builds
+# tests/contact/kernels_bench.cpp with Google Benchmark. It is run by hand; ctest runs
+# those that match the regex once, so that it keeps working.
 function(asperity_benchmark path)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SMOKE" "DEPENDS")
   string(MAKE_C_IDENTIFIER "bench_${path}" target)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_bench.cpp)
   target_link_libraries(${target}
     PRIVATE ${arg_DEPENDS} asperity_flags benchmark::benchmark_main)
+  if(arg_SMOKE)
+    add_test(NAME bench/${path}
+      COMMAND ${target} --benchmark_filter=${arg_SMOKE} --benchmark_min_time=0.001)
+    set_tests_properties(bench/${path} PROPERTIES LABELS bench TIMEOUT 120)
+  endif()
 endfunction()

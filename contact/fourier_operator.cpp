@@ -3,17 +3,21 @@
 #include "base/require.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 #include <utility>
 
 namespace asperity::contact {
 
 struct FourierOperator::Shared {
-  RealFourier fourier;
   std::vector<double> compliance;
   double softest;    ///< largest C(q), of the longest wave [m/Pa]
   double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
+  Convolution<double> exact;
+  Convolution<float> convolution;
+  Convolution<double>::Symbol exact_symbol;
+  Convolution<float>::Symbol symbol;
+
+  Shared(const Grid& grid, std::vector<double> values, int threads);
 };
 
 namespace {
@@ -28,40 +32,50 @@ void require_compliance(const Grid& grid, std::span<const double> compliance) {
 
 } // namespace
 
-FourierOperator::FourierOperator(const Grid& grid,
-                                 std::vector<double> compliance, int threads) {
-  require_compliance(grid, compliance);
-  const auto uniform = compliance.begin();
-  const double softest = compliance.size() > 1
-                             ? *std::max_element(uniform + 1, compliance.end())
-                             : 1.0;
+FourierOperator::Shared::Shared(const Grid& grid, std::vector<double> values,
+                                int threads)
+    : compliance(std::move(values)),
+      softest(1.0),
+      exact(grid, threads),
+      convolution(grid, threads) {
+  if (compliance.size() > 1)
+    softest = *std::max_element(compliance.begin() + 1, compliance.end());
   // (points_x/4, 0) and (0, points_y/4), whichever direction is resolved.
   const std::size_t columns = static_cast<std::size_t>(grid.points_x / 2 + 1);
   const std::size_t half_nyquist =
       grid.points_x >= 4
           ? static_cast<std::size_t>(grid.points_x / 4)
           : columns * static_cast<std::size_t>(grid.points_y / 4);
-  const double short_wave =
-      half_nyquist > 0 ? compliance[half_nyquist] : softest;
-  shared_ = std::make_shared<const Shared>(Shared{
-      RealFourier(grid, threads), std::move(compliance), softest, short_wave});
-  spectrum_.resize(grid.half_spectrum_size());
+  short_wave = half_nyquist > 0 ? compliance[half_nyquist] : softest;
+  compliance[0] = 0.0;
+  exact_symbol = exact.arranged(compliance);
+  symbol = convolution.arranged(compliance);
+}
+
+FourierOperator::FourierOperator(const Grid& grid,
+                                 std::vector<double> compliance, int threads) {
+  require_compliance(grid, compliance);
+  shared_ =
+      std::make_shared<const Shared>(grid, std::move(compliance), threads);
 }
 
 FourierOperator::FourierOperator(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)),
-      spectrum_(shared_->fourier.grid().half_spectrum_size()) {}
+    : shared_(std::move(shared)) {}
 
 std::unique_ptr<SurfaceOperator> FourierOperator::clone() const {
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_));
 }
 
 const Grid& FourierOperator::grid() const {
-  return shared_->fourier.grid();
+  return shared_->exact.grid();
 }
 
 double FourierOperator::short_wave_compliance() const {
   return shared_->short_wave;
+}
+
+int FourierOperator::threads() const {
+  return shared_->exact.threads();
 }
 
 std::span<const double> FourierOperator::compliance() const {
@@ -88,32 +102,37 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
           shared_->compliance[static_cast<std::size_t>(row) * fine_columns +
                               static_cast<std::size_t>(jx)]);
   }
-  return std::make_unique<FourierOperator>(coarse, std::move(compliance));
+  return std::make_unique<FourierOperator>(coarse, std::move(compliance),
+                                           threads());
 }
 
 void FourierOperator::displacement(std::span<const double> pressure,
                                    std::span<double> displacement) {
-  shared_->fourier.forward(pressure, spectrum_);
-  const double normalise = 1.0 / static_cast<double>(grid().size());
-  const std::vector<double>& compliance = shared_->compliance;
-  spectrum_[0] = 0.0;
-  for (std::size_t j = 1; j < spectrum_.size(); ++j)
-    spectrum_[j] *= compliance[j] * normalise;
-  shared_->fourier.backward(spectrum_, displacement);
+  shared_->exact.apply(pressure, shared_->exact_symbol, exact_scratch_,
+                       displacement);
 }
 
-void FourierOperator::pressure_estimate(std::span<const double> gap,
+void FourierOperator::displacement_change(
+    std::span<const float> pressure_change,
+    std::span<float> displacement_change) {
+  shared_->convolution.apply(pressure_change, shared_->symbol, scratch_,
+                             displacement_change);
+}
+
+void FourierOperator::pressure_estimate(std::span<const float> gap,
                                         double local_compliance,
-                                        std::span<double> pressure) {
-  assert(local_compliance >= 0.0);
-  shared_->fourier.forward(gap, spectrum_);
-  const double normalise = 1.0 / static_cast<double>(grid().size());
-  const std::vector<double>& compliance = shared_->compliance;
-  // The uniform mode has no compliance of its own: treat it as the longest.
-  spectrum_[0] *= normalise / (shared_->softest + local_compliance);
-  for (std::size_t j = 1; j < spectrum_.size(); ++j)
-    spectrum_[j] *= normalise / (compliance[j] + local_compliance);
-  shared_->fourier.backward(spectrum_, pressure);
+                                        std::span<float> pressure) {
+  require_not_negative("local_compliance", local_compliance, "m/Pa");
+  if (inverted_compliance_ != local_compliance) {
+    std::vector<double> inverse = shared_->compliance;
+    // The uniform mode has no compliance of its own: treat it as the longest.
+    inverse[0] = shared_->softest;
+    for (double& value : inverse)
+      value = 1.0 / (value + local_compliance);
+    inverse_ = shared_->convolution.arranged(inverse);
+    inverted_compliance_ = local_compliance;
+  }
+  shared_->convolution.apply(gap, inverse_, scratch_, pressure);
 }
 
 } // namespace asperity::contact

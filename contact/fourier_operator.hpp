@@ -3,10 +3,9 @@
 // The surface operator of a block that looks the same at every node: a
 // convolution, one real compliance a wavevector. Owns its transforms.
 
-#include "base/fourier.hpp"
+#include "base/convolution.hpp"
 #include "contact/surface_operator.hpp"
 
-#include <complex>
 #include <memory>
 #include <vector>
 
@@ -19,7 +18,7 @@ public:
   /// @param compliance  C(q) [m/Pa], grid.half_spectrum_size() values in the
   ///                    order of Grid::half_spectrum_size; > 0 and finite but
   ///                    for the uniform mode (0, 0), which is not read
-  /// @param threads     used by each transform, >= 1
+  /// @param threads     used by each application, >= 1; changes no bit
   /// @throws std::domain_error  wrong size, or a value outside its range
   FourierOperator(const Grid& grid, std::vector<double> compliance,
                   int threads = 1);
@@ -32,9 +31,12 @@ public:
 
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override;
-  void pressure_estimate(std::span<const double> gap, double local_compliance,
-                         std::span<double> pressure) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
   double short_wave_compliance() const override;
+  int threads() const override;
 
   /// The long waves of C(q) on half the points; null below 32 points a side
   /// or for an odd number.
@@ -48,7 +50,10 @@ private:
   explicit FourierOperator(std::shared_ptr<const Shared> shared);
 
   std::shared_ptr<const Shared> shared_;
-  std::vector<std::complex<double>> spectrum_;
+  Convolution<double>::Scratch exact_scratch_;
+  Convolution<float>::Scratch scratch_;
+  double inverted_compliance_ = -1.0; ///< local compliance of inverse_ [m/Pa]
+  Convolution<float>::Symbol inverse_;
 };
 
 } // namespace asperity::contact

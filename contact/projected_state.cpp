@@ -1,38 +1,12 @@
 #include "contact/projected_state.hpp"
 
-#include "base/require.hpp"
+#include "contact/problem_start.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace asperity::contact {
-namespace {
-
-void require_size(const char* name, std::size_t size, std::size_t expected) {
-  if (size != expected)
-    refuse_argument(name, static_cast<double>(size),
-                    "the number of grid nodes, " + std::to_string(expected));
-}
-
-void require_problem(const ContactProblem& problem, const LoadTarget& target,
-                     std::size_t nodes) {
-  require_size("heights.size()", problem.heights.size(), nodes);
-  require_not_negative("local_compliance", problem.local_compliance, "m/Pa");
-  require_positive("gap_tolerance", problem.gap_tolerance, "m");
-  for (const double height : problem.heights)
-    if (!std::isfinite(height))
-      refuse_argument("heights", height, "finite [m]");
-  if (target.kind == LoadTarget::Kind::nominal_pressure)
-    require_positive("nominal_pressure", target.amount, "Pa");
-  else if (problem.local_compliance == 0.0)
-    require_positive("mean_gap of a hard wall", target.amount, "m");
-  else if (!std::isfinite(target.amount))
-    refuse_argument("mean_gap", target.amount, "finite [m]");
-}
-
-} // namespace
-
 ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
                                const ContactProblem& problem_,
                                const LoadTarget& target_,
@@ -40,27 +14,12 @@ ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
     : elasticity(elasticity_),
       problem(problem_),
       target(target_),
+      pressure(
+          starting_pressure(elasticity_, problem_, target_, initial_pressure)),
+      displacement(pressure.size()),
+      residual(pressure.size()),
+      is_free(pressure.size()),
       weights_(elasticity_.nodal_weights()) {
-  const std::size_t nodes = elasticity.grid().size();
-  require_problem(problem, target, nodes);
-  displacement.resize(nodes);
-  residual.resize(nodes);
-  is_free.resize(nodes);
-  const bool by_pressure = target.kind == LoadTarget::Kind::nominal_pressure;
-  if (initial_pressure.empty()) {
-    // Under gap control any positive scale will do: the first step corrects.
-    const double start = by_pressure ? target.amount
-                                     : problem.gap_tolerance /
-                                           (elasticity.short_wave_compliance() +
-                                            problem.local_compliance);
-    pressure.assign(nodes, start);
-  } else {
-    require_size("initial_pressure.size()", initial_pressure.size(), nodes);
-    for (const double start : initial_pressure)
-      require_not_negative("initial_pressure", start, "Pa");
-    pressure.assign(initial_pressure.begin(), initial_pressure.end());
-  }
-  scale_to_target();
   elasticity.displacement(pressure, displacement);
   ++transforms;
 }
@@ -75,19 +34,6 @@ double ProjectedState::dot(std::span<const double> a,
     for (std::size_t i = 0; i < a.size(); ++i)
       sum += weights_[i] * a[i] * b[i];
   return sum;
-}
-
-void ProjectedState::scale_to_target() {
-  if (target.kind != LoadTarget::Kind::nominal_pressure)
-    return;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < pressure.size(); ++i)
-    sum += weight(i) * pressure[i];
-  require_positive("sum of initial_pressure", sum, "Pa");
-  const double scale =
-      target.amount * static_cast<double>(pressure.size()) / sum;
-  for (double& value : pressure)
-    value *= scale;
 }
 
 void ProjectedState::update_residual() {
@@ -118,26 +64,6 @@ void ProjectedState::update_residual() {
     if (!is_free[i])
       residual[i] = 0.0;
     gap_error = std::max(gap_error, std::abs(residual[i]));
-  }
-}
-
-void ProjectedState::mask(std::span<double> field) const {
-  const std::size_t nodes = field.size();
-  double mean = 0.0;
-  if (target.kind == LoadTarget::Kind::nominal_pressure) {
-    double free_weight = 0.0;
-    for (std::size_t i = 0; i < nodes; ++i)
-      if (is_free[i]) {
-        mean += weight(i) * field[i];
-        free_weight += weight(i);
-      }
-    mean /= free_weight;
-  }
-  for (std::size_t i = 0; i < nodes; ++i) {
-    field[i] = is_free[i] ? field[i] - mean : 0.0;
-    // A node without pressure can only gain it: p - step * field >= 0.
-    if (pressure[i] == 0.0 && field[i] > 0.0)
-      field[i] = 0.0;
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The fields of one contact problem under iteration and the few operations
-// that both solvers make on them. Owns sums with nodal weights.
+// The fields of one contact problem under the plain method and the few
+// operations it makes on them.
 
 #include "contact/solver.hpp"
 
@@ -29,10 +29,6 @@ public:
   /// the displacement is computed.
   void advance(double step, std::span<const double> direction,
                std::span<const double> compliance_direction);
-
-  /// Sets `field` to 0 off the free nodes; under pressure control takes its
-  /// mean over them away, so that a step keeps the load.
-  void mask(std::span<double> field) const;
 
   /// Sum of weight * a * b over all nodes.
   double dot(std::span<const double> a, std::span<const double> b) const;
@@ -63,8 +59,6 @@ private:
   }
 
   bool is_converged() const { return gap_error <= problem.gap_tolerance; }
-
-  void scale_to_target();
 
   std::span<const double> weights_;
 };

@@ -37,17 +37,25 @@ public:
   virtual void displacement(std::span<const double> pressure,
                             std::span<double> displacement) = 0;
 
+  /// The same for a small change of pressure, in single precision: right to
+  /// some 1e-7 of the change.
+  virtual void displacement_change(std::span<const float> pressure_change,
+                                   std::span<float> displacement_change) = 0;
+
   /// pressure = (C + 1/penalty)^-1 gap [Pa] on the whole face, mean of the
-  /// result free to be anything bounded: the preconditioner. Exact but for the
-  /// mean.
+  /// result free to be anything bounded: the preconditioner, in single
+  /// precision and exact but for that and the mean.
   /// @param local_compliance  1/penalty [m/Pa] >= 0, 0 for a hard wall
-  virtual void pressure_estimate(std::span<const double> gap,
+  virtual void pressure_estimate(std::span<const float> gap,
                                  double local_compliance,
-                                 std::span<double> pressure) = 0;
+                                 std::span<float> pressure) = 0;
 
   /// C at half the Nyquist wavevector [m/Pa]: how much a node gives way to a
   /// pressure that alternates at the scale of the grid.
   virtual double short_wave_compliance() const = 0;
+
+  /// Threads that each application uses, and the solver beside it.
+  virtual int threads() const { return 1; }
 
   /// The same block seen at every second node in both directions, for a
   /// coarse-to-fine start; null where there is none.

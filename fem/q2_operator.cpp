@@ -85,6 +85,7 @@ struct Q2Operator::Shared {
   Q2Compliance compliance; ///< its block of q = 0 without the uniform mode
   std::vector<double> nodal_weights;
   double softest; ///< of the long waves [m/Pa]
+  int threads;
 };
 
 Q2Operator::Q2Operator(Q2Compliance compliance, int threads) {
@@ -100,9 +101,9 @@ Q2Operator::Q2Operator(Q2Compliance compliance, int threads) {
   double softest = 0.0;
   for (std::size_t i = 1; i < compliance.blocks.size(); ++i)
     softest = std::max(softest, long_wave(compliance, compliance.blocks[i]));
-  shared_ = std::make_shared<const Shared>(Shared{RealFourier(grid, threads),
-                                                  std::move(compliance),
-                                                  std::move(weights), softest});
+  shared_ = std::make_shared<const Shared>(
+      Shared{RealFourier(grid, threads), std::move(compliance),
+             std::move(weights), softest, threads});
   spectrum_.resize(shared_->fourier.grid().half_spectrum_size());
   product_.resize(spectrum_.size());
 }
@@ -156,15 +157,28 @@ void Q2Operator::apply(const std::vector<KindBlock>& blocks,
   shared_->fourier.backward(product_, result);
 }
 
+void Q2Operator::apply(const std::vector<KindBlock>& blocks,
+                       std::span<const float> field, std::span<float> result) {
+  field_.assign(field.begin(), field.end());
+  apply(blocks, field_, field_);
+  std::transform(field_.begin(), field_.end(), result.begin(),
+                 [](double value) { return static_cast<float>(value); });
+}
+
 void Q2Operator::displacement(std::span<const double> pressure,
                               std::span<double> displacement) {
   apply(shared_->compliance.blocks, pressure, displacement);
 }
 
+void Q2Operator::displacement_change(std::span<const float> pressure_change,
+                                     std::span<float> displacement_change) {
+  apply(shared_->compliance.blocks, pressure_change, displacement_change);
+}
+
 /// (G W + c)^-1 = (W G W + c W)^-1 W: a symmetric block again, times W.
-void Q2Operator::pressure_estimate(std::span<const double> gap,
+void Q2Operator::pressure_estimate(std::span<const float> gap,
                                    double local_compliance,
-                                   std::span<double> pressure) {
+                                   std::span<float> pressure) {
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   if (inverted_compliance_ != local_compliance) {
     const Q2Compliance& compliance = shared_->compliance;
@@ -189,6 +203,10 @@ void Q2Operator::pressure_estimate(std::span<const double> gap,
   apply(inverse_, gap, pressure);
 }
 
+int Q2Operator::threads() const {
+  return shared_->threads;
+}
+
 double Q2Operator::short_wave_compliance() const {
   const Q2Compliance& compliance = shared_->compliance;
   return long_wave(
@@ -211,7 +229,8 @@ std::unique_ptr<contact::SurfaceOperator> Q2Operator::coarsened() const {
                                 signed_wavenumber(row, coarse.points_y))) *
                                 static_cast<std::size_t>(compliance.columns()) +
                             static_cast<std::size_t>(mode_x)]));
-  return std::make_unique<contact::FourierOperator>(coarse, std::move(symbol));
+  return std::make_unique<contact::FourierOperator>(coarse, std::move(symbol),
+                                                    threads());
 }
 
 } // namespace asperity::fem

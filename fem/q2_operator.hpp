@@ -32,9 +32,12 @@ public:
 
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override;
-  void pressure_estimate(std::span<const double> gap, double local_compliance,
-                         std::span<double> pressure) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
   double short_wave_compliance() const override;
+  int threads() const override;
 
   /// The cells' corners alone, as waves longer than a cell see them; null
   /// below 64 points a side or where the cells cannot be halved.
@@ -45,9 +48,12 @@ private:
   explicit Q2Operator(std::shared_ptr<const Shared> shared);
   void apply(const std::vector<KindBlock>& blocks,
              std::span<const double> field, std::span<double> result);
+  void apply(const std::vector<KindBlock>& blocks, std::span<const float> field,
+             std::span<float> result);
 
   std::shared_ptr<const Shared> shared_;
   std::vector<std::complex<double>> spectrum_, product_;
+  std::vector<double> field_;         ///< a change in double precision
   double inverted_compliance_ = -1.0; ///< local compliance of inverse_ [m/Pa]
   std::vector<KindBlock> inverse_;
 };

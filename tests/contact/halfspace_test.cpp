@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -99,6 +100,8 @@ TEST(HalfspaceOperator, AnswersAWaveWithAWave) {
 }
 
 // Claim: pressure_estimate inverts displacement + c pressure, mean apart.
+// Tolerance: single precision, 6e-8, of gaps that differ by the ratio of the
+// compliances, up to 8 here.
 TEST(FourierOperator, EstimateInvertsTheCompliance) {
   const Grid grid{12, 10, 1.0, 1.5};
   FourierOperator elasticity =
@@ -111,15 +114,39 @@ TEST(FourierOperator, EstimateInvertsTheCompliance) {
   for (const double value : pressure)
     mean += value / static_cast<double>(grid.size());
   std::vector<double> gap(grid.size());
-  std::vector<double> back(grid.size());
+  std::vector<float> back(grid.size());
 
   elasticity.displacement(pressure, gap);
   for (std::size_t i = 0; i < grid.size(); ++i)
     gap[i] += local_compliance * (pressure[i] - mean);
-  elasticity.pressure_estimate(gap, local_compliance, back);
+  elasticity.pressure_estimate(std::vector<float>(gap.begin(), gap.end()),
+                               local_compliance, back);
 
   for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_NEAR(back[i], pressure[i] - mean, 1e-12);
+    EXPECT_NEAR(static_cast<double>(back[i]), pressure[i] - mean, 1e-6);
+}
+
+// Claim: a change in single precision is the displacement, to the rounding of
+// a transform, some 6e-8 of the largest.
+TEST(FourierOperator, ChangeIsTheDisplacementInSinglePrecision) {
+  const Grid grid{12, 10, 1.0, 1.5};
+  FourierOperator elasticity =
+      halfspace_operator(grid, {1.0, 0.3, 0.4, FarFace::clamped});
+  std::vector<float> change(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    change[i] = std::sin(3.0F * static_cast<float>(i * i));
+  std::vector<double> expected(grid.size());
+  std::vector<float> found(grid.size());
+
+  elasticity.displacement(std::vector<double>(change.begin(), change.end()),
+                          expected);
+  elasticity.displacement_change(change, found);
+
+  double largest = 0.0;
+  for (const double value : expected)
+    largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(found[i]), expected[i], 1e-6 * largest);
 }
 
 // Claim: on the coarse grid a long wave meets the same compliance.

@@ -3,6 +3,7 @@
 // Random rough obstacles for the contact tests, made without the surfaces
 // room, and an independent check of complementarity.
 
+#include "base/fourier.hpp"
 #include "contact/halfspace.hpp"
 #include "contact/solver.hpp"
 

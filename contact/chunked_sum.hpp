@@ -1,0 +1,53 @@
+#pragma once
+
+// Loops over nodes with sums, on several threads with the same bits as on one.
+
+#include "base/parallel_rows.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace asperity::contact {
+
+/// Nodes that are summed in one go, whoever does it.
+inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
+
+/// One sum of a loop.
+struct Sum {
+  double value = 0.0;
+
+  Sum& operator+=(const Sum& other) {
+    value += other.value;
+    return *this;
+  }
+};
+
+/// Calls do_chunk(begin, end) -> Sums for each fixed piece of 0..nodes-1 and
+/// adds the answers in the order of the pieces: neither the number of threads
+/// nor their order changes a bit. Sums has operator+=.
+template <class Sums, class DoChunk>
+Sums chunked_sum(std::size_t nodes, int threads, const DoChunk& do_chunk) {
+  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
+  std::vector<Sums> partial(chunks);
+  parallel_rows(static_cast<int>(chunks), threads, [&](int chunk) {
+    const std::size_t begin = static_cast<std::size_t>(chunk) * chunk_nodes;
+    partial[static_cast<std::size_t>(chunk)] =
+        do_chunk(begin, std::min(nodes, begin + chunk_nodes));
+  });
+  Sums total{};
+  for (const Sums& sums : partial)
+    total += sums;
+  return total;
+}
+
+/// The same where nothing is summed: do_chunk(begin, end).
+template <class DoChunk>
+void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
+  chunked_sum<Sum>(nodes, threads, [&](std::size_t begin, std::size_t end) {
+    do_chunk(begin, end);
+    return Sum{};
+  });
+}
+
+} // namespace asperity::contact

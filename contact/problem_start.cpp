@@ -1,0 +1,74 @@
+#include "contact/problem_start.hpp"
+
+#include "base/require.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace asperity::contact {
+namespace {
+
+void require_size(const char* name, std::size_t size, std::size_t expected) {
+  if (size != expected)
+    refuse_argument(name, static_cast<double>(size),
+                    "the number of grid nodes, " + std::to_string(expected));
+}
+
+void require_problem(const ContactProblem& problem, const LoadTarget& target,
+                     std::size_t nodes) {
+  require_size("heights.size()", problem.heights.size(), nodes);
+  require_not_negative("local_compliance", problem.local_compliance, "m/Pa");
+  require_positive("gap_tolerance", problem.gap_tolerance, "m");
+  for (const double height : problem.heights)
+    if (!std::isfinite(height))
+      refuse_argument("heights", height, "finite [m]");
+  if (target.kind == LoadTarget::Kind::nominal_pressure)
+    require_positive("nominal_pressure", target.amount, "Pa");
+  else if (problem.local_compliance == 0.0)
+    require_positive("mean_gap of a hard wall", target.amount, "m");
+  else if (!std::isfinite(target.amount))
+    refuse_argument("mean_gap", target.amount, "finite [m]");
+}
+
+} // namespace
+
+std::vector<double>
+starting_pressure(const SurfaceOperator& elasticity,
+                  const ContactProblem& problem, const LoadTarget& target,
+                  std::span<const double> initial_pressure) {
+  const std::size_t nodes = elasticity.grid().size();
+  require_problem(problem, target, nodes);
+  std::vector<double> pressure;
+  if (initial_pressure.empty()) {
+    // Under gap control any positive scale will do: the first step corrects.
+    const double start =
+        target.kind == LoadTarget::Kind::nominal_pressure
+            ? target.amount
+            : problem.gap_tolerance / (elasticity.short_wave_compliance() +
+                                       problem.local_compliance);
+    pressure.assign(nodes, start);
+  } else {
+    require_size("initial_pressure.size()", initial_pressure.size(), nodes);
+    for (const double start : initial_pressure)
+      require_not_negative("initial_pressure", start, "Pa");
+    pressure.assign(initial_pressure.begin(), initial_pressure.end());
+  }
+  scale_to_target(target, elasticity.nodal_weights(), pressure);
+  return pressure;
+}
+
+void scale_to_target(const LoadTarget& target, std::span<const double> weights,
+                     std::span<double> pressure) {
+  if (target.kind != LoadTarget::Kind::nominal_pressure)
+    return;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    sum += (weights.empty() ? 1.0 : weights[i]) * pressure[i];
+  require_positive("sum of initial_pressure", sum, "Pa");
+  const double scale =
+      target.amount * static_cast<double>(pressure.size()) / sum;
+  for (double& value : pressure)
+    value *= scale;
+}
+
+} // namespace asperity::contact

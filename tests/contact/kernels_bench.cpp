@@ -1,0 +1,123 @@
+// The kernels of a contact step at N^2 nodes: transforms, rim, and one step of
+// the iteration. The other kernels have theirs beside their rooms:
+// fem/condensed (block symbol), md/interface (forces), theory/persson
+// (quadrature).
+#include "base/fourier.hpp"
+#include "contact/contact_state.hpp"
+#include "contact/halfspace.hpp"
+#include "contact/rim_extension.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <limits>
+
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::contact {
+namespace {
+
+Grid grid_of(const benchmark::State& state) {
+  const int points = static_cast<int>(state.range(0));
+  return {points, points, 1.0, 1.0};
+}
+
+FourierOperator halfspace(const Grid& grid) {
+  return halfspace_operator(
+      grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+}
+
+void fourier_pair(benchmark::State& state) {
+  const RealFourier fourier(grid_of(state));
+  std::vector<double> field(fourier.grid().size(), 1.0);
+  std::vector<std::complex<double>> modes(fourier.grid().half_spectrum_size());
+  for (auto _ : state) {
+    fourier.forward(field, modes);
+    fourier.backward(modes, field);
+  }
+}
+
+void convolution_double(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<double> pressure(elasticity.grid().size(), 1.0);
+  std::vector<double> answer(pressure.size());
+  for (auto _ : state)
+    elasticity.displacement(pressure, answer);
+}
+
+void convolution_single(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<float> pressure(elasticity.grid().size(), 1.0F);
+  std::vector<float> answer(pressure.size());
+  for (auto _ : state)
+    elasticity.displacement_change(pressure, answer);
+}
+
+/// A state near 20 % of contact.
+ContactState partial_contact(FourierOperator& elasticity,
+                             const std::vector<double>& heights) {
+  std::vector<double> start(heights);
+  for (double& value : start)
+    value = std::max(0.0, value - scenes::rms(heights));
+  ContactState state(elasticity, {heights, 0.0, 1e-12, 1},
+                     {LoadTarget::Kind::nominal_pressure, 0.1}, start);
+  state.update_residual();
+  return state;
+}
+
+void residual(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<double> heights =
+      scenes::rough_heights(elasticity.grid(), {});
+  ContactState contact = partial_contact(elasticity, heights);
+  for (auto _ : state)
+    contact.update_residual();
+}
+
+void projection(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<double> heights =
+      scenes::rough_heights(elasticity.grid(), {});
+  ContactState contact = partial_contact(elasticity, heights);
+  const std::vector<float> direction(heights.size(), -1e-3F);
+  std::vector<float> displaced(heights.size(), -1e-3F);
+  for (auto _ : state)
+    contact.advance(1e-6F, direction, displaced);
+}
+
+void rim_rings(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<double> heights =
+      scenes::rough_heights(elasticity.grid(), {});
+  const ContactState contact = partial_contact(elasticity, heights);
+  RimExtension rim(elasticity.grid(), 1);
+  for (auto _ : state)
+    rim.build(contact.freedom);
+}
+
+void rim_extend_and_fold(benchmark::State& state) {
+  FourierOperator elasticity = halfspace(grid_of(state));
+  const std::vector<double> heights =
+      scenes::rough_heights(elasticity.grid(), {});
+  ContactState contact = partial_contact(elasticity, heights);
+  RimExtension rim(elasticity.grid(), 1);
+  rim.build(contact.freedom);
+  for (auto _ : state) {
+    rim.extend(0.5, contact.freedom, contact.residual);
+    rim.clear(contact.freedom, contact.residual);
+    rim.fold(0.5, contact.freedom, contact.residual);
+  }
+}
+
+#define KERNEL(name)                                                           \
+  BENCHMARK(name)->RangeMultiplier(2)->Range(64, 2048)->Unit(                  \
+      benchmark::kMillisecond)
+KERNEL(fourier_pair);
+KERNEL(convolution_double);
+KERNEL(convolution_single);
+KERNEL(residual);
+KERNEL(projection);
+KERNEL(rim_rings);
+KERNEL(rim_extend_and_fold);
+
+} // namespace
+} // namespace asperity::contact
