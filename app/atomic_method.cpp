@@ -105,6 +105,12 @@ public:
 
   std::string found_at_setup() const override { return atoms_->description(); }
 
+  std::vector<double> state() const override { return atoms_->state(); }
+
+  void restore(std::span<const double> state) override {
+    atoms_->restore(state);
+  }
+
 private:
   md::Watch watch_;
   md::AtomRequest request_;

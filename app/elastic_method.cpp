@@ -2,6 +2,7 @@
 
 #include "app/cpu_clock.hpp"
 #include "app/curve_row.hpp"
+#include "app/kept_face.hpp"
 #include "app/timed_operator.hpp"
 #include "contact/halfspace.hpp"
 #include "results/observables.hpp"
@@ -45,6 +46,7 @@ struct SolverSetting {
   const SurfaceOfCase& surface; ///< outlives the solver
   double area_coefficient;
   int threads;
+  double saved_setup_time;
 };
 
 /// Any surface operator under the contact room's solver.
@@ -62,7 +64,8 @@ public:
                   surface_.record.heights,
                   interface_of(setting.contact, surface_.scales),
                   setting.contact.tolerance * surface_.scales.rms_height,
-                  setting.contact.max_iterations) {}
+                  setting.contact.max_iterations),
+        saved_setup_time_(setting.saved_setup_time) {}
 
   StepAnswer solve(const StepTarget& target) override {
     tally_->cpu_time = 0.0;
@@ -78,6 +81,14 @@ public:
     return answer;
   }
 
+  std::vector<double> state() const override { return sequence_.memory(); }
+
+  void restore(std::span<const double> state) override {
+    sequence_.recall(state);
+  }
+
+  double saved_setup_time() const override { return saved_setup_time_; }
+
 private:
   const SurfaceOfCase& surface_;
   double area_coefficient_;
@@ -86,6 +97,7 @@ private:
       std::make_shared<TimedOperator::Tally>();
   std::vector<double> weights_;
   contact::LoadSequence sequence_;
+  double saved_setup_time_;
 };
 
 /// The three-dimensional block.
@@ -233,58 +245,76 @@ MethodDescription describe(const HalfspaceSettings& settings) {
           false};
 }
 
-SolverFactory::SolverFactory(const cases::MaterialSpec& material)
-    : material_(material) {}
+SolverFactory::SolverFactory(const cases::MaterialSpec& material, Cache& cache,
+                             const CaseKeys& keys)
+    : material_(material), cache_(cache), keys_(keys) {}
 
 std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
                                                 int threads) {
-  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
-    return std::make_unique<OperatorSolver>(
-        shared_operator(method, surface, threads),
-        SolverSetting{half->contact, surface,
-                      results::halfspace_area_coefficient, threads});
-  const auto& block = std::get<FemSettings>(method.settings);
-  if (is_full(block))
+  const auto* block = std::get_if<FemSettings>(&method.settings);
+  if (block != nullptr && is_full(*block))
     return std::make_unique<FullSolver>(
-        fem::load_fem_room().full(request(block, surface, threads)),
-        block.contact, surface, area_coefficient(block));
+        fem::load_fem_room().full(request(*block, surface, threads)),
+        block->contact, surface, area_coefficient(*block));
+  Face face = shared_operator(method, surface, threads);
   return std::make_unique<OperatorSolver>(
-      shared_operator(method, surface, threads),
-      SolverSetting{block.contact, surface, area_coefficient(block), threads});
+      std::move(face.elasticity),
+      SolverSetting{block != nullptr
+                        ? block->contact
+                        : std::get<HalfspaceSettings>(method.settings).contact,
+                    surface,
+                    block != nullptr ? area_coefficient(*block)
+                                     : results::halfspace_area_coefficient,
+                    threads, face.saved_setup_time});
 }
 
-std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::Face
 SolverFactory::shared_operator(const cases::MethodSpec& method,
                                const SurfaceOfCase& surface, int threads) {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<contact::SurfaceOperator>& kept =
       operators_[operator_key(method, surface)];
-  if (!kept)
-    kept = build_operator(method, surface, threads);
-  return kept->clone();
+  if (kept)
+    return {kept->clone(), 0.0};
+  Face built = build_operator(method, surface, threads);
+  kept = std::move(built.elasticity);
+  return {kept->clone(), built.saved_setup_time};
 }
 
-std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
-                              const SurfaceOfCase& surface, int threads) const {
+                              const SurfaceOfCase& surface, int threads) {
   const Grid& grid = surface.record.grid;
   if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
-    return std::make_unique<contact::FourierOperator>(
-        grid,
-        contact::block_compliance(grid,
-                                  block_of(*half, material_, surface.scales)),
-        threads);
-  return fem::load_fem_room().condensed(
-      request(std::get<FemSettings>(method.settings), surface, threads));
+    return {std::make_unique<contact::FourierOperator>(
+                grid,
+                contact::block_compliance(
+                    grid, block_of(*half, material_, surface.scales)),
+                threads),
+            0.0};
+  Face face;
+  fem::BlockRequest asked =
+      request(std::get<FemSettings>(method.settings), surface, threads);
+  asked.keeper = keeper_in(
+      cache_,
+      keys_.face(fmt::format("{} {} {}", operator_key(method, surface),
+                             asked.youngs_modulus, asked.poisson_ratio)),
+      threads, face.saved_setup_time);
+  face.elasticity = fem::load_fem_room().condensed(asked);
+  return face;
 }
 
 fem::BlockRequest SolverFactory::request(const FemSettings& settings,
                                          const SurfaceOfCase& surface,
                                          int threads) const {
-  return {surface.record.grid,      settings,
-          surface.scales,           material_.block_youngs_modulus(),
-          *material_.poisson_ratio, threads};
+  return {surface.record.grid,
+          settings,
+          surface.scales,
+          material_.block_youngs_modulus(),
+          *material_.poisson_ratio,
+          threads,
+          {}};
 }
 
 } // namespace asperity::app

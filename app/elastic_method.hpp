@@ -4,6 +4,8 @@
 // condensed block or full block behind one face. Owns the operators that
 // several runs share.
 
+#include "app/cache.hpp"
+#include "app/case_keys.hpp"
 #include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "contact/load_sequence.hpp"
@@ -23,24 +25,33 @@ MethodDescription describe(const cases::FemSettings& settings);
 /// and grid are set up once and shared. Safe to call from any thread.
 class SolverFactory {
 public:
-  explicit SolverFactory(const cases::MaterialSpec& material);
+  /// @param cache  where operators are looked for and left; it and the keys
+  ///               outlive the factory
+  SolverFactory(const cases::MaterialSpec& material, Cache& cache,
+                const CaseKeys& keys);
 
   /// @param threads  that set-up and transforms may use
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface, int threads);
 
 private:
-  std::unique_ptr<contact::SurfaceOperator>
-  shared_operator(const cases::MethodSpec& method, const SurfaceOfCase& surface,
-                  int threads);
-  std::unique_ptr<contact::SurfaceOperator>
-  build_operator(const cases::MethodSpec& method, const SurfaceOfCase& surface,
-                 int threads) const;
+  /// An operator, and what its set-up would have cost had none been kept [s].
+  struct Face {
+    std::unique_ptr<contact::SurfaceOperator> elasticity;
+    double saved_setup_time = 0.0;
+  };
+
+  Face shared_operator(const cases::MethodSpec& method,
+                       const SurfaceOfCase& surface, int threads);
+  Face build_operator(const cases::MethodSpec& method,
+                      const SurfaceOfCase& surface, int threads);
 
   fem::BlockRequest request(const cases::FemSettings& settings,
                             const SurfaceOfCase& surface, int threads) const;
 
   cases::MaterialSpec material_;
+  Cache& cache_;
+  const CaseKeys& keys_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<contact::SurfaceOperator>> operators_;
 };

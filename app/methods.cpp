@@ -9,8 +9,9 @@ MethodDescription describe(const cases::MethodSpec& method) {
                     method.settings);
 }
 
-MethodFactory::MethodFactory(const cases::Case& rough_case)
-    : case_(rough_case), elastic_(rough_case.material) {}
+MethodFactory::MethodFactory(const cases::Case& rough_case, Cache& cache,
+                             const CaseKeys& keys)
+    : case_(rough_case), elastic_(rough_case.material, cache, keys) {}
 
 std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,

@@ -25,7 +25,9 @@ struct Resources {
 /// Safe to call from any thread.
 class MethodFactory {
 public:
-  explicit MethodFactory(const cases::Case& rough_case);
+  /// @param cache  where operators are looked for and left; all outlive it
+  MethodFactory(const cases::Case& rough_case, Cache& cache,
+                const CaseKeys& keys);
 
   /// Of any method but a theory. `surface` is the method's own, see
   /// CaseSurfaces::of, and must outlive the solver, as the case must.

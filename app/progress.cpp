@@ -46,6 +46,16 @@ void Progress::step_done(const std::string& method, int realization,
   std::fflush(stdout);
 }
 
+void Progress::steps_kept(const std::string& method, int realization,
+                          int n_steps) {
+  const std::lock_guard lock(mutex_);
+  n_done_ += n_steps;
+  fmt::print("{}{:>4}/{} {:<14} realization {} {} steps from the cache\n",
+             is_terminal_ ? "\r\033[K" : "", n_done_, n_steps_, method,
+             realization, n_steps);
+  std::fflush(stdout);
+}
+
 void Progress::at_work(const std::string& method, int realization,
                        int evaluations, double energy, double residual) {
   const std::lock_guard lock(mutex_);

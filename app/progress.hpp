@@ -24,6 +24,9 @@ public:
   void step_done(const std::string& method, int realization,
                  const results::CurvePoint& point, double rms_height);
 
+  /// Steps that an earlier run computed.
+  void steps_kept(const std::string& method, int realization, int n_steps);
+
   /// A step is at work; shown on a terminal, a few times a second.
   /// @param energy    [J]
   /// @param residual  as the method measures it

@@ -5,15 +5,14 @@
 #include "cases/case.hpp"
 #include "results/provenance.hpp"
 
-#include <vector>
-
 namespace asperity::app {
 
 using results::RunClock;
 
-/// @param methods  that are run: deal.II is named only if it is used
-results::Provenance
-provenance_at_start(const cases::Case& rough_case, int threads,
-                    const std::vector<cases::MethodSpec>& methods);
+results::Provenance provenance_at_start(const cases::Case& rough_case,
+                                        int threads);
+
+/// Of the finite elements, once they were used: loads them.
+results::Provenance provenance_of_fem();
 
 } // namespace asperity::app

@@ -3,6 +3,7 @@
 // One case from its file to its result file: what is to be done, on how many
 // threads, in which order. Owns the job list.
 
+#include "app/cache.hpp"
 #include "cases/case.hpp"
 #include "results/result_writer.hpp"
 
@@ -19,18 +20,22 @@ struct RunOptions {
   int threads = 0;            ///< 0: as many as the machine has
   std::string reference = {}; ///< text of the case's reference.csv, or empty
   bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
+  Cache* cache = nullptr;     ///< null: all is computed, nothing is kept
 };
 
 struct RunOutcome {
   bool is_interrupted = false;
   int failed_steps = 0; ///< not converged
+  int computed_steps = 0;
+  int kept_steps = 0; ///< read from the cache
 };
 
 /// Runs the methods of a case and writes each step to folder/result.h5 as it
 /// is done. An older result there is kept as result.previous.h5, unless the run
 /// resumes it. Jobs (a method on a realisation) run beside each other; a method
 /// whose library allows one at a time runs after the others. Which job runs
-/// where changes nothing in the numbers.
+/// where changes nothing in the numbers. What the cache has is read, CPU times
+/// among it, and not computed; the result says so.
 /// @throws cases::CaseError  an unknown method name; what a room refuses
 RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options);
 

@@ -6,6 +6,7 @@
 #include "cases/case.hpp"
 #include "results/result.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,19 @@ public:
   /// What only the solver that was set up knows, for the method's description;
   /// empty if there is nothing.
   virtual std::string found_at_setup() const { return {}; }
+
+  /// Where the next step starts from, for another process to go on as this one
+  /// would; empty for a method that cannot.
+  virtual std::vector<double> state() const { return {}; }
+
+  /// @param state  of an equal solver
+  virtual void restore(std::span<const double> state) {
+    static_cast<void>(state);
+  }
+
+  /// CPU time that set-up would have taken beyond what it took, because parts
+  /// of it were kept by an earlier run [s].
+  virtual double saved_setup_time() const { return 0.0; }
 };
 
 /// What a method is, in words for the report.

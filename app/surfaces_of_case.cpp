@@ -1,5 +1,6 @@
 #include "app/surfaces_of_case.hpp"
 
+#include "app/chosen.hpp"
 #include "cases/case_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/shells.hpp"
@@ -25,12 +26,6 @@ results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
     record.spectrum.push_back(
         {shell.wavevector, surfaces::shell_density(shell, map.grid)});
   return record;
-}
-
-bool takes_formula(const cases::MethodSpec& method) {
-  const auto* theory = std::get_if<cases::TheorySettings>(&method.settings);
-  return theory != nullptr &&
-         theory->spectrum == cases::TheorySpectrum::formula;
 }
 
 SurfaceOfCase as_taken(const cases::Case& rough_case,

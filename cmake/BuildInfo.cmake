@@ -1,7 +1,11 @@
-# cmake -DSOURCE=... -DHEADER=... -P BuildInfo.cmake
+# cmake -DSOURCE=... -DHEADER=... [-DTOOLS=...] -P BuildInfo.cmake
 # Writes the commit the program is built from into HEADER, only when it changes.
 # "unknown" without git, and where SOURCE is not itself a checkout (an unpacked
 # archive may lie inside somebody's repository). Dirty: a tracked file differs.
+#
+# And the stamp of what decides the numbers: every source of every room, and
+# TOOLS (compiler, flags, libraries). Left out by name is what only speaks, so
+# that a file nobody thought of counts. A glob, because a list could forget one.
 set(commit "unknown")
 set(dirty "unknown")
 find_program(GIT git)
@@ -23,6 +27,17 @@ if(GIT)
     endif()
   endif()
 endif()
+set(told "${TOOLS}")
+file(GLOB sources RELATIVE ${SOURCE} ${SOURCE}/*/*.cpp ${SOURCE}/*/*.hpp)
+list(FILTER sources EXCLUDE REGEX
+  "^(reports|tests|build)/|^app/(main|commands|progress|collection|plan_text)\\.")
+list(SORT sources)
+foreach(source IN LISTS sources)
+  file(SHA256 ${SOURCE}/${source} hash)
+  string(APPEND told "\n${source} ${hash}")
+endforeach()
+string(SHA256 numerics "${told}")
+
 file(CONFIGURE OUTPUT ${HEADER} @ONLY CONTENT
 "#pragma once
 
@@ -32,6 +47,8 @@ namespace asperity::results {
 
 inline constexpr char build_commit[] = \"@commit@\";
 inline constexpr char build_dirty[] = \"@dirty@\";
+inline constexpr char build_numerics[] =
+    \"@numerics@\";
 
 } // namespace asperity::results
 ")

@@ -70,6 +70,37 @@ ContactSolution LoadSequence::solve(const LoadTarget& target) {
   return solution;
 }
 
+/// Kind of load, then amount and pressure of each step.
+std::vector<double> LoadSequence::memory() const {
+  std::vector<double> memory;
+  for (const Step& step : history_) {
+    if (memory.empty())
+      memory.push_back(static_cast<double>(kind_));
+    memory.push_back(step.amount);
+    memory.insert(memory.end(), step.pressure.begin(), step.pressure.end());
+  }
+  return memory;
+}
+
+void LoadSequence::recall(std::span<const double> memory) {
+  const std::size_t length = heights_.size() + 1;
+  if (!memory.empty() && memory.size() != 1 + length &&
+      memory.size() != 1 + 2 * length)
+    refuse_argument("memory.size()", static_cast<double>(memory.size()),
+                    "that of one or two steps");
+  history_.clear();
+  if (memory.empty())
+    return;
+  kind_ = memory[0] == static_cast<double>(LoadTarget::Kind::nominal_pressure)
+              ? LoadTarget::Kind::nominal_pressure
+              : LoadTarget::Kind::mean_gap;
+  for (std::size_t at = 1; at < memory.size(); at += length) {
+    const std::span<const double> pressure =
+        memory.subspan(at + 1, heights_.size());
+    history_.push_back({memory[at], {pressure.begin(), pressure.end()}});
+  }
+}
+
 std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
   if (history_.size() == 2) {
     const Step& before = history_[0];

@@ -43,6 +43,14 @@ public:
 
   ContactSolution solve(const LoadTarget& target);
 
+  /// The last steps as numbers, from which another process goes on as this one
+  /// would; empty before the first.
+  std::vector<double> memory() const;
+
+  /// @param memory  of a sequence on an equal grid
+  /// @throws std::domain_error  it is none
+  void recall(std::span<const double> memory);
+
   /// Penalty compliance 1/k [m/Pa] that the solution's gap in contact shows;
   /// 0 for laws that end at the hard wall.
   double local_compliance() const;

@@ -1,6 +1,7 @@
 #include "fem/plugin.hpp"
 
 #include "contact/fourier_operator.hpp"
+#include "fem/cell_stiffness.hpp"
 #include "fem/condensed_q1.hpp"
 #include "fem/q2_operator.hpp"
 #include "meshes/graded_layers.hpp"
@@ -8,6 +9,7 @@
 #include <deal.II/base/config.h>
 
 #include <Trilinos_version.h>
+#include <cstring>
 
 namespace asperity::fem {
 namespace {
@@ -28,6 +30,34 @@ LayeredBlock layered_block(const BlockRequest& request) {
       request.youngs_modulus, request.poisson_ratio, settings.top);
 }
 
+/// The blocks as raw bytes, if they are as many as this grid has.
+bool take_blocks(const std::optional<std::string>& bytes,
+                 Q2Compliance& compliance) {
+  const std::size_t size = sizeof(KindBlock) *
+                           static_cast<std::size_t>(compliance.columns()) *
+                           static_cast<std::size_t>(compliance.rows());
+  if (!bytes || bytes->size() != size)
+    return false;
+  compliance.blocks.resize(size / sizeof(KindBlock));
+  std::memcpy(compliance.blocks.data(), bytes->data(), size);
+  return true;
+}
+
+Q2Compliance kept_or_built(const BlockRequest& request,
+                           const LayeredBlock& block) {
+  const Keeper& keeper = request.keeper;
+  Q2Compliance compliance;
+  compliance.grid = request.grid;
+  compliance.kind_weights = relative_nodal_areas(2);
+  if (keeper.read && take_blocks(keeper.read(), compliance))
+    return compliance;
+  compliance = condensed_compliance_q2(request.grid, block, request.threads);
+  if (keeper.write)
+    keeper.write({reinterpret_cast<const char*>(compliance.blocks.data()),
+                  compliance.blocks.size() * sizeof(KindBlock)});
+  return compliance;
+}
+
 class DealiiRoom final : public FemRoom {
 public:
   std::unique_ptr<contact::SurfaceOperator>
@@ -38,9 +68,8 @@ public:
           request.grid,
           condensed_compliance_q1(request.grid, block, request.threads),
           request.threads);
-    return std::make_unique<Q2Operator>(
-        condensed_compliance_q2(request.grid, block, request.threads),
-        request.threads);
+    return std::make_unique<Q2Operator>(kept_or_built(request, block),
+                                        request.threads);
   }
 
   std::unique_ptr<FullBlock> full(const BlockRequest& request) const override {

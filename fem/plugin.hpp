@@ -7,10 +7,19 @@
 #include "contact/surface_operator.hpp"
 #include "fem/full_block.hpp"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace asperity::fem {
+
+/// A place that remembers bytes between two processes.
+struct Keeper {
+  std::function<std::optional<std::string>()> read;
+  std::function<void(std::string_view)> write;
+};
 
 /// One block to build: the case's [fem] on one realisation of the surface.
 struct BlockRequest {
@@ -20,6 +29,7 @@ struct BlockRequest {
   double youngs_modulus = 0.0; ///< E [Pa] > 0
   double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
   int threads = 1;             ///< changes no bit of an answer
+  Keeper keeper = {}; ///< of this very block's condensed operator; may be empty
 };
 
 /// What the module gives. Each call throws std::domain_error, in words, for a
@@ -28,7 +38,9 @@ class FemRoom {
 public:
   virtual ~FemRoom() = default;
 
-  /// Road 2: settings.solver automatic or condensed.
+  /// Road 2: settings.solver automatic or condensed. What costs more to build
+  /// than to read, the blocks of Q2, is asked of the keeper first and given to
+  /// it when built.
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 

@@ -1,9 +1,12 @@
 #include "md/atomic_contact.hpp"
 
+#include "md/child_process.hpp"
 #include "md/explicit_contact.hpp"
 #include "md/green_contact.hpp"
 #include "md/lammps_contact.hpp"
 #include "md/lammps_run.hpp"
+
+#include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
@@ -13,6 +16,21 @@ namespace asperity::md {
 void require_engine(const cases::MdSettings& settings) {
   if (settings.engine == cases::AtomEngine::lammps)
     require_lammps(settings.ranks);
+}
+
+std::string engine_identity(const cases::MdSettings& settings) {
+  if (settings.engine != cases::AtomEngine::lammps)
+    return "";
+  std::error_code error;
+  const std::filesystem::path program =
+      std::filesystem::canonical(program_on_path("lmp"), error);
+  if (error)
+    return "";
+  return fmt::format("{} {} {}", program.string(),
+                     std::filesystem::file_size(program, error),
+                     std::filesystem::last_write_time(program, error)
+                         .time_since_epoch()
+                         .count());
 }
 
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {

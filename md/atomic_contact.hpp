@@ -63,6 +63,16 @@ public:
   virtual AtomStep solve(cases::Control control, double amount, int step,
                          const Watch& watch = {}) = 0;
 
+  /// Where the next step starts from, to go on in another process; empty for a
+  /// block that cannot.
+  virtual std::vector<double> state() const { return {}; }
+
+  /// @param state  of an equal block
+  /// @throws std::domain_error  it is not of this block's size
+  virtual void restore(std::span<const double> state) {
+    static_cast<void>(state);
+  }
+
   /// One line for the report: lattice, bulk, modulus really shown.
   virtual std::string description() const = 0;
 
@@ -73,6 +83,10 @@ public:
 /// To be asked before anything is written: is what the engine needs installed?
 /// @throws cases::CaseError  a program is not, with the package that has it
 void require_engine(const cases::MdSettings& settings);
+
+/// Which program answers, where it is not this one: path, size and time of the
+/// file that would be started; empty for our own engine, or if there is none.
+std::string engine_identity(const cases::MdSettings& settings);
 
 /// @throws cases::CaseError   settings that do not go together, a program that
 ///                            is not installed

@@ -60,6 +60,15 @@ public:
                  const Watch& watch) override;
   std::string description() const override;
 
+  std::vector<double> state() const override { return state_; }
+
+  void restore(std::span<const double> state) override {
+    if (state.size() != state_.size())
+      refuse_argument("state.size()", static_cast<double>(state.size()),
+                      fmt::format("{}", state_.size()));
+    state_.assign(state.begin(), state.end());
+  }
+
   double shown_contact_modulus() const override {
     return SlabSymbol(crystal_of(request_)).contact_modulus(0.1, 0.0, cells_);
   }

@@ -18,15 +18,6 @@
 namespace asperity::results {
 namespace {
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  const std::string key = "model name";
-  for (std::string line; std::getline(file, line);)
-    if (line.compare(0, key.size(), key) == 0)
-      return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
 std::string memory() {
   const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                        static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -54,11 +45,25 @@ Provenance program_facts() {
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000,
                           FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"toml11", ASPERITY_TOML11_VERSION},
-      {"processor", processor()},
+      {"numerics", std::string(build_numerics).substr(0, 12)},
+      {"processor", processor_name()},
       {"cores", std::to_string(std::thread::hardware_concurrency())},
       {"memory", memory()},
       {"system", host_system()},
   };
+}
+
+std::string build_stamp() {
+  return build_numerics;
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  const std::string key = "model name";
+  for (std::string line; std::getline(file, line);)
+    if (line.compare(0, key.size(), key) == 0)
+      return line.substr(line.find(':') + 2);
+  return "unknown";
 }
 
 std::string utc_now() {

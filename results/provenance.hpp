@@ -6,6 +6,7 @@
 #include "results/result.hpp"
 
 #include <chrono>
+#include <string>
 
 namespace asperity::results {
 
@@ -14,6 +15,14 @@ namespace asperity::results {
 /// compiler, build type, library versions, processor, cores, memory, host
 /// system. A report warns of numbers from a dirty program.
 Provenance program_facts();
+
+/// What decides the numbers a program computes, as one SHA-256: every source
+/// but those of reports and command line, compiler, flags, libraries. Equal
+/// stamps: the same numbers on the same processor.
+std::string build_stamp();
+
+/// "model name" of the first processor; "unknown" where the system says none.
+std::string processor_name();
 
 /// "2026-01-31T12:34:56Z" [UTC]
 std::string utc_now();

@@ -109,6 +109,14 @@ struct Table {
   std::vector<double> values(const std::string& column) const;
 };
 
+/// Something the scene did not need and that was not computed.
+struct Skipped {
+  std::string what;      ///< "fem, realization 2"
+  std::string why;       ///< "all 16 steps are in the cache"
+  double cpu_time = 0.0; ///< it would have cost [s]; NaN: not predicted
+  double bytes = 0.0;    ///< of memory it would have taken; NaN: not predicted
+};
+
 /// Key-value facts about what made the file, in the order they were written.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
@@ -126,6 +134,7 @@ struct Result {
                                        ///< theory alone ran from a formula
   std::vector<MethodRecord> methods;
   std::vector<Table> tables = {}; ///< of studies, in the order they were made
+  std::vector<Skipped> skipped = {};
 
   /// Null if there is none of that name.
   const Table* table(const std::string& name) const;

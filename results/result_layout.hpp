@@ -10,6 +10,7 @@ constexpr const char* format = "asperity-result";
 constexpr int format_version = 1;
 constexpr const char* own_surface = "surface"; ///< beside "curve"
 constexpr const char* tables = "tables";
+constexpr const char* skipped = "skipped";
 constexpr const char* column_place = "order"; ///< of a column, 0, 1, ...
 
 /// Realisations and steps beyond this are taken for another file's groups.

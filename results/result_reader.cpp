@@ -6,6 +6,7 @@
 #include "results/hdf5_file.hpp"
 #include "results/map_storage.hpp"
 #include "results/result_layout.hpp"
+#include "results/skipped_storage.hpp"
 #include "results/table_storage.hpp"
 
 #include <fmt/format.h>
@@ -125,6 +126,8 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   const Hdf5Group methods = file.open("methods");
   for (const std::string& name : methods.children())
     result.methods.push_back(read_method(methods.open(name), name));
+  if (file.has(layout::skipped))
+    result.skipped = read_skipped(file.open(layout::skipped));
   if (file.has(layout::tables)) {
     const Hdf5Group tables = file.open(layout::tables);
     for (const std::string& name : tables.children())

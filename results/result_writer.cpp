@@ -7,6 +7,7 @@
 #include "results/map_size.hpp"
 #include "results/map_storage.hpp"
 #include "results/result_layout.hpp"
+#include "results/skipped_storage.hpp"
 #include "results/table_storage.hpp"
 
 #include <fmt/format.h>
@@ -277,6 +278,17 @@ void ResultWriter::record_table(const Table& table) {
 bool ResultWriter::has_table(const std::string& name) const {
   const std::lock_guard lock(hdf5_mutex());
   return tables_.contains(name);
+}
+
+void ResultWriter::record_skipped(std::span<const Skipped> skipped) {
+  const std::lock_guard lock(hdf5_mutex());
+  update([&](Hdf5File& file) {
+    if (file.has(layout::skipped))
+      file.remove(layout::skipped);
+    Hdf5Group group = file.open_or_create(layout::skipped);
+    if (!skipped.empty())
+      write_skipped(group, skipped);
+  });
 }
 
 void ResultWriter::finish(const std::string& status) {

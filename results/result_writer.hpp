@@ -111,6 +111,9 @@ public:
   /// when no other thread writes.
   double cpu_time() const { return cpu_time_; }
 
+  /// What was not computed; replaces the list that was there.
+  void record_skipped(std::span<const Skipped> skipped);
+
   /// @param status  complete | interrupted
   void finish(const std::string& status);
 

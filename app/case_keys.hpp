@@ -1,0 +1,50 @@
+#pragma once
+
+// Under which key the cache keeps what a case computes. Owns the list of what
+// decides a number.
+
+#include "cases/case.hpp"
+#include "cases/node.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Keys, by content_hash(), of the parts of one case. They are made of the
+/// case's tables as they are written, defaults left out, in any order of keys:
+/// whatever key is added to the vocabulary is in them. Title, [report],
+/// [expect], comments, and other methods' tables are not.
+class CaseKeys {
+public:
+  /// @param program  what decides the numbers besides the case:
+  ///                 program_identity()
+  CaseKeys(const cases::Case& rough_case, std::string program);
+
+  /// One a step of the load program: surface, realisation, material, method,
+  /// and every load up to that step.
+  std::vector<std::string> steps(const cases::MethodSpec& method,
+                                 int realization) const;
+
+  /// Of a study's table.
+  std::string table(const cases::MethodSpec& theory,
+                    const std::string& name) const;
+
+  /// Of an operator of the block's face.
+  /// @param face  in words, all that the block and its grid are
+  std::string face(const std::string& face) const;
+
+private:
+  std::string method_text(const cases::MethodSpec& method) const;
+
+  const cases::Case& case_;
+  std::string program_;
+  cases::Node file_;
+  std::string scene_; ///< surface and material
+};
+
+/// Build and processor: equal ones compute the same bits.
+std::string program_identity();
+
+} // namespace asperity::app

@@ -1,0 +1,32 @@
+#pragma once
+
+// What of a case a run is asked for: which methods, on how many realisations,
+// with which maps.
+
+#include "cases/case.hpp"
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// @param names     of methods or kinds; empty: all
+/// @param is_exact  names of methods alone: "fem" is not "fem.hard"
+/// @throws cases::CaseError  the case has no such method; names the nearest
+std::vector<cases::MethodSpec>
+chosen_methods(const cases::Case& rough_case,
+               const std::vector<std::string>& names, bool is_exact = false);
+
+/// True for a theory, whose spectrum needs no surface.
+bool takes_formula(const cases::MethodSpec& method);
+
+/// One for a theory by the formula, which is the same on all.
+int n_realizations(const cases::Case& rough_case,
+                   const cases::MethodSpec& method);
+
+/// Load steps, spread evenly over the program, whose maps are kept.
+std::set<std::size_t> steps_with_fields(const cases::Case& rough_case);
+
+} // namespace asperity::app
