@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/bench.hpp"
+#include "app/cache.hpp"
 #include "app/case_library.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
@@ -173,7 +174,8 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   return end;
 }
 
-ExitCode run_asked(const Asked& asked, const RunCommand& command) {
+ExitCode run_asked(const Asked& asked, const RunCommand& command,
+                   Cache& cache) {
   const bool is_collection = !asked.found.collection.empty();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
@@ -182,9 +184,10 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command) {
                                 ? folder_of(asked.found.collection, command) /
                                       read.found.file.parent_path().filename()
                                 : folder_of(read.found.name, command);
-    const RunOptions options{folder,         command.methods,
-                             command.resume, command.threads,
-                             read.reference, command.is_exact};
+    RunOptions options{folder, command.methods, command.resume, command.threads,
+                       read.reference};
+    options.is_exact = command.is_exact;
+    options.cache = &cache;
     end = worse(end, command.target_error.empty()
                          ? run_one(read.rough_case, options, command.no_report)
                          : run_to_target(read, command, options));
@@ -205,9 +208,10 @@ ExitCode run_cases(const RunCommand& command) {
   for (const std::string& word : command.cases)
     all.push_back(read_asked(word, command.overrides, command.is_quick));
   catch_interrupts();
+  Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
   ExitCode end = exit_good;
   for (const Asked& asked : all) {
-    end = worse(end, run_asked(asked, command));
+    end = worse(end, run_asked(asked, command, cache));
     if (is_interrupted())
       break;
   }
@@ -231,7 +235,8 @@ ExitCode report_results(const std::vector<std::string>& paths,
 }
 
 ExitCode check_targets(const std::vector<std::string>& targets,
-                       const std::string& junit) {
+                       const std::string& junit, bool uses_cache) {
+  Cache cache(cache_folder(), uses_cache ? cache_size() : 0);
   std::map<std::string, Asked> to_run;
   for (const std::string& target : targets)
     if (!is_result(target))
@@ -254,7 +259,7 @@ ExitCode check_targets(const std::vector<std::string>& targets,
     for (const auto& [found, rough_case, reference, overrides] :
          asked->second.cases) {
       const fs::path folder = fs::path("out") / found.name;
-      if (run_case(rough_case, {folder, {}, false, 0, reference})
+      if (run_case(rough_case, {folder, {}, false, 0, reference, false, &cache})
               .is_interrupted)
         return exit_interrupted;
       judge(write_outputs(folder));
@@ -263,6 +268,18 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   if (!junit.empty())
     write_file_atomically(junit, reports::junit_xml(summaries));
   return end;
+}
+
+ExitCode show_cache(bool is_to_clear) {
+  Cache cache(cache_folder(), cache_size());
+  if (is_to_clear)
+    cache.clear();
+  const Cache::Contents contents = cache.contents();
+  fmt::print("{}\n{} entries, {:.1f} MB of {:.1f} MB\n",
+             cache.folder().string(), contents.entries,
+             1e-6 * static_cast<double>(contents.bytes),
+             1e-6 * static_cast<double>(cache.most_bytes()));
+  return exit_good;
 }
 
 ExitCode list_cases() {

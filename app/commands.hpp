@@ -20,6 +20,7 @@ struct RunCommand {
   bool is_exact = false;         ///< `methods` are names alone, no kinds
   std::string target_error = {}; ///< "1%"; empty: the case's own settings
   bool no_report = false;        ///< result.h5 alone, as a benchmark wants it
+  bool uses_cache = true;
 };
 
 /// Every case is read before the first is run. After the parts of a collection
@@ -35,7 +36,10 @@ ExitCode report_results(const std::vector<std::string>& results,
 /// @param targets  results (file or folder), or cases, which are run first
 /// @param junit    file for JUnit XML; empty: none
 ExitCode check_targets(const std::vector<std::string>& targets,
-                       const std::string& junit);
+                       const std::string& junit, bool uses_cache = true);
+
+/// Where the cache is, how much of it is used; emptied before if asked to.
+ExitCode show_cache(bool is_to_clear);
 
 ExitCode list_cases();
 

@@ -44,6 +44,8 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
   command->add_flag("--exactly", run.is_exact,
                     "--methods are names alone: fem is not fem.hard");
   command->add_flag("--no-report", run.no_report, "write result.h5 alone");
+  command->add_flag("!--no-cache", run.uses_cache,
+                    "compute everything, keep nothing");
   command->add_option("--threads", run.threads, "default: all cores")
       ->check(CLI::Range(1, 1024));
   command->callback([&] { action = [&] { return run_cases(run); }; });
@@ -100,7 +102,7 @@ void add_report(CLI::App& program, std::vector<std::string>& results,
 }
 
 void add_check(CLI::App& program, std::vector<std::string>& targets,
-               std::string& junit, Action& action) {
+               std::string& junit, bool& uses_cache, Action& action) {
   CLI::App* command = program.add_subcommand(
       "check", "hold results against the case's expectations; exit 1 if one "
                "falls out");
@@ -109,8 +111,18 @@ void add_check(CLI::App& program, std::vector<std::string>& targets,
                    "result (file or folder), or a case to run")
       ->required();
   command->add_option("--junit", junit, "file for JUnit XML");
-  command->callback(
-      [&] { action = [&] { return check_targets(targets, junit); }; });
+  command->add_flag("!--no-cache", uses_cache,
+                    "compute everything, keep nothing");
+  command->callback([&] {
+    action = [&] { return check_targets(targets, junit, uses_cache); };
+  });
+}
+
+void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "cache", "where earlier steps are kept, and how many");
+  command->add_flag("--clear", is_to_clear, "remove them all");
+  command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
 void add_stress(CLI::App& program, StressCommand& stress, Action& action) {
@@ -164,7 +176,9 @@ int run(int argc, char** argv) {
   BenchCommand bench;
   add_bench(program, bench, action);
   add_report(program, paths, out, action);
-  add_check(program, paths, out, action);
+  add_check(program, paths, out, run.uses_cache, action);
+  bool is_to_clear = false;
+  add_cache(program, is_to_clear, action);
   add_stress(program, stress, action);
   add_small_commands(program, out, action);
   try {

@@ -40,9 +40,9 @@ protected:
   Ended run(const std::string& arguments,
             const std::string& before = "") const {
     const std::filesystem::path log = folder / "log.txt";
-    const std::string command = "cd " + folder.string() + " && " + before +
-                                " " ASPERITY_PROGRAM " " + arguments + " > " +
-                                log.string() + " 2>&1";
+    const std::string command =
+        "cd " + folder.string() + " && ASPERITY_CACHE=cache " + before +
+        " " ASPERITY_PROGRAM " " + arguments + " > " + log.string() + " 2>&1";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
             text_of(log)};

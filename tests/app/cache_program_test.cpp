@@ -1,0 +1,119 @@
+// Claims about the program beside a cache: a second run, a killed one, two at
+// once, and that nobody can tell the numbers apart.
+#include <cstdio>
+#include <future>
+
+#include "tests/app/program.hpp"
+#include "tests/app/same_bits.hpp"
+
+namespace asperity::app {
+namespace {
+
+using results::Result;
+
+// Theory once, half-space and fem on two realisations, four loads each.
+constexpr int all_steps = 4 + 2 * 4 + 2 * 4;
+
+class CachedProgram : public ProgramTest {
+protected:
+  CachedProgram() { write("small.toml", small_case); }
+
+  Result result(const std::string& name) const {
+    return results::read_result(folder / name);
+  }
+
+  /// The steps that a run says it computed; -1 if it says nothing.
+  static int computed(const Ended& run) {
+    int steps = -1;
+    int computed = -1;
+    int kept = -1;
+    const std::size_t words = run.output.find(" steps: ");
+    const std::size_t start =
+        words == std::string::npos ? 0 : run.output.rfind('\n', words) + 1;
+    if (std::sscanf(run.output.c_str() + start,
+                    "%d steps: %d computed, %d from the cache", &steps,
+                    &computed, &kept) != 3)
+      return -1;
+    EXPECT_EQ(steps, computed + kept);
+    return computed;
+  }
+
+  int computed(const std::string& arguments) const {
+    const Ended done = run("run small.toml " + arguments);
+    EXPECT_EQ(done.exit_code, 0) << done.output;
+    return computed(done);
+  }
+};
+
+TEST_F(CachedProgram, UnchangedIsReadAndNotComputed) {
+  EXPECT_EQ(computed("--out first"), all_steps);
+
+  EXPECT_EQ(computed("--out second"), 0);
+
+  expect_same_bits(result("first"), result("second"), true);
+  EXPECT_EQ(result("second").status, "complete");
+}
+
+// Claim: what a kill leaves is read, the rest computed; the end is the same,
+// bit by bit. Killed at several moments, so that some fall within a step.
+TEST_F(CachedProgram, AKilledRunGetsItsStepsBack) {
+  const std::string long_run = "run small.toml --set surface.points=256 "
+                               "--methods halfspace --threads 1 ";
+  ASSERT_EQ(run(long_run + "--no-cache --out whole").exit_code, 0);
+  for (const char* seconds : {"0.3", "0.5", "0.8"})
+    run(long_run + "--out killed", std::string("timeout -s KILL ") + seconds);
+
+  const Ended done = run(long_run + "--out killed");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  EXPECT_LT(computed(done), 2 * 4) << done.output;
+  expect_same_bits(result("whole"), result("killed"));
+}
+
+TEST_F(CachedProgram, TwoRunsAtOnceAgree) {
+  computed("--no-cache --out whole");
+  const std::string other = "cd " + folder.string() +
+                            " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
+                            " run small.toml --out two > two.txt 2>&1";
+  auto two = std::async(std::launch::async,
+                        [&] { return std::system(other.c_str()); });
+  const Ended one = run("run small.toml --out one");
+
+  ASSERT_EQ(one.exit_code, 0) << one.output;
+  ASSERT_EQ(two.get(), 0) << text_of(folder / "two.txt");
+  expect_same_bits(result("whole"), result("one"));
+  expect_same_bits(result("whole"), result("two"));
+}
+
+// Claim: the operator of a Q2 face is read where only the surface is new, and
+// its set-up is still counted as what it cost.
+TEST_F(CachedProgram, AQ2OperatorIsBuiltOnce) {
+  const std::string q2 = "--methods fem --set fem.element=Q2 "
+                         "--set surface.realizations=1 ";
+  computed(q2 + "--out first");
+
+  EXPECT_EQ(computed(q2 + "--set surface.seed=4 --out second"), 4);
+  computed(q2 + "--set surface.seed=4 --no-cache --out whole");
+
+  expect_same_bits(result("whole"), result("second"));
+  const double built =
+      result("first").methods.at(0).realizations.at(0).setup_cpu_time;
+  EXPECT_GT(result("second").methods.at(0).realizations.at(0).setup_cpu_time,
+            0.2 * built);
+}
+
+TEST_F(CachedProgram, TheCacheIsShownAndCleared) {
+  computed("");
+  const Ended shown = run("cache");
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_NE(shown.output.find(" entries, "), std::string::npos);
+  EXPECT_EQ(shown.output.find("\n0 entries"), std::string::npos);
+
+  const Ended cleared = run("cache --clear");
+
+  EXPECT_NE(cleared.output.find("\n0 entries"), std::string::npos);
+  EXPECT_EQ(computed(""), all_steps);
+}
+
+} // namespace
+} // namespace asperity::app

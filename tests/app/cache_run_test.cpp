@@ -1,0 +1,226 @@
+// Claims about runs beside a cache: which change of a case computes what again,
+// and that what is read is what was computed.
+#include "app/case_keys.hpp"
+#include "app/run_case.hpp"
+#include "cases/read_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/app/same_bits.hpp"
+
+namespace asperity::app {
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+const std::string pressed_case = R"(schema = 1
+title = "pressed"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 32
+seed = 3
+realizations = 2
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.25 length"
+wavelength_short = "8 h"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = [ "1e-3 E*", "4e-3 E*", "1e-2 E*", "4e-2 E*" ]
+[theory]
+gamma = 0.42
+[halfspace]
+contact = "hard"
+[halfspace.soft]
+contact = "penalty"
+penalty = "100 E*/h"
+[report]
+fields = 1
+)";
+
+// Theory once, two elastic methods on two realisations, four loads each.
+constexpr int a_method = 2 * 4;
+constexpr int all_steps = 4 + 2 * a_method;
+
+class CachedRun : public ::testing::Test {
+protected:
+  static std::filesystem::path new_folder() {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
+    return mkdtemp(pattern.data());
+  }
+
+  ~CachedRun() override { std::filesystem::remove_all(folder); }
+
+  RunOutcome run(const Overrides& overrides, Cache& beside,
+                 const std::string& out = "out") const {
+    const cases::Case rough_case = cases::read_case_text(
+        text, (folder / "pressed.toml").string(), overrides);
+    return run_case(rough_case, {folder / out, {}, false, 1, "", &beside});
+  }
+
+  /// The steps that are computed beside the cache of this test.
+  int computed(const Overrides& overrides = {},
+               const std::string& out = "out") {
+    return run(overrides, cache, out).computed_steps;
+  }
+
+  results::Result result(const std::string& out) const {
+    return results::read_result(folder / out);
+  }
+
+  std::string text = pressed_case;
+  std::filesystem::path folder = new_folder();
+  Cache cache{folder / "cache", 100'000'000};
+};
+
+/// A list of loads in E*.
+std::string loads(const std::string& pressures) {
+  return "load.nominal_pressure=[" + pressures + "]";
+}
+
+TEST_F(CachedRun, UnchangedIsReadBitByBit) {
+  EXPECT_EQ(computed({}, "first"), all_steps);
+
+  const RunOutcome second = run({}, cache, "second");
+
+  EXPECT_EQ(second.computed_steps, 0);
+  EXPECT_EQ(second.kept_steps, all_steps);
+  expect_same_bits(result("first"), result("second"), true);
+}
+
+// Titles, reports, comments and the order of keys decide no number.
+TEST_F(CachedRun, WordsChangeNothing) {
+  computed();
+  text.replace(text.find("\"pressed\""), 9, "\"another title\"");
+  text.replace(text.find("rms_slope = 0.1\n"), 16, "# steep\n");
+  text.replace(text.find("seed = 3\n"), 9, "rms_slope = 0.1\nseed = 3\n");
+
+  EXPECT_EQ(computed({"expect.kappa={above=1.0,methods=[\"halfspace\"]}"}), 0);
+}
+
+TEST_F(CachedRun, OneMethodsKeyRunsThatMethodAgain) {
+  computed();
+
+  EXPECT_EQ(computed({"halfspace.soft.penalty=50 E*/h"}), a_method);
+  EXPECT_EQ(computed({"theory.gamma=0.5"}), 4);
+  EXPECT_EQ(computed({"halfspace.tolerance=1e-7"}), 2 * a_method); // inherited
+  EXPECT_EQ(computed(), 0); // the first is still there
+}
+
+TEST_F(CachedRun, AnotherMethodRunsThatAlone) {
+  computed();
+  text += "[halfspace.slab]\nthickness = \"0.5 length\"\n";
+
+  EXPECT_EQ(computed(), a_method);
+}
+
+TEST_F(CachedRun, AnotherSurfaceOrMaterialRunsAllAgain) {
+  computed();
+
+  EXPECT_EQ(computed({"surface.seed=4"}), all_steps);
+  EXPECT_EQ(computed({"surface.hurst=0.7"}), all_steps);
+  EXPECT_EQ(computed({"material.poisson_ratio=0.4"}), all_steps);
+}
+
+TEST_F(CachedRun, RealizationsAreKeptOneByOne) {
+  computed();
+
+  EXPECT_EQ(computed({"surface.realizations=3"}), 2 * 4);
+}
+
+// Claim: a load at the end costs one step a curve, and the answer is that of a
+// run that never stopped, bit by bit: it starts from the kept state.
+TEST_F(CachedRun, ALoadAtTheEndCostsOneStep) {
+  const std::string three = "\"1e-3 E*\",\"1e-2 E*\",\"2e-2 E*\"";
+  const Overrides longer{loads(three + ",\"4e-2 E*\""), "report.fields=0"};
+  Cache none;
+  run(longer, none, "whole");
+  EXPECT_EQ(computed({loads(three), "report.fields=0"}), 3 + 2 * 6);
+
+  EXPECT_EQ(computed(longer, "longer"), 1 + 2 * 2);
+
+  expect_same_bits(result("whole"), result("longer"));
+}
+
+// A load in the middle changes every load behind it.
+TEST_F(CachedRun, ALoadInTheMiddleRunsWhatFollows) {
+  computed({loads("\"1e-3 E*\",\"1e-2 E*\",\"4e-2 E*\""), "report.fields=0"});
+
+  EXPECT_EQ(computed({loads("\"1e-3 E*\",\"2e-2 E*\",\"4e-2 E*\""),
+                      "report.fields=0"}),
+            2 + 2 * 2 * 2);
+}
+
+// Maps that were not kept are not there to be read: realisation 0 alone has
+// them, in each of the elastic methods.
+TEST_F(CachedRun, MoreMapsCostTheirSteps) {
+  computed();
+
+  EXPECT_EQ(computed({"report.fields=4"}), 2 * 3);
+  EXPECT_EQ(computed({"report.fields=2"}), 0);
+}
+
+// The same name and size, one height that is not the same.
+TEST_F(CachedRun, OtherBytesOfAMapMiss) {
+  const auto write_map = [&](double last) {
+    std::ofstream stream(folder / "map.txt");
+    for (int i = 0; i < 64; ++i)
+      stream << fmt::format("{:.3f}{}", i == 63 ? last : 1e-2 * (7 * i % 11),
+                            i % 8 == 7 ? '\n' : ' ');
+  };
+  text.replace(
+      0, text.find("[material]"),
+      "schema = 1\ntitle = \"map\"\n[surface]\nkind = \"measured\"\n"
+      "file = \"map.txt\"\nlength = \"1 um\"\n"
+      "height_unit = \"1 um\"\nlevel = \"none\"\nedges = \"periodic\"\n");
+  write_map(0.02);
+  EXPECT_EQ(computed(), 3 * 4);
+  EXPECT_EQ(computed(), 0);
+
+  write_map(0.03);
+
+  EXPECT_EQ(computed(), 3 * 4);
+}
+
+// Claim: a damaged entry costs its own step, not the run and not the others.
+TEST_F(CachedRun, ADamagedStepIsComputedAgain) {
+  computed({}, "first");
+  std::filesystem::path step;
+  for (const auto& file : std::filesystem::directory_iterator(cache.folder()))
+    if (file.path().extension() == ".step" &&
+        (step.empty() || file.path() < step))
+      step = file.path();
+  std::filesystem::resize_file(step, 200);
+
+  EXPECT_EQ(run({}, cache, "second").kept_steps, all_steps - 1);
+  EXPECT_EQ(computed(), 0); // and is there again
+}
+
+// Another build or another processor has another identity, which is in every
+// key.
+TEST_F(CachedRun, AnotherBuildHasOtherKeys) {
+  const cases::Case rough_case = cases::read_case_text(text, "pressed.toml");
+  const CaseKeys ours(rough_case, program_identity());
+  const CaseKeys again(rough_case, program_identity());
+  const CaseKeys theirs(rough_case, program_identity() + " changed");
+  for (const cases::MethodSpec& method : rough_case.methods) {
+    EXPECT_EQ(ours.steps(method, 0), again.steps(method, 0));
+    EXPECT_NE(ours.steps(method, 0)[0], ours.steps(method, 1)[0]);
+    for (const std::size_t step : {0u, 3u})
+      EXPECT_NE(ours.steps(method, 0)[step], theirs.steps(method, 0)[step]);
+  }
+  EXPECT_NE(ours.face("q2"), theirs.face("q2"));
+}
+
+} // namespace
+} // namespace asperity::app

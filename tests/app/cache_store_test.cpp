@@ -1,0 +1,202 @@
+// Claims about the store: what goes in comes out, what was damaged does not,
+// and the bound holds.
+#include "app/cache.hpp"
+#include "cases/case_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Store : public ::testing::Test {
+protected:
+  Store() {
+    std::string pattern =
+        (fs::temp_directory_path() / "asperity-cache-XXXXXX").string();
+    folder = mkdtemp(pattern.data());
+  }
+
+  ~Store() override { fs::remove_all(folder); }
+
+  /// A key that is the hash of a number.
+  static std::string key(int number) {
+    return content_hash(std::to_string(number));
+  }
+
+  fs::path file(int number) const { return folder / (key(number) + ".step"); }
+
+  /// As if it had last been used so long ago.
+  void age(int number, int hours) const {
+    fs::last_write_time(file(number), fs::file_time_type::clock::now() -
+                                          std::chrono::hours(hours));
+  }
+
+  fs::path folder;
+};
+
+// The value sha256sum prints for the three bytes "abc" (FIPS 180-2, B.1).
+TEST_F(Store, HashesAsTheStandardDoes) {
+  EXPECT_EQ(content_hash("abc"), "ba7816bf8f01cfea414140de5dae2223"
+                                 "b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(Store, GivesBackWhatItWasGiven) {
+  Cache cache(folder, 1000);
+  const std::string bytes("\0\xff two \n", 8);
+
+  cache.write(key(1), entry_kind::step, bytes);
+
+  EXPECT_EQ(cache.read(key(1), entry_kind::step), bytes);
+  EXPECT_FALSE(cache.read(key(2), entry_kind::step));
+  EXPECT_FALSE(cache.read(key(1), entry_kind::state));
+}
+
+// Every byte counts: one that differs, and the entry is gone.
+TEST_F(Store, TakesADamagedEntryForMissingAndRemovesIt) {
+  Cache cache(folder, 1000);
+  const std::string bytes = "a step";
+  cache.write(key(1), entry_kind::step, bytes);
+  const auto size = static_cast<std::streamoff>(fs::file_size(file(1)));
+  for (std::streamoff place = 0; place < size; ++place) {
+    cache.write(key(1), entry_kind::step, bytes);
+    std::fstream stream(file(1),
+                        std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(place).put('~');
+    stream.close();
+
+    EXPECT_FALSE(cache.read(key(1), entry_kind::step)) << place;
+    EXPECT_FALSE(fs::exists(file(1)));
+  }
+}
+
+TEST_F(Store, TakesATruncatedEntryForMissing) {
+  Cache cache(folder, 1000);
+  for (const std::uintmax_t length : {0u, 10u, 81u, 84u}) {
+    cache.write(key(1), entry_kind::step, "a step");
+    fs::resize_file(file(1), length);
+
+    EXPECT_FALSE(cache.read(key(1), entry_kind::step)) << length;
+  }
+}
+
+// Nine entries of 181 bytes are 1629; the tenth is one too many for 1700, and
+// 0.9 of the bound is left. The first, read again, outlives the second.
+TEST_F(Store, LetsTheLeastRecentlyUsedGoFirst) {
+  Cache cache(folder, 1700);
+  for (int i = 0; i < 9; ++i) {
+    cache.write(key(i), entry_kind::step, std::string(100, 'x'));
+    age(i, 20 - i);
+  }
+  ASSERT_TRUE(cache.read(key(0), entry_kind::step));
+
+  cache.write(key(9), entry_kind::step, std::string(100, 'x'));
+
+  EXPECT_LE(cache.contents().bytes, 1700u);
+  EXPECT_TRUE(cache.read(key(0), entry_kind::step));
+  EXPECT_FALSE(cache.read(key(1), entry_kind::step));
+  EXPECT_TRUE(cache.read(key(9), entry_kind::step));
+}
+
+TEST_F(Store, KeepsNothingLargerThanItself) {
+  Cache cache(folder, 100);
+
+  cache.write(key(1), entry_kind::step, std::string(100, 'x'));
+
+  EXPECT_EQ(cache.contents().entries, 0u);
+}
+
+TEST_F(Store, WithoutAPlaceOrRoomIsOff) {
+  Cache none;
+  Cache homeless("", 1000);
+  Cache empty(folder, 0);
+  for (Cache* cache : {&none, &homeless, &empty}) {
+    cache->write(key(1), entry_kind::step, "a step");
+
+    EXPECT_FALSE(cache->is_on());
+    EXPECT_FALSE(cache->read(key(1), entry_kind::step));
+  }
+}
+
+// A folder that cannot be made stops nobody.
+TEST_F(Store, SurvivesAPlaceThatCannotBeWritten) {
+  std::ofstream(folder / "file") << "no folder";
+  Cache cache(folder / "file" / "cache", 1000);
+
+  cache.write(key(1), entry_kind::step, "a step");
+
+  EXPECT_FALSE(cache.read(key(1), entry_kind::step));
+  EXPECT_EQ(cache.contents().entries, 0u);
+}
+
+TEST_F(Store, ClearsItsOwnFilesAlone) {
+  Cache cache(folder, 1000);
+  cache.write(key(1), entry_kind::step, "a step");
+  std::ofstream(folder / "letter.txt") << "not ours";
+
+  cache.clear();
+
+  EXPECT_EQ(cache.contents().entries, 0u);
+  EXPECT_TRUE(fs::exists(folder / "letter.txt"));
+}
+
+// Four processes write and read the same keys at once under a bound that makes
+// them remove each other's: whatever is read is whole.
+TEST_F(Store, ServesSeveralProcessesAtOnce) {
+  std::vector<pid_t> children;
+  for (int child = 0; child < 4; ++child) {
+    const pid_t process = fork();
+    if (process == 0) {
+      Cache cache(folder, 20000);
+      for (int i = 0; i < 300; ++i) {
+        const int number = (7 * i + child) % 40;
+        const std::string bytes(1000, static_cast<char>('0' + number));
+        if (const auto found = cache.read(key(number), entry_kind::step);
+            found && *found != bytes)
+          _exit(1);
+        cache.write(key(number), entry_kind::step, bytes);
+      }
+      _exit(0);
+    }
+    children.push_back(process);
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  // One process more looks at all that is there, and the bound holds.
+  Cache cache(folder, 20000);
+  cache.write(key(100), entry_kind::step, "last");
+  EXPECT_LE(cache.contents().bytes, 20000u);
+}
+
+TEST(CacheSize, IsReadWithItsUnit) {
+  const auto size_of = [](const char* text) {
+    setenv("ASPERITY_CACHE_SIZE", text, 1);
+    const std::uintmax_t size = cache_size();
+    unsetenv("ASPERITY_CACHE_SIZE");
+    return size;
+  };
+  EXPECT_EQ(size_of("500 MB"), 500'000'000u);
+  EXPECT_EQ(size_of("1.5GB"), 1'500'000'000u);
+  EXPECT_EQ(size_of("4096"), 4096u);
+  EXPECT_EQ(size_of("0"), 0u);
+  EXPECT_EQ(cache_size(), 2'000'000'000u);
+  EXPECT_THROW(size_of("much"), cases::CaseError);
+  EXPECT_THROW(size_of("2 GiB"), cases::CaseError);
+  EXPECT_THROW(size_of("-1"), cases::CaseError);
+}
+
+} // namespace
+} // namespace asperity::app
