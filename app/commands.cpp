@@ -5,6 +5,7 @@
 #include "app/case_library.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
+#include "app/plan.hpp"
 #include "app/run_case.hpp"
 #include "app/target_run.hpp"
 #include "base/atomic_file.hpp"
@@ -156,6 +157,15 @@ bool is_result(const fs::path& path) {
   return path.extension() == ".h5" || fs::exists(path / "result.h5");
 }
 
+RunOptions options_of(const ReadCase& read, const fs::path& folder,
+                      const RunCommand& command, Cache& cache) {
+  RunOptions options{folder, command.methods, command.resume, command.threads,
+                     read.reference};
+  options.is_exact = command.is_exact;
+  options.cache = &cache;
+  return options;
+}
+
 /// At the setting that is chosen for an error, which is then verified.
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
@@ -172,6 +182,13 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   if (!command.no_report)
     write_outputs(options.folder);
   return end;
+}
+
+void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {
+  for (const ReadCase& read : asked.cases)
+    fmt::print("{}", plan_text(make_plan(read.rough_case,
+                                         options_of(read, {}, command, cache)),
+                               read.rough_case));
 }
 
 ExitCode run_asked(const Asked& asked, const RunCommand& command,
@@ -211,6 +228,10 @@ ExitCode run_cases(const RunCommand& command) {
   Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
   ExitCode end = exit_good;
   for (const Asked& asked : all) {
+    if (command.is_dry) {
+      print_plans(asked, command, cache);
+      continue;
+    }
     end = worse(end, run_asked(asked, command, cache));
     if (is_interrupted())
       break;

@@ -21,6 +21,7 @@ struct RunCommand {
   std::string target_error = {}; ///< "1%"; empty: the case's own settings
   bool no_report = false;        ///< result.h5 alone, as a benchmark wants it
   bool uses_cache = true;
+  bool is_dry = false; ///< print the plan, run nothing
 };
 
 /// Every case is read before the first is run. After the parts of a collection

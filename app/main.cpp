@@ -44,6 +44,9 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
   command->add_flag("--exactly", run.is_exact,
                     "--methods are names alone: fem is not fem.hard");
   command->add_flag("--no-report", run.no_report, "write result.h5 alone");
+  command->add_flag("--dry-run", run.is_dry,
+                    "print what would be done, how long it would take and what "
+                    "is skipped; write nothing");
   command->add_flag("!--no-cache", run.uses_cache,
                     "compute everything, keep nothing");
   command->add_option("--threads", run.threads, "default: all cores")

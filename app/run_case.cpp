@@ -5,6 +5,7 @@
 #include "app/interrupt.hpp"
 #include "app/method_job.hpp"
 #include "app/provenance_of_run.hpp"
+#include "app/skipped.hpp"
 #include "app/studies.hpp"
 #include "cases/case_hash.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using cases::MethodSpec;
+
+constexpr int probed_points = 256;
 
 /// A new run keeps the last result under another name, and leaves no table or
 /// report of it that would seem to be the new one's.
@@ -60,6 +63,7 @@ private:
   int n_steps() const; ///< still to be done
   void begin();
   void run_jobs();
+  std::vector<results::Skipped> skipped() const;
 
   const cases::Case& case_;
   std::vector<MethodSpec> methods_;
@@ -113,6 +117,22 @@ void Run::run_jobs() {
     pool_.run({&job, 1});
 }
 
+/// By the scene, and by the cache. Probed on a small grid: some hundredths of
+/// a second.
+std::vector<results::Skipped> Run::skipped() const {
+  MachineRates rates(probed_points);
+  const Grid grid =
+      surfaces_.whole().empty() ? Grid{} : surfaces_.whole()[0].record.grid;
+  std::vector<results::Skipped> list =
+      skipped_by_scene({case_, methods_, grid}, rates);
+  for (const auto& [thing, work] : tally_.kept())
+    list.push_back({work.steps == 0
+                        ? thing
+                        : fmt::format("{}: {} steps", thing, work.steps),
+                    "in the cache", work.cpu_time, 0.0});
+  return list;
+}
+
 RunOutcome Run::execute() {
   RunClock clock;
   writer_.record_provenance(provenance_at_start(case_, pool_.threads()));
@@ -124,6 +144,7 @@ RunOutcome Run::execute() {
   writer_.record_provenance(
       {{"steps computed", std::to_string(tally_.computed_steps)},
        {"steps from the cache", std::to_string(tally_.kept_steps())}});
+  writer_.record_skipped(skipped());
   writer_.record_provenance(clock.facts());
   writer_.record_provenance(
       {{"writing CPU time", fmt::format("{:.4f} s", writer_.cpu_time())}});

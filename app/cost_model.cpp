@@ -1,0 +1,187 @@
+#include "app/cost_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::app {
+namespace {
+
+using cases::Element;
+
+// Measured on a 2-core AMD EPYC in the release build; MachineRates::slowness()
+// carries the times to another machine.
+
+/// Iterations a warm load step: 24 and 21 in `polymer` at 512^2 (half-space,
+/// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow.
+constexpr double iterations_at_512 = 22.0;
+constexpr double iterations_exponent = 0.4;
+constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
+constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
+
+constexpr double fem_load_time = 0.25;   ///< of deal.II, CPU [s]
+constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
+constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
+
+/// The whole block: 7 s a step for Q1 at 32^2, 30 s for Q2 (docs/fem.md).
+constexpr double full_q1_step_time = 7.0;
+constexpr double full_q2_step_time = 30.0;
+constexpr double full_exponent = 1.1; ///< of multigrid, in unknowns
+constexpr double full_q1_unknowns = 32.0 * 32.0 * 3.0 * 13.0;
+
+/// An evaluation with all that Newton's method does for it; evaluations a step
+/// are 9 in `md-small` and 33 in `md-zeta216`.
+constexpr double atom_evaluation_time = 1.3e-6;
+constexpr double atom_evaluations = 17.0;
+constexpr double layer_atom_time = 0.15e-6; ///< of an atom inside the block
+constexpr double explicit_evaluations = 150.0;
+
+constexpr double theory_setup_time = 1e-3;
+constexpr double theory_step_time = 1e-4;
+constexpr double magnification_time = 2e-3; ///< a load and zeta
+constexpr double adhesion_time = 1e-6;      ///< a ratio and step squared
+
+constexpr double mebibyte = 1024.0 * 1024.0;
+constexpr double program_memory = 45.0 * mebibyte;
+constexpr double fem_memory = 85.0 * mebibyte;
+constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
+constexpr double doubles_an_atom = 60.0;
+constexpr double full_doubles_an_unknown = 150.0; ///< matrix and multigrid
+constexpr double packing = 0.5;                   ///< of maps by deflate
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+double nodes(const Grid& grid) {
+  return static_cast<double>(grid.size());
+}
+
+double iterations_a_step(const Grid& grid) {
+  return iterations_at_512 *
+         std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
+}
+
+MethodCost cost_on_face(const cases::ContactSettings& contact, const Grid& grid,
+                        MachineRates& rates) {
+  MethodCost cost;
+  const double law =
+      contact.law == cases::ContactLaw::augmented ? augmented_factor : 1.0;
+  cost.unknowns = nodes(grid);
+  cost.setup_time = rates.iteration_time(grid);
+  cost.step_time = law * iterations_a_step(grid) * rates.iteration_time(grid);
+  cost.memory = arrays_a_job * sizeof(double) * nodes(grid);
+  return cost;
+}
+
+MethodCost cost_of_fem(const cases::FemSettings& settings,
+                       const cases::Scales& scales, const Grid& grid,
+                       MachineRates& rates) {
+  if (settings.solver == cases::FemSolver::full)
+    return cost_of_full_block(settings, scales, grid, rates);
+  MethodCost cost = cost_on_face(settings.contact, grid, rates);
+  const double layers = n_layers(settings, scales, grid);
+  const double symmetry = grid.is_square() ? 8.0 : 4.0;
+  if (settings.element == Element::q1) {
+    cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
+  } else {
+    cost.setup_time = layers * nodes(grid) / 4.0 / symmetry * q2_layer_time;
+    cost.step_time *= q2_factor;
+  }
+  cost.setup_time = rates.slowness() * (cost.setup_time + fem_load_time);
+  return cost;
+}
+
+MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
+                         MachineRates& rates) {
+  const double side = settings.atoms.value_or(grid.points_x);
+  MethodCost cost;
+  cost.unknowns = 3.0 * side * side;
+  if (settings.bulk == cases::AtomBulk::green) {
+    cost.step_time = rates.slowness() * atom_evaluations *
+                     atom_evaluation_time * side * side;
+    cost.setup_time = 0.2 * cost.step_time / atom_evaluations;
+  } else {
+    double atoms = 0.0;
+    for (int level = 0; level < settings.levels; ++level)
+      atoms += settings.layers * side * side / std::pow(4.0, level);
+    cost.unknowns = 3.0 * atoms;
+    cost.step_time =
+        rates.slowness() * explicit_evaluations *
+        (layer_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
+    cost.setup_time = cost.step_time / explicit_evaluations;
+  }
+  cost.memory = doubles_an_atom * sizeof(double) * cost.unknowns / 3.0;
+  const bool is_unknown = settings.engine == cases::AtomEngine::lammps ||
+                          settings.minimizer == cases::AtomMinimizer::dynamics;
+  if (is_unknown)
+    cost.step_time = cost.setup_time = not_known;
+  return cost;
+}
+
+} // namespace
+
+int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
+             const Grid& grid) {
+  const double node_steps = settings.element == Element::q1 ? 1.0 : 2.0;
+  const double cells =
+      settings.depth.in_si(scales) /
+      (settings.surface_cell_depth * node_steps * grid.spacing_x());
+  const double growth = settings.growth;
+  const double layers =
+      growth > 1.0 ? std::log1p((growth - 1.0) * cells) / std::log(growth)
+                   : cells;
+  return std::max(1, static_cast<int>(std::lround(layers)));
+}
+
+MethodCost cost_of_full_block(const cases::FemSettings& settings,
+                              const cases::Scales& scales, const Grid& grid,
+                              MachineRates& rates) {
+  const bool is_q1 = settings.element == Element::q1;
+  const double planes =
+      (is_q1 ? 1.0 : 2.0) * n_layers(settings, scales, grid) + 1.0;
+  MethodCost cost;
+  cost.unknowns = 3.0 * nodes(grid) * planes;
+  cost.step_time = rates.slowness() *
+                   (is_q1 ? full_q1_step_time : full_q2_step_time) *
+                   std::pow(cost.unknowns / full_q1_unknowns, full_exponent);
+  cost.setup_time = rates.slowness() * fem_load_time + 0.1 * cost.step_time;
+  cost.memory = full_doubles_an_unknown * sizeof(double) * cost.unknowns;
+  return cost;
+}
+
+MethodCost cost_of(const cases::Case& rough_case,
+                   const cases::MethodSpec& method, const Grid& grid,
+                   MachineRates& rates) {
+  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  if (std::holds_alternative<cases::TheorySettings>(method.settings))
+    return {1.0, rates.slowness() * theory_setup_time,
+            rates.slowness() * theory_step_time, 0.0};
+  if (const auto* half =
+          std::get_if<cases::HalfspaceSettings>(&method.settings))
+    return cost_on_face(half->contact, grid, rates);
+  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
+    return cost_of_fem(*fem, scales, grid, rates);
+  return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
+                       rates);
+}
+
+double study_time(const cases::Case& rough_case, MachineRates& rates) {
+  double time = 0.0;
+  if (const auto& study = rough_case.magnification_study)
+    time += magnification_time *
+            static_cast<double>(study->nominal_pressures.size()) *
+            study->points;
+  if (const auto& study = rough_case.adhesion_study)
+    time += adhesion_time * study->points * study->steps * study->steps;
+  return rates.slowness() * time;
+}
+
+double base_memory(bool uses_fem) {
+  return program_memory + (uses_fem ? fem_memory : 0.0);
+}
+
+double map_bytes(const Grid& grid) {
+  return 2.0 * sizeof(float) * packing * nodes(grid);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,45 @@
+#pragma once
+
+// What a method costs before it is run: counted operations times the rates of
+// this machine.
+
+#include "app/machine_rates.hpp"
+#include "cases/case.hpp"
+
+namespace asperity::app {
+
+/// NaN where nothing is known.
+struct MethodCost {
+  double unknowns = 0.0;   ///< of one load step
+  double setup_time = 0.0; ///< CPU, once a grid, block and run [s]
+  double step_time = 0.0;  ///< CPU, of one load step [s]
+  double memory = 0.0;     ///< of one realisation at work [B]
+};
+
+/// Of one method on a surface of that grid. The constants are named in
+/// cost_model.cpp with the runs they come from; docs/skip.md holds predictions
+/// against what then happened.
+MethodCost cost_of(const cases::Case& rough_case,
+                   const cases::MethodSpec& method, const Grid& grid,
+                   MachineRates& rates);
+
+/// The same block by the whole three-dimensional problem, node-wise.
+MethodCost cost_of_full_block(const cases::FemSettings& settings,
+                              const cases::Scales& scales, const Grid& grid,
+                              MachineRates& rates);
+
+/// Layers of cells of a block: the first surface_cell_depth node spacings
+/// thick, each `growth` times the one before.
+int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
+             const Grid& grid);
+
+/// Of the tables of [magnification] and [adhesion], CPU [s].
+double study_time(const cases::Case& rough_case, MachineRates& rates);
+
+/// Of the program alone, and with the finite elements loaded [B].
+double base_memory(bool uses_fem);
+
+/// Bytes that a map of pressure and gap takes in a result, packed.
+double map_bytes(const Grid& grid);
+
+} // namespace asperity::app

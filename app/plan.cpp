@@ -1,0 +1,126 @@
+#include "app/plan.hpp"
+
+#include "app/case_keys.hpp"
+#include "app/chosen.hpp"
+#include "app/methods.hpp"
+#include "app/step_chain.hpp"
+#include "app/surfaces_of_case.hpp"
+#include "app/worker_pool.hpp"
+
+#include <algorithm>
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+
+int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
+               const CaseKeys& keys, Cache& cache) {
+  int kept = 0;
+  for (int r = 0; r < n_realizations(rough_case, method); ++r) {
+    const StepChain chain(cache, keys.steps(method, r));
+    for (std::size_t step = 0; step < rough_case.load.targets.size(); ++step)
+      kept += chain.has(step) ? 1 : 0;
+  }
+  return kept;
+}
+
+/// Jobs side by side on the threads, those that run alone one by one: no
+/// sooner than the work divided, no sooner than the longest of them.
+double wall_time(const Plan& plan) {
+  double shared = plan.study_time;
+  double longest = plan.study_time;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    const double work = method.setup_time + method.step_time;
+    if (method.runs_alone) {
+      alone += work;
+      continue;
+    }
+    shared += work;
+    longest = std::max(longest, work / std::max(1, method.realizations));
+  }
+  return alone + std::max(longest, shared / plan.threads);
+}
+
+double peak_memory(const Plan& plan, const cases::Case& rough_case,
+                   const Grid& grid, bool uses_fem) {
+  std::vector<double> jobs;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    if (method.kept_steps == method.steps)
+      continue;
+    if (method.runs_alone)
+      alone = std::max(alone, method.memory);
+    else
+      jobs.insert(jobs.end(), static_cast<std::size_t>(method.realizations),
+                  method.memory);
+  }
+  std::sort(jobs.rbegin(), jobs.rend());
+  double beside = 0.0;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (i < static_cast<std::size_t>(plan.threads))
+      beside += jobs[i];
+  const double surfaces = sizeof(double) * static_cast<double>(grid.size()) *
+                          rough_case.surface.realizations;
+  return base_memory(uses_fem) + surfaces + std::max(beside, alone);
+}
+
+double result_bytes(const cases::Case& rough_case,
+                    const std::vector<MethodSpec>& methods, const Grid& grid) {
+  if (!needs_surfaces(methods))
+    return 0.0;
+  double bytes = sizeof(double) * static_cast<double>(grid.size()) *
+                 rough_case.surface.realizations;
+  for (const MethodSpec& method : methods)
+    if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+      bytes += static_cast<double>(steps_with_fields(rough_case).size()) *
+               map_bytes(grid);
+  return bytes;
+}
+
+} // namespace
+
+Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
+               int largest_probe) {
+  const std::vector<MethodSpec> methods =
+      chosen_methods(rough_case, options.methods);
+  const Grid grid = needs_surfaces(methods) ? grid_of_case(rough_case) : Grid{};
+  MachineRates rates(largest_probe);
+  const CaseKeys keys(rough_case, program_identity());
+  Cache none;
+  Cache& cache = options.cache != nullptr ? *options.cache : none;
+  Plan plan;
+  plan.threads = WorkerPool(options.threads).threads();
+  bool uses_fem = false;
+  for (const MethodSpec& method : methods) {
+    const MethodCost cost = cost_of(rough_case, method, grid, rates);
+    PlannedMethod planned{.name = method.name, .grid = grid};
+    planned.realizations = n_realizations(rough_case, method);
+    planned.steps =
+        planned.realizations * static_cast<int>(rough_case.load.targets.size());
+    planned.kept_steps = kept_steps(rough_case, method, keys, cache);
+    const int left = planned.steps - planned.kept_steps;
+    planned.unknowns = cost.unknowns;
+    planned.setup_time = left > 0 ? cost.setup_time : 0.0;
+    planned.step_time = left > 0 ? left * cost.step_time : 0.0;
+    planned.memory = cost.memory;
+    planned.runs_alone = describe(method).runs_alone;
+    if (takes_formula(method))
+      planned.grid = {};
+    uses_fem |=
+        left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
+    plan.cpu_time += planned.setup_time + planned.step_time;
+    plan.methods.push_back(std::move(planned));
+  }
+  if (cases::study_theory(methods) != nullptr)
+    plan.study_time = study_time(rough_case, rates);
+  plan.cpu_time += plan.study_time;
+  plan.wall_time = wall_time(plan);
+  plan.memory = peak_memory(plan, rough_case, grid, uses_fem);
+  plan.disk = result_bytes(rough_case, methods, grid);
+  plan.skipped = skipped_by_scene({rough_case, methods, grid}, rates);
+  return plan;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,48 @@
+#pragma once
+
+// What a run would do: jobs, predicted time and memory, what the cache has.
+// Computes no answer and writes nothing.
+
+#include "app/run_case.hpp"
+#include "app/skipped.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// One method, all its realisations.
+struct PlannedMethod {
+  std::string name;
+  int realizations = 0;
+  int steps = 0;           ///< on all realisations
+  int kept_steps = 0;      ///< of them in the cache
+  Grid grid;               ///< of no points for a theory by the formula
+  double unknowns = 0.0;   ///< of one step
+  double setup_time = 0.0; ///< CPU [s]; 0 if all is kept
+  double step_time = 0.0;  ///< CPU of the steps that are not kept [s]
+  double memory = 0.0;     ///< of one realisation at work [B]
+  bool runs_alone = false;
+};
+
+/// Times and sizes are predictions; NaN where nothing is known.
+struct Plan {
+  std::vector<PlannedMethod> methods;
+  std::vector<results::Skipped> skipped;
+  int threads = 1;
+  double study_time = 0.0; ///< of tables, CPU [s]
+  double cpu_time = 0.0;   ///< of the run, without the report [s]
+  double wall_time = 0.0;  ///< [s]
+  double memory = 0.0;     ///< peak [B]
+  double disk = 0.0;       ///< of result.h5 [B]
+};
+
+/// @param largest_probe  see MachineRates
+/// @throws cases::CaseError  an unknown method name; a map that cannot be read
+Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
+               int largest_probe = 1024);
+
+/// As a table for people, with what is skipped below.
+std::string plan_text(const Plan& plan, const cases::Case& rough_case);
+
+} // namespace asperity::app
