@@ -1,5 +1,7 @@
 #include "app/cost_model.hpp"
 
+#include "surfaces/build.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +15,10 @@ using cases::Element;
 // carries the times to another machine.
 
 /// Iterations a warm load step: 24 and 21 in `polymer` at 512^2 (half-space,
-/// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow.
+/// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow. One
+/// sphere or wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
 constexpr double iterations_at_512 = 22.0;
+constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;
 constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
 constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
@@ -29,17 +33,18 @@ constexpr double full_q2_step_time = 30.0;
 constexpr double full_exponent = 1.1; ///< of multigrid, in unknowns
 constexpr double full_q1_unknowns = 32.0 * 32.0 * 3.0 * 13.0;
 
-/// An evaluation with all that Newton's method does for it; evaluations a step
-/// are 9 in `md-small` and 33 in `md-zeta216`.
+/// An evaluation with all that Newton's method does for it, an atom. A step
+/// takes 9 evaluations in `md-small` (100 a side), 33 in `md-zeta216` (400).
 constexpr double atom_evaluation_time = 1.3e-6;
-constexpr double atom_evaluations = 17.0;
-constexpr double layer_atom_time = 0.15e-6; ///< of an atom inside the block
-constexpr double explicit_evaluations = 150.0;
+constexpr double evaluations_at_100 = 9.5;
+constexpr double evaluations_exponent = 0.8;
+constexpr double inner_atom_time = 0.15e-6;   ///< of an atom inside the block
+constexpr double explicit_evaluations = 55.0; ///< `md-verify`: 52 and 55
 
 constexpr double theory_setup_time = 1e-3;
 constexpr double theory_step_time = 1e-4;
-constexpr double magnification_time = 2e-3; ///< a load and zeta
-constexpr double adhesion_time = 1e-6;      ///< a ratio and step squared
+constexpr double magnification_time = 5.5e-3; ///< a load and zeta
+constexpr double adhesion_time = 0.45e-6;     ///< a ratio and step squared
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 constexpr double program_memory = 45.0 * mebibyte;
@@ -55,29 +60,34 @@ double nodes(const Grid& grid) {
   return static_cast<double>(grid.size());
 }
 
-double iterations_a_step(const Grid& grid) {
-  return iterations_at_512 *
+double iterations_a_step(const cases::SurfaceSpec& surface, const Grid& grid) {
+  const bool is_rough = surfaces::is_random(surface.kind) ||
+                        surface.kind == cases::SurfaceKind::measured;
+  return (is_rough ? 1.0 : smooth_factor) * iterations_at_512 *
          std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
 }
 
-MethodCost cost_on_face(const cases::ContactSettings& contact, const Grid& grid,
+MethodCost cost_on_face(const cases::SurfaceSpec& surface,
+                        const cases::ContactSettings& contact, const Grid& grid,
                         MachineRates& rates) {
   MethodCost cost;
   const double law =
       contact.law == cases::ContactLaw::augmented ? augmented_factor : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
-  cost.step_time = law * iterations_a_step(grid) * rates.iteration_time(grid);
+  cost.step_time =
+      law * iterations_a_step(surface, grid) * rates.iteration_time(grid);
   cost.memory = arrays_a_job * sizeof(double) * nodes(grid);
   return cost;
 }
 
-MethodCost cost_of_fem(const cases::FemSettings& settings,
+MethodCost cost_of_fem(const cases::SurfaceSpec& surface,
+                       const cases::FemSettings& settings,
                        const cases::Scales& scales, const Grid& grid,
                        MachineRates& rates) {
   if (settings.solver == cases::FemSolver::full)
     return cost_of_full_block(settings, scales, grid, rates);
-  MethodCost cost = cost_on_face(settings.contact, grid, rates);
+  MethodCost cost = cost_on_face(surface, settings.contact, grid, rates);
   const double layers = n_layers(settings, scales, grid);
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
   if (settings.element == Element::q1) {
@@ -96,9 +106,11 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
   MethodCost cost;
   cost.unknowns = 3.0 * side * side;
   if (settings.bulk == cases::AtomBulk::green) {
-    cost.step_time = rates.slowness() * atom_evaluations *
-                     atom_evaluation_time * side * side;
-    cost.setup_time = 0.2 * cost.step_time / atom_evaluations;
+    const double evaluation =
+        rates.slowness() * atom_evaluation_time * side * side;
+    cost.step_time = evaluations_at_100 *
+                     std::pow(side / 100.0, evaluations_exponent) * evaluation;
+    cost.setup_time = 0.2 * evaluation;
   } else {
     double atoms = 0.0;
     for (int level = 0; level < settings.levels; ++level)
@@ -106,7 +118,7 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
     cost.unknowns = 3.0 * atoms;
     cost.step_time =
         rates.slowness() * explicit_evaluations *
-        (layer_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
+        (inner_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
     cost.setup_time = cost.step_time / explicit_evaluations;
   }
   cost.memory = doubles_an_atom * sizeof(double) * cost.unknowns / 3.0;
@@ -158,9 +170,9 @@ MethodCost cost_of(const cases::Case& rough_case,
             rates.slowness() * theory_step_time, 0.0};
   if (const auto* half =
           std::get_if<cases::HalfspaceSettings>(&method.settings))
-    return cost_on_face(half->contact, grid, rates);
+    return cost_on_face(rough_case.surface, half->contact, grid, rates);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
-    return cost_of_fem(*fem, scales, grid, rates);
+    return cost_of_fem(rough_case.surface, *fem, scales, grid, rates);
   return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
                        rates);
 }

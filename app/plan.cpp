@@ -25,6 +25,16 @@ int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
   return kept;
 }
 
+/// True if the last table of each study is in the cache.
+bool has_tables(const cases::Case& rough_case, const MethodSpec& theory,
+                const CaseKeys& keys, const Cache& cache) {
+  const auto has = [&](const char* name) {
+    return cache.has(keys.table(theory, name), entry_kind::table);
+  };
+  return (!rough_case.magnification_study || has("magnification")) &&
+         (!rough_case.adhesion_study || has("adhesion-flip"));
+}
+
 /// Jobs side by side on the threads, those that run alone one by one: no
 /// sooner than the work divided, no sooner than the longest of them.
 double wall_time(const Plan& plan) {
@@ -85,7 +95,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe) {
   const std::vector<MethodSpec> methods =
       chosen_methods(rough_case, options.methods);
-  const Grid grid = needs_surfaces(methods) ? grid_of_case(rough_case) : Grid{};
+  const Grid grid = grid_of_case(rough_case, methods);
   MachineRates rates(largest_probe);
   const CaseKeys keys(rough_case, program_identity());
   Cache none;
@@ -113,7 +123,8 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
     plan.cpu_time += planned.setup_time + planned.step_time;
     plan.methods.push_back(std::move(planned));
   }
-  if (cases::study_theory(methods) != nullptr)
+  if (const MethodSpec* theory = cases::study_theory(methods);
+      theory != nullptr && !has_tables(rough_case, *theory, keys, cache))
     plan.study_time = study_time(rough_case, rates);
   plan.cpu_time += plan.study_time;
   plan.wall_time = wall_time(plan);

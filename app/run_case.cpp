@@ -121,8 +121,9 @@ void Run::run_jobs() {
 /// a second.
 std::vector<results::Skipped> Run::skipped() const {
   MachineRates rates(probed_points);
-  const Grid grid =
-      surfaces_.whole().empty() ? Grid{} : surfaces_.whole()[0].record.grid;
+  const Grid grid = surfaces_.whole().empty()
+                        ? grid_of_case(case_, methods_)
+                        : surfaces_.whole()[0].record.grid;
   std::vector<results::Skipped> list =
       skipped_by_scene({case_, methods_, grid}, rates);
   for (const auto& [thing, work] : tally_.kept())

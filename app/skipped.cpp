@@ -61,8 +61,9 @@ void Skips::add_methods_left_out() {
     };
     if (std::ranges::any_of(scene_.methods, is_same))
       continue;
-    const MethodCost cost =
-        cost_of(scene_.rough_case, method, scene_.grid, rates_);
+    MethodCost cost{not_predicted, not_predicted, not_predicted, not_predicted};
+    if (nodes() > 0.0)
+      cost = cost_of(scene_.rough_case, method, scene_.grid, rates_);
     list.push_back({method.name, "not among --methods",
                     cost.setup_time + all_steps(method) * cost.step_time,
                     cost.memory});
@@ -70,7 +71,7 @@ void Skips::add_methods_left_out() {
 }
 
 void Skips::add_surfaces() {
-  if (needs_surfaces(scene_.methods))
+  if (needs_surfaces(scene_.methods) || nodes() == 0.0)
     return;
   const int realizations = scene_.rough_case.surface.realizations;
   list.push_back(
@@ -199,11 +200,13 @@ std::vector<Skipped> skipped_by_scene(const AskedScene& scene,
   return skips.list;
 }
 
-Grid grid_of_case(const cases::Case& rough_case) {
+Grid grid_of_case(const cases::Case& rough_case,
+                  const std::vector<MethodSpec>& methods) {
   const cases::SurfaceSpec& surface = rough_case.surface;
   if (surface.length && surface.points)
     return {*surface.points, *surface.points, *surface.length, *surface.length};
-  return surfaces::build_surface(surface, 0).grid;
+  return needs_surfaces(methods) ? surfaces::build_surface(surface, 0).grid
+                                 : Grid{};
 }
 
 std::string count_text(double count) {

@@ -15,7 +15,8 @@ namespace asperity::app {
 struct AskedScene {
   const cases::Case& rough_case;
   const std::vector<cases::MethodSpec>& methods;
-  Grid grid; ///< of its surfaces; of no points where none is built
+  Grid grid; ///< of its surfaces; of no points where none is built and the
+             ///< case does not say
 };
 
 /// Methods left out, realisations a formula does not tell apart, maps that are
@@ -24,8 +25,10 @@ struct AskedScene {
 std::vector<results::Skipped> skipped_by_scene(const AskedScene& scene,
                                                MachineRates& rates);
 
-/// The grid of a case's surfaces; reads the map of a measured one.
-Grid grid_of_case(const cases::Case& rough_case);
+/// The grid of a case's surfaces. Where the case does not say it, a map is read
+/// if surfaces are needed; else the grid has no points.
+Grid grid_of_case(const cases::Case& rough_case,
+                  const std::vector<cases::MethodSpec>& methods);
 
 /// Counts are printed to three digits: "786k", "1.18e+09".
 std::string count_text(double count);

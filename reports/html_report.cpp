@@ -278,6 +278,8 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("published", published_rows(summary));
   page.set("published_columns", std::to_string(summary.methods.size() + 2));
   page.set("facts", facts_of(summary));
+  page.set("has_skipped", !entry.result->skipped.empty());
+  page.set("skipped", skipped_rows(*entry.result));
   page.set("case_text", entry.result->case_text);
   return page;
 }

@@ -16,6 +16,9 @@ kainjow::mustache::data entry_data(const ReportEntry& entry,
 
 kainjow::mustache::list fit_rows(std::span<const Series> series);
 
+/// What the run did not compute, with what it would have cost.
+kainjow::mustache::list skipped_rows(const results::Result& result);
+
 kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
 
 kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);

@@ -1,0 +1,214 @@
+// Claims about plans: counts and structure. No test asserts a time.
+#include "app/plan.hpp"
+#include "cases/read_case.hpp"
+#include "meshes/graded_layers.hpp"
+#include "results/result_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+#include <string>
+
+namespace asperity::app {
+namespace {
+
+using results::Skipped;
+
+const std::string planned_case = R"(schema = 1
+title = "planned"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 32
+seed = 3
+realizations = 2
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.25 length"
+wavelength_short = "8 h"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = [ "1e-3 E*", "4e-3 E*", "1e-2 E*", "4e-2 E*" ]
+[theory]
+gamma = 0.42
+[halfspace]
+contact = "hard"
+[fem]
+contact = "hard"
+[report]
+fields = 1
+)";
+
+class PlannedRun : public ::testing::Test {
+protected:
+  static std::filesystem::path new_folder() {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
+    return mkdtemp(pattern.data());
+  }
+
+  ~PlannedRun() override { std::filesystem::remove_all(folder); }
+
+  static cases::Case read(const std::vector<std::string>& overrides = {}) {
+    return cases::read_case_text(planned_case, "planned.toml", overrides);
+  }
+
+  Plan plan(const std::vector<std::string>& overrides = {},
+            const std::vector<std::string>& methods = {}) {
+    return make_plan(read(overrides),
+                     {folder / "out", methods, false, 2, "", &cache}, 32);
+  }
+
+  std::filesystem::path folder = new_folder();
+  Cache cache{folder / "cache", 100'000'000};
+};
+
+/// The first entry whose `what` begins so; null if there is none.
+const Skipped* find(const std::vector<Skipped>& list, const std::string& what) {
+  const auto found = std::ranges::find_if(
+      list, [&](const Skipped& one) { return one.what.starts_with(what); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+TEST_F(PlannedRun, CountsWhatTheCaseAsksFor) {
+  const Plan planned = plan();
+
+  ASSERT_EQ(planned.methods.size(), 3u);
+  EXPECT_EQ(planned.methods[0].steps, 4); // one formula
+  EXPECT_EQ(planned.methods[1].steps, 8);
+  EXPECT_EQ(planned.methods[1].realizations, 2);
+  EXPECT_EQ(planned.methods[1].grid.points_x, 32);
+  EXPECT_EQ(planned.methods[1].unknowns, 32 * 32);
+  EXPECT_EQ(planned.threads, 2);
+  EXPECT_GT(planned.cpu_time, 0.0);
+}
+
+// Nothing is written: neither a result nor a cache.
+TEST_F(PlannedRun, LeavesTheDiskAlone) {
+  plan();
+
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+// Work is the sum of its parts; on two threads at least half of it and at most
+// all. Tolerance: rounding of a sum of ten numbers.
+TEST_F(PlannedRun, AddsUp) {
+  const Plan planned = plan();
+
+  double sum = 0.0;
+  for (const PlannedMethod& method : planned.methods)
+    sum += method.setup_time + method.step_time;
+
+  EXPECT_NEAR(planned.cpu_time / sum, 1.0, 1e-14);
+  EXPECT_GE(planned.wall_time, 0.5 * sum * (1.0 - 1e-14));
+  EXPECT_LE(planned.wall_time, sum * (1.0 + 1e-14));
+}
+
+TEST_F(PlannedRun, KnowsWhatTheCacheHas) {
+  run_case(read(), {folder / "out", {"halfspace"}, false, 1, "", &cache});
+
+  const Plan planned = plan();
+
+  EXPECT_EQ(planned.methods[1].kept_steps, 8);
+  EXPECT_EQ(planned.methods[1].step_time, 0.0);
+  EXPECT_EQ(planned.methods[2].kept_steps, 0);
+  EXPECT_GT(planned.methods[2].step_time, 0.0);
+}
+
+TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
+  const Plan planned = plan();
+  const Plan alone = plan({}, {"theory"});
+  const Plan all_maps =
+      plan({"report.fields=\"all\"", "surface.realizations=1"});
+
+  EXPECT_TRUE(find(planned.skipped, "theory on 1 realisation"));
+  EXPECT_TRUE(find(planned.skipped, "pressure and gap maps of 14 steps"));
+  EXPECT_FALSE(find(planned.skipped, "2 surfaces"));
+  EXPECT_TRUE(find(alone.skipped, "2 surfaces"));
+  EXPECT_TRUE(find(alone.skipped, "halfspace"));
+  EXPECT_TRUE(find(alone.skipped, "fem"));
+  EXPECT_FALSE(find(all_maps.skipped, "pressure and gap maps"));
+  EXPECT_FALSE(find(all_maps.skipped, "theory on"));
+}
+
+// The plan prints what the block would have without its elimination: 3 N^2
+// displacements on every plane of nodes that meshes/ makes.
+TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
+  const cases::Case rough_case = read();
+  const auto& fem =
+      std::get<cases::FemSettings>(rough_case.methods.at(2).settings);
+  const Grid grid = grid_of_case(rough_case, rough_case.methods);
+  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  MachineRates rates(32);
+  const std::size_t layers =
+      meshes::graded_layers(grid.spacing_x(), fem.growth, grid.length_x).size();
+
+  const MethodCost cost = cost_of_full_block(fem, scales, grid, rates);
+
+  EXPECT_NEAR(cost.unknowns,
+              3.0 * 32 * 32 * (static_cast<double>(layers) + 1.0),
+              1.5 * 3.0 * 32 * 32); // the mesh rounds its layers, and so do we
+}
+
+// Claim: the model counts. With the same rates, twice the points a side are
+// four times the unknowns and the memory.
+TEST_F(PlannedRun, MemoryGoesWithTheNodes) {
+  const cases::Case rough_case = read();
+  MachineRates rates(32);
+  const Grid small{32, 32, 1e-6, 1e-6};
+  const Grid large{64, 64, 1e-6, 1e-6};
+  for (const std::size_t method : {1u, 2u}) {
+    const MethodCost one =
+        cost_of(rough_case, rough_case.methods[method], small, rates);
+    const MethodCost four =
+        cost_of(rough_case, rough_case.methods[method], large, rates);
+
+    EXPECT_EQ(four.unknowns, 4.0 * one.unknowns);
+    EXPECT_NEAR(four.memory / one.memory, 4.0, 1e-14);
+    EXPECT_GT(four.step_time, 4.0 * one.step_time);
+  }
+}
+
+// Claim: the result lists what the cache spared, at the cost its own rows say.
+// Tolerance: rounding of a sum of nine times.
+TEST_F(PlannedRun, TheResultSaysWhatTheCacheSpared) {
+  const RunOptions options{folder / "out", {"halfspace"}, false, 1, "", &cache};
+  run_case(read(), options);
+  EXPECT_FALSE(
+      find(results::read_result(folder / "out").skipped, "halfspace: 8 steps"));
+  run_case(read(), options);
+
+  const results::Result second = results::read_result(folder / "out");
+
+  const Skipped* kept = find(second.skipped, "halfspace: 8 steps");
+  ASSERT_NE(kept, nullptr);
+  EXPECT_EQ(kept->why, "in the cache");
+  double cost = 0.0;
+  for (const results::Curve& curve : second.methods.at(0).realizations) {
+    cost += curve.setup_cpu_time;
+    for (const results::CurvePoint& point : curve.points)
+      cost += point.cpu_time;
+  }
+  EXPECT_NEAR(kept->cpu_time / cost, 1.0, 1e-14);
+  EXPECT_TRUE(find(second.skipped, "fem")); // not among --methods
+}
+
+TEST_F(PlannedRun, IsPrintedAsATable) {
+  const std::string text = plan_text(plan(), read());
+
+  for (const char* words :
+       {"halfspace", "32 x 32", "formula", "predicted: CPU ", "on 2 threads",
+        "skipped, with what it would have cost:"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
+}
+
+} // namespace
+} // namespace asperity::app
