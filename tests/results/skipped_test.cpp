@@ -1,0 +1,49 @@
+// Claims about the list of what was skipped: what is written is what is read,
+// and a list is replaced whole.
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/results/sample_result.hpp"
+
+namespace asperity::results {
+namespace {
+
+using SkippedList = ResultFolder;
+
+TEST_F(SkippedList, ComesBackAsItWas) {
+  const std::vector<Skipped> list{
+      {"fem: 16 steps", "in the cache", 0.1 + 0.2, 0.0},
+      {"maps, \u00fc", "", std::nan(""), 1e12}};
+  ResultWriter(folder_, sample_case()).record_skipped(list);
+
+  const std::vector<Skipped> read = read_result(folder_).skipped;
+
+  ASSERT_EQ(read.size(), list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_EQ(read[i].what, list[i].what);
+    EXPECT_EQ(read[i].why, list[i].why);
+    EXPECT_PRED2(is_same, read[i].cpu_time, list[i].cpu_time);
+    EXPECT_PRED2(is_same, read[i].bytes, list[i].bytes);
+  }
+}
+
+TEST_F(SkippedList, IsReplacedWholeAndMayBeEmpty) {
+  ResultWriter writer(folder_, sample_case());
+  EXPECT_TRUE(read_result(folder_).skipped.empty());
+  writer.record_skipped(std::vector<Skipped>(3));
+  writer.record_skipped(std::vector<Skipped>(1));
+  EXPECT_EQ(read_result(folder_).skipped.size(), 1u);
+
+  writer.record_skipped({});
+
+  EXPECT_TRUE(read_result(folder_).skipped.empty());
+}
+
+} // namespace
+} // namespace asperity::results
