@@ -29,6 +29,25 @@ std::vector<double> unpacked(const Json& json) {
   return numbers;
 }
 
+/// Maps are single in a result file, so they are here.
+Json packed_map(const std::vector<double>& map) {
+  std::vector<float> numbers;
+  for (const double value : map)
+    numbers.push_back(static_cast<float>(value));
+  Bytes bytes(numbers.size() * sizeof(float));
+  if (!numbers.empty())
+    std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+std::vector<double> unpacked_map(const Json& json) {
+  const Bytes& bytes = json.get_binary();
+  std::vector<float> numbers(bytes.size() / sizeof(float));
+  if (!numbers.empty())
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(float));
+  return {numbers.begin(), numbers.end()};
+}
+
 std::string cbor(const Json& json) {
   std::string bytes;
   Json::to_cbor(json, bytes);
@@ -69,8 +88,8 @@ std::string bytes_of(const KeptStep& step) {
                {"note", step.answer.row.note},
                {"points", {grid.points_x, grid.points_y}},
                {"length", packed({grid.length_x, grid.length_y})},
-               {"pressure", packed(step.answer.pressure)},
-               {"gap", packed(step.answer.gap)},
+               {"pressure", packed_map(step.answer.pressure)},
+               {"gap", packed_map(step.answer.gap)},
                {"setup", packed({step.setup_cpu_time})},
                {"found", step.found_at_setup}});
 }
@@ -99,8 +118,8 @@ std::optional<KeptStep> kept_step(std::string_view bytes) {
     answer.grid = {json.at("points").at(0).get<int>(),
                    json.at("points").at(1).get<int>(), length.at(0),
                    length.at(1)};
-    answer.pressure = unpacked(json.at("pressure"));
-    answer.gap = unpacked(json.at("gap"));
+    answer.pressure = unpacked_map(json.at("pressure"));
+    answer.gap = unpacked_map(json.at("gap"));
     step.setup_cpu_time = unpacked(json.at("setup")).at(0);
     step.found_at_setup = json.at("found").get<std::string>();
     return step;

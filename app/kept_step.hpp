@@ -20,7 +20,8 @@ struct KeptStep {
   bool has_maps() const { return !answer.pressure.empty(); }
 };
 
-/// Every number comes back bit by bit.
+/// Every number comes back bit by bit, those of maps as the single precision
+/// that a result file has.
 std::string bytes_of(const KeptStep& step);
 std::string bytes_of(const results::Table& table);
 std::string bytes_of(const std::vector<double>& numbers);
