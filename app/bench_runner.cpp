@@ -81,13 +81,13 @@ bool are_same(const reports::BenchAnswer& one,
   return true;
 }
 
-/// The last line of a log: what the child said at its end.
-std::string last_line(const fs::path& log) {
+/// What the child said last; its title comes late where output is buffered.
+std::string last_words(const fs::path& log, const std::string& title) {
   std::ifstream stream(log);
   std::string line;
   std::string last;
   while (std::getline(stream, line))
-    if (!line.empty())
+    if (!line.empty() && line.find(title) == std::string::npos)
       last = line;
   return last;
 }
@@ -140,8 +140,9 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   const bool has_result = once.end.exit_code == exit_good ||
                           once.end.exit_code == exit_numerics_gave_up;
   if (!has_result) {
-    once.problem = fmt::format("ended with exit code {}: {}",
-                               once.end.exit_code, last_line(log));
+    once.problem =
+        fmt::format("ended with exit code {}: {}", once.end.exit_code,
+                    last_words(log, case_.title));
     fs::remove_all(folder);
     return once;
   }

@@ -201,10 +201,7 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
                                 ? folder_of(asked.found.collection, command) /
                                       read.found.file.parent_path().filename()
                                 : folder_of(read.found.name, command);
-    RunOptions options{folder, command.methods, command.resume, command.threads,
-                       read.reference};
-    options.is_exact = command.is_exact;
-    options.cache = &cache;
+    const RunOptions options = options_of(read, folder, command, cache);
     end = worse(end, command.target_error.empty()
                          ? run_one(read.rough_case, options, command.no_report)
                          : run_to_target(read, command, options));

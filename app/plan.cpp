@@ -94,7 +94,7 @@ double result_bytes(const cases::Case& rough_case,
 Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe) {
   const std::vector<MethodSpec> methods =
-      chosen_methods(rough_case, options.methods);
+      chosen_methods(rough_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(rough_case, methods);
   MachineRates rates(largest_probe);
   const CaseKeys keys(rough_case, program_identity());

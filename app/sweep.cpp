@@ -27,6 +27,14 @@ int even(double points) {
   return 2 * static_cast<int>(std::lround(points / 2.0));
 }
 
+/// True for 2^a 3^b 5^c, which transform fast.
+bool transforms_well(int points) {
+  for (const int factor : {2, 3, 5})
+    while (points % factor == 0)
+      points /= factor;
+  return points == 1;
+}
+
 std::string points_override(int points) {
   return fmt::format("{}={}", points_axis, points);
 }
@@ -101,13 +109,14 @@ std::size_t Planner::point(BenchPoint wanted) {
 }
 
 std::vector<int> Planner::grids() const {
+  const int least = least_carrying_points(case_.surface);
   std::vector<int> kept;
-  for (const double share : {0.25, 0.5, 1.0}) {
-    const int points = share == 1.0 ? own_points_ : even(share * own_points_);
-    if (points >= least_points && carries_roughness(case_.surface, points) &&
-        (kept.empty() || points > kept.back()))
+  for (const double share : {0.25, 0.5}) {
+    const int points = std::max(even(share * own_points_), least);
+    if (4 * points <= 3 * own_points_ && (kept.empty() || points > kept.back()))
       kept.push_back(points);
   }
+  kept.push_back(own_points_);
   return kept;
 }
 
@@ -157,6 +166,7 @@ void Planner::add_points(const MethodSpec& method) {
     BenchPoint wanted;
     wanted.method = method.name;
     wanted.kind = kind;
+    wanted.is_elastic = varies_with_points(kind);
     wanted.points = points;
     wanted.label = points == 0 ? "as it is" : fmt::format("{} points", points);
     wanted.is_own = points == own_points_;
@@ -193,6 +203,7 @@ void Planner::add_axis(const MethodSpec& method, const Axis& axis) {
     BenchPoint wanted;
     wanted.method = method.name;
     wanted.kind = kind;
+    wanted.is_elastic = varies_with_points(kind);
     wanted.points = points;
     wanted.label = value.is_own
                        ? fmt::format("{} points", points)
@@ -217,8 +228,9 @@ Sweep Planner::plan() && {
                                          options_.realizations,
                                          case_.surface.realizations));
   if (own_points_ > 0 && grids().size() < 3)
-    sweep_.remarks.push_back(
-        "Coarser grids do not carry all of the roughness and are left out.");
+    sweep_.remarks.push_back(fmt::format(
+        "Grids below {} points a side do not carry all of the roughness.",
+        least_carrying_points(case_.surface)));
   add_truth();
   for (const MethodSpec& method : case_.methods)
     if (is_chosen(method, options_.methods))
@@ -238,11 +250,18 @@ Sweep Planner::plan() && {
 
 } // namespace
 
-bool carries_roughness(const cases::SurfaceSpec& surface, int points) {
+int least_carrying_points(const cases::SurfaceSpec& surface) {
+  if (!surface.length || !(surface.wavevector_high > 0.0))
+    return least_points;
   constexpr double rounding = 1e-9;
-  return !surface.length || !(surface.wavevector_high > 0.0) ||
-         surface.wavevector_high <=
-             std::numbers::pi * points / *surface.length * (1.0 + rounding);
+  const double waves =
+      surface.wavevector_high * *surface.length / (2.0 * std::numbers::pi);
+  int points =
+      std::max(least_points,
+               2 * static_cast<int>(std::floor(waves * (1 + rounding))) + 2);
+  while (!transforms_well(points))
+    points += 2;
+  return points;
 }
 
 std::vector<std::string> common_overrides(const cases::Case& contact_case,

@@ -31,15 +31,16 @@ struct SweepOptions {
 };
 
 /// One key is varied at a time, around the case's own settings: points a side
-/// N/4, N/2, N as far as the roughness fits on the grid, and 2 N for the truth,
+/// N/4, N/2, N, or in place of the coarse ones the fewest that carry the
+/// roughness, and 2 N for the truth,
 /// which is the half-space (or the slab that the case's block is) with a hard
 /// wall. The other keys are varied at N/2 where N is 256 or more. A variant,
 /// "fem.hard", varies points and the keys it sets itself.
 Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options);
 
-/// True if the grid of that many points a side carries all of the roughness
-/// that the case asks for.
-bool carries_roughness(const cases::SurfaceSpec& surface, int points);
+/// The fewest points a side, 2^a 3^b 5^c and even, whose grid carries all of
+/// the roughness that the case asks for; at least 16.
+int least_carrying_points(const cases::SurfaceSpec& surface);
 
 /// Overrides that hold for every run of a benchmark: realisations, and lengths
 /// that the case gives in node spacings written in metres.

@@ -63,10 +63,13 @@ TargetSearch::TargetSearch(const cases::Case& contact_case,
       runner_(contact_case, std::move(options)),
       quantities_(asked_quantities(contact_case)) {
   const int own = contact_case.surface.points.value_or(0);
+  const int least =
+      std::max(least_points, least_carrying_points(contact_case.surface));
   int coarsest = own;
-  while (coarsest % 4 == 0 && coarsest / 2 >= least_points &&
-         carries_roughness(contact_case.surface, coarsest / 2))
+  while (coarsest % 4 == 0 && coarsest / 2 >= least)
     coarsest /= 2;
+  if (4 * least <= 3 * coarsest) // a grid between
+    coarsest = least;
   for (const int factor : {1, 2, 4})
     if (own > 0 && (factor <= 2 || factor * coarsest <= own))
       grids_.push_back(factor * coarsest);

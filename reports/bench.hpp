@@ -53,7 +53,9 @@ struct BenchPoint {
   std::vector<std::string> overrides; ///< that make it of the case
   int points = 0;                     ///< a side of the surface
   bool is_own = false;                ///< the case's own setting
-  bool is_truth = false;              ///< of the series that makes the truth
+  bool is_elastic = true; ///< the truth is its limit too; else its distance
+                          ///< from that is no error (atoms, theory)
+  bool is_truth = false; ///< of the series that makes the truth
 
   int repeats = 0;           ///< timed
   bool has_warm_up = false;  ///< a run before them that does not count

@@ -230,7 +230,8 @@ std::vector<std::size_t> front_of(const Bench& bench,
   std::vector<double> errors;
   for (const BenchPoint& point : bench.points) {
     const auto found = point.errors.find(quantity);
-    const bool counts = !point.is_truth && found != point.errors.end();
+    const bool counts =
+        point.is_elastic && !point.is_truth && found != point.errors.end();
     costs.push_back(point.cpu.median);
     errors.push_back(counts ? found->second : not_a_number);
   }

@@ -21,7 +21,7 @@ void analyse(Bench& bench, const cases::Case& contact_case);
 BenchTruth limit_of(const Bench& bench, const BenchSeries& series);
 
 /// Points of the bench that stand on the front of a quantity, in ascending
-/// cost: settings that answer, the truth's own left out.
+/// cost: settings of elastic methods that answer, the truth's own left out.
 std::vector<std::size_t> front_of(const Bench& bench,
                                   const std::string& quantity);
 

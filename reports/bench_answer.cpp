@@ -37,13 +37,21 @@ std::vector<results::CurveColumn> compared_columns(cases::Control control) {
   return compared;
 }
 
-/// Deviations and errors are distances already, and to something else.
-bool is_compared(const std::string& quantity) {
+/// Gamma and kappa, and what the case expects; but a deviation or an error is
+/// a distance already, and to something else.
+bool is_compared(const std::string& quantity, const cases::Case& contact_case) {
   for (const char* ending : {"_error", "_deviation", "_difference"})
     if (quantity.ends_with(ending))
       return false;
-  return quantity.find("excess") == std::string::npos &&
-         quantity != "iterations_max" && quantity != "penetration";
+  if (quantity.find("excess") != std::string::npos ||
+      quantity == "iterations_max" || quantity == "penetration")
+    return false;
+  return quantity == "gamma_slope" || quantity == "kappa" ||
+         std::any_of(contact_case.expectations.begin(),
+                     contact_case.expectations.end(),
+                     [&](const cases::Expectation& one) {
+                       return one.quantity == quantity;
+                     });
 }
 
 void add_fits(const results::Result& result, const cases::Case& contact_case,
@@ -52,7 +60,7 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
   for (const MethodSummary& one : summary.methods)
     if (one.name == method)
       for (const auto& [name, estimate] : one.quantities)
-        if (is_compared(name) && !estimate.is_input)
+        if (is_compared(name, contact_case) && !estimate.is_input)
           answer.values[name] = {estimate.value};
 }
 

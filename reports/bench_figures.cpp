@@ -162,6 +162,7 @@ Figure phases_figure(const Bench& bench) {
       {"observation", &BenchPhases::observation},
       {"writing", &BenchPhases::writing},
       {"rest", &BenchPhases::rest}};
+  bool has_floor = false;
   CsvTable table({"setting", "setup [1]", "transforms [1]", "solving [1]",
                   "observation [1]", "writing [1]", "rest [1]", "floor [1]"});
   for (const BenchPoint& point : bench.points) {
@@ -173,8 +174,9 @@ Figure phases_figure(const Bench& bench) {
     std::vector<double> shares;
     for (const auto& [name, member] : phases)
       shares.push_back(point.phases.*member / sum);
-    shares.push_back(point.transforms > 0 ? point.transform_floor() / sum
-                                          : not_a_number);
+    const double floor = point.transform_floor() / sum;
+    has_floor = has_floor || floor > 0.0;
+    shares.push_back(floor > 0.0 ? floor : not_a_number);
     table.add(point.method, shares);
   }
   std::vector<std::string> parts;
@@ -182,10 +184,11 @@ Figure phases_figure(const Bench& bench) {
     parts.push_back(fmt::format(
         "'phases.csv' every ::1 using {}{} linecolor rgb '{}' title '{}'",
         i + 2, i == 0 ? ":xtic(1)" : "", method_color(i), phases[i].first));
-  parts.emplace_back(
-      "'phases.csv' every ::1 using ($0):8 with points pointtype "
-      "7 pointsize 0.9 linecolor rgb '#000000' title 'transform "
-      "floor'");
+  if (has_floor)
+    parts.emplace_back(
+        "'phases.csv' every ::1 using ($0):8 with points pointtype "
+        "7 pointsize 0.9 linecolor rgb '#000000' title 'transform "
+        "floor'");
   figure.data = table.text();
   figure.script = "set style data histogram\nset style histogram "
                   "rowstacked\nset style fill solid 0.85 border -1\nset "

@@ -67,6 +67,7 @@ Json to_json(const BenchPoint& point) {
           {"overrides", point.overrides},
           {"points", point.points},
           {"is_own", point.is_own},
+          {"is_elastic", point.is_elastic},
           {"is_truth", point.is_truth},
           {"problem", point.problem},
           {"repeats", point.repeats},

@@ -193,16 +193,16 @@ List method_tables(const Bench& bench) {
   List tables;
   for (const std::string& name : names) {
     List rows;
-    std::string kind;
+    bool is_elastic = true;
     for (const BenchPoint& point : bench.points)
       if (point.method == name) {
         rows.push_back(setting_row(bench, point));
-        kind = point.kind;
+        is_elastic = point.is_elastic;
       }
     Value table;
     table.set("name", name);
     table.set("own_note",
-              kind == "fem" || kind == "halfspace"
+              is_elastic
                   ? "Errors against the truth; in small letters against the "
                     "limit of this method's own series."
                   : "This method is not the elastic continuum: the large "

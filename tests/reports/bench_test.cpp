@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace asperity::reports {
 namespace {
@@ -71,6 +74,7 @@ Bench made_up() {
       series.points.push_back(bench.points.size());
       series.coordinates.push_back(1.0 / points);
       bench.points.push_back(point_on(method, points, is_fem ? stiff : 0.0));
+      bench.points.back().is_own = points == 256;
       bench.points.back().is_truth = points == 512;
     }
     bench.series.push_back(series);
@@ -132,6 +136,27 @@ TEST(BenchAnalysisWithoutAnAnswer, LeavesItOut) {
   EXPECT_TRUE(std::isnan(broken.errors.at("mean_gap")));
   EXPECT_NEAR(bench.series[1].cost.exponent, cost_exponent, 1e-9);
   EXPECT_EQ(bench.series[1].cost.points, 2);
+}
+
+// Claim: the page names every setting, also one without an answer and one with
+// marks that HTML would read.
+TEST(BenchPage, NamesEverySetting) {
+  Bench bench = made_up();
+  bench.points[4].problem = "ended with exit code 2: 3 < 4 points";
+  bench.points[4].answer = {};
+  analyse(bench, cases::read_case_text(rough, "rough/case.toml"));
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) /
+      ("asperity_bench_page_" + std::to_string(::getpid()));
+
+  write_bench_report(bench, folder);
+
+  std::ifstream file(folder / "report.html");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  std::filesystem::remove_all(folder);
+  EXPECT_NE(page.find("3 &lt; 4 points"), std::string::npos);
+  for (const BenchPoint& point : bench.points)
+    EXPECT_NE(page.find(point.label), std::string::npos) << point.label;
 }
 
 // Claim: what is not known is null in the file, and numbers come back.
