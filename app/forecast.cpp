@@ -18,6 +18,7 @@ using reports::BenchPoint;
 constexpr double lowest_order = 0.5;  // of a forecast
 constexpr double highest_order = 2.0; // a lucky pair promises no more
 constexpr double order_unknown = 1.0;
+constexpr const char* corrected_area = "area_fraction_corrected";
 
 bool means(const std::string& quantity, const std::string& column) {
   return column == quantity ||
@@ -35,7 +36,7 @@ double Forecast::error(const std::string& quantity, int points,
     const double error =
         term.error *
             std::pow(static_cast<double>(finest) / points, term.order) +
-        term.floor * growth_share * growth_share;
+        term.floor * growth_share * growth_share + term.bias;
     least = std::fmin(least, error);
   }
   return least;
@@ -105,6 +106,18 @@ Forecast::Term term_of(std::span<const BenchPoint> coarse,
   return term;
 }
 
+/// Needs the term of the corrected count.
+double bias_of(const std::string& column, const Forecast::Term& term,
+               const Forecast::Term& corrected, const BenchAnswer& finest) {
+  const auto count = finest.values.find(corrected_area);
+  const auto other = finest.values.find(column);
+  const double difference = reports::rms_difference(
+      other->second, count->second, reports::scale_of(corrected_area, finest));
+  return std::isfinite(difference)
+             ? std::max(0.0, difference - term.error - corrected.error)
+             : std::numeric_limits<double>::infinity();
+}
+
 void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
               std::span<const std::string> quantities) {
   std::vector<double> points;
@@ -122,6 +135,11 @@ void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
         if (const Forecast::Term term = term_of(coarse, column);
             std::isfinite(term.error))
           forecast.terms[column] = term;
+  const auto corrected = forecast.terms.find(corrected_area);
+  for (auto& [column, term] : forecast.terms)
+    if (reports::is_area(column) && corrected != forecast.terms.end())
+      term.bias =
+          bias_of(column, term, corrected->second, coarse.back().answer);
 }
 
 void add_growth(Forecast& forecast, const BenchPoint& as_it_is,

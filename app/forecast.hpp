@@ -14,11 +14,14 @@ namespace asperity::app {
 
 /// What is predicted of one method with one element from its coarse runs.
 struct Forecast {
-  /// Of one quantity: error = c (n_0/n)^order + floor (ln g/ln g_0)^2.
+  /// Of one quantity:
+  /// error = c (n_0/n)^order + floor (ln g/ln g_0)^2 + bias.
   struct Term {
     double error = 0.0; ///< of the finest coarse run, without the floor
     double order = 1.0;
     double floor = 0.0; ///< of the layers' growth; 0 where there are none
+    double bias = 0.0;  ///< of an estimator of the area whose limit is another
+                        ///< than the corrected count's
   };
 
   std::string method;
@@ -51,7 +54,9 @@ inline constexpr const char* any_area = "area_fraction";
 Forecast::Term term_of(std::span<const reports::BenchPoint> coarse,
                        const std::string& column);
 
-/// Terms of every column that `quantities` mean, and cost, of those runs.
+/// Terms of every column that `quantities` mean, and cost, of those runs. An
+/// estimator of the area is biased by what it differs from the corrected count
+/// in the finest run beyond the errors of both.
 void add_runs(Forecast& forecast, std::span<const reports::BenchPoint> coarse,
               std::span<const std::string> quantities);
 

@@ -209,7 +209,10 @@ List method_tables(const Bench& bench) {
                     "figure is its distance from that truth and no error; in "
                     "small letters is its error against the limit of its own "
                     "series.");
-    table.set("heads", text_list(bench.quantities));
+    std::vector<std::string> heads = bench.quantities;
+    for (std::string& head : heads) // so that they wrap
+      std::replace(head.begin(), head.end(), '_', ' ');
+    table.set("heads", text_list(heads));
     table.set("rows", rows);
     tables.push_back(table);
   }

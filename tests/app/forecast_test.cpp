@@ -83,5 +83,27 @@ TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
   EXPECT_NEAR(forecast.error(any_area, 128, 1.0), 0.01, 1e-15);
 }
 
+// Claim: an estimator that converges fast to another area than the corrected
+// count is not taken for it: its bias stays, however fine the grid. Tolerance:
+// the two errors that are granted, 5e-3 and 1e-4 of the area.
+TEST(Forecast, IsNotFooledByABiasedEstimator) {
+  std::vector<reports::BenchPoint> coarse;
+  for (const int points : {32, 64, 128}) {
+    reports::BenchPoint run = run_on(points);
+    run.answer.values["area_fraction_corrected"] = {0.1 *
+                                                    (1.0 + 0.64 / points)};
+    run.answer.values["area_fraction_moment"] = {0.114 *
+                                                 (1.0 + 1.0 / points / points)};
+    coarse.push_back(run);
+  }
+  Forecast forecast;
+
+  add_runs(forecast, coarse, std::vector<std::string>{any_area});
+
+  EXPECT_NEAR(forecast.error("area_fraction_moment", 4096, 1.0), 0.14, 0.015);
+  EXPECT_EQ(forecast.error(any_area, 4096, 1.0),
+            forecast.error("area_fraction_corrected", 4096, 1.0));
+}
+
 } // namespace
 } // namespace asperity::app
