@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity::contact {
@@ -25,6 +26,19 @@ double rms(std::span<const double> heights) {
   for (const double height : heights)
     sum += (height - mean) * (height - mean);
   return std::sqrt(sum / static_cast<double>(heights.size()));
+}
+
+/// A soft spring is pressed in far deeper than the heights are high, and the
+/// gap is then known to the rounding of that depth only, and of a sum over N
+/// nodes, which grows like its root.
+double reachable_tolerance(double gap_tolerance, const LoadTarget& target,
+                           double local_compliance, std::size_t nodes) {
+  const double rounding = (8.0 + 0.5 * std::sqrt(static_cast<double>(nodes))) *
+                          std::numeric_limits<double>::epsilon();
+  const double depth = target.kind == LoadTarget::Kind::nominal_pressure
+                           ? local_compliance * target.amount
+                           : std::abs(target.amount);
+  return std::max(gap_tolerance, rounding * depth);
 }
 
 bool has_load(std::span<const double> pressure) {
@@ -57,7 +71,10 @@ ContactSolution LoadSequence::solve(const LoadTarget& target) {
     history_.clear();
   kind_ = target.kind;
   const std::vector<double> start = start_for(target);
-  ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
+  ContactProblem problem{heights_, local_compliance(),
+                         reachable_tolerance(gap_tolerance_, target,
+                                             local_compliance(),
+                                             heights_.size()),
                          max_iterations_};
   ContactSolution solution;
   if (interface_.law == Law::augmented) {

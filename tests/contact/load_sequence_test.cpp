@@ -79,6 +79,19 @@ TEST_F(Sequence, AugmentsAnySpring) {
   }
 }
 
+// Claim: a spring far softer than the face carries a load that presses it in a
+// million times deeper than the heights are high: then all touch and the mean
+// gap is -p_0/k. Tolerance: (8 + sqrt(N)/2) eps of it, as promised.
+TEST_F(Sequence, ReachesTheEndOfASoftSpring) {
+  const double penalty = 1e-6 / grid.spacing_x();
+  LoadSequence program = sequence(Law::penalty, penalty);
+
+  const ContactSolution found = program.solve({Kind::nominal_pressure, 100.0});
+
+  ASSERT_TRUE(found.converged) << found.note;
+  EXPECT_NEAR(found.mean_gap * penalty / -100.0, 1.0, 72.0 * 2.3e-16);
+}
+
 TEST_F(Sequence, FollowsAGapProgram) {
   LoadSequence by_pressure = sequence(Law::hard);
   LoadSequence by_gap = sequence(Law::hard);
