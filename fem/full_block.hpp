@@ -64,7 +64,7 @@ struct BlockSolution {
 /// the gap would exceed 1e-8 of the pressure. So k is bounded by 1e5 mu/h, and
 /// a stiffer penalty k_0 is reached like a wall, by lambda <- (1 - k/k_0) p
 /// until gap + p/k_0 is within the tolerance. Nor is a wall's k softer than
-/// 10 mu/h, with which it would take many rounds.
+/// 1e3 mu/h, with which it would take many rounds.
 class FullBlock {
 public:
   virtual ~FullBlock() = default;

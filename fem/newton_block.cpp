@@ -81,6 +81,15 @@ void NewtonBlock::find_imbalance() {
         system_.nodal_areas()[i] * pressure_[i];
 }
 
+/// The largest force left over, relative to the largest contact force [1].
+double NewtonBlock::unbalanced() {
+  find_imbalance();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < grid().size(); ++i)
+    largest = std::max(largest, system_.nodal_areas()[i] * pressure_[i]);
+  return largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
+}
+
 /// Solves (F.1), linear for the contact set of now, for the changes of u, d
 /// and P: u by block elimination, d and P from the two scalar equations.
 bool NewtonBlock::newton_step(const BlockLoad& load, double penalty) {
@@ -129,9 +138,12 @@ bool NewtonBlock::newton_step(const BlockLoad& load, double penalty) {
   return true;
 }
 
-/// Newton to a standing contact set at fixed multipliers.
+/// Newton to a standing contact set at fixed multipliers. A step from far away
+/// leaves the rounding of where it came from: steps on the same set refine it.
 bool NewtonBlock::newton(const BlockLoad& load, const BlockContact& contact,
                          BlockSolution& answer) {
+  constexpr int most_refinements = 3;
+  int refinements = 0;
   update_pressure(contact.penalty);
   while (answer.iterations < contact.max_iterations) {
     const std::vector<bool> before = contact_set();
@@ -149,7 +161,8 @@ bool NewtonBlock::newton(const BlockLoad& load, const BlockContact& contact,
       return false;
     }
     update_pressure(contact.penalty);
-    if (contact_set() == before)
+    if (contact_set() == before && (refinements++ == most_refinements ||
+                                    unbalanced() <= contact.tolerance))
       return true;
   }
   answer.note = "the contact set did not come to rest";

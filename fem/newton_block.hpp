@@ -40,10 +40,12 @@ private:
 
   double mean_gap() const;
   double touching_gap(double nominal_pressure, double penalty) const;
+  void take_heights(std::span<const double> heights);
   double own_spring(const BlockContact& contact) const;
   void update_pressure(double penalty);
   std::vector<bool> contact_set() const;
   void find_imbalance();
+  double unbalanced();
   bool newton_step(const BlockLoad& load, double penalty);
   bool newton(const BlockLoad& load, const BlockContact& contact,
               BlockSolution& answer);
@@ -56,11 +58,12 @@ private:
   double stiffness_scale_; ///< shear modulus of the face over the spacing
   // The state (F.1) is solved for.
   dealii::Vector<double> displacement_; ///< u [m]
-  double rigid_gap_ = 0.0;              ///< d [m]
+  double rigid_gap_ = 0.0;              ///< d less the highest height [m]
+  double highest_ = 0.0;                ///< [m]
   double top_pressure_ = 0.0;           ///< P [Pa]
   std::vector<double> multiplier_;
   std::vector<double> pressure_;
-  std::vector<double> heights_;
+  std::vector<double> heights_;      ///< less the highest [m]
   dealii::Vector<double> imbalance_; ///< K u + P g - sum a p e [N]
 };
 

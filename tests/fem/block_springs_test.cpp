@@ -68,6 +68,29 @@ INSTANTIATE_TEST_SUITE_P(Extremes, AnySpring,
                                            Spring{ContactLaw::augmented, 1e15},
                                            Spring{ContactLaw::hard, 1e15}));
 
+// Claim: a load so small that it moves the face by less than the heights'
+// rounding is balanced too: the plateau of a step bears it. The other half is a
+// step below and touches nothing.
+TEST(SmallLoad, IsBornByAPlateau) {
+  std::vector<double> heights(grid.size(), -0.7e-6);
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x / 2; ++ix)
+      heights[grid.index(ix, iy)] = 0.3e-6;
+  const double load = 1e-11 * soft_modulus;
+
+  const BlockSolution found =
+      make_full_block(grid, 1, small_block())
+          ->solve(heights, {Control::nominal_pressure, load},
+                  {ContactLaw::augmented,
+                   50.0 * soft_modulus / grid.spacing_x(), 1e-8, 200});
+
+  ASSERT_TRUE(found.converged) << found.note << ", " << found.residual;
+  EXPECT_NEAR(found.nominal_pressure / load, 1.0, 1e-8);
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = grid.points_x / 2; ix < grid.points_x; ++ix)
+      EXPECT_EQ(found.pressure[grid.index(ix, iy)], 0.0);
+}
+
 // Claim: a flat surface has a tolerance of its own, in its own lengths: by
 // augmentation it bears its load evenly at a metre and at a picometre.
 TEST(FlatSurface, HasNoUnitOfItsOwn) {
