@@ -215,11 +215,12 @@ Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
 Scene within_reach(Scene scene) {
   const bool is_full = scene.family == Family::full_block;
   if (is_full || scene.family == Family::atoms) {
-    scene.points = scene.points <= 32 ? 8 : 16;
+    scene.points = scene.points <= 48 ? 8 : 16;
     scene.twin = Twin::none;
   }
   if (is_full) {
-    scene.thickness = std::clamp(scene.thickness, 0.1, 2.0);
+    scene.thickness =
+        std::clamp(scene.thickness, 0.1, scene.points == 8 ? 2.0 : 0.5);
     scene.growth = std::max(scene.growth, 1.5);
   }
   if (scene.family == Family::atoms) {

@@ -14,7 +14,7 @@ namespace asperity::stress {
 /// How many at a time, and how long one may take.
 struct PoolSettings {
   int processes = 0;           ///< 0: as many as the machine has cores
-  double scene_seconds = 60.0; ///< wall time, > 0
+  double scene_seconds = 60.0; ///< CPU time > 0; ten times as much waiting
 };
 
 /// What a child does with a scene; run_scene but in tests.

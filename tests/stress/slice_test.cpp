@@ -1,0 +1,88 @@
+// Claim: a slice of the stability matrix has nothing but scenes that converged
+// and were verified, and scenes that were refused with a reason. The whole is
+// run by `asperity stress`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "stress/run_scene.hpp"
+
+namespace asperity::stress {
+namespace {
+
+/// Thin blocks with a free back bend like plates (docs/solver.md).
+bool is_plate(const Scene& scene) {
+  const bool has_back = scene.family == Family::slab ||
+                        scene.family == Family::condensed_q1 ||
+                        scene.family == Family::condensed_q2;
+  return has_back && scene.top == cases::TopFace::pressure &&
+         scene.thickness < 0.05;
+}
+
+TEST(Slice, HoldsNothingElse) {
+  int verified = 0;
+  int refused = 0;
+  for (int index = 0; index < 160; ++index) {
+    Scene scene = draw_scene(11, index);
+    if (is_plate(scene) || scene.family == Family::full_block)
+      continue;
+    scene.points = std::min(scene.points, 32);
+    const SceneReport report = run_scene(within_reach(scene));
+    EXPECT_TRUE(is_good(report.outcome))
+        << name_of(report.outcome) << " " << report.check << ": "
+        << report.reason << "\n"
+        << in_words(scene);
+    EXPECT_FALSE(report.outcome == Outcome::refused && report.reason.empty());
+    verified += report.outcome == Outcome::verified;
+    refused += report.outcome == Outcome::refused;
+  }
+  EXPECT_GT(verified, 100);
+  EXPECT_GT(refused, 10);
+}
+
+TEST(Slice, RefusesEveryFlaw) {
+  for (int flaw = 1; flaw <= static_cast<int>(Flaw::zero_tolerance); ++flaw)
+    for (const int index : {0, 1}) {
+      Scene scene;
+      scene.index = index;
+      scene.family = Family::flawed;
+      scene.flaw = static_cast<Flaw>(flaw);
+
+      const SceneReport report = run_scene(scene);
+
+      EXPECT_EQ(report.outcome, Outcome::refused)
+          << name_of(scene.flaw) << ": " << report.reason;
+    }
+}
+
+// A flawed scene that nothing is wrong with is not refused, and that is seen.
+TEST(Slice, SeesWhatWasNotRefused) {
+  Scene scene;
+  scene.family = Family::flawed;
+  scene.flaw = Flaw::none;
+
+  const SceneReport report = run_scene(scene);
+
+  EXPECT_EQ(report.outcome, Outcome::check_failed);
+  EXPECT_EQ(report.check, "refusal");
+}
+
+// Small blocks with every unknown: one of each order.
+TEST(Slice, HoldsFullBlocks) {
+  for (const int index : {0, 1}) {
+    Scene scene;
+    scene.index = index;
+    scene.family = Family::full_block;
+    scene.law = cases::ContactLaw::penalty;
+    scene.penalty = 1e9;
+    scene.load = 0.3;
+    scene.thickness = 0.3;
+
+    const SceneReport report = run_scene(within_reach(scene));
+
+    EXPECT_EQ(report.outcome, Outcome::verified) << report.reason;
+  }
+}
+
+} // namespace
+} // namespace asperity::stress
