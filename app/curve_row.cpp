@@ -21,8 +21,8 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
       results::counted_area_fraction(solution.pressure, weights);
   row.contact_perimeter = results::contact_perimeter(grid, solution.pressure);
   row.area_fraction_corrected = results::corrected_area_fraction(
-      row.area_fraction, row.contact_perimeter, surface.scales.spacing,
-      observation.area_coefficient);
+      grid, solution.pressure, solution.gap, surface.scales.contact_modulus,
+      observation.area_coefficients);
   row.area_fraction_fit =
       results::fit_pressure_distribution(solution.pressure, weights)
           .area_fraction;

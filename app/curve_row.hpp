@@ -6,6 +6,7 @@
 #include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "contact/solver.hpp"
+#include "results/area_estimate.hpp"
 
 #include <span>
 
@@ -16,7 +17,7 @@ struct Observation {
   std::span<const double> nodal_weights; ///< contact::SurfaceOperator's
   double local_compliance = 0.0; ///< 1/k [m/Pa] of a penalty that stays, 0 for
                                  ///< a hard wall
-  double area_coefficient = 0.0; ///< see results::corrected_area_fraction
+  results::AreaCoefficients area_coefficients; ///< of the operator
 };
 
 /// The solution's maps are moved into the answer.

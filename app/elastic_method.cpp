@@ -5,7 +5,7 @@
 #include "app/kept_face.hpp"
 #include "app/timed_operator.hpp"
 #include "contact/halfspace.hpp"
-#include "results/observables.hpp"
+#include "results/area_estimate.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ contact::LoadTarget load_target(const StepTarget& target) {
 struct SolverSetting {
   const ContactSettings& contact;
   const SurfaceOfCase& surface; ///< outlives the solver
-  double area_coefficient;
+  results::AreaCoefficients area_coefficients;
   int threads;
   double saved_setup_time;
 };
@@ -55,7 +55,7 @@ public:
   OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
                  const SolverSetting& setting)
       : surface_(setting.surface),
-        area_coefficient_(setting.area_coefficient),
+        area_coefficients_(setting.area_coefficients),
         threads_(setting.threads),
         weights_(elasticity->nodal_weights().begin(),
                  elasticity->nodal_weights().end()),
@@ -74,7 +74,7 @@ public:
     const CpuClock clock(threads_);
     StepAnswer answer = observe(
         std::move(solution),
-        {weights_, sequence_.local_compliance(), area_coefficient_}, surface_);
+        {weights_, sequence_.local_compliance(), area_coefficients_}, surface_);
     answer.row.observation_time = clock.seconds();
     answer.row.transforms = transforms;
     answer.row.transform_time = tally_->cpu_time;
@@ -91,7 +91,7 @@ public:
 
 private:
   const SurfaceOfCase& surface_;
-  double area_coefficient_;
+  results::AreaCoefficients area_coefficients_;
   int threads_;
   std::shared_ptr<TimedOperator::Tally> tally_ =
       std::make_shared<TimedOperator::Tally>();
@@ -105,9 +105,9 @@ class FullSolver final : public StepSolver {
 public:
   FullSolver(std::unique_ptr<fem::FullBlock> block,
              const ContactSettings& settings, const SurfaceOfCase& surface,
-             double area_coefficient)
+             const results::AreaCoefficients& area_coefficients)
       : surface_(surface),
-        area_coefficient_(area_coefficient),
+        area_coefficients_(area_coefficients),
         block_(std::move(block)),
         contact_(fem::block_contact(settings, surface.scales)) {}
 
@@ -118,7 +118,7 @@ public:
     return observe(
         as_contact(block_->solve(surface_.record.heights,
                                  {target.control, target.amount}, contact_)),
-        {block_->nodal_weights(), penalty_compliance, area_coefficient_},
+        {block_->nodal_weights(), penalty_compliance, area_coefficients_},
         surface_);
   }
 
@@ -141,7 +141,7 @@ private:
   }
 
   const SurfaceOfCase& surface_;
-  double area_coefficient_;
+  results::AreaCoefficients area_coefficients_;
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
 };
@@ -169,10 +169,10 @@ bool is_full(const FemSettings& settings) {
   return settings.solver == cases::FemSolver::full;
 }
 
-double area_coefficient(const FemSettings& settings) {
+results::AreaCoefficients area_coefficients(const FemSettings& settings) {
   return settings.element == cases::Element::q1
-             ? results::q1_area_coefficient(settings.surface_cell_depth)
-             : results::q2_area_coefficient;
+             ? results::q1_area_coefficients(settings.surface_cell_depth)
+             : results::q2_area_coefficients;
 }
 
 contact::FarFace far_face_of(cases::TopFace top) {
@@ -256,7 +256,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   if (block != nullptr && is_full(*block))
     return std::make_unique<FullSolver>(
         fem::load_fem_room().full(request(*block, surface, threads)),
-        block->contact, surface, area_coefficient(*block));
+        block->contact, surface, area_coefficients(*block));
   Face face = shared_operator(method, surface, threads);
   return std::make_unique<OperatorSolver>(
       std::move(face.elasticity),
@@ -264,8 +264,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                         ? block->contact
                         : std::get<HalfspaceSettings>(method.settings).contact,
                     surface,
-                    block != nullptr ? area_coefficient(*block)
-                                     : results::halfspace_area_coefficient,
+                    block != nullptr ? area_coefficients(*block)
+                                     : results::halfspace_area_coefficients,
                     threads, face.saved_setup_time});
 }
 

@@ -4,7 +4,6 @@
 #include "results/map_size.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -62,33 +61,6 @@ double contact_perimeter(const Grid& grid, std::span<const double> pressure) {
 double isotropic_perimeter(double contact_perimeter) {
   require_not_negative("contact_perimeter", contact_perimeter, "1/m");
   return 0.25 * std::numbers::pi * contact_perimeter;
-}
-
-double corrected_area_fraction(double counted_area_fraction,
-                               double contact_perimeter, double spacing,
-                               double coefficient) {
-  require_between("counted_area_fraction", counted_area_fraction, 0.0, 1.0,
-                  "1");
-  require_not_negative("contact_perimeter", contact_perimeter, "1/m");
-  require_positive("spacing", spacing, "m");
-  require_not_negative("coefficient", coefficient, "1");
-  return std::max(0.0, counted_area_fraction -
-                           coefficient * contact_perimeter * spacing);
-}
-
-double geometric_area_coefficient() {
-  return (std::numbers::pi - 1.0 + std::numbers::ln2) / 24.0;
-}
-
-double q1_area_coefficient(double surface_cell_depth) {
-  require_positive("surface_cell_depth", surface_cell_depth, "spacings");
-  constexpr std::array depths{0.5, 1.0, 1.5};
-  constexpr std::array coefficients{0.2425, 0.205, 0.16};
-  const double depth =
-      std::clamp(surface_cell_depth, depths.front(), depths.back());
-  const std::size_t i = depth < depths[1] ? 0 : 1;
-  return std::lerp(coefficients[i], coefficients[i + 1],
-                   (depth - depths[i]) / (depths[i + 1] - depths[i]));
 }
 
 double elastic_energy(std::span<const double> pressure,

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -67,67 +66,6 @@ TEST(ContactPerimeter, OfADiscIsThatOfItsBoundingBox) {
               2 * std::numbers::sqrt2 * std::numbers::pi * radius * spacing);
 }
 
-/// True if the cell of side h about (x, y) meets the disc about the origin.
-bool touches_disc(double x, double y, double h, double radius) {
-  const double nearest_x = std::max(std::abs(x) - 0.5 * h, 0.0);
-  const double nearest_y = std::max(std::abs(y) - 0.5 * h, 0.0);
-  return std::hypot(nearest_x, nearest_y) < radius;
-}
-
-// Claim: where every cell that a disc touches is counted, the corrected area
-// with the coefficient 1/2 is right. By Minkowski's sum of disc and cell the
-// mean count over positions is pi R^2 + 4 R h + h^2 and the mean perimeter
-// 8 R + 4 h, so the correction leaves -h^2. Tolerance: three standard errors
-// of the mean of the very sample, which is some 1 % of the 4 R h taken away.
-TEST(CorrectedArea, RemovesTheTouchedCellsOfADisc) {
-  const Grid grid{64, 64, 1.0, 1.0};
-  const double spacing = grid.spacing_x();
-  const double radius = 0.25;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> shift(0.0, spacing);
-  const int n_samples = 200;
-
-  double sum = 0.0;
-  double sum_of_squares = 0.0;
-  for (int i = 0; i < n_samples; ++i) {
-    const double centre_x = 0.5 + shift(random);
-    const double centre_y = 0.5 + shift(random);
-    const auto pressure = shape(grid, [&](double x, double y) {
-      return touches_disc(x - centre_x, y - centre_y, spacing, radius);
-    });
-    const double error = corrected_area_fraction(
-                             counted_area_fraction(pressure),
-                             contact_perimeter(grid, pressure), spacing, 0.5) -
-                         std::numbers::pi * radius * radius;
-    sum += error;
-    sum_of_squares += error * error;
-  }
-
-  const double mean = sum / n_samples;
-  const double standard_error =
-      std::sqrt((sum_of_squares / n_samples - mean * mean) / n_samples);
-  EXPECT_NEAR(mean, -spacing * spacing, 3.0 * standard_error);
-  EXPECT_LT(standard_error, 0.01 * 4.0 * radius * spacing);
-}
-
-TEST(CorrectedArea, StaysBetweenZeroAndTheCount) {
-  EXPECT_EQ(corrected_area_fraction(0.01, 10.0, 0.1, 0.2), 0.0);
-  EXPECT_EQ(corrected_area_fraction(0.5, 0.0, 0.1, 0.2), 0.5);
-  EXPECT_THROW(corrected_area_fraction(1.1, 1.0, 0.1, 0.2), std::domain_error);
-}
-
-// Claim: the kernels' coefficients are the published ones. 0.118 and the
-// nodes of the interpolation by their printed digits.
-TEST(AreaCoefficient, IsThatOfItsSource) {
-  EXPECT_NEAR(geometric_area_coefficient(), 0.118, 0.0005);
-  EXPECT_NEAR(q1_area_coefficient(0.5), 0.2425, epsilon);
-  EXPECT_NEAR(q1_area_coefficient(1.0), 0.205, epsilon);
-  EXPECT_NEAR(q1_area_coefficient(1.5), 0.16, epsilon);
-  EXPECT_NEAR(q1_area_coefficient(1.25), (0.205 + 0.16) / 2, epsilon);
-  EXPECT_EQ(q1_area_coefficient(9.0), q1_area_coefficient(1.5));
-  EXPECT_THROW(q1_area_coefficient(0.0), std::domain_error);
-}
-
 // Claim: p = a (1 + cos qx) and w = C a cos qx give 1/2 <p w> = C a^2/4 and
 // 1/2 <p^2>/k = 3 a^2/(4 k). A DFT grid sums a trigonometric polynomial
 // exactly; tolerance: rounding of 256 terms.
@@ -166,17 +104,14 @@ TEST(NodalWeights, CountANodeByItsArea) {
   EXPECT_DOUBLE_EQ(contact_energy(pressure, 2.0, weights), 12.0);
 }
 
-// Claim: full contact is 1, also where the weights sum to more by rounding, so
-// that the correction takes it. Here 36 weights of mean 1 + 1 ulp.
+// Claim: full contact is 1, also where the weights sum to more by rounding.
+// Here 36 weights of mean 1 + 1 ulp.
 TEST(NodalWeights, OfRoundedSumsGiveNoAreaAboveOne) {
   const std::vector<double> weights(36, 1.0 + epsilon);
   const std::vector<double> pressure(36, 1.0);
   ASSERT_GT(weighted_mean(pressure, weights), 1.0);
 
-  const double area = counted_area_fraction(pressure, weights);
-
-  EXPECT_EQ(area, 1.0);
-  EXPECT_EQ(corrected_area_fraction(area, 0.0, 0.1, 0.2), 1.0);
+  EXPECT_EQ(counted_area_fraction(pressure, weights), 1.0);
 }
 
 TEST(MapSizes, AreCheckedByName) {

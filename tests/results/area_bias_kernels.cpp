@@ -1,0 +1,97 @@
+#include "contact/halfspace.hpp"
+#include "fem/condensed_q1.hpp"
+#include "fem/q2_operator.hpp"
+#include "meshes/graded_layers.hpp"
+#include "results/observables.hpp"
+#include "results/pressure_fit.hpp"
+
+#include <fmt/format.h>
+
+#include "tests/results/area_bias.hpp"
+
+namespace asperity::area_bias {
+namespace {
+
+constexpr double poisson_ratio = 0.3;
+constexpr double youngs_modulus = 1.0 - poisson_ratio * poisson_ratio; // E* = 1
+constexpr double growth = 1.2;
+
+std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
+  contact::ElasticBlock block;
+  block.contact_modulus = 1.0;
+  block.poisson_ratio = poisson_ratio;
+  block.thickness = grid.length_x; // as the finite elements'
+  return std::make_unique<contact::FourierOperator>(
+      grid, contact::block_compliance(grid, block));
+}
+
+fem::LayeredBlock block(const Grid& grid, double surface_cell) {
+  return fem::homogeneous_block(
+      meshes::graded_layers(surface_cell, growth, grid.length_x),
+      youngs_modulus, poisson_ratio, cases::TopFace::clamped);
+}
+
+/// Set up once a grid and cloned for every surface.
+template <class Build>
+auto kept(Build build) {
+  auto store = std::make_shared<
+      std::map<int, std::unique_ptr<contact::SurfaceOperator>>>();
+  return [store, build](const Grid& grid) {
+    auto& one = (*store)[grid.points_x];
+    if (!one)
+      one = build(grid);
+    return one->clone();
+  };
+}
+
+Kernel q1_kernel(const std::string& name, double surface_cell_depth) {
+  const auto build =
+      [surface_cell_depth](
+          const Grid& grid) -> std::unique_ptr<contact::SurfaceOperator> {
+    return std::make_unique<contact::FourierOperator>(
+        grid, fem::condensed_compliance_q1(
+                  grid, block(grid, surface_cell_depth * grid.spacing_x())));
+  };
+  return {name, kept(build), results::q1_area_coefficients(surface_cell_depth)};
+}
+
+std::unique_ptr<contact::SurfaceOperator> q2_operator(const Grid& grid) {
+  return std::make_unique<fem::Q2Operator>(
+      fem::condensed_compliance_q2(grid, block(grid, 2.0 * grid.spacing_x())));
+}
+
+} // namespace
+
+std::vector<Kernel> all_kernels() {
+  std::vector<Kernel> kernels;
+  kernels.push_back({"half-space", kept(halfspace),
+                     results::halfspace_area_coefficients, 0.0, finest});
+  for (const double depth : {0.5, 1.0, 1.5})
+    kernels.push_back(
+        q1_kernel(fmt::format("Q1, surface cells {} h deep", depth), depth));
+  kernels.push_back(
+      {"Q2, cubic cells", kept(q2_operator), results::q2_area_coefficients});
+  kernels.push_back(q1_kernel("Q1, cubic cells, penalty 100 E*/h", 1.0));
+  kernels.back().penalty = 100.0;
+  return kernels;
+}
+
+Sample measure(const Grid& grid, const contact::ContactSolution& solution,
+               double rms_height,
+               const results::AreaCoefficients& coefficients) {
+  const auto& pressure = solution.pressure;
+  Sample sample;
+  sample.counted = results::counted_area_fraction(pressure);
+  sample.lines = results::line_area_fraction(grid, pressure, solution.gap, 1.0);
+  sample.corrected = results::corrected_area_fraction(
+      grid, pressure, solution.gap, 1.0, coefficients);
+  sample.fitted = results::fit_pressure_distribution(pressure).area_fraction;
+  sample.perimeter =
+      results::contact_perimeter(grid, pressure) * grid.spacing_x();
+  sample.euler =
+      results::euler_number(grid, pressure) / static_cast<double>(grid.size());
+  sample.mean_gap = solution.mean_gap / rms_height;
+  return sample;
+}
+
+} // namespace asperity::area_bias

@@ -1,0 +1,298 @@
+// Claims about results/area_estimate.hpp: straight rims and spheres whose
+// fields are known exactly, shapes whose Euler's number is known by counting.
+#include "results/area_estimate.hpp"
+#include "results/observables.hpp"
+#include "theory/hertz.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/results/shapes.hpp"
+
+namespace asperity::results {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double modulus = 2e9; // E* [Pa]
+
+struct Maps {
+  std::vector<double> pressure;
+  std::vector<double> gap;
+};
+
+/// (A.1) with a = 3e11 Pa/m^(1/2) where depth_at(x, y) [m], the distance from
+/// the rim, is > 0 inside and < 0 outside.
+template <class DepthAt>
+Maps rim_fields(const Grid& grid, DepthAt depth_at) {
+  constexpr double strength = 3e11;
+  Maps maps;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const double depth =
+          depth_at(ix * grid.spacing_x(), iy * grid.spacing_y());
+      maps.pressure.push_back(depth > 0.0 ? strength * std::sqrt(depth) : 0.0);
+      maps.gap.push_back(depth < 0.0 ? 4.0 * strength * std::pow(-depth, 1.5) /
+                                           (3.0 * modulus)
+                                     : 0.0);
+    }
+  return maps;
+}
+
+// Claim: (A.2) is what it says: t put back into it balances, and it rises with
+// the pressure. Tolerance: the closed form is a few operations on numbers of
+// its own size, 1 - t to 8 eps; (1 - t)^3 and rho t follow relatively where
+// neither t nor 1 - t is small, which 1e-6 < rho < 1e6 keeps above 1e-6.
+RC_GTEST_PROP(RimShare, SolvesItsCubic, ()) {
+  const double pressure = *rc::gen::inRange(1, 1000) * 1e6;
+  const double spacing = *rc::gen::inRange(1, 100) * 1e-8;
+  const double root = std::pow(10.0, *rc::gen::inRange(-300, 301) * 0.01);
+  const double gap = root * 4.0 * pressure * spacing / (3.0 * modulus);
+
+  const double share = rim_share(pressure, gap, spacing, modulus);
+
+  RC_ASSERT(share >= 0.0 && share <= 1.0);
+  const double cube = std::pow(1.0 - share, 3.0);
+  RC_ASSERT(std::abs(cube - root * root * share) <=
+            1e-9 * (cube + root * root * share));
+  RC_ASSERT(rim_share(1.01 * pressure, gap, spacing, modulus) > share);
+}
+
+// Claim: the ends of (A.2): a node that touches, or overlaps, belongs to the
+// contact as a whole, a far one not at all, also beyond what rho can hold.
+TEST(RimShare, EndsAtZeroAndOne) {
+  EXPECT_EQ(rim_share(1e6, 0.0, 1e-8, modulus), 1.0);
+  EXPECT_EQ(rim_share(1e6, -1e-12, 1e-8, modulus), 1.0);
+  EXPECT_EQ(rim_share(1e300, 1e-300, 1e-8, modulus), 1.0);
+  EXPECT_EQ(rim_share(1e-300, 1.0, 1e-8, modulus), 0.0);
+  EXPECT_THROW(rim_share(0.0, 1e-9, 1e-8, modulus), std::domain_error);
+  EXPECT_THROW(rim_share(1e6, 1e-9, 0.0, modulus), std::domain_error);
+  EXPECT_THROW(rim_share(1e6, 1e-9, 1e-8, -1.0), std::domain_error);
+  EXPECT_THROW(rim_share(1e6, std::nan(""), 1e-8, modulus), std::domain_error);
+}
+
+// Claim: a straight strip along x or y whose rims lie anywhere between nodes
+// has its own width. Every line across finds the rims, none along has one, so
+// the lines across give the width and those along the count: their mean.
+// Tolerance: rounding of t, some 100 eps, because depths are differences of
+// positions.
+RC_GTEST_PROP(LineArea, FindsTheRimsOfAStrip, ()) {
+  const bool is_along_y = *rc::gen::arbitrary<bool>();
+  const Grid grid = is_along_y ? Grid{32, 4, 1.0, 0.3} : Grid{4, 32, 0.3, 1.0};
+  const double centre = *rc::gen::inRange(0, 1000) * 1e-3;
+  const double half_width = 0.1 + *rc::gen::inRange(0, 1000) * 2.5e-4;
+  const Maps maps = rim_fields(grid, [&](double x, double y) {
+    return half_width -
+           std::abs(periodic_distance(is_along_y ? x : y, centre, 1.0));
+  });
+  const double counted = counted_area_fraction(maps.pressure);
+
+  const double area =
+      line_area_fraction(grid, maps.pressure, maps.gap, modulus);
+
+  RC_ASSERT(std::abs(2.0 * area - counted - 2.0 * half_width) < 100 * epsilon);
+}
+
+/// What (A.2) adds to t, in the mean over t, where the step meets the rim at
+/// an angle of sine `sine`: rho is then too small by sine^2.
+double share_added(double sine) {
+  constexpr int n = 400;
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double share = (i + 0.5) / n;
+    const double pressure = std::sqrt(share * sine);
+    const double gap = 4.0 / 3.0 * std::pow((1.0 - share) * sine, 1.5);
+    sum += rim_share(pressure, gap, 1.0, 1.0) - share;
+  }
+  return sum / n;
+}
+
+/// Per pair of a rim without a preferred direction: pairs along a line are as
+/// frequent as the sine of the angle at which the rim meets it. Half of it is
+/// added to the area.
+double area_added() {
+  constexpr int n = 400;
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double sine = std::sin((i + 0.5) / n * 0.5 * std::numbers::pi);
+    sum += sine * share_added(sine);
+    weights += sine;
+  }
+  return 0.5 * sum / weights;
+}
+
+// Claim: on Hertz's own pressure and gap, read at nodes, the lines find the
+// disc but for what aslant rims add: area_added() a pair. Tolerance: three
+// standard errors of the places, and the next order, h/a of what is added.
+TEST(LineArea, OfASphereIsTooLargeByTheAslantRims) {
+  const Grid grid{128, 128, 1e-3, 1e-3};
+  const double radius = 0.31e-3;
+  const theory::HertzContact contact = theory::hertz_contact(
+      theory::hertz_load(radius, 0.01, modulus), 0.01, modulus);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.4e-3, 0.6e-3);
+  constexpr int n_places = 50;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (int i = 0; i < n_places; ++i) {
+    const double centre_x = place(random);
+    const double centre_y = place(random);
+    Maps maps;
+    for (int iy = 0; iy < grid.points_y; ++iy)
+      for (int ix = 0; ix < grid.points_x; ++ix) {
+        const double r = std::hypot(ix * grid.spacing_x() - centre_x,
+                                    iy * grid.spacing_y() - centre_y);
+        maps.pressure.push_back(theory::hertz_pressure(contact, r));
+        maps.gap.push_back(theory::hertz_gap(contact, r));
+      }
+    const double lines =
+        line_area_fraction(grid, maps.pressure, maps.gap, modulus);
+    const double excess =
+        (lines - std::numbers::pi * radius * radius / grid.area()) /
+        (contact_perimeter(grid, maps.pressure) * grid.spacing_x());
+    sum += excess;
+    sum_of_squares += excess * excess;
+  }
+
+  const double mean = sum / n_places;
+  const double standard_error =
+      std::sqrt((sum_of_squares / n_places - mean * mean) / n_places);
+  EXPECT_NEAR(mean, area_added(),
+              3.0 * standard_error + area_added() * grid.spacing_x() / radius);
+  EXPECT_NEAR(area_added(), 0.026, 0.0005); // as the header prints it
+  EXPECT_LT(standard_error, 0.001);
+}
+
+TEST(LineArea, IsTheCountWithoutARim) {
+  const Grid grid{8, 8, 1.0, 1.0};
+  const std::vector<double> none(64, 0.0);
+  const std::vector<double> all(64, 1e6);
+
+  EXPECT_EQ(line_area_fraction(grid, none, all, modulus), 0.0);
+  EXPECT_EQ(line_area_fraction(grid, all, none, modulus), 1.0);
+  EXPECT_EQ(corrected_area_fraction(grid, all, none, modulus, {0.1, 0.5}), 1.0);
+}
+
+// Claim: patches less holes, wherever the periodic border cuts them.
+TEST(EulerNumber, CountsPatchesLessHoles) {
+  const Grid grid{40, 40, 1.0, 1.0};
+  const auto euler = [&](auto is_inside) {
+    return euler_number(grid, shape(grid, is_inside));
+  };
+  const auto disc = [](double x, double y, double centre, double radius) {
+    return std::hypot(periodic_distance(x, centre, 1.0),
+                      periodic_distance(y, centre, 1.0)) < radius;
+  };
+
+  for (const double centre : {0.0, 0.13, 0.5}) {
+    EXPECT_EQ(
+        euler([&](double x, double y) { return disc(x, y, centre, 0.3); }),
+        1.0);
+    EXPECT_EQ(euler([&](double x, double y) {
+                return disc(x, y, centre, 0.3) && !disc(x, y, centre, 0.1);
+              }),
+              0.0); // a ring
+    EXPECT_EQ(
+        euler([&](double x, double y) { return !disc(x, y, centre, 0.3); }),
+        -1.0);
+  }
+  EXPECT_EQ(euler([](double x, double) { return x < 0.5; }), 0.0); // a strip
+  EXPECT_EQ(euler([](double, double) { return false; }), 0.0);
+  EXPECT_EQ(euler([](double, double) { return true; }), 0.0);
+}
+
+// Claim: contact and its complement have opposite Euler's numbers on a periodic
+// face, whose own is 0. Exact: quarters of whole numbers.
+RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {
+  const Grid grid{8, 6, 1.0, 1.0};
+  std::vector<double> pressure(grid.size());
+  std::vector<double> complement(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    pressure[i] = *rc::gen::inRange(0, 2);
+    complement[i] = 1.0 - pressure[i];
+  }
+
+  RC_ASSERT(euler_number(grid, pressure) == -euler_number(grid, complement));
+}
+
+// Claim: (A.5) takes c h S_d, S_d of contact_perimeter, and gives e h^2 chi.
+// Tolerance: rounding of sums of 64 terms of order 1.
+TEST(CorrectedArea, TakesThePerimeterAndGivesThePatches) {
+  const Grid grid{32, 32, 1.0, 1.0};
+  const Maps maps = rim_fields(grid, [](double x, double y) {
+    return 0.3 - std::hypot(x - 0.51, y - 0.48);
+  });
+  const double lines =
+      line_area_fraction(grid, maps.pressure, maps.gap, modulus);
+  const double spacing = grid.spacing_x();
+
+  const double corrected = corrected_area_fraction(
+      grid, maps.pressure, maps.gap, modulus, {0.1, 0.5});
+
+  EXPECT_NEAR(corrected,
+              lines - 0.1 * contact_perimeter(grid, maps.pressure) * spacing +
+                  0.5 * spacing * spacing,
+              64 * epsilon);
+}
+
+// Claim: neither the unit of pressure nor that of length enters: a power of two
+// changes no bit.
+TEST(CorrectedArea, KnowsNoUnit) {
+  const auto area = [](double length_unit, double pressure_unit) {
+    const Grid grid{32, 32, length_unit, length_unit};
+    Maps maps = rim_fields(Grid{32, 32, 1.0, 1.0}, [](double x, double y) {
+      return 0.3 - std::hypot(x - 0.51, y - 0.48);
+    });
+    for (double& pressure : maps.pressure)
+      pressure *= pressure_unit;
+    for (double& gap : maps.gap)
+      gap *= length_unit;
+    return corrected_area_fraction(grid, maps.pressure, maps.gap,
+                                   modulus * pressure_unit, {0.1, 0.5});
+  };
+
+  EXPECT_EQ(area(0x1p-20, 0x1p-30), area(1.0, 1.0));
+}
+
+// Claim: depths between the measured ones are between them, beyond them as the
+// nearest.
+TEST(AreaCoefficients, OfQ1AreLinearBetweenTheMeasuredDepths) {
+  const auto [shallow, cubic, deep] =
+      std::array{q1_area_coefficients(0.5), q1_area_coefficients(1.0),
+                 q1_area_coefficients(1.5)};
+  EXPECT_GT(shallow.perimeter, cubic.perimeter);
+  EXPECT_GT(cubic.perimeter, deep.perimeter);
+  EXPECT_DOUBLE_EQ(q1_area_coefficients(1.25).perimeter,
+                   0.5 * (cubic.perimeter + deep.perimeter));
+  EXPECT_DOUBLE_EQ(q1_area_coefficients(0.75).euler,
+                   0.5 * (shallow.euler + cubic.euler));
+  EXPECT_EQ(q1_area_coefficients(9.0).perimeter, deep.perimeter);
+  EXPECT_EQ(q1_area_coefficients(0.1).euler, shallow.euler);
+  EXPECT_THROW(q1_area_coefficients(0.0), std::domain_error);
+}
+
+TEST(AreaMaps, AreCheckedByName) {
+  const Grid grid{4, 4, 1.0, 1.0};
+  const std::vector<double> full(16, 1.0);
+  const std::vector<double> short_map(15, 1.0);
+  try {
+    line_area_fraction(grid, full, short_map, modulus);
+    FAIL() << "a map of another size was accepted";
+  } catch (const std::domain_error& error) {
+    EXPECT_STREQ(error.what(), "gap.size() = 15, but must be equal to 16");
+  }
+  EXPECT_THROW(euler_number(grid, short_map), std::domain_error);
+  EXPECT_THROW(corrected_area_fraction(grid, short_map, full, modulus, {}),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::results
