@@ -14,7 +14,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <numbers>
+#include <utility>
 
 #include "tests/results/area_bias.hpp"
 
@@ -22,6 +24,8 @@ namespace {
 
 using namespace asperity;
 using namespace asperity::area_bias;
+
+constexpr int kernel_cost_r = 32; // 512 x 512 nodes
 
 cases::SurfaceSpec rough_surface(double hurst) {
   constexpr double longest = 2.0 * std::numbers::pi; // rad per side of 1 m
@@ -50,9 +54,19 @@ std::vector<double> every_nth(const std::vector<double>& heights, int points,
   return read;
 }
 
+double processor_time() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; // s
+}
+
+/// Processor time [s], summed over surfaces; the operator is set up once.
+struct Cost {
+  double set_up = 0.0;
+  double load_programs = 0.0;
+};
+
 /// All loads of one kernel on one surface, read at r nodes in the wave.
 void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
-         int r, Samples& samples) {
+         int r, Samples& samples, Cost& cost) {
   const surfaces::Statistics size = surfaces::statistics(map);
   const Grid grid{waves * r, waves * r, 1.0, 1.0};
   const contact::Interface wall =
@@ -60,13 +74,18 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
           ? contact::Interface{contact::Law::penalty,
                                kernel.penalty / grid.spacing_x()}
           : contact::Interface{};
+  double start = processor_time();
+  auto elasticity = kernel.make(grid);
+  cost.set_up += processor_time() - start;
   contact::LoadSequence sequence(
-      kernel.make(grid), every_nth(map.heights, grid.points_x, finest / r),
+      std::move(elasticity), every_nth(map.heights, grid.points_x, finest / r),
       wall, 1e-8 * size.rms_height, 3000);
   for (std::size_t load = 0; load < loads.size(); ++load) {
+    start = processor_time();
     const contact::ContactSolution solution =
         sequence.solve({contact::LoadTarget::Kind::nominal_pressure,
                         loads[load] * size.rms_slope});
+    cost.load_programs += processor_time() - start;
     if (!solution.converged)
       fmt::print("not converged: {}, r = {}: {}\n", kernel.name, r,
                  solution.note);
@@ -83,12 +102,13 @@ int main(int argc, char** argv) {
   const cases::SurfaceSpec surface = rough_surface(hurst);
   const std::vector<Kernel> kernels = all_kernels();
   Samples samples;
+  std::map<std::pair<std::string, int>, Cost> costs;
   for (int realization = 0; realization < n_surfaces; ++realization) {
     const surfaces::HeightMap map =
         surfaces::build_surface(surface, realization);
     for (const Kernel& kernel : kernels)
       for (int r = coarsest; r <= kernel.finest; r *= 2)
-        run(kernel, map, realization, r, samples);
+        run(kernel, map, realization, r, samples, costs[{kernel.name, r}]);
   }
 
   fmt::print("H = {}, {} surfaces; per cent, mean over surfaces and standard "
@@ -100,6 +120,10 @@ int main(int argc, char** argv) {
     print_calibration(kernel, samples, limits);
     print_areas(kernel, samples, limits);
     print_gaps(kernel, samples, limits);
+    const Cost& cost = costs[{kernel.name, kernel_cost_r}];
+    fmt::print("\nprocessor time at r = {}: set-up {:.2f} s, a load program "
+               "{:.2f} s\n",
+               kernel_cost_r, cost.set_up, cost.load_programs / n_surfaces);
   }
   return EXIT_SUCCESS;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double poisson_ratio = 0.3;
 constexpr double youngs_modulus = 1.0 - poisson_ratio * poisson_ratio; // E* = 1
-constexpr double growth = 1.2;
+constexpr double default_growth = 1.2; // of the layers
 
 std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
   contact::ElasticBlock block;
@@ -25,7 +25,8 @@ std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
       grid, contact::block_compliance(grid, block));
 }
 
-fem::LayeredBlock block(const Grid& grid, double surface_cell) {
+fem::LayeredBlock block(const Grid& grid, double surface_cell,
+                        double growth = default_growth) {
   return fem::homogeneous_block(
       meshes::graded_layers(surface_cell, growth, grid.length_x),
       youngs_modulus, poisson_ratio, cases::TopFace::clamped);
@@ -44,13 +45,15 @@ auto kept(Build build) {
   };
 }
 
-Kernel q1_kernel(const std::string& name, double surface_cell_depth) {
+Kernel q1_kernel(const std::string& name, double surface_cell_depth,
+                 double growth = default_growth) {
   const auto build =
-      [surface_cell_depth](
-          const Grid& grid) -> std::unique_ptr<contact::SurfaceOperator> {
+      [surface_cell_depth,
+       growth](const Grid& grid) -> std::unique_ptr<contact::SurfaceOperator> {
     return std::make_unique<contact::FourierOperator>(
-        grid, fem::condensed_compliance_q1(
-                  grid, block(grid, surface_cell_depth * grid.spacing_x())));
+        grid,
+        fem::condensed_compliance_q1(
+            grid, block(grid, surface_cell_depth * grid.spacing_x(), growth)));
   };
   return {name, kept(build), results::q1_area_coefficients(surface_cell_depth)};
 }
@@ -71,6 +74,8 @@ std::vector<Kernel> all_kernels() {
         q1_kernel(fmt::format("Q1, surface cells {} h deep", depth), depth));
   kernels.push_back(
       {"Q2, cubic cells", kept(q2_operator), results::q2_area_coefficients});
+  kernels.push_back(
+      q1_kernel("Q1, cubic cells, layers growing by 1.1", 1.0, 1.1));
   kernels.push_back(q1_kernel("Q1, cubic cells, penalty 100 E*/h", 1.0));
   kernels.back().penalty = 100.0;
   return kernels;
