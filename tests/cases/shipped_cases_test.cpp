@@ -39,6 +39,9 @@ const std::set<std::string> parts_of_paper = {"adhesion",
                                               "surface-atoms",
                                               "surface-polymer"};
 
+const std::set<std::string> parts_of_peers = {"full-contact", "hertz",
+                                              "westergaard"};
+
 std::set<std::string> folders_in(const std::string& folder) {
   std::set<std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -68,9 +71,10 @@ double pressure_of(const Case& read, std::size_t step) {
 TEST(ShippedCases, AreTheFoldersThatAreThere) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
-  expected.insert("paper");
+  expected.insert({"paper", "peers"});
 
   EXPECT_EQ(folders_in("cases"), expected);
+  EXPECT_EQ(folders_in("cases/peers"), parts_of_peers);
   for (const std::string& part : parts_of_paper)
     EXPECT_TRUE(folders_in("cases/paper").contains(part)) << part;
 }
@@ -90,6 +94,19 @@ TEST(ShippedCases, ReadThePaperPartByPart) {
 
     EXPECT_EQ(read_case(folder + "/case.toml").name, part);
     EXPECT_EQ(read_case(folder + "/case.toml", quick).name, part);
+    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
+      EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
+  }
+}
+
+TEST(ShippedCases, ReadThePeersProblems) {
+  for (const std::string& part : parts_of_peers) {
+    const std::string folder = "cases/peers/" + part;
+    std::ostringstream readme;
+    readme << std::ifstream(folder + "/README.md").rdbuf();
+
+    EXPECT_EQ(read_case(folder + "/case.toml").name, part);
     EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
     for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
       EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
