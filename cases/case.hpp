@@ -105,7 +105,7 @@ struct HalfspaceSettings {
 
 struct FemSettings {
   ContactSettings contact;
-  Element element = Element::q1;
+  Element element = Element::q2;
   double surface_cell_depth = 1.0; ///< in node spacings
   double growth = 1.2;             ///< thickness ratio of successive layers
   Quantity depth{1.0, Yardstick::length};

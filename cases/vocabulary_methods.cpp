@@ -217,10 +217,11 @@ Table fem_table() {
               {.name = "element",
                .type = ValueType::word,
                .words = {"Q1", "Q2"},
-               .fallback = "\"Q1\"",
-               .example = "\"Q1\"",
+               .fallback = "\"Q2\"",
+               .example = "\"Q2\"",
                .description = "Trilinear or triquadratic hexahedra; points "
-                              "counts nodes for both."},
+                              "counts nodes for both, and Q2 asks for an even "
+                              "number."},
               {.name = "surface_cell_depth",
                .range = {0.0, 10.0, false, true},
                .fallback = "1.0",

@@ -65,8 +65,8 @@ TEST_F(RunCommand, WritesEverythingItPromises) {
             std::string::npos);
 }
 
-// Claim: the methods answer the same case. Tolerances: Q1 with eight nodes in
-// the shortest wave is 0.2 % off in the gap (DESIGN 8: .16 % at most), the
+// Claim: the methods answer the same case. Tolerances: Q2 with eight nodes in
+// the shortest wave is 0.1 % of h_rms off in the gap (docs/area.md), the
 // penalty adds p/k < 0.01 h_rms here; both methods share the surface.
 TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
