@@ -1,0 +1,211 @@
+// Claims about contact/stress_inside.hpp: Hertz's stress comes out, the field
+// is in balance, meets the far face, and stores the work done on the face.
+#include "contact/stress_inside.hpp"
+#include "theory/hertz_stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace asperity::contact {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double modulus = 2.0;
+
+std::vector<double> oblique_wave(const Grid& grid, int jx, int jy) {
+  std::vector<double> pressure(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      pressure[grid.index(ix, iy)] = std::cos(
+          2.0 * pi *
+          (jx * ix / double(grid.points_x) + jy * iy / double(grid.points_y)));
+  return pressure;
+}
+
+double mean(const std::vector<double>& field) {
+  double sum = 0.0;
+  for (const double value : field)
+    sum += value;
+  return sum / static_cast<double>(field.size());
+}
+
+std::vector<double> hertz_map(const Grid& grid,
+                              const theory::HertzContact& contact) {
+  std::vector<double> pressure(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const double x = ix * grid.spacing_x() - 0.5 * grid.length_x;
+      const double y = iy * grid.spacing_y() - 0.5 * grid.length_y;
+      pressure[grid.index(ix, iy)] =
+          theory::hertz_pressure(contact, std::hypot(x, y));
+    }
+  return pressure;
+}
+
+// Claim: under Hertz's pressure on a cell twelve radii wide the strongest von
+// Mises stress is 0.62 p_0 and lies 0.48 a deep on the axis (nu = 0.3;
+// Johnson, Sec. 4.2). Tolerance: a sixteenth of a spacing in the radius, and
+// the neighbours, whose pressure adds p_0 pi (2/3) a^2/L^2 = 1.5 % of p_0,
+// mostly as a pressure from all sides.
+TEST(StressInside, IsStrongestWhereHertzSays) {
+  const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
+  const double a = contact.contact_radius;
+  const Grid grid{192, 192, 12.0 * a, 12.0 * a};
+  const StressInside inside(grid, {70e9, 0.3, infinity, FarFace::clamped},
+                            hertz_map(grid, contact));
+
+  const StressPeak peak = inside.strongest();
+
+  EXPECT_NEAR(peak.von_mises / contact.peak_pressure, 0.620, 0.007);
+  EXPECT_NEAR(peak.depth / a, 0.481, 0.015);
+  EXPECT_EQ(peak.node, grid.index(96, 96));
+}
+
+// Claim: off the axis too, each plane has Huber's field and its largest shear
+// stress. Tolerance as above.
+TEST(StressInside, IsHubersFieldInAPlane) {
+  const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
+  const double a = contact.contact_radius;
+  const Grid grid{192, 192, 12.0 * a, 12.0 * a};
+  const StressInside inside(grid, {70e9, 0.3, infinity, FarFace::clamped},
+                            hertz_map(grid, contact));
+
+  for (const double depth : {0.25 * a, 0.5 * a, 1.0 * a}) {
+    const StressPlane plane = inside.at_depth(depth);
+    const std::vector<double> shear = largest_shear(plane);
+    for (const int offset : {0, 8, 16, 24}) {
+      const theory::AxisymmetricStress exact =
+          theory::hertz_stress(contact, offset * grid.spacing_x(), depth, 0.3);
+      const std::size_t node = grid.index(96 + offset, 96);
+
+      EXPECT_NEAR(plane.zz[node] / contact.peak_pressure,
+                  exact.axial / contact.peak_pressure, 0.01);
+      EXPECT_NEAR(plane.zx[node] / contact.peak_pressure,
+                  exact.shear / contact.peak_pressure, 0.01);
+      EXPECT_NEAR(shear[node] / contact.peak_pressure,
+                  exact.largest_shear() / contact.peak_pressure, 0.01);
+    }
+  }
+}
+
+// Claim: forces balance along z at every node: d zx/dx + d yz/dy + d zz/dz =
+// 0. For one wave the derivatives along the plane are i q. Tolerance: central
+// differences over 1e-4, h^2/6 of a third derivative of (q = 14)^3.
+TEST(StressInside, IsInBalance) {
+  const Grid grid{32, 32, 1.0, 1.0};
+  const double h = 1e-4;
+  for (const FarFace face :
+       {FarFace::clamped, FarFace::sliding, FarFace::pressure}) {
+    const StressInside inside(grid, {modulus, 0.3, 0.3, face},
+                              oblique_wave(grid, 1, 2));
+    for (const double z : {0.05, 0.2}) {
+      const StressPlane here = inside.at_depth(z);
+      const StressPlane below = inside.at_depth(z + h);
+      const StressPlane above = inside.at_depth(z - h);
+      // A quarter wave along x shifts by an eighth of 32 points, so that
+      // d/dx f(x) = q_x f(x + pi/(2 q_x)) for a pure wave.
+      for (const int ix : {0, 3, 7}) {
+        const double along = 2.0 * pi * here.zx[grid.index(ix + 8, 5)] +
+                             4.0 * pi * here.yz[grid.index(ix, 5 + 4)];
+        const double down =
+            (below.zz[grid.index(ix, 5)] - above.zz[grid.index(ix, 5)]) /
+            (2.0 * h);
+        EXPECT_NEAR(along + down, 0.0, 1e-5) << z;
+      }
+    }
+  }
+}
+
+// Claim: the strain energy in the block is the work done on its face, p w/2
+// with w from slab_compliance_factor; no far face takes any work. This ties
+// the stress to the compliance that the solver uses. Tolerance: Simpson over
+// 400 intervals of a function of exp(-2 q z), q d < 6: 1e-8.
+TEST(StressInside, StoresTheWorkOfTheFace) {
+  const Grid grid{16, 16, 1.0, 1.0};
+  const double nu = 0.35;
+  const double youngs = modulus * (1.0 - nu * nu);
+  const double q = 2.0 * pi * std::sqrt(2.0);
+  for (const double thickness : {0.05, 0.3, 0.6})
+    for (const FarFace face :
+         {FarFace::clamped, FarFace::sliding, FarFace::pressure}) {
+      const StressInside inside(grid, {modulus, nu, thickness, face},
+                                oblique_wave(grid, 1, 1));
+      const int n = 400;
+      double energy = 0.0;
+      for (int k = 0; k <= n; ++k) {
+        const double depth = std::min(thickness * k / n, thickness);
+        const StressPlane s = inside.at_depth(depth);
+        std::vector<double> density(grid.size());
+        for (std::size_t i = 0; i < density.size(); ++i) {
+          const double trace = s.xx[i] + s.yy[i] + s.zz[i];
+          const double square =
+              s.xx[i] * s.xx[i] + s.yy[i] * s.yy[i] + s.zz[i] * s.zz[i] +
+              2.0 * (s.xy[i] * s.xy[i] + s.yz[i] * s.yz[i] + s.zx[i] * s.zx[i]);
+          density[i] =
+              ((1.0 + nu) * square - nu * trace * trace) / (2.0 * youngs);
+        }
+        const double weight = k == 0 || k == n ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+        energy += weight * mean(density) * thickness / (3.0 * n);
+      }
+      const double compliance =
+          2.0 * slab_compliance_factor(q * thickness, face, nu) / (modulus * q);
+      EXPECT_NEAR(energy / (0.25 * compliance), 1.0, 1e-7)
+          << thickness << " " << static_cast<int>(face);
+    }
+}
+
+// Claim: a free far face bears nothing, a sliding one no shear. Tolerance:
+// rounding of a 4 x 4 solve whose condition is some 1e4 at q d = 0.4.
+TEST(StressInside, MeetsTheFarFace) {
+  const Grid grid{16, 16, 1.0, 1.0};
+  const double thickness = 0.06;
+  const StressPlane free_face =
+      StressInside(grid, {modulus, 0.3, thickness, FarFace::pressure},
+                   oblique_wave(grid, 1, 0))
+          .at_depth(thickness);
+  const StressPlane sliding_face =
+      StressInside(grid, {modulus, 0.3, thickness, FarFace::sliding},
+                   oblique_wave(grid, 1, 0))
+          .at_depth(thickness);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    EXPECT_NEAR(free_face.zz[i], 0.0, 1e-10);
+    EXPECT_NEAR(free_face.zx[i], 0.0, 1e-10);
+    EXPECT_NEAR(sliding_face.zx[i], 0.0, 1e-10);
+  }
+}
+
+// Claim: a uniform pressure squeezes the block as in an oedometer.
+TEST(StressInside, OfAUniformPressureIsAnOedometers) {
+  const Grid grid{8, 8, 1.0, 1.0};
+  const StressInside inside(grid, {modulus, 0.25, infinity, FarFace::clamped},
+                            std::vector<double>(grid.size(), 3.0));
+  const StressPlane plane = inside.at_depth(0.7);
+  EXPECT_NEAR(plane.zz[9], -3.0, 1e-14);
+  EXPECT_NEAR(plane.xx[9], -1.0, 1e-14);
+  EXPECT_NEAR(von_mises(plane)[9], 2.0, 1e-14);
+  EXPECT_NEAR(largest_shear(plane)[9], 1.0, 1e-14);
+}
+
+TEST(StressInside, RefusesWhatItCannotMean) {
+  const Grid grid{8, 8, 1.0, 1.0};
+  const ElasticBlock slab{modulus, 0.3, 0.5, FarFace::clamped};
+  const std::vector<double> pressure(grid.size(), 1.0);
+  EXPECT_THROW(StressInside(grid, slab, std::vector<double>(3, 1.0)),
+               std::domain_error);
+  EXPECT_THROW(StressInside(grid, {modulus, 0.6, 0.5}, pressure),
+               std::domain_error);
+  EXPECT_THROW(StressInside(grid, slab, pressure).at_depth(0.6),
+               std::domain_error);
+  EXPECT_THROW(StressInside(grid, slab, pressure).at_depth(-0.1),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::contact
