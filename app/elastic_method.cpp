@@ -4,7 +4,6 @@
 #include "app/curve_row.hpp"
 #include "app/kept_face.hpp"
 #include "app/timed_operator.hpp"
-#include "contact/halfspace.hpp"
 #include "results/area_estimate.hpp"
 
 #include <fmt/format.h>
@@ -220,6 +219,19 @@ std::string operator_key(const cases::MethodSpec& method,
 }
 
 } // namespace
+
+contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
+                                   const cases::MaterialSpec& material,
+                                   const cases::Scales& scales) {
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return block_of(*half, material, scales);
+  contact::ElasticBlock block = block_of(HalfspaceSettings{}, material, scales);
+  if (const auto* fem = std::get_if<FemSettings>(&method.settings)) {
+    block.thickness = fem->depth.in_si(scales);
+    block.far_face = far_face_of(fem->top);
+  }
+  return block;
+}
 
 MethodDescription describe(const FemSettings& settings) {
   const std::string solver =

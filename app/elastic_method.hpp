@@ -8,6 +8,7 @@
 #include "app/case_keys.hpp"
 #include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
+#include "contact/halfspace.hpp"
 #include "contact/load_sequence.hpp"
 #include "fem/plugin.hpp"
 
@@ -20,6 +21,12 @@ namespace asperity::app {
 
 MethodDescription describe(const cases::HalfspaceSettings& settings);
 MethodDescription describe(const cases::FemSettings& settings);
+
+/// The block of a method as a continuum, for what is worked out from its
+/// pressure: half-space or slab as the method has it; atoms are a half-space.
+contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
+                                   const cases::MaterialSpec& material,
+                                   const cases::Scales& scales);
 
 /// Of half-space and finite elements. Makes solvers; operators of equal block
 /// and grid are set up once and shared. Safe to call from any thread.

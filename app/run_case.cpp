@@ -6,6 +6,7 @@
 #include "app/method_job.hpp"
 #include "app/provenance_of_run.hpp"
 #include "app/skipped.hpp"
+#include "app/stress_tables.hpp"
 #include "app/studies.hpp"
 #include "cases/case_hash.hpp"
 
@@ -140,6 +141,9 @@ RunOutcome Run::execute() {
   begin();
   run_jobs();
   const bool was_interrupted = is_interrupted();
+  if (!was_interrupted && !surfaces_.whole().empty())
+    record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
+                         pool_.threads(), writer_);
   if (tally_.uses_fem)
     writer_.record_provenance(provenance_of_fem());
   writer_.record_provenance(

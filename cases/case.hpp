@@ -172,6 +172,8 @@ struct ReportSpec {
   /// Number of load steps, spread over the program, whose pressure and gap
   /// maps (of realisation 0) are kept.
   int fields = 3;
+  /// The stress below the face is worked out under each kept pressure map.
+  bool stress_inside = false;
 };
 
 /// One line of [expect]: the quantity must lie in low..high for each method.

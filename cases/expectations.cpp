@@ -52,6 +52,14 @@ const std::vector<ExpectationName>& expectation_names() {
       {.name = "approach_error",
        .description = "Largest relative error of Hertz's approach [1].",
        .surfaces = {sphere}},
+      {.name = "von_mises_error",
+       .description = "Largest relative error of the strongest von Mises "
+                      "stress under Hertz's contact; needs [report] "
+                      "stress_inside [1].",
+       .surfaces = {sphere}},
+      {.name = "von_mises_depth_error",
+       .description = "Largest relative error of its depth [1].",
+       .surfaces = {sphere}},
       {.name = "penetration",
        .description = "Largest penetration / h_rms in the maps kept [1]."},
       {.name = "epsilon",

@@ -98,6 +98,11 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node report = table_called(file, "report", false, mistakes);
   if (report.is_table())
     read.report = read_report(report, mistakes);
+  if (read.report.stress_inside && material.is_table() &&
+      !read.material.poisson_ratio)
+    mistakes.add(report.find("stress_inside")->place,
+                 "report.stress_inside needs material.poisson_ratio, which is "
+                 "missing");
   const Node expect = table_called(file, "expect", false, mistakes);
   if (expect.is_table())
     read.expectations = read_expectations(expect, kind, read, mistakes);

@@ -39,15 +39,18 @@ LoadProgram read_load(const Node& table, Mistakes& mistakes) {
 ReportSpec read_report(const Node& table, Mistakes& mistakes) {
   TableReader report(table, vocabulary_table("report"), mistakes);
   report.refuse_unknown();
+  ReportSpec spec;
+  spec.stress_inside = report.boolean("stress_inside");
   const Node* const fields = report.entry("fields");
   if (fields->text == "none")
-    return {0};
-  if (fields->text == "all")
-    return {all_fields};
-  if (fields->type == NodeType::integer)
-    return {report.integer("fields")};
-  report.refuse(*fields, "must be a whole number, \"none\" or \"all\"");
-  return {};
+    spec.fields = 0;
+  else if (fields->text == "all")
+    spec.fields = all_fields;
+  else if (fields->type == NodeType::integer)
+    spec.fields = report.integer("fields");
+  else
+    report.refuse(*fields, "must be a whole number, \"none\" or \"all\"");
+  return spec;
 }
 
 } // namespace asperity::cases

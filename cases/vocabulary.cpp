@@ -58,6 +58,14 @@ Table report_table() {
                .description =
                    "Number of load steps, spread over the program, whose maps "
                    "of pressure and gap are kept."},
+              {.name = "stress_inside",
+               .type = ValueType::boolean,
+               .fallback = "false",
+               .example = "true",
+               .description =
+                   "Work out the stress below the face under each kept "
+                   "pressure map, by the continuum: the strongest von Mises "
+                   "stress, its place, and a section through it."},
           }};
 }
 

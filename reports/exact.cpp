@@ -1,6 +1,7 @@
 #include "reports/exact.hpp"
 
 #include "reports/fits.hpp"
+#include "reports/stress_quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,7 @@ void add_exact_quantities(const results::Result& result,
         largest_estimate(errors.contact_radius, "no row in contact");
     quantities["approach_error"] =
         largest_estimate(errors.approach, "the surface is not in the result");
+    add_stress_quantities(result, exact_case, method, summary);
     return;
   }
   quantities["mean_gap_error"] = largest_estimate(

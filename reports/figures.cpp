@@ -63,6 +63,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     append(group.figures, gap_distribution_figures(entry));
   }
   append(group.figures, map_figures(entry));
+  append(group.figures, stress_figures(entry));
   return group;
 }
 

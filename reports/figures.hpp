@@ -64,6 +64,10 @@ std::vector<Figure> magnification_figures(const ReportEntry& entry);
 /// against h_rms. None without its table.
 std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 
+/// The stress below the face: strongest points against the load, and a section
+/// a method. None without tables.
+std::vector<Figure> stress_figures(const ReportEntry& entry);
+
 /// Figures that belong together, and the folder below figures/ they go to
 /// (empty: figures/ itself).
 struct FigureGroup {

@@ -32,7 +32,9 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"mean_gap_error", "mean gap", "largest error, of amplitude", false},
       {"area_error", "contact fraction", "largest error", false},
       {"contact_radius_error", "contact radius", "largest relative", false},
-      {"approach_error", "approach", "largest relative", false}};
+      {"approach_error", "approach", "largest relative", false},
+      {"von_mises_error", "von Mises", "largest relative", false},
+      {"von_mises_depth_error", "its depth", "largest relative", false}};
   return is_exact ? exact : rough;
 }
 

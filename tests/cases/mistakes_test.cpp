@@ -227,6 +227,10 @@ TEST(Mistakes, AskForPoissonsRatioOnlyWhereItCounts) {
   EXPECT_EQ(told(modulus_alone), answer);
   EXPECT_EQ(told(with_slab), answer);
   EXPECT_EQ(told(without_fem), "");
+  without_fem.emplace_back("report.stress_inside=true");
+  EXPECT_EQ(told(without_fem),
+            "  --set: report.stress_inside needs material.poisson_ratio, which "
+            "is missing\n");
 }
 
 } // namespace

@@ -111,6 +111,31 @@ TEST(ExactQuantities, FindTheRelativeErrorOfHertz) {
   EXPECT_NEAR(some.quantities.at("contact_radius_error").value, 0.03, 1e-12);
 }
 
+// Claim: a strength and a depth 2 % and 5 % off Hertz's 0.620 p_0 and 0.481 a
+// (nu = 0.3; Johnson, Sec. 4.2) are found to be. Tolerance: printed digits.
+TEST(ExactQuantities, FindTheErrorOfTheStressInside) {
+  cases::Case sphere = sphere_case();
+  sphere.material.poisson_ratio = 0.3;
+  results::Result result = sphere_result(1.0);
+  const double radius = 0.1e-3;
+  const double peak =
+      2.0 * contact_modulus * radius / (std::numbers::pi * 10e-3);
+  const double load = 2.0 / 3.0 * std::numbers::pi * radius * radius * peak;
+  result.tables = {{"stress-inside-halfspace",
+                    "",
+                    {{"nominal_pressure", "Pa", {load / 1e-6}},
+                     {"von_mises", "Pa", {1.02 * 0.620 * peak}},
+                     {"depth", "m", {0.95 * 0.481 * radius}}}}};
+
+  const MethodSummary summary = summary_of(result, sphere);
+
+  EXPECT_NEAR(summary.quantities.at("von_mises_error").value, 0.02, 1e-3);
+  EXPECT_NEAR(summary.quantities.at("von_mises_depth_error").value, 0.05, 2e-3);
+  EXPECT_EQ(summary_of(sphere_result(1.0), sphere)
+                .quantities.count("von_mises_error"),
+            0U);
+}
+
 // Claim: rows that did not converge are not held against anything.
 TEST(ExactQuantities, LeaveOutFailedRows) {
   results::Result result = wave_result(0.0, 0.0);
