@@ -123,11 +123,17 @@ bool BenchRunner::is_spent() const {
 BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   const fs::path folder = options_.folder / fmt::format("run-{}", ++n_runs_);
   const fs::path log = options_.folder / "last-run.log";
-  std::vector<std::string> words{"run",       options_.case_file.string(),
-                                 "--methods", point.method,
-                                 "--exactly", "--no-report",
-                                 "--threads", "1",
-                                 "--out",     folder.string()};
+  std::vector<std::string> words{"run",
+                                 options_.case_file.string(),
+                                 "--methods",
+                                 point.method,
+                                 "--exactly",
+                                 "--no-report",
+                                 "--no-cache",
+                                 "--threads",
+                                 "1",
+                                 "--out",
+                                 folder.string()};
   for (const std::vector<std::string>* overrides :
        std::initializer_list<const std::vector<std::string>*>{&options_.common,
                                                               &point.overrides})
