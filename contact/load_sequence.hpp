@@ -35,9 +35,10 @@ class LoadSequence {
 public:
   /// @param elasticity     taken over; its scratch is used
   /// @param heights        h [m], grid.size() values
-  /// @param gap_tolerance  [m] > 0, see ContactProblem; no less than the rounding
+  /// @param gap_tolerance  [m] > 0, see ContactProblem; no less than the
+  /// rounding
   ///                       of the depth c p_0 that a soft penalty is pressed
-  ///                       in, (8 + sqrt(N)/2) eps of it on N nodes
+  ///                       in, (8 + N/8) eps of it on N nodes
   /// @throws std::domain_error  a size or a number is outside its range
   LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
                std::vector<double> heights, const Interface& interface,
