@@ -35,7 +35,8 @@ struct AskedContact {
 };
 
 /// The rounding of a gap [m]: 64 eps of the largest of the terms it is made of,
-/// the transform of the pressure taken at the longest wave's compliance.
+/// the transform of the pressure taken at the longest wave's compliance, and
+/// N/8 eps more of the depth c p, which is summed over N nodes.
 double gap_rounding(const AskedContact& asked,
                     const contact::ContactSolution& solution);
 
