@@ -23,6 +23,7 @@ constexpr double iterations_exponent = 0.4;
 constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
 constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
 
+constexpr double program_time = 0.3;     ///< of a run with nothing to do [s]
 constexpr double fem_load_time = 0.25;   ///< of deal.II, CPU [s]
 constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
 constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
@@ -47,8 +48,8 @@ constexpr double magnification_time = 5.5e-3; ///< a load and zeta
 constexpr double adhesion_time = 0.45e-6;     ///< a ratio and step squared
 
 constexpr double mebibyte = 1024.0 * 1024.0;
-constexpr double program_memory = 45.0 * mebibyte;
-constexpr double fem_memory = 85.0 * mebibyte;
+constexpr double program_memory = 24.0 * mebibyte;
+constexpr double fem_memory = 110.0 * mebibyte;
 constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
 constexpr double doubles_an_atom = 60.0;
 constexpr double full_doubles_an_unknown = 150.0; ///< matrix and multigrid
@@ -186,6 +187,10 @@ double study_time(const cases::Case& rough_case, MachineRates& rates) {
   if (const auto& study = rough_case.adhesion_study)
     time += adhesion_time * study->points * study->steps * study->steps;
   return rates.slowness() * time;
+}
+
+double base_time(MachineRates& rates) {
+  return rates.slowness() * program_time;
 }
 
 double base_memory(bool uses_fem) {

@@ -36,6 +36,9 @@ int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
 /// Of the tables of [magnification] and [adhesion], CPU [s].
 double study_time(const cases::Case& rough_case, MachineRates& rates);
 
+/// Of a run in which nothing is computed: start, surfaces, file. CPU [s].
+double base_time(MachineRates& rates);
+
 /// Of the program alone, and with the finite elements loaded [B].
 double base_memory(bool uses_fem);
 

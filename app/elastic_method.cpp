@@ -305,6 +305,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                     grid, block_of(*half, material_, surface.scales)),
                 threads),
             0.0};
+  const fem::FemRoom& room = fem::load_fem_room(); // no part of what is kept
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);
@@ -313,7 +314,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
       keys_.face(fmt::format("{} {} {}", operator_key(method, surface),
                              asked.youngs_modulus, asked.poisson_ratio)),
       threads, face.saved_setup_time);
-  face.elasticity = fem::load_fem_room().condensed(asked);
+  face.elasticity = room.condensed(asked);
   return face;
 }
 

@@ -50,7 +50,7 @@ double wall_time(const Plan& plan) {
     shared += work;
     longest = std::max(longest, work / std::max(1, method.realizations));
   }
-  return alone + std::max(longest, shared / plan.threads);
+  return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
 double peak_memory(const Plan& plan, const cases::Case& rough_case,
@@ -126,7 +126,8 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   if (const MethodSpec* theory = cases::study_theory(methods);
       theory != nullptr && !has_tables(rough_case, *theory, keys, cache))
     plan.study_time = study_time(rough_case, rates);
-  plan.cpu_time += plan.study_time;
+  plan.base_time = base_time(rates);
+  plan.cpu_time += plan.base_time + plan.study_time;
   plan.wall_time = wall_time(plan);
   plan.memory = peak_memory(plan, rough_case, grid, uses_fem);
   plan.disk = result_bytes(rough_case, methods, grid);

@@ -30,6 +30,7 @@ struct Plan {
   std::vector<PlannedMethod> methods;
   std::vector<results::Skipped> skipped;
   int threads = 1;
+  double base_time = 0.0;  ///< of the program itself, CPU [s]
   double study_time = 0.0; ///< of tables, CPU [s]
   double cpu_time = 0.0;   ///< of the run, without the report [s]
   double wall_time = 0.0;  ///< [s]

@@ -102,7 +102,7 @@ TEST_F(PlannedRun, LeavesTheDiskAlone) {
 TEST_F(PlannedRun, AddsUp) {
   const Plan planned = plan();
 
-  double sum = 0.0;
+  double sum = planned.base_time;
   for (const PlannedMethod& method : planned.methods)
     sum += method.setup_time + method.step_time;
 
