@@ -25,6 +25,18 @@ bool means(const std::string& quantity, const std::string& column) {
          (quantity == any_area && reports::is_area(column));
 }
 
+/// Needs the term of the corrected count.
+double bias_of(const std::string& column, const Forecast::Term& term,
+               const Forecast::Term& corrected, const BenchAnswer& finest) {
+  const auto count = finest.values.find(corrected_area);
+  const auto other = finest.values.find(column);
+  const double difference = reports::rms_difference(
+      other->second, count->second, reports::scale_of(corrected_area, finest));
+  return std::isfinite(difference)
+             ? std::max(0.0, difference - term.error - corrected.error)
+             : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 double Forecast::error(const std::string& quantity, int points,
@@ -104,18 +116,6 @@ Forecast::Term term_of(std::span<const BenchPoint> coarse,
                        static_cast<double>(coarse[n - 2].points);
   term.error = difference(n - 1) / (std::pow(ratio, term.order) - 1.0);
   return term;
-}
-
-/// Needs the term of the corrected count.
-double bias_of(const std::string& column, const Forecast::Term& term,
-               const Forecast::Term& corrected, const BenchAnswer& finest) {
-  const auto count = finest.values.find(corrected_area);
-  const auto other = finest.values.find(column);
-  const double difference = reports::rms_difference(
-      other->second, count->second, reports::scale_of(corrected_area, finest));
-  return std::isfinite(difference)
-             ? std::max(0.0, difference - term.error - corrected.error)
-             : std::numeric_limits<double>::infinity();
 }
 
 void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
