@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -53,8 +54,8 @@ BenchPhases phases_of(const results::Result& result,
     phases.setup += curve.setup_cpu_time;
     for (const results::CurvePoint& row : curve.points) {
       step_time += row.cpu_time;
-      phases.transforms += std::max(row.transform_time, 0.0); // NaN: 0
-      phases.observation += std::max(row.observation_time, 0.0);
+      phases.transforms += std::fmax(row.transform_time, 0.0); // NaN: 0
+      phases.observation += std::fmax(row.observation_time, 0.0);
     }
   }
   if (method.kind == "theory") // whose set-up time is that of all its rows
