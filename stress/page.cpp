@@ -25,7 +25,7 @@ table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabul
 th { text-align: left; color: #59636e; border-bottom: 1.5px solid #1b1f24; padding: .3rem .9rem .3rem 0; }
 td { border-bottom: 1px solid #d8dee4; padding: .3rem .9rem .3rem 0; vertical-align: top; }
 td.n, th.n { text-align: right; }
-code { font-size: .85rem; background: #f6f8fa; padding: .1rem .3rem; }
+code { white-space: nowrap; font-size: .85rem; background: #f6f8fa; padding: .1rem .3rem; }
 .wide { overflow-x: auto; }
 svg text { font-family: inherit; }
 </style></head><body>
@@ -69,7 +69,7 @@ std::string colour_of(const Counts& counts) {
     return "#ffffff";
   if (counts.others() > 0)
     return fmt::format("hsl(4,75%,{:.0f}%)",
-                       70.0 - 30.0 * counts.others() / counts.all());
+                       85.0 - 45.0 * counts.others() / counts.all());
   if (counts.of(Outcome::verified) == 0)
     return "#9aa4af";
   const double tone = std::min(1.0, std::log10(1.0 + counts.all()) / 3.0);
