@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace asperity::app {
 namespace {
@@ -52,6 +53,7 @@ private:
 
   const AskedScene& scene_;
   MachineRates& rates_;
+  bool has_operator_ = false; ///< listed once, because methods share it
 };
 
 void Skips::add_methods_left_out() {
@@ -158,7 +160,7 @@ void Skips::add_of_fem(const MethodSpec& method,
        all_steps(method) * full.step_time, full.memory});
   const MethodCost cost =
       cost_of(scene_.rough_case, method, scene_.grid, rates_);
-  if (scene_.grid.is_square())
+  if (scene_.grid.is_square() && !std::exchange(has_operator_, true))
     list.push_back(
         {fmt::format("{}: {} of {} wavevectors of the operator", method.name,
                      count_text(0.375 * nodes()), count_text(0.5 * nodes())),

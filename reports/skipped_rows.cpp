@@ -18,9 +18,9 @@ std::string time_text(double seconds) {
 }
 
 std::string size_text(double bytes) {
-  return std::isnan(bytes) || bytes == 0.0
-             ? "–"
-             : fmt::format("{:.3g} MB", 1e-6 * bytes);
+  return std::isnan(bytes) || bytes == 0.0 ? "–"
+         : bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes)
+                       : fmt::format("{:.3g} GB", 1e-9 * bytes);
 }
 
 } // namespace
