@@ -48,7 +48,8 @@ struct ContactSolution {
 
 /// Projected preconditioned conjugate gradients on the free nodes, which are
 /// those in contact and those that overlap. One iteration: residual gap r on
-/// the free nodes, direction from (C + c)^-1 r masked to them, Polak-Ribiere
+/// the free nodes, continued over the rim (RimExtension), direction from
+/// (C + c)^-1 masked to them, folded back the same way, Polak-Ribiere
 /// conjugation, exact step, pressures cut at 0. Nodes that overlap enter with
 /// what the direction gives them, so no scale for their entry is guessed.
 ///
