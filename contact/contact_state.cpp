@@ -40,19 +40,6 @@ struct AdvanceSums {
 
 } // namespace
 
-ContactState::Slopes& ContactState::Slopes::operator+=(const Slopes& other) {
-  now += other.now;
-  change += other.change;
-  return *this;
-}
-
-ContactState::ContactSums&
-ContactState::ContactSums::operator+=(const ContactSums& other) {
-  residual += other.residual;
-  weight += other.weight;
-  return *this;
-}
-
 ContactState::ContactState(SurfaceOperator& elasticity_,
                            const ContactProblem& problem_,
                            const LoadTarget& target_,

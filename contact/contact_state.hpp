@@ -53,7 +53,12 @@ public:
 
   struct Slopes {
     double now = 0.0, change = 0.0;
-    Slopes& operator+=(const Slopes& other);
+
+    Slopes& operator+=(const Slopes& other) {
+      now += other.now;
+      change += other.change;
+      return *this;
+    }
   };
 
   /// r . z, and its part that is new since the last residual; z = field - mean
@@ -91,7 +96,12 @@ public:
 private:
   struct ContactSums {
     double residual = 0.0, weight = 0.0;
-    ContactSums& operator+=(const ContactSums& other);
+
+    ContactSums& operator+=(const ContactSums& other) {
+      residual += other.residual;
+      weight += other.weight;
+      return *this;
+    }
   };
 
   void compute_raw_gap();
