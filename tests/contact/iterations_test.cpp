@@ -39,7 +39,7 @@ int most_iterations(int points) {
 // measured, because rounding moves a count by one or two.
 TEST(Iterations, StayFewAtAnyLoad) {
   EXPECT_LE(most_iterations(128), 18);
-  EXPECT_LE(most_iterations(256), 22);
+  EXPECT_LE(most_iterations(256), 18);
 }
 
 // Claim: the partition of every sum is fixed, so threads change no bit.
