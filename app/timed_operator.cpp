@@ -32,9 +32,16 @@ void TimedOperator::displacement(std::span<const double> pressure,
   tally_->cpu_time += clock.seconds();
 }
 
-void TimedOperator::pressure_estimate(std::span<const double> gap,
+void TimedOperator::displacement_change(std::span<const float> pressure_change,
+                                        std::span<float> displacement_change) {
+  const CpuClock clock(n_threads_);
+  measured_->displacement_change(pressure_change, displacement_change);
+  tally_->cpu_time += clock.seconds();
+}
+
+void TimedOperator::pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
-                                      std::span<double> pressure) {
+                                      std::span<float> pressure) {
   const CpuClock clock(n_threads_);
   measured_->pressure_estimate(gap, local_compliance, pressure);
   tally_->cpu_time += clock.seconds();
@@ -42,6 +49,10 @@ void TimedOperator::pressure_estimate(std::span<const double> gap,
 
 double TimedOperator::short_wave_compliance() const {
   return measured_->short_wave_compliance();
+}
+
+int TimedOperator::threads() const {
+  return measured_->threads();
 }
 
 std::unique_ptr<contact::SurfaceOperator> TimedOperator::coarsened() const {

@@ -28,9 +28,12 @@ public:
   std::span<const double> nodal_weights() const override;
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override;
-  void pressure_estimate(std::span<const double> gap, double local_compliance,
-                         std::span<double> pressure) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
   double short_wave_compliance() const override;
+  int threads() const override;
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
 
 private:
