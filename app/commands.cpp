@@ -277,7 +277,7 @@ ExitCode check_targets(const std::vector<std::string>& targets,
     for (const auto& [found, rough_case, reference, overrides] :
          asked->second.cases) {
       const fs::path folder = fs::path("out") / found.name;
-      if (run_case(rough_case, {folder, {}, false, 0, reference, false, &cache})
+      if (run_case(rough_case, {folder, {}, false, 0, reference, &cache})
               .is_interrupted)
         return exit_interrupted;
       judge(write_outputs(folder));

@@ -14,10 +14,10 @@ using cases::Element;
 // Measured on a 2-core AMD EPYC in the release build; MachineRates::slowness()
 // carries the times to another machine.
 
-/// Iterations a warm load step: 24 and 21 in `polymer` at 512^2 (half-space,
+/// Iterations a warm load step: 17 in `polymer` at 512^2 (half-space,
 /// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow. One
 /// sphere or wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
-constexpr double iterations_at_512 = 22.0;
+constexpr double iterations_at_512 = 17.0;
 constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;
 constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three

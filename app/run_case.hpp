@@ -19,8 +19,8 @@ struct RunOptions {
   bool resume = false;
   int threads = 0;            ///< 0: as many as the machine has
   std::string reference = {}; ///< text of the case's reference.csv, or empty
-  bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
   Cache* cache = nullptr;     ///< null: all is computed, nothing is kept
+  bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
 };
 
 struct RunOutcome {

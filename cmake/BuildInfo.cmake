@@ -6,6 +6,7 @@
 # And the stamp of what decides the numbers: every source of every room, and
 # TOOLS (compiler, flags, libraries). Left out by name is what only speaks, so
 # that a file nobody thought of counts. A glob, because a list could forget one.
+cmake_minimum_required(VERSION 3.25)
 set(commit "unknown")
 set(dirty "unknown")
 find_program(GIT git)

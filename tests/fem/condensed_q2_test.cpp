@@ -86,10 +86,13 @@ TEST(Q2, HasTheSameBitsInBinaryUnits) {
 
   const std::vector<double> by_first = displacement(first, pressure);
   const std::vector<double> by_second = displacement(second, pressure);
-  std::vector<double> inverse_first(pressure.size());
-  std::vector<double> inverse_second(pressure.size());
-  first.pressure_estimate(by_first, 1e-18, inverse_first);
-  second.pressure_estimate(by_second, 1e-18 * 0x1p+37, inverse_second);
+  std::vector<float> inverse_first(pressure.size());
+  std::vector<float> inverse_second(pressure.size());
+  first.pressure_estimate(std::vector<float>(by_first.begin(), by_first.end()),
+                          1e-18, inverse_first);
+  second.pressure_estimate(
+      std::vector<float>(by_second.begin(), by_second.end()), 1e-18 * 0x1p+37,
+      inverse_second);
 
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     EXPECT_EQ(by_first[i] * 0x1p+37, by_second[i]);
@@ -99,7 +102,8 @@ TEST(Q2, HasTheSameBitsInBinaryUnits) {
 
 // Claim: the interface's promises: weighted symmetry, no weighted mean, and an
 // estimate that inverts C + c but for the mean. Tolerances: rounding of two
-// transforms, and for the inverse times its condition, some 100.
+// transforms, and for the inverse single precision times its condition, some
+// 100.
 TEST(Q2, KeepsTheOperatorsPromises) {
   const Grid grid{20, 12, 1e-6, 1e-6};
   Q2Operator block(condensed_compliance_q2(
