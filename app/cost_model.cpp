@@ -14,10 +14,10 @@ using cases::Element;
 // Measured on a 2-core AMD EPYC in the release build; MachineRates::slowness()
 // carries the times to another machine.
 
-/// Iterations a warm load step: 17 in `polymer` at 512^2 (half-space,
+/// Iterations a warm load step: 18 and 19 in `polymer` at 512^2 (half-space,
 /// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow. One
 /// sphere or wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
-constexpr double iterations_at_512 = 17.0;
+constexpr double iterations_at_512 = 18.0;
 constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;
 constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
@@ -46,6 +46,12 @@ constexpr double theory_setup_time = 1e-3;
 constexpr double theory_step_time = 1e-4;
 constexpr double magnification_time = 5.5e-3; ///< a load and zeta
 constexpr double adhesion_time = 0.45e-6;     ///< a ratio and step squared
+
+/// Planes of a map's search, at 512^2 in `hertz`, and of a section; a plane is
+/// six transforms and as much again for the waves and the stress.
+constexpr double planes_a_map = 35.0;
+constexpr double planes_a_section = 49.0;
+constexpr double transform_pairs_a_plane = 6.0;
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 constexpr double program_memory = 24.0 * mebibyte;
@@ -187,6 +193,12 @@ double study_time(const cases::Case& rough_case, MachineRates& rates) {
   if (const auto& study = rough_case.adhesion_study)
     time += adhesion_time * study->points * study->steps * study->steps;
   return rates.slowness() * time;
+}
+
+double stress_time(int n_maps, const Grid& grid, MachineRates& rates) {
+  return n_maps == 0 ? 0.0
+                     : (n_maps * planes_a_map + planes_a_section) *
+                           transform_pairs_a_plane * rates.transform_time(grid);
 }
 
 double base_time(MachineRates& rates) {

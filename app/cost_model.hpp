@@ -36,6 +36,10 @@ int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
 /// Of the tables of [magnification] and [adhesion], CPU [s].
 double study_time(const cases::Case& rough_case, MachineRates& rates);
 
+/// Of the stress below the face, for `n_maps` kept maps on the grid and a
+/// section, of one method, CPU [s].
+double stress_time(int n_maps, const Grid& grid, MachineRates& rates);
+
 /// Of a run in which nothing is computed: start, surfaces, file. CPU [s].
 double base_time(MachineRates& rates);
 

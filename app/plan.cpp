@@ -126,6 +126,12 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   if (const MethodSpec* theory = cases::study_theory(methods);
       theory != nullptr && !has_tables(rough_case, *theory, keys, cache))
     plan.study_time = study_time(rough_case, rates);
+  if (rough_case.report.stress_inside)
+    for (const MethodSpec& method : methods)
+      if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+        plan.study_time +=
+            stress_time(static_cast<int>(steps_with_fields(rough_case).size()),
+                        grid, rates);
   plan.base_time = base_time(rates);
   plan.cpu_time += plan.base_time + plan.study_time;
   plan.wall_time = wall_time(plan);

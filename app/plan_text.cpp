@@ -46,8 +46,8 @@ std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
                     count_text(method.unknowns), time_text(method.setup_time),
                     time_text(method.step_time), size_text(method.memory));
   if (plan.study_time > 0.0)
-    text +=
-        fmt::format("tables of studies: CPU {}\n", time_text(plan.study_time));
+    text += fmt::format("tables of studies and of the stress inside: CPU {}\n",
+                        time_text(plan.study_time));
   text += fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, "
                       "result {} (the report comes on top)\n",
                       time_text(plan.cpu_time), time_text(plan.wall_time),

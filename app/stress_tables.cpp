@@ -15,7 +15,7 @@ using contact::StressInside;
 using contact::StressPeak;
 using contact::StressPlane;
 
-constexpr int section_rows = 65;      ///< planes of a section, the face's too
+constexpr int section_rows = 49;      ///< planes of a section, the face's too
 constexpr int section_columns = 257;  ///< at most
 constexpr double section_depth = 4.0; ///< in depths of the strongest point
 constexpr double section_reach = 6.0; ///< to either side, in the same
@@ -72,10 +72,10 @@ results::Table stress_table(const std::string& method,
 
 results::Table stress_section(const std::string& method,
                               const contact::ElasticBlock& block,
-                              const results::Fields& map, int threads) {
+                              const results::Fields& map,
+                              const StressPeak& peak, int threads) {
   const Grid& grid = map.grid;
   const StressInside inside(grid, block, map.pressure, threads);
-  const StressPeak peak = inside.strongest();
   const int peak_x = static_cast<int>(peak.node) % grid.points_x;
   const int peak_y = static_cast<int>(peak.node) / grid.points_x;
   const std::vector<int> offsets = offsets_of(grid, peak.depth);
@@ -118,13 +118,23 @@ void record_stress_inside(const cases::Case& rough_case,
       continue;
     const contact::ElasticBlock block =
         continuum_of(*method, rough_case.material, scales);
-    writer.record_table(stress_table(method->name, block, maps, threads));
+    const results::Table table =
+        stress_table(method->name, block, maps, threads);
+    writer.record_table(table);
     const auto heaviest = std::max_element(
         maps.begin(), maps.end(), [](const auto& a, const auto& b) {
           return a.nominal_pressure < b.nominal_pressure;
         });
-    writer.record_table(
-        stress_section(method->name, block, *heaviest, threads));
+    const auto row = static_cast<std::size_t>(heaviest - maps.begin());
+    writer.record_table(stress_section(
+        method->name, block, *heaviest,
+        {table.values("von_mises")[row], table.values("depth")[row],
+         heaviest->grid.index(
+             static_cast<int>(std::lround(table.values("x")[row] /
+                                          heaviest->grid.spacing_x())),
+             static_cast<int>(std::lround(table.values("y")[row] /
+                                          heaviest->grid.spacing_y())))},
+        threads));
   }
 }
 

@@ -17,13 +17,14 @@ results::Table stress_table(const std::string& method,
                             const contact::ElasticBlock& block,
                             std::span<const results::Fields> maps, int threads);
 
-/// The von Mises stress of one map in the plane of x and depth through its
-/// strongest point: rows of depth, x fastest, from the face to four times the
-/// point's depth and six times to either side (or the whole side); x from the
-/// point.
+/// The von Mises stress of one map in the plane of x and depth through `peak`,
+/// its strongest point: rows of depth, x fastest, from the face to four times
+/// the point's depth and six times to either side (or the whole side); x from
+/// the point.
 results::Table stress_section(const std::string& method,
                               const contact::ElasticBlock& block,
-                              const results::Fields& map, int threads);
+                              const results::Fields& map,
+                              const contact::StressPeak& peak, int threads);
 
 /// Records both for every method of the result that kept maps, if the case
 /// asks for it ([report] stress_inside): "stress-inside-<method>" of

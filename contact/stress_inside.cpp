@@ -16,7 +16,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Beyond this q d the far face is felt below rounding.
+/// Beyond this q d the far face is felt below rounding, and a wave has died out
+/// at this q z.
 constexpr double deep = 40.0;
 
 /// Unit vector along q; the modes that a grid cannot tell from their opposite
@@ -166,6 +167,8 @@ StressPlane StressInside::at_depth(double depth) const {
   for (std::size_t mode = 1; mode < spectrum_.size(); ++mode) {
     const Direction n = direction_of(grid_, static_cast<int>(mode) % columns,
                                      static_cast<int>(mode) / columns);
+    if (n.length * depth > deep && n.length * (block_.thickness - depth) > deep)
+      continue;
     const Wave wave = wave_at(mode, n.length, depth);
     const Complex pressure = spectrum_[mode];
     const double across = nu * (wave.stress_qq + wave.stress_zz);
@@ -196,12 +199,12 @@ std::vector<double> StressInside::von_mises_at(double depth) const {
 StressPeak StressInside::strongest() const {
   const double spacing = std::min(grid_.spacing_x(), grid_.spacing_y());
   const double deepest = std::min(
-      block_.thickness, 2.0 * std::max(grid_.length_x, grid_.length_y));
+      block_.thickness, 0.5 * std::max(grid_.length_x, grid_.length_y));
   const auto strength = [&](double depth) {
     const std::vector<double> map = von_mises_at(depth);
     return *std::max_element(map.begin(), map.end());
   };
-  constexpr double ratio = 1.1;
+  constexpr double ratio = 1.25;
   double best_depth = std::min(spacing, deepest);
   double best = 0.0;
   for (double depth = best_depth; depth <= deepest; depth *= ratio)

@@ -68,7 +68,11 @@ TEST(StressTables, HaveASectionThroughThatPoint) {
       hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));
   const results::Table peak = stress_table("fem", halfspace(), {{map}}, 1);
 
-  const results::Table section = stress_section("fem", halfspace(), map, 1);
+  const contact::StressPeak point{peak.values("von_mises").front(),
+                                  peak.values("depth").front(),
+                                  map.grid.index(20, 40)};
+  const results::Table section =
+      stress_section("fem", halfspace(), map, point, 1);
 
   const std::vector<double> x = section.values("x");
   const std::vector<double> depth = section.values("depth");
