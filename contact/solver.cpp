@@ -1,11 +1,13 @@
 #include "contact/solver.hpp"
 
+#include "contact/active_set.hpp"
 #include "contact/chunked_sum.hpp"
 #include "contact/contact_state.hpp"
 #include "contact/node_weights.hpp"
 #include "contact/rim_extension.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace asperity::contact {
@@ -191,17 +193,29 @@ private:
 };
 
 ContactSolution hand_over(ContactState&& state) {
-  ContactProblem rest = state.problem;
-  const int done = state.iterations;
-  const int transforms = state.transforms;
-  rest.max_iterations = std::max(1, rest.max_iterations - done);
+  const std::string stalled =
+      "stalled after " + std::to_string(state.iterations) + " iterations; ";
   ContactSolution answer =
-      polonsky_keer(state.elasticity, rest, state.target, state.pressure);
-  answer.iterations += done;
-  answer.transforms += transforms;
-  answer.note = "stalled after " + std::to_string(done) +
-                " iterations; finished by the plain method" +
-                (answer.note.empty() ? "" : ": " + answer.note);
+      active_set(state.elasticity, state.problem, state.target, state.pressure);
+  std::string note = stalled + "finished by an active set";
+  if (!answer.note.empty())
+    note += ": " + answer.note;
+  int iterations = state.iterations + answer.iterations;
+  int transforms = state.transforms + answer.transforms;
+  if (!answer.converged) {
+    ContactProblem rest = state.problem;
+    rest.max_iterations = std::max(1, rest.max_iterations - iterations);
+    answer =
+        polonsky_keer(state.elasticity, rest, state.target, answer.pressure);
+    iterations += answer.iterations;
+    transforms += answer.transforms;
+    note += "; then by the plain method";
+    if (!answer.note.empty())
+      note += ": " + answer.note;
+  }
+  answer.iterations = iterations;
+  answer.transforms = transforms;
+  answer.note = std::move(note);
   return answer;
 }
 
