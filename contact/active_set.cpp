@@ -1,10 +1,8 @@
 #include "contact/active_set.hpp"
 
-#include "contact/fourier_operator.hpp"
+#include "contact/active_system.hpp"
 #include "contact/problem_start.hpp"
 #include "contact/projected_state.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +20,6 @@ constexpr double rounding_of_a_field =
 
 /// Shortest part of a Newton step that is tried with cutting.
 constexpr double shortest_part = 1.0 / 64.0;
-
-/// Numbers in the columns of C that are kept: 128 MB.
-constexpr std::size_t most_numbers = std::size_t{1} << 24;
 
 double largest(std::span<const double> field) {
   double most = 0.0;
@@ -49,59 +44,13 @@ double long_wave_compliance(SurfaceOperator& elasticity) {
   return largest(answer);
 }
 
-/// C between pairs of nodes, from columns that are taken when first asked for.
-/// A block that looks the same at every node has one.
-class Columns {
-public:
-  explicit Columns(SurfaceOperator& elasticity)
-      : elasticity_(elasticity),
-        is_homogeneous_(dynamic_cast<FourierOperator*>(&elasticity) != nullptr),
-        columns_(is_homogeneous_ ? 1 : elasticity.grid().size()) {}
-
-  /// Displacement at one node by a unit pressure at the other [m/Pa].
-  double between(std::size_t node, std::size_t other) {
-    if (!is_homogeneous_)
-      return column(other)[node];
-    const Grid& grid = elasticity_.grid();
-    const auto nx = static_cast<std::size_t>(grid.points_x);
-    const auto ny = static_cast<std::size_t>(grid.points_y);
-    const std::size_t dx = (node % nx + nx - other % nx) % nx;
-    const std::size_t dy = (node / nx + ny - other / nx) % ny;
-    return column(0)[dy * nx + dx];
-  }
-
-  /// Numbers kept if so many nodes are asked for.
-  std::size_t numbers_for(std::size_t nodes) const {
-    return (is_homogeneous_ ? 1 : nodes) * elasticity_.grid().size();
-  }
-
-  int taken() const { return taken_; }
-
-private:
-  const std::vector<double>& column(std::size_t node) {
-    std::vector<double>& column = columns_[node];
-    if (column.empty()) {
-      std::vector<double> unit(elasticity_.grid().size());
-      unit[node] = 1.0;
-      column.resize(unit.size());
-      elasticity_.displacement(unit, column);
-      ++taken_;
-    }
-    return column;
-  }
-
-  SurfaceOperator& elasticity_;
-  bool is_homogeneous_;
-  std::vector<std::vector<double>> columns_;
-  int taken_ = 0;
-};
-
 class ActiveSet {
 public:
   explicit ActiveSet(ProjectedState& state)
       : state_(state),
         weights_(state.elasticity.nodal_weights()),
-        columns_(state.elasticity),
+        system_(state.elasticity, state.problem.local_compliance,
+                state.target.kind == LoadTarget::Kind::nominal_pressure),
         direction_(state.pressure.size()),
         change_(state.pressure.size()),
         compliance_change_(state.pressure.size()) {}
@@ -110,12 +59,9 @@ public:
   std::string step() {
     choose_free_nodes();
     for (;;) {
-      if (free_.size() > most_active_nodes ||
-          columns_.numbers_for(free_.size()) > most_numbers)
-        return std::to_string(free_.size()) +
-               " nodes in contact, too many for an active set";
-      if (!find_direction())
-        return "the compliance of the contact is singular to rounding";
+      std::string reason = find_direction();
+      if (!reason.empty())
+        return reason;
       const double whole = feasible_part();
       if (whole >= 1.0 || !cut_step_falls(whole)) {
         if (whole == 0.0 && bar_entries())
@@ -127,15 +73,11 @@ public:
     }
   }
 
-  int columns_taken() const { return columns_.taken(); }
+  int transforms() const { return system_.transforms(); }
 
 private:
   double weight(std::size_t node) const {
     return weights_.empty() ? 1.0 : weights_[node];
-  }
-
-  bool by_pressure() const {
-    return state_.target.kind == LoadTarget::Kind::nominal_pressure;
   }
 
   void choose_free_nodes() {
@@ -145,53 +87,13 @@ private:
         free_.push_back(i);
   }
 
-  /// The compliance of the free nodes, weighted: symmetric. A uniform part
-  /// changes no step that keeps the load and bounds the softest mode away from
-  /// 0; in full contact there is nothing else to bound it.
-  Eigen::MatrixXd matrix() {
-    const bool is_full = free_.size() == state_.pressure.size();
-    const double uniform = by_pressure() || is_full
-                               ? state_.elasticity.short_wave_compliance() /
-                                     static_cast<double>(state_.pressure.size())
-                               : 0.0;
-    const auto n = static_cast<Eigen::Index>(free_.size());
-    Eigen::MatrixXd result(n, n);
-    for (Eigen::Index b = 0; b < n; ++b) {
-      const std::size_t node = free_[static_cast<std::size_t>(b)];
-      for (Eigen::Index a = b; a < n; ++a) {
-        const std::size_t other = free_[static_cast<std::size_t>(a)];
-        result(a, b) = weight(other) *
-                       (columns_.between(other, node) + uniform * weight(node));
-      }
-      result(b, b) += weight(node) * state_.problem.local_compliance;
-    }
-    return result;
-  }
-
-  /// The step to the minimum on the free nodes; false if there is none.
-  bool find_direction() {
-    const auto n = static_cast<Eigen::Index>(free_.size());
-    const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(matrix());
-    if (factor.info() != Eigen::Success)
-      return false;
-    Eigen::VectorXd residual(n);
-    Eigen::VectorXd areas(n);
-    for (Eigen::Index a = 0; a < n; ++a) {
-      const std::size_t node = free_[static_cast<std::size_t>(a)];
-      areas[a] = weight(node);
-      residual[a] = -weight(node) * state_.residual[node];
-    }
-    Eigen::VectorXd step = factor.solve(residual);
-    if (by_pressure()) { // the rigid distance that keeps the load
-      const Eigen::VectorXd answer = factor.solve(areas);
-      step -= areas.dot(step) / areas.dot(answer) * answer;
-    }
-    std::fill(direction_.begin(), direction_.end(), 0.0);
-    for (Eigen::Index a = 0; a < n; ++a)
-      direction_[free_[static_cast<std::size_t>(a)]] = step[a];
+  /// The step to the minimum on the free nodes, or why there is none.
+  std::string find_direction() {
+    std::string reason = system_.solve(
+        free_, state_.residual, 0.1 * state_.problem.gap_tolerance, direction_);
     // At the minimum <d, (C + c) d> = -<r, d>: E falls by half of it.
-    fall_ = 0.5 * residual.dot(step);
-    return std::isfinite(fall_);
+    fall_ = -0.5 * state_.dot(state_.residual, direction_);
+    return reason;
   }
 
   /// How much of the step leaves all pressures >= 0.
@@ -263,7 +165,7 @@ private:
 
   ProjectedState& state_;
   std::span<const double> weights_;
-  Columns columns_;
+  ActiveSystem system_;
   std::vector<std::size_t> free_;
   std::vector<double> direction_;
   std::vector<double> change_;
@@ -299,7 +201,7 @@ ContactSolution active_set(SurfaceOperator& elasticity,
     if (!reason.empty())
       break;
   }
-  state.transforms += nodes.columns_taken();
+  state.transforms += nodes.transforms();
   ContactSolution answer = std::move(state).solution();
   if (answer.converged && answer.gap_error > problem.gap_tolerance)
     answer.note = "to the rounding of a gap";
