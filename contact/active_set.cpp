@@ -18,8 +18,11 @@ namespace {
 constexpr double rounding_of_a_field =
     64.0 * std::numeric_limits<double>::epsilon();
 
-/// Shortest part of a Newton step that is tried with cutting.
-constexpr double shortest_part = 1.0 / 64.0;
+/// So often all wrong nodes are exchanged without becoming fewer.
+constexpr int patience = 10;
+
+/// Seen are some ten; one node at a time could be very many.
+constexpr int most_iterations = 200;
 
 double largest(std::span<const double> field) {
   double most = 0.0;
@@ -49,128 +52,98 @@ public:
   explicit ActiveSet(ProjectedState& state)
       : state_(state),
         weights_(state.elasticity.nodal_weights()),
-        system_(state.elasticity, state.problem.local_compliance,
-                state.target.kind == LoadTarget::Kind::nominal_pressure),
-        direction_(state.pressure.size()),
-        change_(state.pressure.size()),
-        compliance_change_(state.pressure.size()) {}
+        system_(state.elasticity, state.problem.local_compliance, keeps_load()),
+        is_free_(state.is_free),
+        residual_(state.pressure.size()),
+        balanced_(state.pressure.size()),
+        displacement_(state.pressure.size()) {}
 
   /// One iteration. Empty, or the reason why there is none.
   std::string step() {
-    choose_free_nodes();
-    for (;;) {
-      std::string reason = find_direction();
-      if (!reason.empty())
-        return reason;
-      const double whole = feasible_part();
-      if (whole >= 1.0 || !cut_step_falls(whole)) {
-        if (whole == 0.0 && bar_entries())
-          continue;
-        take_part(std::min(1.0, whole));
-      }
-      apply_change();
-      return {};
-    }
+    free_.clear();
+    for (std::size_t i = 0; i < is_free_.size(); ++i)
+      if (is_free_[i])
+        free_.push_back(i);
+    find_residual(state_.pressure, state_.displacement);
+    std::string reason = system_.solve(
+        free_, residual_, 0.1 * state_.problem.gap_tolerance, balanced_);
+    if (!reason.empty())
+      return reason;
+    for (std::size_t i = 0; i < balanced_.size(); ++i)
+      balanced_[i] += state_.pressure[i];
+    state_.elasticity.displacement(balanced_, displacement_);
+    find_residual(balanced_, displacement_);
+    exchange();
+    for (std::size_t i = 0; i < balanced_.size(); ++i)
+      state_.pressure[i] = std::max(0.0, balanced_[i]);
+    scale_to_target(state_.target, weights_, state_.pressure);
+    state_.elasticity.displacement(state_.pressure, state_.displacement);
+    state_.transforms += 2;
+    return {};
   }
 
   int transforms() const { return system_.transforms(); }
 
 private:
-  double weight(std::size_t node) const {
-    return weights_.empty() ? 1.0 : weights_[node];
+  bool keeps_load() const {
+    return state_.target.kind == LoadTarget::Kind::nominal_pressure;
   }
 
-  void choose_free_nodes() {
-    free_.clear();
-    for (std::size_t i = 0; i < state_.pressure.size(); ++i)
-      if (state_.is_free[i])
-        free_.push_back(i);
-  }
-
-  /// The step to the minimum on the free nodes, or why there is none.
-  std::string find_direction() {
-    std::string reason = system_.solve(
-        free_, state_.residual, 0.1 * state_.problem.gap_tolerance, direction_);
-    // At the minimum <d, (C + c) d> = -<r, d>: E falls by half of it.
-    fall_ = -0.5 * state_.dot(state_.residual, direction_);
-    return reason;
-  }
-
-  /// How much of the step leaves all pressures >= 0.
-  double feasible_part() const {
-    double part = std::numeric_limits<double>::infinity();
-    for (const std::size_t node : free_)
-      if (direction_[node] < 0.0)
-        part = std::min(part, state_.pressure[node] / -direction_[node]);
-    return part;
-  }
-
-  /// Sets the change to a part of the step with pressures below 0 cut, the
-  /// largest half of it that lowers E by no less than `whole` of it does.
-  bool cut_step_falls(double whole) {
-    const double least = (2.0 - whole) * whole * fall_;
-    std::vector<double> pressure(state_.pressure.size());
-    for (double part = 1.0; part >= std::max(whole, shortest_part);
-         part *= 0.5) {
-      for (std::size_t i = 0; i < pressure.size(); ++i)
-        pressure[i] = std::max(0.0, state_.pressure[i] + part * direction_[i]);
-      scale_to_target(state_.target, weights_, pressure);
-      for (std::size_t i = 0; i < pressure.size(); ++i)
-        change_[i] = pressure[i] - state_.pressure[i];
-      const double fall = -energy_change();
-      if (fall > 0.0 && fall >= least)
-        return true;
-    }
-    return false;
-  }
-
-  /// E of the change, from residual and compliance at the present pressure.
-  double energy_change() {
-    state_.elasticity.displacement(change_, compliance_change_);
-    ++state_.transforms;
-    const double c = state_.problem.local_compliance;
+  /// gap + c p of all nodes, its mean on the free ones 0 where the load is
+  /// prescribed.
+  void find_residual(std::span<const double> pressure,
+                     std::span<const double> displacement) {
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      residual_[i] = displacement[i] - state_.problem.heights[i] +
+                     state_.problem.local_compliance * pressure[i] +
+                     state_.rigid_distance;
+    if (!keeps_load())
+      return;
     double sum = 0.0;
-    for (std::size_t i = 0; i < change_.size(); ++i)
-      sum +=
-          weight(i) * change_[i] *
-          (state_.residual[i] + 0.5 * (compliance_change_[i] + c * change_[i]));
-    return sum;
+    double total = 0.0;
+    for (const std::size_t node : free_) {
+      const double weight = weights_.empty() ? 1.0 : weights_[node];
+      sum += weight * residual_[node];
+      total += weight;
+    }
+    for (double& value : residual_)
+      value -= sum / total;
   }
 
-  /// Takes nodes that would enter with p < 0 from the free ones.
-  bool bar_entries() {
-    return std::erase_if(free_, [&](std::size_t node) {
-             return state_.pressure[node] == 0.0 && direction_[node] < 0.0;
-           }) > 0;
-  }
-
-  void take_part(double part) {
-    for (std::size_t i = 0; i < change_.size(); ++i)
-      change_[i] = part * direction_[i];
-    if (part < 1.0) // the node that stops it leaves, whatever the rounding
-      for (const std::size_t node : free_)
-        if (direction_[node] < 0.0 &&
-            state_.pressure[node] / -direction_[node] <= part)
-          change_[node] = -state_.pressure[node];
-  }
-
-  void apply_change() {
-    std::vector<double>& pressure = state_.pressure;
-    for (std::size_t i = 0; i < pressure.size(); ++i)
-      pressure[i] = std::max(0.0, pressure[i] + change_[i]);
-    scale_to_target(state_.target, weights_, pressure);
-    state_.elasticity.displacement(pressure, state_.displacement);
-    ++state_.transforms;
+  /// Frees nodes that overlap and fixes those that are pulled; all of them as
+  /// long as they become fewer, else the last one only.
+  void exchange() {
+    const double tolerance = 0.5 * state_.problem.gap_tolerance;
+    const double softness = state_.elasticity.short_wave_compliance() +
+                            state_.problem.local_compliance;
+    wrong_.clear();
+    for (std::size_t i = 0; i < is_free_.size(); ++i)
+      if (is_free_[i] ? softness * balanced_[i] < -tolerance
+                      : residual_[i] < -tolerance)
+        wrong_.push_back(i);
+    if (wrong_.size() < fewest_) {
+      fewest_ = wrong_.size();
+      tries_left_ = patience;
+    } else if (tries_left_ > 0) {
+      --tries_left_;
+    } else if (!wrong_.empty()) {
+      wrong_ = {wrong_.back()};
+    }
+    for (const std::size_t node : wrong_)
+      is_free_[node] = is_free_[node] ? 0 : 1;
   }
 
   ProjectedState& state_;
   std::span<const double> weights_;
   ActiveSystem system_;
+  std::vector<std::uint8_t> is_free_;
   std::vector<std::size_t> free_;
-  std::vector<double> direction_;
-  std::vector<double> change_;
-  std::vector<double> compliance_change_;
-  double fall_ = 0.0; ///< of E over the whole step
+  std::vector<double> residual_; ///< gap + c p [m]
+  std::vector<double> balanced_; ///< p that balances the free nodes [Pa]
+  std::vector<double> displacement_;
+  std::vector<std::size_t> wrong_; ///< pulled, or overlapping
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  int tries_left_ = 0;
 };
 
 double gap_rounding(const ProjectedState& state, double long_wave) {
@@ -189,6 +162,9 @@ ContactSolution active_set(SurfaceOperator& elasticity,
   ProjectedState state(elasticity, problem, target, initial_pressure);
   const double long_wave = long_wave_compliance(elasticity);
   ++state.transforms;
+  state.problem.max_iterations =
+      std::min(problem.max_iterations, most_iterations);
+  state.update_residual();
   ActiveSet nodes(state);
   std::string reason;
   for (;; ++state.iterations) {

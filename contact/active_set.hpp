@@ -1,7 +1,8 @@
 #pragma once
 
 // The last resort of the contact solver: the set of nodes in contact is found
-// by exact Newton steps. For few nodes, where an iteration has stalled.
+// by exact solutions for fixed sets. For few nodes, where an iteration has
+// stalled.
 
 #include "contact/solver.hpp"
 
@@ -13,21 +14,17 @@ namespace asperity::contact {
 /// of 64^2 nodes is within it, whatever is in contact.
 inline constexpr std::size_t most_active_nodes = 2048;
 
-/// The same problem as solve_contact by an active set of quadratic
-/// programming. One iteration: with n of N nodes in contact or overlapping, the
-/// step d to the minimum of
-///
-///     E(p) = 1/2 <p, (C + c) p> - <p, h>  at the prescribed load (or gap)
-///
-/// on these nodes is taken, by a dense factor (ActiveSystem). Pressures below 0
-/// are cut if that lowers E by as much as the part of the step before the first
-/// of them falls to 0 does; if not for any half of the step, that part is the
-/// step, and nodes that would enter with p < 0 stay out. E falls in every
-/// iteration, so no set comes back and the method ends.
+/// The same problem as solve_contact by an active set: block principal
+/// pivoting. One iteration: with n of N nodes free, the pressure that balances
+/// them is found, of whatever sign, by a dense factor (ActiveSystem); then the
+/// nodes that are pulled are fixed and those that overlap are freed. All of
+/// them change sides as long as they become fewer within ten iterations, else
+/// the last one only, which always ends for a positive compliance.
 ///
 /// @param initial_pressure  as of solve_contact; the closer the fewer steps
 /// @return  as solve_contact; not converged, and says why, where n and
-///          N - n pass most_active_nodes, or after problem.max_iterations
+///          N - n pass most_active_nodes, or after 200 iterations
+///          or problem.max_iterations
 /// @throws std::domain_error  see solve_contact
 /// @par Accuracy  problem.gap_tolerance or, if that is larger, the rounding of
 ///      a gap: 64 eps (max |h| + |u| + p_max (C_max + c)), C_max that of the
@@ -37,8 +34,8 @@ inline constexpr std::size_t most_active_nodes = 2048;
 ///      as of second order, one application of C and a field of numbers more
 ///      for each node that is ever among the m. From a stalled iteration some
 ///      ten iterations.
-/// @see  C. L. Lawson, R. J. Hanson, Solving Least Squares Problems (1974),
-///       chapter 23, for one node at a time and no load.
+/// @see  L. F. Portugal, J. J. Judice, L. N. Vicente, Math. Comput. 63, 625
+///       (1994), without a prescribed load.
 ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,
                            const LoadTarget& target,

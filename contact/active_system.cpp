@@ -13,7 +13,26 @@
 namespace asperity::contact {
 namespace {
 
-using Factor = Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>;
+/// Cholesky's factor of a matrix brought to order 1 by a power of two, so that
+/// the roots in it are the same ones in all units.
+class Factor {
+public:
+  void compute(Eigen::MatrixXd matrix) {
+    scale_ = std::ldexp(1.0, -std::ilogb(matrix.diagonal().maxCoeff()));
+    matrix *= scale_;
+    factor_.compute(matrix);
+  }
+
+  bool exists() const { return factor_.info() == Eigen::Success; }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+    return factor_.solve(right) * scale_;
+  }
+
+private:
+  Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor_;
+  double scale_ = 1.0;
+};
 
 /// Conjugate gradients with a preconditioner of single precision take some
 /// five steps; a step that is left unfinished is still a way down.
@@ -78,14 +97,12 @@ public:
     }
     if (m > 0) {
       stiffness.diagonal() *= 1.0 + std::numeric_limits<float>::epsilon();
-      factor_.compute(stiffness);
+      factor_.compute(std::move(stiffness));
       of_areas_ = factor_.solve(areas_);
     }
   }
 
-  bool exists() const {
-    return fixed_.empty() || factor_.info() == Eigen::Success;
-  }
+  bool exists() const { return fixed_.empty() || factor_.exists(); }
 
   /// z = M r, 0 on the fixed nodes; r is 0 there and is used up.
   void apply(std::vector<double>& r, std::vector<double>& z) const {
@@ -97,7 +114,7 @@ public:
       Eigen::VectorXd held(length_of(fixed_));
       for (Eigen::Index a = 0; a < held.size(); ++a)
         held[a] = areas_[a] * z[at(fixed_, a)];
-      held = factor_.solve(held).eval();
+      held = factor_.solve(held);
       if (!system_.keeps_load_) {
         uniform = uniform_part(sum, areas_.dot(held));
         held += uniform * of_areas_;
@@ -186,8 +203,9 @@ bool ActiveSystem::solve_directly(std::span<const std::size_t> free,
           weight(at(free, a)) * compliance_.between(at(free, a), node);
     compliance(b, b) += weight(node) * local_compliance_;
   }
-  const Factor factor(compliance);
-  if (factor.info() != Eigen::Success)
+  Factor factor;
+  factor.compute(std::move(compliance));
+  if (!factor.exists())
     return false;
   Eigen::VectorXd answer = factor.solve(right);
   if (keeps_load_) {
