@@ -181,6 +181,8 @@ std::string ActiveSystem::solve(std::span<const std::size_t> free,
     return std::to_string(free.size()) + " of " + std::to_string(nodes) +
            " nodes in contact are too many for an active set";
   std::fill(step.begin(), step.end(), 0.0);
+  if (free.empty()) // under gap control nothing need touch
+    return {};
   const bool is_solved = is_direct
                              ? solve_directly(free, residual, step)
                              : solve_by_fixed(free, residual, tolerance, step);

@@ -50,7 +50,7 @@ public:
   ActiveSystem(SurfaceOperator& elasticity, double local_compliance,
                bool keeps_load);
 
-  /// @param free       F, increasing, not empty
+  /// @param free       F, increasing
   /// @param residual   r [m], a value a node of the grid
   /// @param tolerance  left of r at most in the second way [m] > 0
   /// @param step       d [Pa], a value a node; overwritten
