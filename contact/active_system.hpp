@@ -3,36 +3,14 @@
 // The linear problem of a fixed set of nodes in contact, solved by a dense
 // factor of the smaller of two matrices.
 
+#include "contact/columns.hpp"
 #include "contact/surface_operator.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::contact {
-
-/// A linear map of the face between pairs of nodes, from columns that are
-/// taken when first asked for. One that is the same at every node has one.
-class Columns {
-public:
-  /// column = the map of 1 at the node and 0 elsewhere
-  using Take =
-      std::function<void(std::size_t node, std::vector<double>& column)>;
-
-  Columns(const Grid& grid, bool is_homogeneous, Take take);
-
-  /// The value at one node of the map of 1 at the other.
-  double between(std::size_t node, std::size_t other);
-
-private:
-  const std::vector<double>& column(std::size_t node);
-
-  Grid grid_;
-  bool is_homogeneous_;
-  Take take_;
-  std::vector<std::vector<double>> columns_;
-};
 
 /// The step d on the free nodes F, 0 on the fixed ones Z, with
 ///

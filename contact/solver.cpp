@@ -13,7 +13,7 @@
 namespace asperity::contact {
 namespace {
 
-/// The residual must halve within so many iterations, or the plain method
+/// The residual must halve within so many iterations, or an active set
 /// takes over. Only plates with a free back thinner than length/20, whose
 /// compliance falls like q^-4, have been seen to need more than 60.
 constexpr int patience = 150;

@@ -54,9 +54,9 @@ struct ContactSolution {
 /// what the direction gives them, so no scale for their entry is guessed.
 ///
 /// A residual that has not halved within 150 iterations sends the problem to
-/// polonsky_keer(), from where the iteration stood; the note says so. A slab
-/// thinner than length/20 with a free back bends like a plate and may end
-/// unconverged in either.
+/// active_set(), and if that has too many nodes to polonsky_keer(), from where
+/// the iteration stood; the note says so. A slab thinner than length/20 with a
+/// free back bends like a plate and may need it.
 ///
 /// @param elasticity       C; its scratch is used
 /// @param initial_pressure start [Pa], grid.size() values >= 0 with a positive
