@@ -54,6 +54,9 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   asked.short_wave_compliance = range.shortest;
   asked.load_tolerance = force_tolerance;
 
+  // A flat surface's tolerance is the block's own, a share of the spacing.
+  const double tolerance_scale =
+      scene.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
   std::vector<StepSummary> summaries;
   for (const contact::LoadTarget& target :
        targets_of(scene, surface.height_scale)) {
@@ -73,7 +76,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
       return;
     }
     // The forces' tolerance is one of the gap as well, through C.
-    asked.gap_tolerance = relative_tolerance * surface.height_scale +
+    asked.gap_tolerance = relative_tolerance * tolerance_scale +
                           force_tolerance * range.longest *
                               *std::max_element(solution.pressure.begin(),
                                                 solution.pressure.end());
