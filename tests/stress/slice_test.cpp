@@ -46,6 +46,17 @@ TEST(Slice, RefusesEveryFlaw) {
     }
 }
 
+// Thin slabs with a free back, which both iterations leave unsolved: the
+// solver's active set answers them.
+TEST(Slice, HoldsPlates) {
+  for (const int index : {519, 944, 1738}) {
+    const SceneReport report = run_scene(draw_scene(1, index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << " " << report.check << ": " << report.reason;
+  }
+}
+
 // A flawed scene that nothing is wrong with is not refused, and that is seen.
 TEST(Slice, SeesWhatWasNotRefused) {
   Scene scene;
