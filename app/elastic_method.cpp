@@ -145,25 +145,6 @@ private:
   fem::BlockContact contact_;
 };
 
-std::string in_words(const ContactSettings& settings) {
-  const auto penalty = [&] {
-    const char* unit = settings.penalty.yardstick ==
-                               cases::Yardstick::contact_modulus_per_spacing
-                           ? "E*/h"
-                           : "Pa/m";
-    return fmt::format("{:g} {}", settings.penalty.value, unit);
-  };
-  switch (settings.law) {
-  case cases::ContactLaw::penalty:
-    return "penalty " + penalty();
-  case cases::ContactLaw::augmented:
-    return "augmented Lagrangian on a penalty of " + penalty();
-  case cases::ContactLaw::hard:
-    break;
-  }
-  return "hard wall";
-}
-
 bool is_full(const FemSettings& settings) {
   return settings.solver == cases::FemSolver::full;
 }
@@ -231,30 +212,6 @@ contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
     block.far_face = far_face_of(fem->top);
   }
   return block;
-}
-
-MethodDescription describe(const FemSettings& settings) {
-  const std::string solver =
-      is_full(settings) ? "the full three-dimensional block"
-      : settings.solver == cases::FemSolver::condensed
-          ? "condensed to the contact face"
-          : "condensed to the contact face (auto: the block is laterally "
-            "uniform)";
-  return {"fem",
-          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
-                      "{:g}, {}",
-                      settings.element == cases::Element::q1 ? "Q1" : "Q2",
-                      solver, settings.surface_cell_depth, settings.growth,
-                      in_words(settings.contact)),
-          is_full(settings)};
-}
-
-MethodDescription describe(const HalfspaceSettings& settings) {
-  return {"halfspace",
-          fmt::format("continuum {}, spectral, {}",
-                      settings.thickness ? "slab" : "half-space",
-                      in_words(settings.contact)),
-          false};
 }
 
 SolverFactory::SolverFactory(const cases::MaterialSpec& material, Cache& cache,
