@@ -1,9 +1,9 @@
 #include "app/bench_runner.hpp"
 
 #include "app/child_run.hpp"
-#include "app/cpu_clock.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "base/cpu_clock.hpp"
 #include "base/fourier.hpp"
 #include "reports/bench_answer.hpp"
 #include "results/result_reader.hpp"

@@ -1,9 +1,9 @@
 #include "app/elastic_method.hpp"
 
-#include "app/cpu_clock.hpp"
 #include "app/curve_row.hpp"
 #include "app/kept_face.hpp"
 #include "app/timed_operator.hpp"
+#include "base/cpu_clock.hpp"
 #include "results/area_estimate.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/kept_face.hpp"
 
-#include "app/cpu_clock.hpp"
+#include "base/cpu_clock.hpp"
 
 #include <cstring>
 

@@ -1,6 +1,6 @@
 #include "app/machine_rates.hpp"
 
-#include "app/cpu_clock.hpp"
+#include "base/cpu_clock.hpp"
 #include "base/fourier.hpp"
 #include "contact/halfspace.hpp"
 #include "contact/solver.hpp"

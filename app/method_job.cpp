@@ -1,9 +1,9 @@
 #include "app/method_job.hpp"
 
 #include "app/chosen.hpp"
-#include "app/cpu_clock.hpp"
 #include "app/interrupt.hpp"
 #include "app/theory_method.hpp"
+#include "base/cpu_clock.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/theory_method.hpp"
 
-#include "app/cpu_clock.hpp"
+#include "base/cpu_clock.hpp"
 #include "theory/persson.hpp"
 
 #include <fmt/format.h>

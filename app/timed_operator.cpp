@@ -1,6 +1,6 @@
 #include "app/timed_operator.hpp"
 
-#include "app/cpu_clock.hpp"
+#include "base/cpu_clock.hpp"
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 #include "results/result_writer.hpp"
 
+#include "base/cpu_clock.hpp"
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
 #include "results/curve_storage.hpp"
@@ -12,18 +13,10 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <stdexcept>
 
 namespace asperity::results {
 namespace {
-
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) +
-         1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 void require_index(const char* name, int index) {
   require_between(name, index, 0, layout::most_realizations - 1, "1");
@@ -47,12 +40,11 @@ void require_heights(const SurfaceRecord& surface) {
                  surface.grid.size());
 }
 
-void replace_surface(Hdf5Group& home, const std::string& name,
-                     const SurfaceRecord& surface) {
+/// An empty group of that name, whatever was there.
+Hdf5Group fresh(Hdf5Group& home, const std::string& name) {
   if (home.has(name))
     home.remove(name);
-  Hdf5Group group = home.open_or_create(name);
-  write_surface(group, surface);
+  return home.open_or_create(name);
 }
 
 } // namespace
@@ -106,7 +98,7 @@ void ResultWriter::adopt(const CaseInfo& info) {
 }
 
 void ResultWriter::update(const Change& change) {
-  const double start = thread_seconds();
+  const CpuClock clock;
   try {
     std::filesystem::copy_file(
         path_, part_, std::filesystem::copy_options::overwrite_existing);
@@ -114,7 +106,7 @@ void ResultWriter::update(const Change& change) {
     change(file);
     file.close();
     std::filesystem::rename(part_, path_);
-    cpu_time_ += thread_seconds() - start;
+    cpu_time_ += clock.seconds();
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(part_, ignored);
@@ -160,7 +152,8 @@ void ResultWriter::record_surface(int realization,
   const std::lock_guard lock(hdf5_mutex());
   update([&](Hdf5File& file) {
     Hdf5Group surfaces = file.open_or_create("surfaces");
-    replace_surface(surfaces, std::to_string(realization), surface);
+    Hdf5Group group = fresh(surfaces, std::to_string(realization));
+    write_surface(group, surface);
   });
 }
 
@@ -198,7 +191,8 @@ void ResultWriter::record_own_surface(const std::string& method,
   require_begun(method, realization);
   update([&](Hdf5File& file) {
     Hdf5Group home = curve_home(file, method, realization);
-    replace_surface(home, layout::own_surface, surface);
+    Hdf5Group group = fresh(home, layout::own_surface);
+    write_surface(group, surface);
   });
 }
 
@@ -267,9 +261,7 @@ void ResultWriter::record_table(const Table& table) {
   const std::lock_guard lock(hdf5_mutex());
   update([&](Hdf5File& file) {
     Hdf5Group tables = file.open_or_create(layout::tables);
-    if (tables.has(table.name))
-      tables.remove(table.name);
-    Hdf5Group group = tables.open_or_create(table.name);
+    Hdf5Group group = fresh(tables, table.name);
     write_table(group, table);
   });
   tables_.insert(table.name);
@@ -283,9 +275,7 @@ bool ResultWriter::has_table(const std::string& name) const {
 void ResultWriter::record_skipped(std::span<const Skipped> skipped) {
   const std::lock_guard lock(hdf5_mutex());
   update([&](Hdf5File& file) {
-    if (file.has(layout::skipped))
-      file.remove(layout::skipped);
-    Hdf5Group group = file.open_or_create(layout::skipped);
+    Hdf5Group group = fresh(file, layout::skipped);
     if (!skipped.empty())
       write_skipped(group, skipped);
   });

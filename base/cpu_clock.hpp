@@ -5,7 +5,7 @@
 #include <ctime>
 #include <sys/resource.h>
 
-namespace asperity::app {
+namespace asperity {
 
 class CpuClock {
 public:
@@ -39,4 +39,4 @@ private:
   double start_;
 };
 
-} // namespace asperity::app
+} // namespace asperity
