@@ -107,7 +107,9 @@ TEST(ShippedCases, ReadThePeersProblems) {
     readme << std::ifstream(folder + "/README.md").rdbuf();
 
     EXPECT_EQ(read_case(folder + "/case.toml").name, part);
-    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    if (part != "full-contact") { // no count is published
+      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    }
     for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
       EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
   }
