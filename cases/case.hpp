@@ -3,6 +3,7 @@
 // What a case is once it has been read: plain data, SI units, nothing of TOML.
 // Owns the vocabulary that every other room answers to.
 
+#include "cases/block_spec.hpp"
 #include "cases/quantity.hpp"
 #include "cases/studies.hpp"
 
@@ -63,6 +64,15 @@ struct MaterialSpec {
   double contact_modulus = 0.0;        ///< E* [Pa] > 0, of the pair
   std::optional<double> poisson_ratio; ///< of the block, -1 < nu < 0.5
 
+  std::optional<BodyModuli> counter = {}; ///< the second body; E* has it
+  std::vector<MaterialLayer> layers = {};
+  std::optional<MaterialInclusion> inclusion = {};
+  std::optional<MaterialVariation> variation = {};
+
+  /// One modulus and one Poisson's ratio everywhere: the block that theory,
+  /// half-space and atoms know.
+  bool is_uniform() const { return layers.empty() && !inclusion && !variation; }
+
   /// Young's modulus of the one block that stands for the pair:
   /// E = E* (1 - nu^2) [Pa]. Needs poisson_ratio.
   double block_youngs_modulus() const;
@@ -111,6 +121,11 @@ struct FemSettings {
   Quantity depth{1.0, Yardstick::length};
   TopFace top = TopFace::clamped;
   FemSolver solver = FemSolver::automatic;
+  BlockSides sides = BlockSides::periodic;
+  LinearSolverChoice linear_solver = LinearSolverChoice::automatic; ///< full
+  ContactPoints contact_at = ContactPoints::nodes;                  ///< full
+  bool uses_case_mesh = false; ///< full: [mesh], else graded layers
+  int bodies = 1; ///< full: 2 meshes the counter body too, else E* has it
 };
 
 enum class AtomEngine { asperity, lammps };
@@ -174,6 +189,8 @@ struct ReportSpec {
   int fields = 3;
   /// The stress below the face is worked out under each kept pressure map.
   bool stress_inside = false;
+  /// The whole block writes its last step of each field for ParaView.
+  bool vtu = false;
 };
 
 /// One line of [expect]: the quantity must lie in low..high for each method.
@@ -192,6 +209,7 @@ struct Case {
   std::string title;
   SurfaceSpec surface;
   MaterialSpec material;
+  MeshSpec mesh;
   LoadProgram load;
   std::vector<MethodSpec> methods; ///< theory, halfspace, fem, md, then
                                    ///< variants
