@@ -49,6 +49,11 @@ bool is_key(const std::string& table, const std::string& name) {
                      [&](const cases::Key& key) { return key.name == name; });
 }
 
+/// What is in a file; "" where none is named.
+std::string hash_of_file(const std::string& path) {
+  return path.empty() ? "" : content_hash(text_of_file(path));
+}
+
 /// Every realisation of one seed is the same however many there are, and a map
 /// is what its bytes are, wherever it lies.
 std::string surface_text(const Node& file, const cases::SurfaceSpec& surface) {
@@ -56,8 +61,13 @@ std::string surface_text(const Node& file, const cases::SurfaceSpec& surface) {
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "realizations" || entry.key == "file";
   });
-  return canonical(table) +
-         (surface.file.empty() ? "" : content_hash(text_of_file(surface.file)));
+  return canonical(table) + hash_of_file(surface.file);
+}
+
+std::string material_text(const Node& file,
+                          const cases::MaterialSpec& material) {
+  return text_of(file, "material") +
+         (material.variation ? hash_of_file(material.variation->file) : "");
 }
 
 std::string load_text(const cases::LoadProgram& load, std::size_t step) {
@@ -74,7 +84,7 @@ CaseKeys::CaseKeys(const cases::Case& rough_case, std::string program)
       file_(parsed(rough_case)),
       scene_(fmt::format("{}\n{}\n{}", program_,
                          surface_text(file_, rough_case.surface),
-                         text_of(file_, "material"))) {}
+                         material_text(file_, rough_case.material))) {}
 
 /// The keys of [fem] with those of [fem.hard] over them, variants left out.
 std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
@@ -92,6 +102,9 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
   std::string text = kind + canonical(merged);
   if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
     text += md::engine_identity(*md);
+  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+      fem != nullptr && fem->uses_case_mesh)
+    text += text_of(file_, "mesh") + hash_of_file(case_.mesh.file);
   return text;
 }
 

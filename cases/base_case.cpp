@@ -56,12 +56,21 @@ void flatten(const Node& table, const std::string& prefix,
   }
 }
 
+// The table of that name, "material.variation" inside "material"; null if there
+// is none.
+const Node* table_in(const Node& file, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const Node* const outer = file.find(name.substr(0, dot));
+  return dot == std::string::npos || !outer ? outer
+                                            : outer->find(name.substr(dot + 1));
+}
+
 // Each relative path that the base gives, as it is from the other folder.
 void move_paths(const Node& base, const fs::path& base_folder,
                 std::vector<LaidOver>& overrides) {
   for (const Table& table : vocabulary())
     for (const Key& key : table.keys) {
-      const Node* const holder = base.find(table.name);
+      const Node* const holder = table_in(base, table.name);
       const Node* const path =
           holder && key.type == ValueType::path && key.name != "base"
               ? holder->find(key.name)

@@ -101,6 +101,10 @@ Json value_schema(const Key& key) {
   case ValueType::names:
     return {
         {"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}}}};
+  case ValueType::layers:
+    return {{"type", "array"},
+            {"minItems", 1},
+            {"items", {{"$ref", "#/$defs/material.layer"}}}};
   case ValueType::band: {
     const Json one = {{"$ref", "#/$defs/expect.band"}};
     return {

@@ -90,7 +90,10 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node material = table_called(file, "material", true, mistakes);
   if (material.is_table())
     read.material =
-        read_material(material, demands.is_poisson_needed, mistakes);
+        read_material(material, folder, demands.is_poisson_needed, mistakes);
+  const Node mesh = table_called(file, "mesh", false, mistakes);
+  if (mesh.is_table())
+    read.mesh = read_mesh(mesh, folder, read, mistakes);
   const Node load = table_called(file, "load", true, mistakes);
   if (load.is_table())
     read.load = read_load(load, mistakes);
@@ -109,12 +112,21 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   check_together(file, read, mistakes);
 }
 
-void require_file(const Case& read) {
-  if (read.surface.file.empty() || std::filesystem::exists(read.surface.file))
+void require_file(const Case& read, const std::string& key,
+                  const std::string& file) {
+  if (file.empty() || std::filesystem::exists(file))
     return;
   throw_mistake({read.path, 0},
-                "surface.file: there is no file " + read.surface.file +
+                key + ": there is no file " + file +
                     " (a relative path starts at the case file's folder)");
+}
+
+void require_files(const Case& read) {
+  require_file(read, "surface.file", read.surface.file);
+  require_file(read, "mesh.file", read.mesh.file);
+  if (read.material.variation)
+    require_file(read, "material.variation.file",
+                 read.material.variation->file);
 }
 
 Case read_text(const StackedText& stacked, const std::string& path) {
@@ -151,7 +163,7 @@ Case read_case(const std::string& path,
   StackedText stacked = read_stacked(path);
   add(stacked, overrides);
   Case read = read_text(stacked, path);
-  require_file(read);
+  require_files(read);
   return read;
 }
 

@@ -41,6 +41,7 @@ ReportSpec read_report(const Node& table, Mistakes& mistakes) {
   report.refuse_unknown();
   ReportSpec spec;
   spec.stress_inside = report.boolean("stress_inside");
+  spec.vtu = report.boolean("vtu");
   const Node* const fields = report.entry("fields");
   if (fields->text == "none")
     spec.fields = 0;

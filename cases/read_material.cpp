@@ -21,6 +21,8 @@ void read_counter(TableReader& material, MaterialSpec& spec,
   TableReader counter(node, vocabulary_table("material.counter"), mistakes);
   counter.refuse_unknown();
   const double modulus = plane_strain_modulus(counter);
+  spec.counter = {counter.number("youngs_modulus"),
+                  counter.number("poisson_ratio")};
   if (material.has("contact_modulus"))
     material.complain(node, "means nothing beside material.contact_modulus, "
                             "which is that of the pair");
@@ -30,10 +32,10 @@ void read_counter(TableReader& material, MaterialSpec& spec,
 
 } // namespace
 
-MaterialSpec read_material(const Node& table, bool is_poisson_needed,
-                           Mistakes& mistakes) {
+MaterialSpec read_material(const Node& table, const std::string& folder,
+                           bool is_poisson_needed, Mistakes& mistakes) {
   TableReader material(table, vocabulary_table("material"), mistakes);
-  material.refuse_unknown({"counter"});
+  material.refuse_unknown({"counter", "inclusion", "variation"});
   MaterialSpec spec;
   if (material.has("contact_modulus")) {
     spec.contact_modulus = material.number("contact_modulus");
@@ -51,6 +53,7 @@ MaterialSpec read_material(const Node& table, bool is_poisson_needed,
                               ", which a block of finite depth needs");
   if (material.has("counter"))
     read_counter(material, spec, mistakes);
+  read_block(material, folder, spec, mistakes);
   return spec;
 }
 

@@ -92,7 +92,8 @@ const Node* method_node(const Node& file, const std::string& name) {
   return variant ? variant : base;
 }
 
-/// The entry of the variant, or the one it has from its base.
+} // namespace
+
 const Node& entry_of(const Node& file, const std::string& name,
                      const std::string& key) {
   const Node& method = *method_node(file, name);
@@ -101,8 +102,6 @@ const Node& entry_of(const Node& file, const std::string& name,
       own ? own : file.find(name.substr(0, name.find('.')))->find(key);
   return inherited ? *inherited : method;
 }
-
-} // namespace
 
 MdSettings read_md(TableReader& table) {
   MdSettings md;
@@ -115,6 +114,7 @@ MdSettings read_md(TableReader& table) {
 }
 
 void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
+  check_block(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
     const auto* const md = std::get_if<MdSettings>(&method.settings);
     const double nu = read.material.poisson_ratio.value_or(0.25);

@@ -43,7 +43,7 @@ HalfspaceSettings read_halfspace(TableReader& table) {
   return halfspace;
 }
 
-FemSettings read_fem(TableReader& table) {
+FemSettings read_fem(TableReader& table, bool has_mesh) {
   FemSettings fem;
   fem.contact = read_contact(table);
   fem.element = table.choice("element", fem.element);
@@ -52,6 +52,7 @@ FemSettings read_fem(TableReader& table) {
   fem.depth = table.quantity("depth");
   fem.top = table.choice("top", fem.top);
   fem.solver = table.choice("solver", fem.solver);
+  read_whole_block(table, has_mesh, fem);
   return fem;
 }
 
@@ -67,17 +68,23 @@ std::optional<double> read_magnification(TableReader& table,
   return magnification;
 }
 
+/// What a method's keys are judged by.
+struct Scene {
+  SurfaceKind surface;
+  bool has_mesh; ///< the case has a [mesh]
+};
+
 MethodSpec read_method(const Node& node, const std::string& kind,
-                       SurfaceKind surface, Mistakes& mistakes) {
+                       const Scene& scene, Mistakes& mistakes) {
   TableReader table(node, vocabulary_table(kind), mistakes);
   table.refuse_unknown();
-  MethodSpec method{node.path, {}, read_magnification(table, surface)};
+  MethodSpec method{node.path, {}, read_magnification(table, scene.surface)};
   if (kind == "theory")
-    method.settings = read_theory(table, surface);
+    method.settings = read_theory(table, scene.surface);
   else if (kind == "halfspace")
     method.settings = read_halfspace(table);
   else if (kind == "fem")
-    method.settings = read_fem(table);
+    method.settings = read_fem(table, scene.has_mesh);
   else
     method.settings = read_md(table);
   return method;
@@ -109,7 +116,7 @@ Node inherited(const Node& base, const Node& variant) {
   return merged;
 }
 
-void read_family(const Node& node, const std::string& kind, SurfaceKind surface,
+void read_family(const Node& node, const std::string& kind, const Scene& scene,
                  std::vector<std::vector<MethodSpec>>& ranks,
                  Mistakes& mistakes) {
   const Table& table = vocabulary_table(kind);
@@ -117,13 +124,13 @@ void read_family(const Node& node, const std::string& kind, SurfaceKind surface,
   std::erase_if(base.entries, [&](const NodeEntry& entry) {
     return is_variant(entry, table);
   });
-  ranks[0].push_back(read_method(base, kind, surface, mistakes));
+  ranks[0].push_back(read_method(base, kind, scene, mistakes));
   for (const NodeEntry& entry : node.entries) {
     if (!is_variant(entry, table))
       continue;
     check_variant_name(entry, mistakes);
     ranks[1].push_back(
-        read_method(inherited(base, entry.node), kind, surface, mistakes));
+        read_method(inherited(base, entry.node), kind, scene, mistakes));
   }
 }
 
@@ -132,6 +139,7 @@ void read_family(const Node& node, const std::string& kind, SurfaceKind surface,
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes) {
   std::vector<std::vector<MethodSpec>> ranks(2); // the methods, their variants
+  const Scene scene{kind, file.find("mesh") != nullptr};
   bool has_any = false;
   for (const Table& table : vocabulary()) {
     const Node* const node = table.is_method ? file.find(table.name) : nullptr;
@@ -139,7 +147,7 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
       continue;
     has_any = true;
     if (node->is_table())
-      read_family(*node, table.name, kind, ranks, mistakes);
+      read_family(*node, table.name, scene, ranks, mistakes);
     else
       mistakes.add(node->place, table.name + " = " + written(*node) +
                                     ", but must be a table: [" + table.name +

@@ -21,13 +21,22 @@ struct Demands {
 
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes);
+/// @param has_mesh  the case has a [mesh]
+void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem);
 MdSettings read_md(TableReader& table);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 
 SurfaceSpec read_surface(const Node& node, const std::string& folder,
                          bool is_surface_built, Mistakes& mistakes);
-MaterialSpec read_material(const Node& table, bool is_poisson_needed,
-                           Mistakes& mistakes);
+/// @param folder  where the paths of its files start
+MaterialSpec read_material(const Node& table, const std::string& folder,
+                           bool is_poisson_needed, Mistakes& mistakes);
+/// Layers, inclusion and variation.
+void read_block(TableReader& material, const std::string& folder,
+                MaterialSpec& spec, Mistakes& mistakes);
+/// @param read  with its material
+MeshSpec read_mesh(const Node& node, const std::string& folder,
+                   const Case& read, Mistakes& mistakes);
 LoadProgram read_load(const Node& table, Mistakes& mistakes);
 /// @param read  with its surface and methods
 MagnificationStudy read_magnification_study(const Node& table, const Case& read,
@@ -43,5 +52,12 @@ std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
 /// What only the whole case can tell: a lattice without the material's nu, a
 /// magnification below the longest wave.
 void check_together(const Node& file, const Case& read, Mistakes& mistakes);
+/// Of these, what concerns a block that is no homogeneous box.
+void check_block(const Node& file, const Case& read, Mistakes& mistakes);
+
+/// The entry of a method's key, its base's if it is a variant without one, or
+/// the method's table.
+const Node& entry_of(const Node& file, const std::string& method,
+                     const std::string& key);
 
 } // namespace asperity::cases

@@ -66,6 +66,15 @@ Table report_table() {
                    "Work out the stress below the face under each kept "
                    "pressure map, by the continuum: the strongest von Mises "
                    "stress, its place, and a section through it."},
+              {.name = "vtu",
+               .type = ValueType::boolean,
+               .fallback = "false",
+               .example = "true",
+               .show = Show::no,
+               .description =
+                   "The whole block ([fem] with solver = \"full\") writes "
+                   "displacement and stress of the steps whose maps are kept, "
+                   "for ParaView."},
           }};
 }
 
@@ -119,6 +128,8 @@ Table band_table() {
 
 std::vector<Table> all_tables() {
   std::vector<Table> tables = {top_table(), surface_table()};
+  for (Table& table : block_tables())
+    tables.push_back(std::move(table));
   for (Table& table : method_tables())
     tables.push_back(std::move(table));
   for (Table& table : study_tables())
@@ -230,6 +241,8 @@ std::string allowed_text(const Key& key) {
   case ValueType::band:
     return "{ value, within } or { below } or { above }, or a list of "
            "such bands";
+  case ValueType::layers:
+    return "a list of { thickness, youngs_modulus, poisson_ratio }";
   }
   return "";
 }

@@ -24,6 +24,7 @@ enum class ValueType {
   tolerance, ///< number, or "5 %" of another key
   names,     ///< list of strings
   band,      ///< see "expect.band"
+  layers,    ///< list of tables, see "material.layer"
 };
 
 /// What a number must satisfy.
@@ -97,6 +98,8 @@ std::string reason_of_kind(const std::string& kind);
 /// The rows, by file.
 Table surface_table();
 Table md_table();
+std::vector<Table> block_tables();
+std::vector<Key> whole_block_keys(); ///< of [fem]
 std::vector<Table> method_tables();
 std::vector<Table> study_tables();
 

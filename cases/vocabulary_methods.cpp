@@ -53,59 +53,6 @@ std::vector<Key> with_contact(std::vector<Key> keys) {
   return keys;
 }
 
-std::vector<Key> body_keys() {
-  return {
-      {.name = "youngs_modulus",
-       .dimension = Dimension::pressure,
-       .range = positive(),
-       .need = Need::conditional,
-       .when = "this with poisson_ratio, or contact_modulus",
-       .example = "\"2 GPa\"",
-       .show = Show::yes,
-       .description = "Young's modulus E."},
-      {.name = "poisson_ratio",
-       .range = inside(-1.0, 0.5),
-       .need = Need::conditional,
-       .when = "with youngs_modulus, [fem] or a finite thickness",
-       .example = "0.3",
-       .show = Show::yes,
-       .description = "Poisson's ratio nu."},
-  };
-}
-
-Table material_table() {
-  Table table{.name = "material",
-              .when = "Always needed.",
-              .description = "The elastic block.",
-              .keys = body_keys()};
-  table.keys.push_back(
-      {.name = "contact_modulus",
-       .dimension = Dimension::pressure,
-       .range = positive(),
-       .need = Need::conditional,
-       .when = "this, or youngs_modulus with poisson_ratio",
-       .example = "\"2 GPa\"",
-       .show = Show::no,
-       .description = "E* = E / (1 - nu^2), the unit \"E*\" of this file."});
-  return table;
-}
-
-Table counter_table() {
-  Table table{.name = "material.counter",
-              .when = "Optional, with youngs_modulus in [material].",
-              .description = "A second elastic body; the surface is rigid "
-                             "without it. 1/E* is the sum of (1 - nu^2)/E; one "
-                             "block with this E* and the first body's nu "
-                             "stands for both, exact for thick bodies.",
-              .keys = body_keys()};
-  for (Key& key : table.keys) {
-    key.need = Need::always;
-    key.when = "";
-    key.show = Show::no;
-  }
-  return table;
-}
-
 Table load_table() {
   return {.name = "load",
           .when = "Always needed.",
@@ -251,6 +198,13 @@ Table fem_table() {
           })};
 }
 
+Table fem_table_with_whole_block() {
+  Table table = fem_table();
+  for (Key& key : whole_block_keys())
+    table.keys.push_back(std::move(key));
+  return table;
+}
+
 /// The key every method has.
 Key magnification_key() {
   return {.name = "magnification",
@@ -273,13 +227,11 @@ Table as_method(Table table) {
 } // namespace
 
 std::vector<Table> method_tables() {
-  return {material_table(),
-          counter_table(),
-          load_table(),
+  return {load_table(),
           sweep_table(),
           as_method(theory_table()),
           as_method(halfspace_table()),
-          as_method(fem_table()),
+          as_method(fem_table_with_whole_block()),
           as_method(md_table())};
 }
 

@@ -99,6 +99,20 @@ TEST_F(BaseCase, HasATextThatStandsAlone) {
   EXPECT_EQ(again.expectations[1].quantity, "area_fraction@p=0.01 E*");
 }
 
+TEST_F(BaseCase, KeepsPathsInsideTheBasesSubTablesToo) {
+  write("factors.txt", "1 1 1 2\n");
+  write("block.toml", rough_case + "[fem.whole]\nsolver = \"full\"\n"
+                                   "[material.variation]\nkind = \"table\"\n"
+                                   "file = \"factors.txt\"\n");
+  write("deep/top.toml", "base = \"../block.toml\"\nfem.solver = \"full\"\n");
+
+  const Case mine = read("deep/top.toml");
+
+  ASSERT_TRUE(mine.material.variation);
+  EXPECT_TRUE(
+      fs::equivalent(mine.material.variation->file, folder / "factors.txt"));
+}
+
 TEST_F(BaseCase, KeepsTheBasesPathsWithTheBase) {
   write("map.txt", "1 2 1 2\n2 1 2 1\n1 2 1 2\n2 1 2 1\n");
   write("measured.toml",

@@ -30,8 +30,8 @@ nlohmann::json properties_of(const std::string& table) {
   };
   if (table.empty())
     return at("/properties");
-  if (table == "expect.band")
-    return at("/$defs/expect.band/properties");
+  if (table == "expect.band" || table == "material.layer")
+    return at("/$defs/" + table + "/properties");
   if (table == "load.sweep")
     return at("/properties/load/properties/mean_gap/anyOf/2/properties");
   if (const auto dot = table.find('.'); dot != std::string::npos)

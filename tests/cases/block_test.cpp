@@ -1,0 +1,169 @@
+// Claims about cases/block_spec.hpp: a block that is no homogeneous box, and
+// how it is meshed, as a case says it; and what is answered to what cannot be.
+#include "cases/read_case.hpp"
+#include "cases/toml_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cases/case_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+Case block(const std::string& keys,
+           const std::vector<std::string>& overrides = {}) {
+  return read_case_text(rough_case + keys, "some/case.toml", overrides);
+}
+
+std::string refusal(const std::string& keys,
+                    const std::vector<std::string>& overrides = {}) {
+  return mistakes_of(rough_case + keys, overrides);
+}
+
+const FemSettings& fem_of(const Case& read) {
+  return std::get<FemSettings>(read.methods.at(2).settings);
+}
+
+const std::vector<std::string> full = {"fem.solver=full"};
+
+TEST(Block, IsUniformUnlessTheCaseSaysMore) {
+  const Case read = block("");
+
+  EXPECT_TRUE(read.material.is_uniform());
+  EXPECT_EQ(read.mesh.kind, MeshKind::layers);
+  EXPECT_EQ(fem_of(read).sides, BlockSides::periodic);
+  EXPECT_EQ(fem_of(read).bodies, 1);
+  EXPECT_FALSE(fem_of(read).uses_case_mesh);
+}
+
+TEST(Block, HasLayersFromTheFaceUp) {
+  const Case read = block(
+      "", {"material.layers=[{ thickness = \"0.05 length\", youngs_modulus = "
+           "\"20 GPa\", poisson_ratio = 0.2 }, { thickness = 1e-6, "
+           "youngs_modulus = 3e9, poisson_ratio = 0.4 }]"});
+
+  ASSERT_EQ(read.material.layers.size(), 2U);
+  EXPECT_EQ(read.material.layers[0].thickness.yardstick, Yardstick::length);
+  EXPECT_EQ(read.material.layers[0].thickness.value, 0.05);
+  EXPECT_EQ(read.material.layers[0].moduli.youngs_modulus, 20e9);
+  EXPECT_EQ(read.material.layers[1].moduli.poisson_ratio, 0.4);
+  EXPECT_FALSE(read.material.is_uniform());
+}
+
+TEST(Block, KeepsItsLayersInTheTextOfTheCase) {
+  const Case read =
+      block("", {"material.layers=[{ thickness = 1e-6, youngs_modulus = 3e9, "
+                 "poisson_ratio = 0.4 }]"});
+
+  const Case again = read_case_text(read.text, "some/case.toml", {});
+
+  ASSERT_EQ(again.material.layers.size(), 1U);
+  EXPECT_EQ(again.material.layers[0].moduli.youngs_modulus, 3e9);
+}
+
+TEST(Block, NamesTheKeyThatALayerLacks) {
+  const std::string answer =
+      refusal("", {"material.layers=[{ thickness = 1e-6, yungs_modulus = 3e9, "
+                   "poisson_ratio = 0.4 }]"});
+
+  EXPECT_NE(answer.find("youngs_modulus is missing"), std::string::npos)
+      << answer;
+  EXPECT_NE(answer.find("yungs_modulus"), std::string::npos) << answer;
+}
+
+TEST(Block, HasAnInclusionThatOnlyTheWholeBlockSees) {
+  const std::string sphere =
+      "[material.inclusion]\nradius = \"0.1 length\"\ndepth = \"0.2 length\"\n"
+      "youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n";
+
+  const Case read = block(sphere, full);
+  const std::string answer = refusal(sphere);
+
+  ASSERT_TRUE(read.material.inclusion);
+  EXPECT_EQ(read.material.inclusion->moduli.youngs_modulus, 20e9);
+  EXPECT_NE(answer.find("solver = \"full\""), std::string::npos) << answer;
+}
+
+TEST(Block, RefusesAnInclusionThatSticksOut) {
+  const std::string answer = refusal(
+      "[material.inclusion]\nradius = \"0.3 length\"\ndepth = \"0.2 length\"\n"
+      "youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n",
+      full);
+
+  EXPECT_NE(answer.find("must be more than the radius"), std::string::npos)
+      << answer;
+}
+
+TEST(Block, VariesByAFunctionByChanceOrByATable) {
+  const auto variation = [](const std::string& keys) {
+    return *block("[material.variation]\n" + keys, full).material.variation;
+  };
+
+  EXPECT_EQ(variation("kind = \"function\"\nfactor = \"1 + x\"\n").factor,
+            "1 + x");
+  EXPECT_EQ(variation("kind = \"random\"\nspread = 0.5\nseed = 3\n").seed, 3U);
+  EXPECT_EQ(variation("kind = \"table\"\nfile = \"f.txt\"\n").file,
+            "some/f.txt");
+}
+
+TEST(Block, IsMeshedByGmshWhereItIsWhole) {
+  const std::string mesh = "[mesh]\nkind = \"gmsh\"\ngeometry = "
+                           "\"indentation\"\nsize_at_contact = \"0.5 h\"\n";
+
+  const Case read = block(mesh, full);
+
+  EXPECT_TRUE(fem_of(read).uses_case_mesh);
+  EXPECT_EQ(read.mesh.geometry, MeshGeometry::indentation);
+  EXPECT_EQ(read.mesh.size_at_contact.yardstick, Yardstick::spacing);
+  EXPECT_FALSE(fem_of(block(mesh)).uses_case_mesh);
+  EXPECT_FALSE(fem_of(block(mesh, {"fem.solver=full", "fem.mesh=layers"}))
+                   .uses_case_mesh);
+}
+
+TEST(Block, TakesPathsOfMeshesFromTheFolderOfTheCase) {
+  const Case read =
+      block("[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\nfile = "
+            "\"own.msh\"\nfile_unit = \"1 mm\"\n",
+            full);
+
+  EXPECT_EQ(read.mesh.file, "some/own.msh");
+  EXPECT_EQ(read.mesh.file_unit, 1e-3);
+}
+
+struct Refused {
+  std::string keys, override, words;
+};
+
+class WholeBlock : public testing::TestWithParam<Refused> {};
+
+TEST_P(WholeBlock, IsRefusedInWords) {
+  const std::string answer = refusal(GetParam().keys, {GetParam().override});
+
+  EXPECT_NE(answer.find(GetParam().words), std::string::npos) << answer;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, WholeBlock,
+    testing::Values(
+        Refused{"", "fem.sides=free", "needs solver = \"full\""},
+        Refused{"", "fem.bodies=2", "needs solver = \"full\""},
+        Refused{"", "fem.linear_solver=fourier", "needs solver = \"full\""},
+        Refused{"", "fem.mesh=case", "the table [mesh] is missing"},
+        Refused{"[fem.whole]\nsolver = \"full\"\ncontact = \"hard\"\n"
+                "contact_at = \"gauss\"\n",
+                "fem.growth=1.2", "contact = \"augmented\""},
+        Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\n",
+                "fem.growth=1.2", "[material.counter] is missing"},
+        Refused{"[fem.whole]\nsolver = \"full\"\nsides = \"free\"\n"
+                "linear_solver = \"fourier\"\n",
+                "fem.growth=1.2", "needs one periodic block"},
+        Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"layered\"\n",
+                "fem.growth=1.2", "material.layers is missing"},
+        Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\n",
+                "fem.growth=1.2", "mesh.file is missing"}));
+
+} // namespace
+} // namespace asperity::cases
