@@ -32,7 +32,9 @@ struct BoundaryFace {
   FaceGroup group = FaceGroup::sides;
 };
 
-/// Cells between the contact face z = 0 and the top, z into the block.
+/// Cells between the contact face z = 0 and the top, z into the block. The
+/// makers of this room leave no vertex without a cell and no place with two
+/// vertices; mesh_quality.hpp checks a mesh from elsewhere.
 struct BlockMesh {
   CellShape shape = CellShape::hexahedron;
   std::vector<Place> vertices; ///< [m]
@@ -44,8 +46,9 @@ struct BlockMesh {
   std::vector<std::string> group_names = {"block"}; ///< of volumes
   std::vector<BoundaryFace> faces; ///< every face of the boundary, once
 
-  /// Hanging nodes: for each depth [m] in turn every cell whose centre lies
-  /// above it (z less than the depth) is cut into eight. Hexahedra only.
+  /// Hanging nodes: for each depth [m] in turn, the largest first, every cell
+  /// whose centre lies above it (z less than the depth) is cut into eight at
+  /// the means of its vertices. Hexahedra only.
   std::vector<double> refine_below = {};
 
   double length_x = 0.0; ///< [m] of the box, or of the contact face's bounds

@@ -1,0 +1,88 @@
+#include "meshes/hanging_mesh.hpp"
+
+#include "base/require.hpp"
+#include "meshes/layered_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace asperity::meshes {
+namespace {
+
+/// d_l of (M.2) in edges of the face's cells, l = 0..n_levels-1.
+std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
+  std::vector<long> bottoms;
+  long above = 0;
+  for (int level = 0; level < n_levels; ++level) {
+    const long edge = 1L << level;
+    const long parent = 2 * edge;
+    const long least = above + cells_a_level * edge;
+    above = (least + parent - 1) / parent * parent;
+    bottoms.push_back(above);
+  }
+  return bottoms;
+}
+
+/// The coarse mesh under n_levels of cuts.
+struct Coarse {
+  Grid face;
+  int n_layers = 1;
+  int edge = 1; ///< in edges of the face's cells
+};
+
+Coarse coarse_mesh(const Grid& face, double depth, int n_levels) {
+  const int edge = 1 << n_levels;
+  const Grid coarse{face.points_x / edge, face.points_y / edge, face.length_x,
+                    face.length_y};
+  const double mean_edge = 0.5 * (coarse.spacing_x() + coarse.spacing_y());
+  const double n_layers = std::round(depth / mean_edge);
+  require_between("depth over the cells' edge", n_layers, 0.0, 1e6, "1");
+  return {coarse, std::max(1, static_cast<int>(n_layers)), edge};
+}
+
+bool is_possible(const Grid& face, double depth, int n_levels,
+                 int cells_a_level) {
+  const int edge = 1 << n_levels;
+  if (face.points_x % edge != 0 || face.points_y % edge != 0 ||
+      face.points_x / edge < 2 || face.points_y / edge < 2)
+    return false;
+  const Coarse coarse = coarse_mesh(face, depth, n_levels);
+  const long bottom = level_bottoms(n_levels, cells_a_level).back();
+  return coarse.n_layers - bottom / edge >= cells_a_level;
+}
+
+void check(const Grid& face, double depth, int cells_a_level) {
+  require_positive("length_x", face.length_x, "m");
+  require_positive("length_y", face.length_y, "m");
+  require_positive("depth", depth, "m");
+  require_between("cells_a_level", cells_a_level, 1, 64, "1");
+  for (const int points : {face.points_x, face.points_y})
+    if (points < 2 || points % 2 != 0)
+      refuse_argument("cells a side of a mesh with hanging nodes", points,
+                      "even, best a power of two times a small number");
+}
+
+} // namespace
+
+BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
+  check(face, depth, cells_a_level);
+  int n_levels = 0;
+  while (n_levels < 20 && is_possible(face, depth, n_levels + 1, cells_a_level))
+    ++n_levels;
+
+  const Coarse coarse = coarse_mesh(face, depth, n_levels);
+  const double layer = depth / coarse.n_layers;
+  std::vector<double> thickness(static_cast<std::size_t>(coarse.n_layers),
+                                layer);
+  thickness.back() =
+      depth - std::accumulate(thickness.begin(), thickness.end() - 1, 0.0);
+  BlockMesh mesh = layered_mesh(coarse.face, thickness);
+  for (const long bottom : level_bottoms(n_levels, cells_a_level))
+    mesh.refine_below.push_back(layer * static_cast<double>(bottom) /
+                                coarse.edge);
+  std::reverse(mesh.refine_below.begin(), mesh.refine_below.end());
+  return mesh;
+}
+
+} // namespace asperity::meshes
