@@ -1,0 +1,220 @@
+// Claims about meshes/sound_mesh.hpp and meshes/matching_sides.hpp: each way a
+// mesh can be broken, on a small one, is named.
+#include "meshes/hanging_mesh.hpp"
+#include "meshes/layered_mesh.hpp"
+#include "meshes/sound_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::meshes {
+namespace {
+
+using cases::BlockSides;
+
+std::string answer(const BlockMesh& mesh,
+                   BlockSides sides = BlockSides::periodic) {
+  try {
+    require_sound(mesh, sides);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// 2 x 2 x 2 cells of 1 nm; vertex i + 3 (j + 3 k), cell i + 2 (j + 2 k).
+BlockMesh cube() {
+  return layered_mesh({2, 2, 2e-9, 2e-9}, {1e-9, 1e-9});
+}
+
+/// A cube in five tetrahedra, whose opposite faces have crossing diagonals.
+BlockMesh five_tetrahedra() {
+  BlockMesh mesh = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
+  mesh.shape = CellShape::tetrahedron;
+  mesh.cells = {
+      {1, 0, 5, 3}, {2, 0, 3, 6}, {4, 0, 6, 5}, {7, 3, 5, 6}, {0, 5, 3, 6}};
+  mesh.cell_group.assign(5, 0);
+  mesh.faces.clear();
+  using enum FaceGroup;
+  mesh.faces = {
+      {{0, 1, 3, 0}, contact}, {{0, 2, 3, 0}, contact}, {{4, 5, 6, 0}, fixed},
+      {{5, 6, 7, 0}, fixed},   {{0, 2, 6, 0}, left},    {{0, 4, 6, 0}, left},
+      {{1, 3, 5, 0}, right},   {{3, 5, 7, 0}, right},   {{0, 1, 5, 0}, front},
+      {{0, 4, 5, 0}, front},   {{2, 3, 6, 0}, back},    {{3, 6, 7, 0}, back}};
+  return mesh;
+}
+
+void expect_answer(const BlockMesh& mesh, const std::string& part,
+                   BlockSides sides = BlockSides::periodic) {
+  const std::string text = answer(mesh, sides);
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(RequireSound, AcceptsWhatTheMakersMake) {
+  EXPECT_EQ(answer(cube()), "accepted");
+  EXPECT_EQ(answer(hanging_mesh({16, 16, 1e-6, 1e-6}, 2e-6, 2)), "accepted");
+  EXPECT_EQ(answer(five_tetrahedra(), BlockSides::free), "accepted");
+}
+
+// Claim: rounding far above that of any file of 16 digits is no mistake.
+TEST(RequireSound, ForgivesRounding) {
+  BlockMesh mesh = cube();
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    mesh.vertices[i][i % 3] += i % 2 == 0 ? 5e-19 : -5e-19;
+
+  EXPECT_EQ(answer(mesh), "accepted");
+}
+
+TEST(RequireSound, NamesListsThatDontFit) {
+  BlockMesh no_vertex = cube();
+  no_vertex.cells[3][2] = 27;
+  BlockMesh no_group = cube();
+  no_group.cell_group[5] = 1;
+  BlockMesh no_groups = cube();
+  no_groups.cell_group.pop_back();
+  BlockMesh nowhere = cube();
+  nowhere.vertices[4][1] = std::numeric_limits<double>::quiet_NaN();
+  BlockMesh no_extent = cube();
+  no_extent.depth = 0.0;
+  BlockMesh cut = five_tetrahedra();
+  cut.refine_below = {0.5};
+
+  expect_answer(BlockMesh{}, "there are no cells");
+  expect_answer(no_vertex, "cell 3 has vertex 27, but there are 27");
+  expect_answer(no_group, "cell 5 is of group 1, but there are 1");
+  expect_answer(no_groups, "8 cells, but 7 cell groups");
+  expect_answer(nowhere, "vertex 4 is at (1e-09, nan, 0) m");
+  expect_answer(no_extent, "its extent is");
+  expect_answer(cut, "hanging nodes");
+}
+
+TEST(RequireSound, NamesInvertedAndFlatCells) {
+  BlockMesh inverted = cube();
+  inverted.vertices[13] = {-1e-9, 1e-9, 1e-9};
+  BlockMesh turned = five_tetrahedra();
+  std::swap(turned.cells[3][0], turned.cells[3][1]);
+  BlockMesh flat = cube();
+  for (std::size_t i = 9; i < 18; ++i)
+    flat.vertices[i][2] = 0.0;
+
+  expect_answer(inverted, "cell 0 at (2.5e-10, 5e-10, 5e-10) m is inverted: "
+                          "its scaled Jacobian is -");
+  expect_answer(turned, "cell 3 at (0.75, 0.75, 0.75) m is inverted: its mean "
+                        "ratio is -");
+  expect_answer(flat, "cell 0 at (5e-10, 5e-10, 0) m is flat");
+}
+
+TEST(RequireSound, NamesVerticesNotJoined) {
+  BlockMesh unused = cube();
+  unused.vertices.push_back({1e-9, 2e-9, 3e-9});
+  // The upper cells get a vertex of their own at the middle.
+  BlockMesh cracked = cube();
+  cracked.vertices.push_back(cracked.vertices[13]);
+  for (std::size_t cell = 4; cell < 8; ++cell)
+    for (unsigned int& vertex : cracked.cells[cell])
+      vertex = vertex == 13 ? 27 : vertex;
+
+  expect_answer(unused, "vertex 27 at (1e-09, 2e-09, 3e-09) m belongs to no");
+  expect_answer(cracked,
+                "vertices 13 and 27 are both at (1e-09, 1e-09, 1e-09)");
+}
+
+TEST(RequireSound, NamesFacesThatDontClose) {
+  BlockMesh open = cube();
+  open.faces.erase(open.faces.begin());
+  BlockMesh twice = cube();
+  twice.faces.push_back(twice.faces.front());
+  BlockMesh inside = cube();
+  inside.faces.push_back({{9, 10, 12, 13}, FaceGroup::sides});
+  BlockMesh nowhere = cube();
+  nowhere.faces.push_back({{9, 10, 12, 99}, FaceGroup::sides});
+  BlockMesh three = cube();
+  three.cells.push_back(three.cells.front());
+  three.cells.push_back(three.cells.front());
+  three.cell_group.assign(10, 0);
+
+  expect_answer(open, "boundary facet at (5e-10, 5e-10, 0) m is in no group");
+  expect_answer(twice, "the face at (5e-10, 5e-10, 0) m is listed twice");
+  expect_answer(inside, "the face at (5e-10, 5e-10, 1e-09) m is no facet");
+  expect_answer(nowhere, "a face has vertex 99, but there are 27");
+  expect_answer(three, "cells 0, 8 and 9 share one facet");
+}
+
+TEST(RequireSound, NamesMissingGroups) {
+  const auto without = [](FaceGroup group) {
+    BlockMesh mesh = cube();
+    for (BoundaryFace& face : mesh.faces)
+      if (face.group == group)
+        face.group = FaceGroup::sides;
+    return mesh;
+  };
+
+  expect_answer(without(FaceGroup::contact), "no face is of the group contact");
+  expect_answer(without(FaceGroup::fixed), "no face is of the group fixed");
+  expect_answer(without(FaceGroup::back), "needs the face back (y = length)");
+  EXPECT_EQ(answer(without(FaceGroup::back), BlockSides::free), "accepted");
+}
+
+TEST(RequireSound, NamesAContactFaceThatIsNotFlat) {
+  BlockMesh bent = cube();
+  bent.vertices[4][2] = 1e-11;
+  BlockMesh below = cube();
+  for (BoundaryFace& face : below.faces)
+    if (face.group == FaceGroup::contact)
+      face.group = FaceGroup::sides;
+  below.faces[1].group = FaceGroup::contact;
+  for (Place& vertex : below.vertices)
+    vertex[2] -= 2e-9;
+
+  expect_answer(bent, "not flat: its vertex 4 at (1e-09, 1e-09, 1e-11) m is "
+                      "1e-11 m off z = 0");
+  expect_answer(below, "vertex 0 at (0, 0, -2e-09) m lies on the wrong side");
+}
+
+// Claim: a piece that touches nothing fixed is named: two blocks, one above the
+// other, and the lower one's top no longer fixed.
+TEST(RequireSound, NamesLoosePieces) {
+  BlockMesh loose = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
+  const BlockMesh other = loose;
+  for (BoundaryFace& face : loose.faces)
+    if (face.group == FaceGroup::fixed)
+      face.group = FaceGroup::sides;
+  for (const Place& vertex : other.vertices)
+    loose.vertices.push_back({vertex[0], vertex[1], vertex[2] + 1.5});
+  loose.cells.push_back({8, 9, 10, 11, 12, 13, 14, 15});
+  loose.cell_group.push_back(0);
+  for (BoundaryFace face : other.faces) {
+    for (unsigned int& vertex : face.vertices)
+      vertex += 8;
+    if (face.group == FaceGroup::contact)
+      face.group = FaceGroup::sides;
+    loose.faces.push_back(face);
+  }
+
+  expect_answer(loose, "cell 0 at (0.5, 0.5, 0.5) m hangs together with no",
+                BlockSides::free);
+}
+
+TEST(RequireSound, NamesPeriodicFacesThatDontMatch) {
+  BlockMesh moved = cube();
+  moved.vertices[11][2] = 1.2e-9; // (2, 0, 1): of right and of front
+  BlockMesh finer = cube();
+  finer.vertices[10][0] = 1.1e-9; // (1, 0, 1): of front only
+  BlockMesh longer = cube();
+  longer.length_x = 2.1e-9;
+
+  expect_answer(moved, "vertex 9 at (0, 0, 1e-09) m of the face left (x = 0) "
+                       "has no partner on the face right");
+  expect_answer(finer, "vertex 10 at (1.1e-09, 0, 1e-09) m of the face front "
+                       "(y = 0) has no partner on the face back");
+  expect_answer(longer, "has no partner on the face right");
+  expect_answer(five_tetrahedra(), "of the face left (x = 0) has no partner on "
+                                   "the face right (x = length), though its");
+  EXPECT_EQ(answer(moved, BlockSides::free), "accepted");
+}
+
+} // namespace
+} // namespace asperity::meshes
