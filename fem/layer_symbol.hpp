@@ -1,0 +1,68 @@
+#pragma once
+
+// The stiffness of a layer of cells as lateral waves see it: deal.II's cell
+// matrix summed with the phases of four wavevectors at once.
+
+#include "fem/cell_stiffness.hpp"
+#include "fem/pack.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Kinds of nodes of a face, by parity (a, b) of their place: index a + 2 b.
+constexpr std::size_t kinds_of(std::size_t degree) {
+  return degree * degree;
+}
+
+/// Unknowns of a plane at one wavevector: (kind, component), 3 kind + c.
+constexpr std::size_t plane_unknowns(std::size_t degree) {
+  return 3 * kinds_of(degree);
+}
+
+/// Unknowns of a layer above its lower plane: `degree` planes.
+constexpr std::size_t layer_unknowns(std::size_t degree) {
+  return degree * plane_unknowns(degree);
+}
+
+/// Products f(theta_x) g(theta_y) of 1, cos, cos 2, sin and sin 2, f slower;
+/// theta is q times the node spacing.
+struct WaveProducts {
+  std::array<Pack, 25> values;
+
+  /// One wavevector a lane.
+  WaveProducts(const Pack& theta_x, const Pack& theta_y);
+};
+
+/// S(q), real by u_x and u_y multiplied by i, of the planes b (below) and g
+/// (all others of the layer, from below): three blocks one after the other,
+///
+///     S_bb  lower triangle, by columns        triangle(plane_unknowns)
+///     S_gg  lower triangle, by columns        triangle(layer_unknowns)
+///     S_gb  row by row                        layer_unknowns * plane_unknowns
+///
+/// The cell's mirror images leave few products to each entry.
+class LayerSymbol {
+public:
+  explicit LayerSymbol(const CellStiffness& cell);
+
+  /// Packs of the three blocks.
+  std::size_t size() const { return size_; }
+
+  /// @param blocks  size() packs, overwritten [N/m]
+  void evaluate(const WaveProducts& products, Pack* blocks) const;
+
+private:
+  struct Term {
+    double amount;
+    std::uint16_t target;
+    std::uint16_t product;
+  };
+
+  std::size_t size_;
+  std::vector<Term> terms_; ///< by target
+};
+
+} // namespace asperity::fem
