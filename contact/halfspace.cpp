@@ -1,6 +1,7 @@
 #include "contact/halfspace.hpp"
 
 #include "base/require.hpp"
+#include "contact/layered_compliance.hpp"
 
 #include <cmath>
 
@@ -66,30 +67,47 @@ double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
   return 1.0;
 }
 
-std::vector<double> block_compliance(const Grid& grid,
-                                     const ElasticBlock& block) {
-  require_positive("contact_modulus", block.contact_modulus, "Pa");
-  if (!(block.thickness > 0.0))
-    refuse_argument("thickness", block.thickness, "> 0 [m], or infinite");
+namespace {
+
+/// C(q) of a block without layers.
+double uniform_compliance(double wavevector, const ElasticBlock& block) {
+  const double factor =
+      std::isinf(block.thickness)
+          ? 1.0
+          : slab_compliance_factor(wavevector * block.thickness, block.far_face,
+                                   block.poisson_ratio);
+  return 2.0 * factor / (block.contact_modulus * wavevector);
+}
+
+template <class Compliance>
+std::vector<double> on_half_spectrum(const Grid& grid,
+                                     const Compliance& compliance_at) {
   const int columns = grid.points_x / 2 + 1;
   std::vector<double> compliance(grid.half_spectrum_size(), 0.0);
   for (int jy = 0; jy < grid.points_y; ++jy) {
     const double qy =
         wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y);
-    for (int jx = jy == 0 ? 1 : 0; jx < columns; ++jx) {
-      const double q = std::hypot(wavevector(jx, grid.length_x), qy);
-      const double factor =
-          std::isinf(block.thickness)
-              ? 1.0
-              : slab_compliance_factor(q * block.thickness, block.far_face,
-                                       block.poisson_ratio);
+    for (int jx = jy == 0 ? 1 : 0; jx < columns; ++jx)
       compliance[static_cast<std::size_t>(jy) *
                      static_cast<std::size_t>(columns) +
                  static_cast<std::size_t>(jx)] =
-          2.0 * factor / (block.contact_modulus * q);
-    }
+          compliance_at(std::hypot(wavevector(jx, grid.length_x), qy));
   }
   return compliance;
+}
+
+} // namespace
+
+std::vector<double> block_compliance(const Grid& grid,
+                                     const ElasticBlock& block) {
+  require_positive("contact_modulus", block.contact_modulus, "Pa");
+  if (!(block.thickness > 0.0))
+    refuse_argument("thickness", block.thickness, "> 0 [m], or infinite");
+  if (block.layers.empty())
+    return on_half_spectrum(
+        grid, [&](double q) { return uniform_compliance(q, block); });
+  const LayerStack stack(block);
+  return on_half_spectrum(grid, [&](double q) { return stack.compliance(q); });
 }
 
 FourierOperator halfspace_operator(const Grid& grid, const ElasticBlock& block,

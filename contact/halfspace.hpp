@@ -32,16 +32,26 @@ enum class FarFace { clamped, sliding, pressure };
 double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
                               double poisson_ratio);
 
-/// An isotropic elastic block with a frictionless face.
-struct ElasticBlock {
-  double contact_modulus = 0.0; ///< E* = E/(1 - nu^2) [Pa] > 0
-  double poisson_ratio = 0.0;   ///< read only where the far face is clamped
-  double thickness = 0.0;       ///< [m] > 0; infinity: the half-space
-  FarFace far_face = FarFace::clamped;
+/// A homogeneous, isotropic layer, bonded to what lies below it.
+struct BondedLayer {
+  double thickness = 0.0;      ///< [m] > 0
+  double youngs_modulus = 0.0; ///< E [Pa] > 0
+  double poisson_ratio = 0.0;  ///< nu [1], -1 < nu <= 0.5
 };
 
-/// C(q) = 2 factor(q d) / (E* q) [m/Pa] on the half spectrum of the grid; the
-/// uniform mode is set to 0.
+/// An isotropic elastic block with a frictionless face, under bonded layers.
+struct ElasticBlock {
+  double contact_modulus = 0.0; ///< E* = E/(1 - nu^2) below the layers [Pa] > 0
+  /// Below the layers; read where there are any or the far face is clamped.
+  double poisson_ratio = 0.0;
+  double thickness = 0.0; ///< layers included [m] > 0; infinity: the half-space
+  FarFace far_face = FarFace::clamped;
+  std::vector<BondedLayer> layers = {}; ///< the contact face's first
+};
+
+/// C(q) [m/Pa] on the half spectrum of the grid: 2 factor(q d) / (E* q), or
+/// LayerStack's under layers; the uniform mode is set to 0.
+/// @throws std::domain_error  a number of the block is outside its range
 std::vector<double> block_compliance(const Grid& grid,
                                      const ElasticBlock& block);
 

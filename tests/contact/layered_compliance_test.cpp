@@ -1,0 +1,281 @@
+// Claims about contact/layered_compliance.hpp: closed forms of slabs and of a
+// coating in fifty digits, limits, and what stiffer layers must do.
+#include "contact/layered_compliance.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace asperity::contact {
+namespace {
+
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::array far_faces{FarFace::clamped, FarFace::sliding,
+                               FarFace::pressure};
+
+double plane_strain(double youngs_modulus, double poisson_ratio) {
+  return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
+}
+
+/// A block of one material, its upper part cut into layers.
+ElasticBlock cut_block(double modulus, double nu, double thickness,
+                       FarFace far_face) {
+  ElasticBlock block{plane_strain(modulus, nu), nu, thickness, far_face};
+  const double upper = std::isinf(thickness) ? 1.0 : thickness;
+  for (const double share : {0.1, 0.45, 0.05})
+    block.layers.push_back({share * upper, modulus, nu});
+  return block;
+}
+
+ElasticBlock coated_halfspace(double coating, double coating_nu,
+                              double substrate, double substrate_nu,
+                              double thickness) {
+  return {plane_strain(substrate, substrate_nu),
+          substrate_nu,
+          infinity,
+          FarFace::clamped,
+          {{thickness, coating, coating_nu}}};
+}
+
+/// slab_compliance_factor's closed forms, where cancellation costs nothing.
+Digits50 slab_factor(Digits50 x, FarFace far_face, Digits50 nu) {
+  const Digits50 twice = 2 * x;
+  switch (far_face) {
+  case FarFace::clamped:
+    return ((3 - 4 * nu) * sinh(twice) - twice) /
+           ((3 - 4 * nu) * cosh(twice) + 2 * x * x + 5 - 12 * nu + 8 * nu * nu);
+  case FarFace::sliding:
+    return (cosh(twice) - 1) / (sinh(twice) + twice);
+  case FarFace::pressure:
+    break;
+  }
+  return (sinh(twice) + twice) / (cosh(twice) - 1 - 2 * x * x);
+}
+
+/// A coating bonded to a half-space, frictionless face, relative to 2/(E*_1 q);
+/// mu = mu_1/mu_2. See E. J. O'Sullivan and R. B. King, J. Tribol. 110, 235
+/// (1988).
+Digits50 coating_factor(Digits50 x, Digits50 mu, Digits50 nu_1, Digits50 nu_2) {
+  const Digits50 lambda = 1 - 4 * (1 - nu_1) / (1 + mu * (3 - 4 * nu_2));
+  const Digits50 kappa = (mu - 1) / (mu + 3 - 4 * nu_1);
+  const Digits50 theta = exp(-2 * x);
+  return (1 + 4 * x * kappa * theta - lambda * kappa * theta * theta) /
+         (1 - (lambda + kappa + 4 * kappa * x * x) * theta +
+          lambda * kappa * theta * theta);
+}
+
+constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
+                                         1.3,  2.2,  4.5,  9.0,  12.5, 30.0,
+                                         55.0, 90.0, 1e3,  1e4};
+
+// Claim: layers of one material are the block, for every far face and every
+// wave. Tolerance: some ten roundings in each of four crossings.
+TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
+  for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
+    for (const FarFace face : far_faces)
+      for (const double x : reduced_wavevectors) {
+        const double thickness = 0.7;
+        const double q = x / thickness;
+        const ElasticBlock block = cut_block(3.0, nu, thickness, face);
+
+        const double found = layered_compliance(q, block);
+
+        const Digits50 exact = 2 *
+                               slab_factor(Digits50(q) * thickness, face, nu) /
+                               (Digits50(block.contact_modulus) * q);
+        EXPECT_NEAR(static_cast<double>(found / exact), 1.0, 1e-14)
+            << nu << " " << static_cast<int>(face) << " " << x;
+      }
+}
+
+TEST(LayeredCompliance, OfEqualLayersIsTheHalfspaces) {
+  for (const double nu : {-0.3, 0.0, 0.3, 0.5})
+    for (const double q : reduced_wavevectors) {
+      const ElasticBlock block = cut_block(3.0, nu, infinity, FarFace::clamped);
+      EXPECT_NEAR(layered_compliance(q, block) * block.contact_modulus * q, 2.0,
+                  1e-14)
+          << nu << " " << q;
+    }
+}
+
+// Claim: a coating on a half-space is O'Sullivan and King's, a million times
+// softer to a million times stiffer. Tolerance: ten roundings in each of two
+// crossings, and more where the one bears a millionth of the other.
+TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
+  for (const double ratio : {1e-6, 1e-3, 0.1, 1.0, 7.0, 1e3, 1e6})
+    for (const double nu_1 : {0.0, 0.25, 0.4999})
+      for (const double nu_2 : {0.1, 0.4999})
+        for (const double x : reduced_wavevectors) {
+          const double thickness = 3e-6;
+          const double q = x / thickness;
+          const ElasticBlock block =
+              coated_halfspace(ratio * 2e9, nu_1, 2e9, nu_2, thickness);
+
+          const double found = layered_compliance(q, block);
+
+          const Digits50 mu =
+              Digits50(ratio) * (1 + Digits50(nu_2)) / (1 + Digits50(nu_1));
+          const Digits50 exact =
+              2 * coating_factor(Digits50(q) * thickness, mu, nu_1, nu_2) *
+              (1 - Digits50(nu_1) * nu_1) / (Digits50(ratio) * 2e9 * q);
+          EXPECT_NEAR(static_cast<double>(found / exact), 1.0, 4e-14)
+              << ratio << " " << nu_1 << " " << nu_2 << " " << x;
+        }
+}
+
+// Claim: a short wave feels the coating, a long one the substrate. Tolerances:
+// the coating's bottom is felt by x^2 exp(-2x) = 1e-11; the substrate's coating
+// by x times the ratio of the moduli.
+TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
+  const ElasticBlock block = coated_halfspace(20e9, 0.2, 2e9, 0.4, 1e-6);
+
+  EXPECT_NEAR(layered_compliance(16e6, block) * plane_strain(20e9, 0.2) * 16e6,
+              2.0, 1e-10);
+  EXPECT_NEAR(layered_compliance(1.0, block) * plane_strain(2e9, 0.4) * 1.0,
+              2.0, 3e-5);
+}
+
+// Claim: a thin free stack is a plate of the bending stiffness
+// D = int E* (z - z_0)^2 dz about the axis that bears no stretching: C = 1/(D
+// q^4). Tolerance: the next order is (q d)^2 = 1e-6.
+TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
+  const std::array<BondedLayer, 3> layers{
+      {{0.2, 5.0, 0.3}, {0.1, 0.5, 0.1}, {0.4, 2.0, 0.45}}};
+  const double q = 1e-3 / 0.7;
+  double stretching = 0.0, first_moment = 0.0, second_moment = 0.0, z = 0.0;
+  for (const BondedLayer& layer : layers) {
+    const double modulus =
+        plane_strain(layer.youngs_modulus, layer.poisson_ratio);
+    const double end = z + layer.thickness;
+    stretching += modulus * (end - z);
+    first_moment += modulus * (end * end - z * z) / 2.0;
+    second_moment += modulus * (end * end * end - z * z * z) / 3.0;
+    z = end;
+  }
+  const double bending =
+      second_moment - first_moment * first_moment / stretching;
+
+  const double found = layered_compliance(q, {plane_strain(2.0, 0.45),
+                                              0.45,
+                                              0.7,
+                                              FarFace::pressure,
+                                              {layers[0], layers[1]}});
+
+  EXPECT_NEAR(found * bending * std::pow(q, 4), 1.0, 3e-6);
+}
+
+/// A random stack: up to five layers, moduli over four decades.
+struct RandomStack {
+  ElasticBlock block;
+  double wavevector;
+};
+
+RandomStack any_stack() {
+  const auto between = [](double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 100001) / 100000.0;
+  };
+  RandomStack stack;
+  const int n_layers = *rc::gen::inRange(1, 6);
+  double depth = 0.0;
+  for (int i = 0; i < n_layers; ++i) {
+    const BondedLayer layer{std::pow(10.0, between(-6.0, 1.0)),
+                            std::pow(10.0, between(-2.0, 2.0)),
+                            between(-0.5, 0.499)};
+    stack.block.layers.push_back(layer);
+    depth += layer.thickness;
+  }
+  stack.block.contact_modulus = std::pow(10.0, between(-2.0, 2.0));
+  stack.block.poisson_ratio = between(-0.5, 0.499);
+  stack.block.thickness = *rc::gen::inRange(0, 4) == 0 ? infinity : 1.2 * depth;
+  stack.block.far_face = *rc::gen::elementOf(
+      std::vector<FarFace>(far_faces.begin(), far_faces.end()));
+  stack.wavevector = std::pow(10.0, between(-3.0, 4.0)) / depth;
+  return stack;
+}
+
+// Claim: the least energy of a stiffer solid is no smaller under the same
+// displacement, so that a layer made stiffer makes no wave softer; held by more
+// of its far face it is no softer either. Tolerance: rounding, 1e-11 for plates
+// of very unequal layers.
+RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
+  const RandomStack stack = any_stack();
+  const double softer = layered_compliance(stack.wavevector, stack.block);
+  RC_ASSERT(std::isfinite(softer) && softer > 0.0);
+  ElasticBlock stiffer = stack.block;
+  double last = softer;
+
+  for (BondedLayer& layer : stiffer.layers) {
+    layer.youngs_modulus *= 1.5;
+    const double harder = layered_compliance(stack.wavevector, stiffer);
+    RC_ASSERT(harder <= last * (1.0 + 1e-11));
+    last = harder;
+  }
+  ElasticBlock held = stack.block;
+  last = 0.0;
+  for (const FarFace face : far_faces) {
+    held.far_face = face;
+    const double now = layered_compliance(stack.wavevector, held);
+    RC_ASSERT(now >= last * (1.0 - 1e-11));
+    last = now;
+  }
+}
+
+// Claim: a cut through a layer changes nothing, wherever it is. Tolerance as
+// above.
+RC_GTEST_PROP(LayeredCompliance, DoesNotKnowACut, ()) {
+  const RandomStack stack = any_stack();
+  ElasticBlock cut = stack.block;
+  const auto which =
+      static_cast<long>(*rc::gen::inRange(std::size_t{0}, cut.layers.size()));
+  const double share = *rc::gen::inRange(1, 1000) / 1000.0;
+  BondedLayer lower = cut.layers[static_cast<std::size_t>(which)];
+  cut.layers[static_cast<std::size_t>(which)].thickness *= share;
+  lower.thickness -= cut.layers[static_cast<std::size_t>(which)].thickness;
+  cut.layers.insert(cut.layers.begin() + which + 1, lower);
+
+  const double whole = layered_compliance(stack.wavevector, stack.block);
+
+  RC_ASSERT(std::abs(layered_compliance(stack.wavevector, cut) / whole - 1.0) <
+            1e-11);
+}
+
+// Claim: the operator's symbol is C(|q|), wave by wave.
+TEST(LayeredCompliance, IsTheSymbolOfALayeredBlock) {
+  const Grid grid{8, 6, 1.0, 2.0};
+  const ElasticBlock block = coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
+
+  const std::vector<double> symbol = block_compliance(grid, block);
+
+  EXPECT_EQ(symbol[0], 0.0);
+  EXPECT_EQ(symbol[5 * 4 + 3],
+            layered_compliance(
+                std::hypot(wavevector(3, 1.0), wavevector(-2, 2.0)), block));
+}
+
+TEST(LayeredCompliance, RefusesWhatIsNoStack) {
+  const ElasticBlock good = coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
+  EXPECT_THROW(layered_compliance(0.0, good), std::domain_error);
+  ElasticBlock bad = good;
+  bad.thickness = 0.05;
+  EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
+  bad = good;
+  bad.layers[0].poisson_ratio = 0.6;
+  EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
+  bad = good;
+  bad.layers[0].youngs_modulus = 0.0;
+  EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
+  bad = good;
+  bad.layers[0].thickness = infinity;
+  EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::contact
