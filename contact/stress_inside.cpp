@@ -3,22 +3,25 @@
 #include "base/require.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace asperity::contact {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Beyond this q d the far face is felt below rounding, and a wave has died out
-/// at this q z.
+/// At this q z a wave has died out.
 constexpr double deep = 40.0;
+
+/// The search for the strongest plane goes down by this factor.
+constexpr double plane_ratio = 1.25;
+
+/// The one wave of a half-space, (L.4): a unit of pressure on its face.
+constexpr LayerStack::Wave half_space_wave{0.0, 1.0, 0.0, 0.0};
 
 /// Unit vector along q; the modes that a grid cannot tell from their opposite
 /// have none in that direction.
@@ -76,109 +79,57 @@ std::vector<double> largest_shear(const StressPlane& plane) {
 StressInside::StressInside(const Grid& grid, const ElasticBlock& block,
                            std::span<const double> pressure, int threads)
     : grid_(grid),
-      block_(block),
+      stack_(block),
       fourier_(grid, threads),
       spectrum_(grid.half_spectrum_size()) {
   if (pressure.size() != grid.size())
     refuse_argument("pressure.size()", static_cast<double>(pressure.size()),
                     "the number of grid nodes");
-  if (!(block.thickness > 0.0))
-    refuse_argument("thickness", block.thickness, "> 0 [m], or infinite");
-  if (!(block.poisson_ratio > -1.0 && block.poisson_ratio <= 0.5))
-    refuse_argument("poisson_ratio", block.poisson_ratio, "> -1 and <= 0.5");
   fourier_.forward(pressure, spectrum_);
   for (Complex& mode : spectrum_)
     mode /= static_cast<double>(grid.size());
-  if (std::isinf(block.thickness))
+  const std::size_t n_layers = stack_.size();
+  if (n_layers == 1 && std::isinf(block.thickness))
     return;
-  decays_.resize(spectrum_.size());
+  waves_.resize(spectrum_.size() * n_layers);
   const int columns = grid.points_x / 2 + 1;
-  for (std::size_t mode = 1; mode < decays_.size(); ++mode)
-    decays_[mode] =
-        decay_of(direction_of(grid, static_cast<int>(mode) % columns,
-                              static_cast<int>(mode) / columns)
-                     .length);
+  for (std::size_t mode = 1; mode < spectrum_.size(); ++mode)
+    stack_.find_waves(direction_of(grid, static_cast<int>(mode) % columns,
+                                   static_cast<int>(mode) / columns)
+                          .length,
+                      std::span(waves_).subspan(mode * n_layers, n_layers));
 }
 
-StressInside::Decay StressInside::decay_of(double wavevector) const {
-  const double x = wavevector * block_.thickness;
-  if (x > deep)
-    return {};
-  const double e = std::exp(-x);
-  const double nu = block_.poisson_ratio;
-  using Row = Eigen::RowVector4d;
-  // f and its derivatives, as rows on (a, b, c, d): face, then far face.
-  const Row face_f(1.0, 0.0, e, x * e);
-  const Row face_slope(-1.0, 1.0, e, (x - 1.0) * e);
-  const Row far_f(e, x * e, 1.0, 0.0);
-  const Row far_slope(-e, (1.0 - x) * e, 1.0, -1.0);
-  const Row far_second(e, (x - 2.0) * e, 1.0, -2.0);
-  const Row far_third(-e, (3.0 - x) * e, 1.0, -3.0);
-  // i q u_q and q u_z of the far face, over (1 + nu)/E p.
-  const Row far_along = (1.0 - nu) * far_second + nu * far_f;
-  const Row far_normal = (1.0 - nu) * far_third - (2.0 - nu) * far_slope;
-  Eigen::Matrix4d conditions;
-  switch (block_.far_face) {
-  case FarFace::clamped:
-    conditions << face_f, face_slope, far_along, far_normal;
-    break;
-  case FarFace::sliding:
-    conditions << face_f, face_slope, far_slope, far_normal;
-    break;
-  case FarFace::pressure:
-    conditions << face_f, face_slope, far_f, far_slope;
-    break;
-  }
-  const Eigen::Vector4d shape =
-      conditions.fullPivLu().solve(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0));
-  return {shape(0), shape(1), shape(2), shape(3)};
+std::span<const LayerStack::Wave>
+StressInside::waves_of(std::size_t mode) const {
+  if (waves_.empty())
+    return {&half_space_wave, 1};
+  return std::span(waves_).subspan(mode * stack_.size(), stack_.size());
 }
 
-StressInside::Wave StressInside::wave_at(std::size_t mode, double wavevector,
-                                         double depth) const {
-  const Decay decay = decays_.empty() ? Decay{} : decays_[mode];
-  const double x = wavevector * depth;
-  const double down = std::exp(-x);
-  const double near = decay.a + decay.b * x;
-  Wave wave{-near * down, (near - 2.0 * decay.b) * down,
-            (near - decay.b) * down};
-  if (decay.c != 0.0 || decay.d != 0.0) {
-    const double y = wavevector * (block_.thickness - depth);
-    const double up = std::exp(-y);
-    const double far = decay.c + decay.d * y;
-    wave.stress_zz -= far * up;
-    wave.stress_qq += (far - 2.0 * decay.d) * up;
-    wave.stress_zq -= (far - decay.d) * up;
-  }
-  return wave;
-}
-
-StressPlane StressInside::at_depth(double depth) const {
-  require_between("depth", depth, 0.0, block_.thickness, "m");
-  const double nu = block_.poisson_ratio;
+StressPlane StressInside::stress_in(const Plane& place) const {
   std::array<std::vector<Complex>, 6> waves;
   for (std::vector<Complex>& component : waves)
     component.resize(spectrum_.size());
   auto& [xx, yy, zz, xy, yz, zx] = waves;
-  const double sideways = -nu / (1.0 - nu);
   zz[0] = -spectrum_[0];
-  xx[0] = yy[0] = sideways * spectrum_[0];
+  xx[0] = yy[0] = -stack_.layer(place.layer).lateral_ratio * spectrum_[0];
   const int columns = grid_.points_x / 2 + 1;
   for (std::size_t mode = 1; mode < spectrum_.size(); ++mode) {
     const Direction n = direction_of(grid_, static_cast<int>(mode) % columns,
                                      static_cast<int>(mode) / columns);
-    if (n.length * depth > deep && n.length * (block_.thickness - depth) > deep)
+    if (n.length * place.depth > deep)
       continue;
-    const Wave wave = wave_at(mode, n.length, depth);
+    const LayerStack::Stress wave = stack_.stress(
+        place.layer, waves_of(mode)[place.layer], n.length, place.depth);
     const Complex pressure = spectrum_[mode];
-    const double across = nu * (wave.stress_qq + wave.stress_zz);
-    zz[mode] = wave.stress_zz * pressure;
-    xx[mode] = (n.x * n.x * wave.stress_qq + n.y * n.y * across) * pressure;
-    yy[mode] = (n.y * n.y * wave.stress_qq + n.x * n.x * across) * pressure;
+    zz[mode] = wave.zz * pressure;
+    xx[mode] = (n.x * n.x * wave.qq + n.y * n.y * wave.tt) * pressure;
+    yy[mode] = (n.y * n.y * wave.qq + n.x * n.x * wave.tt) * pressure;
     if (!n.has_sign)
       continue;
-    xy[mode] = n.x * n.y * (wave.stress_qq - across) * pressure;
-    const Complex shear = Complex(0.0, wave.stress_zq) * pressure;
+    xy[mode] = n.x * n.y * (wave.qq - wave.tt) * pressure;
+    const Complex shear = Complex(0.0, wave.zq) * pressure;
     zx[mode] = n.x * shear;
     yz[mode] = n.y * shear;
   }
@@ -192,39 +143,72 @@ StressPlane StressInside::at_depth(double depth) const {
   return plane;
 }
 
-std::vector<double> StressInside::von_mises_at(double depth) const {
-  return von_mises(at_depth(depth));
+StressPlane StressInside::at_depth(double depth, InterfaceSide side) const {
+  require_between("depth", depth, 0.0, stack_.thickness(), "m");
+  std::size_t layer = 0;
+  while (layer + 1 < stack_.size() && (depth > stack_.layer(layer + 1).top ||
+                                       (depth == stack_.layer(layer + 1).top &&
+                                        side == InterfaceSide::lower)))
+    ++layer;
+  return stress_in({layer, depth});
+}
+
+double StressInside::strength_in(const Plane& plane) const {
+  const std::vector<double> map = von_mises(stress_in(plane));
+  return *std::max_element(map.begin(), map.end());
+}
+
+std::vector<StressInside::Plane>
+StressInside::planes_to_search(double shallowest, double deepest) const {
+  std::vector<Plane> planes;
+  double depth = shallowest;
+  for (std::size_t i = 0; i < stack_.size(); ++i) {
+    const double top = stack_.layer(i).top;
+    const bool is_last = i + 1 == stack_.size();
+    const double bottom = is_last ? deepest : stack_.layer(i + 1).top;
+    if (i > 0 && top >= shallowest && top <= deepest)
+      planes.push_back({i, top});
+    for (; depth <= std::min(bottom, deepest); depth *= plane_ratio)
+      planes.push_back({i, depth});
+    if (!is_last && bottom >= shallowest && bottom <= deepest)
+      planes.push_back({i, bottom});
+  }
+  return planes;
 }
 
 StressPeak StressInside::strongest() const {
   const double spacing = std::min(grid_.spacing_x(), grid_.spacing_y());
-  const double deepest = std::min(
-      block_.thickness, 0.5 * std::max(grid_.length_x, grid_.length_y));
-  const auto strength = [&](double depth) {
-    const std::vector<double> map = von_mises_at(depth);
-    return *std::max_element(map.begin(), map.end());
-  };
-  constexpr double ratio = 1.25;
-  double best_depth = std::min(spacing, deepest);
-  double best = 0.0;
-  for (double depth = best_depth; depth <= deepest; depth *= ratio)
-    if (const double here = strength(depth); here > best) {
-      best = here;
-      best_depth = depth;
+  const StackLayer& last = stack_.layer(stack_.size() - 1);
+  const double deepest =
+      std::min(last.top + last.thickness,
+               0.5 * std::max(grid_.length_x, grid_.length_y));
+  const double shallowest = std::min(spacing, deepest);
+  Plane best{0, shallowest};
+  double strength = 0.0;
+  for (const Plane& plane : planes_to_search(shallowest, deepest))
+    if (const double here = strength_in(plane); here > strength) {
+      strength = here;
+      best = plane;
     }
   // In units of the best plane's depth: the search's tolerance is absolute.
+  const StackLayer& layer = stack_.layer(best.layer);
   const double low =
-      std::max(1.0 / ratio, std::min(spacing, deepest) / best_depth);
-  const double high = std::min(ratio, deepest / best_depth);
+      std::max(1.0 / plane_ratio, std::max(shallowest, layer.top) / best.depth);
+  const double high = std::min(
+      plane_ratio, std::min(deepest, layer.top + layer.thickness) / best.depth);
   constexpr int bits = 10;
   const auto [factor, lowest] = boost::math::tools::brent_find_minima(
-      [&](double multiple) { return -strength(multiple * best_depth); }, low,
-      high, bits);
-  if (-lowest > best)
-    best_depth *= factor;
-  const std::vector<double> map = von_mises_at(best_depth);
+      [&](double multiple) {
+        return -strength_in({best.layer, multiple * best.depth});
+      },
+      low, high, bits);
+  if (-lowest > strength)
+    best.depth *= factor;
+  const std::vector<double> map = von_mises(stress_in(best));
   const auto peak = std::max_element(map.begin(), map.end());
-  return {*peak, best_depth, static_cast<std::size_t>(peak - map.begin())};
+  return {*peak, best.depth, static_cast<std::size_t>(peak - map.begin()),
+          best.layer > 0 && best.depth == layer.top ? InterfaceSide::lower
+                                                    : InterfaceSide::upper};
 }
 
 } // namespace asperity::contact
