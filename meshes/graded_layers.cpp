@@ -44,6 +44,24 @@ double fitted_growth(double highest, int n_layers, double ratio) {
   return high;
 }
 
+/// Adds the layers of (M.2), the first of them at most `thickest`, that fill
+/// the block from where `thickness` ends, at `top`, down to `bottom`.
+void fill(double thickest, double growth, double top, double bottom,
+          std::vector<double>& thickness) {
+  const double distance = bottom - top;
+  const int n_layers = layers_needed(growth, distance / thickest);
+  if (n_layers > most_layers)
+    refuse_argument("depth", bottom, "reachable with 100000 layers");
+  double next = distance / geometric_sum(growth, n_layers);
+  double end = top;
+  for (int i = 0; i + 1 < n_layers; ++i) {
+    thickness.push_back(next);
+    end += next;
+    next *= growth;
+  }
+  thickness.push_back(bottom - end);
+}
+
 } // namespace
 
 std::vector<double> graded_layers(double surface_thickness, double growth,
@@ -76,6 +94,36 @@ std::vector<double> graded_layers(double surface_thickness, double growth,
   const double all_but_last =
       std::accumulate(thickness.begin(), thickness.end() - 1, 0.0);
   thickness.back() = depth - all_but_last;
+  return thickness;
+}
+
+std::vector<double>
+graded_layers_with_interfaces(double surface_thickness, double growth,
+                              std::span<const double> interfaces,
+                              double depth) {
+  if (interfaces.empty())
+    return graded_layers(surface_thickness, growth, depth);
+  require_positive("surface_thickness", surface_thickness, "m");
+  require_between("growth", growth, 1.0, 10.0, "1");
+  require_positive("depth", depth, "m");
+  std::vector<double> bottoms(interfaces.begin(), interfaces.end());
+  bottoms.push_back(depth);
+  std::vector<double> thickness;
+  double top = 0.0;
+  for (const double bottom : bottoms) {
+    if (!(bottom > top && bottom <= depth))
+      refuse_argument("interfaces", bottom,
+                      "above 0, deeper than the one before, and less deep "
+                      "than the block, " +
+                          std::to_string(depth) + " m");
+    if (top == 0.0 && bottom >= 1.5 * surface_thickness)
+      thickness = graded_layers(surface_thickness, growth, bottom);
+    else if (top == 0.0)
+      fill(surface_thickness, 1.0, top, bottom, thickness);
+    else
+      fill(growth * thickness.back(), growth, top, bottom, thickness);
+    top = bottom;
+  }
   return thickness;
 }
 

@@ -3,6 +3,7 @@
 // Thicknesses of the block's layers, finest at the contact face and growing
 // away from it. Owns how a growth ratio is fitted to a given depth.
 
+#include <span>
 #include <vector>
 
 namespace asperity::meshes {
@@ -29,5 +30,26 @@ namespace asperity::meshes {
 ///            depth; the sum is depth to the rounding of the sum.
 std::vector<double> graded_layers(double surface_thickness, double growth,
                                   double depth);
+
+/// As graded_layers, with a layer's face on each interface of a block of
+/// several materials: between interfaces the thicknesses t_i = s g^i start
+/// from the largest s that is at most g times the layer above and fits,
+///
+///     s (1 + g + ... + g^(n-1)) = distance of the interfaces,            (M.2)
+///
+/// n the smallest number that lets it. No layer is thicker than the growth
+/// allows; none is thinner than half the layer above it, but where two
+/// interfaces are themselves so near. The face's first layer is t_0 if the
+/// first interface is t_0 deep, or 1.5 t_0 or deeper; else that distance, or
+/// half of it.
+///
+/// @param interfaces  depths [m], rising, each > 0 and < depth; none: (M.1)
+/// @return            thicknesses, the contact face's first [m]
+/// @throws std::domain_error  as graded_layers; interfaces do not rise
+/// @par Accuracy  the sum down to each interface is its depth to the rounding
+///            of the sum
+std::vector<double>
+graded_layers_with_interfaces(double surface_thickness, double growth,
+                              std::span<const double> interfaces, double depth);
 
 } // namespace asperity::meshes

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -77,6 +78,82 @@ TEST(GradedLayers, RefuseImpossibleBlocksInWords) {
             std::string::npos);
   EXPECT_NE(refusal(1.0, 1.0, 1e7).find("100000 layers"), std::string::npos);
   EXPECT_NE(refusal(1.0, std::nan(""), 8.0).find("growth"), std::string::npos);
+}
+
+/// Layers, and the sums above each face of theirs.
+struct Stack {
+  std::vector<double> thickness;
+  std::vector<double> faces;
+};
+
+Stack stack(double surface, double growth,
+            const std::vector<double>& interfaces, double depth) {
+  Stack result{
+      graded_layers_with_interfaces(surface, growth, interfaces, depth), {}};
+  double sum = 0.0;
+  for (const double layer : result.thickness)
+    result.faces.push_back(sum += layer);
+  return result;
+}
+
+bool is_one_of(const std::vector<double>& depths, double depth) {
+  return std::any_of(depths.begin(), depths.end(), [&](double one) {
+    return std::abs(one / depth - 1.0) < 1e-13;
+  });
+}
+
+// Claim: a face on every interface, the depth met, no layer thicker than the
+// growth allows or thinner than half the one above, save a material that is
+// itself so thin. Tolerance: rounding of sums of some 100 terms, and of the
+// last layer before an interface, which takes it up.
+TEST(GradedLayersWithInterfaces, MeetEachInterfaceWithoutSlivers) {
+  for (const double growth : {1.0, 1.2, 2.0})
+    for (const std::vector<double>& interfaces :
+         {std::vector{20.0}, std::vector{1.5}, std::vector{1.5, 40.0},
+          std::vector{7.3, 7.9, 31.0}, std::vector{3.0, 3.001}}) {
+      const double depth = 100.0;
+
+      const Stack layers = stack(1.0, growth, interfaces, depth);
+
+      EXPECT_EQ(layers.thickness.front(), 1.0);
+      EXPECT_NEAR(layers.faces.back(), depth, 1e-12);
+      for (const double interface : interfaces)
+        EXPECT_TRUE(is_one_of(layers.faces, interface)) << interface;
+      for (std::size_t i = 1; i < layers.thickness.size(); ++i) {
+        const double allowed = growth * layers.thickness[i - 1];
+        const bool is_material = is_one_of(interfaces, layers.faces[i - 1]) &&
+                                 is_one_of(interfaces, layers.faces[i]);
+        EXPECT_LE(layers.thickness[i], allowed * (1.0 + 1e-11));
+        EXPECT_GT(layers.thickness[i],
+                  is_material ? 0.0
+                              : layers.thickness[i - 1] / 2.0 * (1.0 - 1e-11));
+      }
+    }
+}
+
+// Claim: where a coating is no room for the surface layer it is cut evenly and
+// no layer is coarser than asked.
+TEST(GradedLayersWithInterfaces, CutAThinCoatingEvenly) {
+  EXPECT_EQ(stack(1.0, 1.2, {0.25}, 10.0).thickness.front(), 0.25);
+  EXPECT_EQ(stack(1.0, 1.2, {1.0}, 10.0).thickness.front(), 1.0);
+  const Stack halves = stack(1.0, 2.0, {1.3}, 10.0);
+  EXPECT_NEAR(halves.thickness[0], 0.65, 1e-15);
+  EXPECT_NEAR(halves.thickness[1], 0.65, 1e-15);
+}
+
+TEST(GradedLayersWithInterfaces, WithoutOneAreTheGradedLayers) {
+  EXPECT_EQ(graded_layers_with_interfaces(0.3, 1.2, {}, 17.0),
+            graded_layers(0.3, 1.2, 17.0));
+}
+
+TEST(GradedLayersWithInterfaces, RefuseInterfacesThatDoNotRise) {
+  for (const std::vector<double>& interfaces :
+       {std::vector{0.0}, std::vector{4.0, 4.0}, std::vector{5.0, 4.0},
+        std::vector{10.0}, std::vector{12.0}, std::vector{std::nan("")}})
+    EXPECT_THROW(graded_layers_with_interfaces(1.0, 1.2, interfaces, 10.0),
+                 std::domain_error);
+  EXPECT_THROW(graded_layers_with_interfaces(1.0, 0.5, std::vector{4.0}, 10.0),
+               std::domain_error);
 }
 
 } // namespace
