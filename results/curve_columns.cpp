@@ -46,6 +46,12 @@ constexpr std::array columns{
     column<&CurvePoint::transforms>("transforms", "1"),
     column<&CurvePoint::transform_time>("transform_time", "s"),
     column<&CurvePoint::observation_time>("observation_time", "s"),
+    column<&CurvePoint::linear_iterations>("linear_iterations", "1"),
+    column<&CurvePoint::preconditioner_setups>("preconditioner_setups", "1"),
+    column<&CurvePoint::unknowns>("unknowns", "1"),
+    column<&CurvePoint::memory>("memory", "bytes"),
+    column<&CurvePoint::von_mises>("von_mises", "Pa"),
+    column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged"),
     column<&CurvePoint::is_unloading>("is_unloading", "1"),
 };

@@ -40,6 +40,12 @@ struct CurvePoint {
                                        ///< coarser grids among it [s]
   double observation_time = not_given; ///< CPU time of areas, fits and energy
                                        ///< once the step is solved [s]
+  int linear_iterations = 0;           ///< of the whole block's linear solves
+  int preconditioner_setups = 0;       ///< or factorisations, of the same
+  double unknowns = not_given;         ///< of the whole block [1]
+  double memory = not_given;           ///< matrix and preconditioner [bytes]
+  double von_mises = not_given; ///< the strongest inside the whole block [Pa]
+  double von_mises_depth = not_given; ///< of its place [m]
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge; empty otherwise

@@ -55,6 +55,12 @@ inline CurvePoint sample_point(int step) {
   point.transforms = 40 + step;
   point.transform_time = 0.05 * step;
   point.observation_time = 0.01 * step;
+  point.linear_iterations = 100 + step;
+  point.preconditioner_setups = 1 + step;
+  point.unknowns = 3000.0 + step;
+  point.memory = 1e8 / (19 + step);
+  point.von_mises = 1e7 / (23 + step);
+  point.von_mises_depth = 1e-6 / (29 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
@@ -78,6 +84,12 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.contact_perimeter, b.contact_perimeter);
   EXPECT_PRED2(is_same, a.elastic_energy, b.elastic_energy);
   EXPECT_PRED2(is_same, a.contact_energy, b.contact_energy);
+  EXPECT_EQ(a.linear_iterations, b.linear_iterations);
+  EXPECT_EQ(a.preconditioner_setups, b.preconditioner_setups);
+  EXPECT_PRED2(is_same, a.unknowns, b.unknowns);
+  EXPECT_PRED2(is_same, a.memory, b.memory);
+  EXPECT_PRED2(is_same, a.von_mises, b.von_mises);
+  EXPECT_PRED2(is_same, a.von_mises_depth, b.von_mises_depth);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);
