@@ -41,6 +41,16 @@ double MaterialSpec::block_youngs_modulus() const {
   return contact_modulus * (1.0 - *poisson_ratio * *poisson_ratio);
 }
 
+BodyModuli MaterialSpec::first_body() const {
+  const double of_pair = block_youngs_modulus();
+  const double ratio = *poisson_ratio;
+  if (!counter)
+    return {of_pair, ratio};
+  const double share = (1.0 - counter->poisson_ratio * counter->poisson_ratio) /
+                       counter->youngs_modulus;
+  return {(1.0 - ratio * ratio) / (1.0 / contact_modulus - share), ratio};
+}
+
 const MethodSpec* study_theory(const std::vector<MethodSpec>& methods) {
   for (const MethodSpec& method : methods)
     if (const auto* theory = std::get_if<TheorySettings>(&method.settings);

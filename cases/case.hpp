@@ -76,6 +76,10 @@ struct MaterialSpec {
   /// Young's modulus of the one block that stands for the pair:
   /// E = E* (1 - nu^2) [Pa]. Needs poisson_ratio.
   double block_youngs_modulus() const;
+
+  /// The first of two bodies: what is left of E* without the counter's share;
+  /// the one block where there is no counter. Needs poisson_ratio.
+  BodyModuli first_body() const;
 };
 
 enum class Control { nominal_pressure, mean_gap };

@@ -151,9 +151,10 @@ Table variation_table() {
                .when = "with kind = \"table\"",
                .example = "\"factors.txt\"",
                .show = Show::no,
-               .description = "Three counts nx ny nz, then their factors, x "
-                              "fastest and z last: the box length by length "
-                              "by depth in equal parts."},
+               .description = "A first line `# boxes nx ny nz`, then ny nz "
+                              "rows of nx factors, y after x and z last, those "
+                              "of the contact face first: equal boxes of the "
+                              "block."},
           }};
 }
 

@@ -133,6 +133,19 @@ TEST(Block, TakesPathsOfMeshesFromTheFolderOfTheCase) {
   EXPECT_EQ(read.mesh.file_unit, 1e-3);
 }
 
+// Tolerance: a difference of nearly equal inverses, some ten roundings.
+TEST(Block, OfTwoBodiesIsTheFirstOfThem) {
+  const Case pair = block("[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+                          "poisson_ratio = 0.2\n");
+
+  const BodyModuli first = pair.material.first_body();
+
+  EXPECT_NEAR(first.youngs_modulus, 2e9, 1e-5);
+  EXPECT_EQ(first.poisson_ratio, 0.3);
+  ASSERT_TRUE(pair.material.counter);
+  EXPECT_EQ(pair.material.counter->youngs_modulus, 7e9);
+}
+
 struct Refused {
   std::string keys, override, words;
 };
