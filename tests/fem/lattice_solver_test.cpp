@@ -146,5 +146,84 @@ INSTANTIATE_TEST_SUITE_P(
                                          TopFace::pressure),
                        ::testing::Values(1e-3, 1.0, 1e3, 1e6, infinity)));
 
+double product(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Claim: both inverses are symmetric and positive on any grid, with any springs
+// (held nodes among them), as conjugate gradients ask. Tolerance: rounding of
+// an inverse whose waves differ by the square of the number of points, below
+// 1e3; with springs 1e-12 of inner iterations times that.
+RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
+  const int degree = *rc::gen::inRange(1, 3);
+  const Grid grid{degree * *rc::gen::inRange(2, 9),
+                  degree * *rc::gen::inRange(2, 9), 1e-6, 0.9e-6};
+  const TopFace top =
+      *rc::gen::element(TopFace::clamped, TopFace::sliding, TopFace::pressure);
+  LatticeSolver solver(grid, degree, block_on(grid, degree, top));
+  std::vector<double> springs(grid.size(), 0.0);
+  for (double& spring : springs)
+    if (*rc::gen::inRange(0, 3) == 0)
+      spring = *rc::gen::element(1e-3, 1.0, 1e3, 1e6, infinity) * soft_modulus *
+               grid.spacing_x();
+  solver.set_springs(springs);
+  const auto seed = *rc::gen::inRange(1u, 1000u);
+  const std::vector<double> first = loads(solver.lattice(), top, false, seed);
+  const std::vector<double> second =
+      loads(solver.lattice(), top, false, seed + 1000u);
+  std::vector<double> by_first(first.size()), by_second(first.size());
+
+  for (const bool with_springs : {false, true}) {
+    if (with_springs) {
+      RC_ASSERT(solver.solve_with_springs(first, by_first).converged);
+      RC_ASSERT(solver.solve_with_springs(second, by_second).converged);
+    } else {
+      solver.solve(first, by_first);
+      solver.solve(second, by_second);
+    }
+
+    const double energy = product(first, by_first);
+    RC_ASSERT(energy > 0.0);
+    RC_ASSERT(std::abs(product(second, by_first) - product(first, by_second)) <
+              (with_springs ? 1e-9 : 1e-12) * energy);
+  }
+}
+
+// Claim: the number of threads changes no bit.
+TEST(LatticeSolver, HasTheSameBitsOnAnyNumberOfThreads) {
+  const Grid grid{48, 48, 1e-6, 1e-6};
+  const LayeredBlock block = block_on(grid, 2, TopFace::pressure);
+  std::vector<std::vector<double>> answers;
+  for (const int threads : {1, 3}) {
+    LatticeSolver solver(grid, 2, block, threads);
+    solver.set_springs(springs_of(grid, soft_modulus * grid.spacing_x()));
+    answers.emplace_back(solver.lattice().size());
+    solver.solve_with_springs(
+        loads(solver.lattice(), TopFace::pressure, true, 1), answers.back());
+  }
+
+  EXPECT_EQ(answers[0], answers[1]);
+}
+
+TEST(LatticeSolver, RefusesWhatIsOutOfRange) {
+  const Grid grid{8, 8, 1e-6, 1e-6};
+  const LayeredBlock block = block_on(grid, 1, TopFace::clamped);
+  LatticeSolver solver(grid, 1, block);
+  std::vector<double> springs(grid.size(), 0.0);
+  std::vector<double> too_short(solver.lattice().size() - 1);
+  std::vector<double> field(solver.lattice().size());
+
+  EXPECT_THROW(LatticeSolver(grid, 3, block), std::domain_error);
+  EXPECT_THROW(LatticeSolver(grid, 1, block, 0), std::domain_error);
+  EXPECT_THROW(LatticeSolver({7, 8, 1e-6, 1e-6}, 2, block), std::domain_error);
+  EXPECT_THROW(solver.solve(too_short, field), std::domain_error);
+  EXPECT_THROW(solver.solve_with_springs(field, field, 0.0), std::domain_error);
+  EXPECT_THROW(solver.set_springs(too_short), std::domain_error);
+  for (const double bad : {-1.0, std::nan("")}) {
+    springs[3] = bad;
+    EXPECT_THROW(solver.set_springs(springs), std::domain_error);
+  }
+}
+
 } // namespace
 } // namespace asperity::fem
