@@ -1,6 +1,7 @@
 #include "base/fourier.hpp"
 
 #include "base/fourier_plans.hpp"
+#include "base/parallel_rows.hpp"
 
 #include <cassert>
 #include <mutex>
@@ -19,6 +20,21 @@ fftw_complex* as_fftw(std::complex<double>* spectrum) {
   return reinterpret_cast<fftw_complex*>(spectrum);
 }
 
+/// FFTW's parallel loop over its n_jobs, run by the threads that stay.
+void run_jobs(void* (*do_job)(char*), char* jobs, std::size_t job_size,
+              int n_jobs, void*) {
+  parallel_rows(n_jobs, n_jobs, [&](int job) {
+    do_job(jobs + static_cast<std::size_t>(job) * job_size);
+  });
+}
+
+/// 0 if FFTW cannot have threads.
+int start_threads() {
+  const int ready = fftw_init_threads();
+  fftw_threads_set_callback(run_jobs, nullptr);
+  return ready;
+}
+
 } // namespace
 
 struct RealFourier::Plans {
@@ -30,7 +46,7 @@ struct RealFourier::Plans {
 
   Plans(const Grid& grid, int threads) {
     const std::lock_guard lock(planner_mutex());
-    static const int threads_ready = fftw_init_threads();
+    static const int threads_ready = start_threads();
     if (threads_ready == 0)
       throw std::runtime_error("FFTW could not start its threads");
     fftw_plan_with_nthreads(threads);

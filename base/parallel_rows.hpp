@@ -2,9 +2,11 @@
 
 // A loop over independent rows on a few threads.
 
+#include "base/thread_team.hpp"
+
+#include <algorithm>
 #include <atomic>
-#include <thread>
-#include <vector>
+#include <functional>
 
 namespace asperity {
 
@@ -12,8 +14,9 @@ namespace asperity {
 /// threads that each take the next free turn; `worker` in 0..threads-1 names
 /// the thread, for its scratch. Every turn writes its own results only, so the
 /// number of threads changes no bit; what is to be summed over turns is summed
-/// by the caller afterwards, in their order. do_turn does not throw.
-/// @param threads  >= 1; with 1 no thread is started
+/// by the caller afterwards, in their order. do_turn does not throw; it may
+/// hold a loop of its own.
+/// @param threads  >= 1; with 1 no other thread is asked
 template <class DoTurn>
 void parallel_turns(int n_turns, int threads, const DoTurn& do_turn) {
   std::atomic<int> next_turn = 0;
@@ -21,10 +24,7 @@ void parallel_turns(int n_turns, int threads, const DoTurn& do_turn) {
     for (int turn = next_turn++; turn < n_turns; turn = next_turn++)
       do_turn(turn, worker);
   };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads && i < n_turns; ++i)
-    helpers.emplace_back(work, i);
-  work(0);
+  work_together(std::min(threads, n_turns), std::ref(work));
 }
 
 /// The same for rows that need no scratch: do_row(row).

@@ -5,9 +5,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
+#include <cstdlib>
+#include <mutex>
+#include <numeric>
 #include <set>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace asperity {
@@ -34,18 +40,101 @@ TEST(ParallelRows, StartsNoThreadForOne) {
   EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
 }
 
-// Claim: two threads work at the same time: each of two rows waits for the
-// other to have begun.
-TEST(ParallelRows, WorksOnSeveralThreads) {
+/// Two rows that each wait for the other to have begun, and then do_row(): done
+/// by two threads or never.
+template <class DoRow>
+void two_rows_together(const DoRow& do_row) {
   std::atomic<int> begun = 0;
-
   parallel_rows(2, 2, [&](int) {
     ++begun;
     while (begun < 2)
       std::this_thread::yield();
+    do_row();
+  });
+}
+
+// Claim: two threads work at the same time, and the loop waits for its helper,
+// that is slow here.
+TEST(ParallelRows, WorksOnSeveralThreadsAndWaits) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<int> done = 0;
+
+  two_rows_together([&] {
+    if (std::this_thread::get_id() != caller)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ++done;
   });
 
-  EXPECT_EQ(begun, 2);
+  EXPECT_EQ(done, 2);
+}
+
+// Claim: the helper stays: twenty loops on two threads see two of them.
+TEST(ParallelRows, StartsNoThreadAnew) {
+  std::mutex mutex;
+  std::set<pid_t> seen; // not std::thread::id, which new threads take over
+
+  for (int loop = 0; loop < 20; ++loop)
+    two_rows_together([&] {
+      const std::lock_guard lock(mutex);
+      seen.insert(gettid());
+    });
+
+  EXPECT_EQ(seen.size(), 2u);
+}
+
+int sum_of_rows(int n_rows, int threads) {
+  std::vector<int> rows(static_cast<std::size_t>(n_rows));
+  parallel_rows(n_rows, threads,
+                [&](int row) { rows[static_cast<std::size_t>(row)] = row; });
+  return std::accumulate(rows.begin(), rows.end(), 0);
+}
+
+// Claim: a row may hold a loop of its own, and every loop is done when it
+// returns. The sum of 0..n-1 is n (n - 1) / 2.
+TEST(ParallelRows, MayBeNested) {
+  std::vector<int> sums(20);
+
+  for (int loop = 0; loop < 50; ++loop) {
+    parallel_rows(20, 2, [&](int row) {
+      sums[static_cast<std::size_t>(row)] = sum_of_rows(30, 3);
+    });
+
+    EXPECT_EQ(std::count(sums.begin(), sums.end(), 30 * 29 / 2), 20);
+  }
+}
+
+// Claim: callers on several threads do not disturb each other.
+TEST(ParallelRows, ServesSeveralCallers) {
+  std::atomic<int> right = 0;
+  {
+    std::vector<std::jthread> callers;
+    for (int caller = 0; caller < 4; ++caller)
+      callers.emplace_back([&] {
+        for (int loop = 0; loop < 200; ++loop)
+          right += sum_of_rows(40, 3) == 40 * 39 / 2 ? 1 : 0;
+      });
+  }
+
+  EXPECT_EQ(right, 4 * 200);
+}
+
+// Claim: a child process has helpers of its own and ends: two rows that wait
+// for each other need two threads there. A child that hangs is ended after
+// 10 s by its alarm.
+TEST(ParallelRows, WorksInAChildProcess) {
+  sum_of_rows(64, 3);
+
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(10);
+    std::atomic<int> done = 0;
+    two_rows_together([&] { ++done; });
+    std::exit(done == 2 ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
 } // namespace

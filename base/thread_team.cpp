@@ -1,0 +1,146 @@
+#include "base/thread_team.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <pthread.h>
+#include <thread>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// Looks at a state that is about to change before a thread sleeps, some 50 us:
+/// waking costs as much, and the serial lines between two loops take less.
+constexpr int looks = 100;
+
+/// A parked thread that does one call at a time.
+class Helper {
+public:
+  Helper() : thread_([this] { live(); }) {}
+
+  Helper(const Helper&) = delete;
+  Helper& operator=(const Helper&) = delete;
+
+  ~Helper() {
+    state_ = State::leaves;
+    state_.notify_one();
+    thread_.join();
+  }
+
+  void call(const std::function<void(int)>& work, int worker) {
+    work_ = &work;
+    worker_ = worker;
+    state_ = State::called;
+    state_.notify_one();
+  }
+
+  /// Takes the call back if it has not begun, else waits for its end.
+  void release() {
+    State seen = State::called;
+    if (!state_.compare_exchange_strong(seen, State::parked))
+      wait_while(State::works);
+  }
+
+private:
+  enum class State : int { parked, called, works, leaves };
+
+  State wait_while(State old) const {
+    State seen = state_;
+    for (int look = 0; seen == old && look < looks; ++look) {
+      std::this_thread::yield();
+      seen = state_;
+    }
+    while (seen == old) {
+      state_.wait(old);
+      seen = state_;
+    }
+    return seen;
+  }
+
+  void live() {
+    while (wait_while(State::parked) != State::leaves) {
+      State seen = State::called;
+      if (!state_.compare_exchange_strong(seen, State::works))
+        continue; // taken back
+      (*work_)(worker_);
+      state_ = State::parked;
+      state_.notify_one();
+    }
+  }
+
+  std::atomic<State> state_ = State::parked;
+  const std::function<void(int)>* work_ = nullptr;
+  int worker_ = 0;
+  std::thread thread_; // last: it uses the others
+};
+
+using Helpers = std::vector<std::unique_ptr<Helper>>;
+
+/// The helpers of the process that nobody uses.
+class Park {
+public:
+  static Park& instance() {
+    static Park park;
+    return park;
+  }
+
+  Helpers take(std::size_t n_helpers) {
+    Helpers taken;
+    {
+      const std::lock_guard lock(mutex_);
+      while (taken.size() < n_helpers && !parked_.empty()) {
+        taken.push_back(std::move(parked_.back()));
+        parked_.pop_back();
+      }
+    }
+    while (taken.size() < n_helpers)
+      taken.push_back(std::make_unique<Helper>());
+    return taken;
+  }
+
+  void put_back(Helpers helpers) {
+    const std::lock_guard lock(mutex_);
+    for (auto& helper : helpers)
+      parked_.push_back(std::move(helper));
+  }
+
+private:
+  Park() {
+    pthread_atfork([] { instance().mutex_.lock(); },
+                   [] { instance().mutex_.unlock(); },
+                   [] { instance().begin_child(); });
+  }
+
+  /// A child process has this memory but none of the threads.
+  void begin_child() {
+    for (auto& helper : parked_)
+      static_cast<void>(helper.release()); // its thread cannot be joined here
+    parked_.clear();
+    mutex_.unlock();
+  }
+
+  std::mutex mutex_;
+  Helpers parked_;
+};
+
+} // namespace
+
+void work_together(int threads, const std::function<void(int)>& work) {
+  if (threads <= 1) {
+    work(0);
+    return;
+  }
+  Helpers helpers =
+      Park::instance().take(static_cast<std::size_t>(threads - 1));
+  int worker = 0;
+  for (const auto& helper : helpers)
+    helper->call(work, ++worker);
+  work(0);
+  for (const auto& helper : helpers)
+    helper->release();
+  Park::instance().put_back(std::move(helpers));
+}
+
+} // namespace asperity
