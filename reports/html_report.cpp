@@ -282,6 +282,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("facts", facts_of(summary));
   page.set("has_skipped", !entry.result->skipped.empty());
   page.set("skipped", skipped_rows(*entry.result));
+  const List block_costs = block_cost_rows(*entry.result);
+  page.set("has_whole_block", !block_costs.empty());
+  page.set("block_costs", block_costs);
   page.set("case_text", entry.result->case_text);
   return page;
 }

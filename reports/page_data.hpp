@@ -19,6 +19,10 @@ kainjow::mustache::list fit_rows(std::span<const Series> series);
 /// What the run did not compute, with what it would have cost.
 kainjow::mustache::list skipped_rows(const results::Result& result);
 
+/// What each finite-element method and the half-space cost, where one of them
+/// solved a whole block; else none.
+kainjow::mustache::list block_cost_rows(const results::Result& result);
+
 kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
 
 kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);
