@@ -1,0 +1,167 @@
+#include "meshes/gmsh_block.hpp"
+
+#include "base/require.hpp"
+#include "meshes/facets.hpp"
+#include "meshes/gmsh_cells.hpp"
+#include "meshes/gmsh_geometries.hpp"
+#include "meshes/gmsh_session.hpp"
+#include "meshes/sound_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace asperity::meshes {
+namespace {
+
+using cases::MeshGeometry;
+
+void check_geometry(const GmshBlock& block) {
+  const double half = 0.5 * std::min(block.length_x, block.length_y);
+  if (block.geometry == MeshGeometry::file)
+    throw std::domain_error("gmsh_block: a file is read by mesh_file");
+  if (block.geometry == MeshGeometry::indentation)
+    require_between("fine_radius", block.fine_radius, block.size_at_contact,
+                    0.8 * std::min(half, block.depth), "m");
+  if (block.geometry == MeshGeometry::layered) {
+    double above = 0.0;
+    for (const double interface : block.interfaces) {
+      require_between("depth of an interface", interface,
+                      above + 1e-6 * block.depth, block.depth * (1.0 - 1e-6),
+                      "m");
+      above = interface;
+    }
+  }
+  if (block.geometry == MeshGeometry::inclusion) {
+    require_positive("inclusion_radius", block.inclusion_radius, "m");
+    const double radius = block.inclusion_radius * (1.0 + 1e-3);
+    require_between("inclusion_radius", block.inclusion_radius, 0.0,
+                    half / (1.0 + 1e-3), "m");
+    require_between("inclusion_depth", block.inclusion_depth, radius,
+                    block.depth - radius, "m");
+  }
+}
+
+void check(const GmshBlock& block) {
+  require_positive("length_x", block.length_x, "m");
+  require_positive("length_y", block.length_y, "m");
+  require_positive("depth", block.depth, "m");
+  const double least = std::min({block.length_x, block.length_y, block.depth});
+  require_positive("size_at_contact", block.size_at_contact, "m");
+  require_between("size_at_contact", block.size_at_contact, 1e-4 * least,
+                  0.25 * least, "m");
+  require_positive("size_far", block.size_far, "m");
+  require_between("size_far", block.size_far, block.size_at_contact,
+                  std::max({block.length_x, block.length_y, block.depth}), "m");
+  check_geometry(block);
+}
+
+/// The block with every length over `unit`.
+GmshBlock in_units_of(GmshBlock block, double unit) {
+  for (double* length :
+       {&block.length_x, &block.length_y, &block.depth, &block.size_at_contact,
+        &block.size_far, &block.fine_radius, &block.inclusion_radius,
+        &block.inclusion_depth})
+    *length /= unit;
+  for (double& interface : block.interfaces)
+    interface /= unit;
+  return block;
+}
+
+/// The plane a coordinate is on to 1e-8, gmsh's own accuracy.
+double snapped(double value, const std::vector<double>& planes,
+               const std::vector<double>& exact, double unit) {
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (std::abs(value - planes[i]) < 1e-8)
+      return exact[i];
+  return value * unit;
+}
+
+/// Metres instead of units, with the planes to the bit.
+void scale(BlockMesh& mesh, const GmshBlock& block, double unit) {
+  const GmshBlock scaled = in_units_of(block, unit);
+  const std::array<std::vector<double>, 3> planes = {
+      {{0.0, scaled.length_x}, {0.0, scaled.length_y}, depths_of(scaled)}};
+  const std::array<std::vector<double>, 3> exact = {
+      {{0.0, block.length_x}, {0.0, block.length_y}, depths_of(block)}};
+  for (Place& vertex : mesh.vertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      vertex[d] = snapped(vertex[d], planes[d], exact[d], unit);
+  mesh.length_x = block.length_x;
+  mesh.length_y = block.length_y;
+  mesh.depth = block.depth;
+}
+
+FaceGroup side_of(const BlockMesh& mesh, const Facet& facet) {
+  const auto all_have = [&](std::size_t d, double value) {
+    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+      if (mesh.vertices[facet.vertices[i]][d] != value)
+        return false;
+    return true;
+  };
+  if (all_have(2, 0.0))
+    return FaceGroup::contact;
+  if (all_have(2, mesh.depth))
+    return FaceGroup::fixed;
+  if (all_have(0, 0.0))
+    return FaceGroup::left;
+  if (all_have(0, mesh.length_x))
+    return FaceGroup::right;
+  if (all_have(1, 0.0))
+    return FaceGroup::front;
+  if (all_have(1, mesh.length_y))
+    return FaceGroup::back;
+  throw std::domain_error(
+      fmt::format("gmsh: the mesh has a hole at {}",
+                  place_text(centre_of_facet(mesh, facet.vertices))));
+}
+
+} // namespace
+
+std::vector<std::string> group_names_of(const GmshBlock& block) {
+  if (block.geometry == MeshGeometry::inclusion)
+    return {"block", "inclusion"};
+  if (block.geometry != MeshGeometry::layered)
+    return {"block"};
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i <= block.interfaces.size(); ++i)
+    names.push_back(fmt::format("layer {}", i + 1));
+  return names;
+}
+
+std::vector<double> depths_of(const GmshBlock& block) {
+  std::vector<double> depths = {0.0};
+  if (block.geometry == MeshGeometry::layered)
+    depths.insert(depths.end(), block.interfaces.begin(),
+                  block.interfaces.end());
+  depths.push_back(block.depth);
+  return depths;
+}
+
+double size_at_depth(const GmshBlock& block, double z) {
+  return std::lerp(block.size_at_contact, block.size_far, z / block.depth);
+}
+
+BlockMesh gmsh_block(const GmshBlock& block) {
+  check(block);
+  const double unit = std::max({block.length_x, block.length_y, block.depth});
+  const GmshBlock scaled = in_units_of(block, unit);
+  BlockMesh mesh;
+  in_gmsh([&] {
+    if (block.cells == cases::MeshCells::hexahedra)
+      make_hexahedra(scaled);
+    else
+      make_tetrahedra(scaled);
+    mesh = cells_of_gmsh();
+  });
+  scale(mesh, block, unit);
+  for (const Facet& facet : boundary_facets(mesh))
+    mesh.faces.push_back({facet.vertices, side_of(mesh, facet)});
+  require_sound(mesh, block.is_periodic ? cases::BlockSides::periodic
+                                        : cases::BlockSides::free);
+  return mesh;
+}
+
+} // namespace asperity::meshes

@@ -1,0 +1,282 @@
+// Claims about meshes/gmsh_block.hpp; the ball has its own in gmsh_inclusion.
+#include "meshes/gmsh_block.hpp"
+#include "meshes/mesh_quality.hpp"
+#include "meshes/sound_mesh.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "tests/meshes/mesh_measures.hpp"
+
+namespace asperity::meshes {
+namespace {
+
+using cases::BlockSides;
+using cases::MeshCells;
+using cases::MeshGeometry;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double length = 1e-6;
+
+/// A cube of 1 um, cells of 0.1 um at the face and 0.25 um far from it.
+GmshBlock cube(MeshGeometry geometry, MeshCells cells) {
+  GmshBlock block;
+  block.geometry = geometry;
+  block.cells = cells;
+  block.length_x = block.length_y = block.depth = length;
+  block.size_at_contact = 0.1 * length;
+  block.size_far = 0.25 * length;
+  block.fine_radius = 0.2 * length;
+  block.interfaces = {0.15 * length, 0.5 * length};
+  block.inclusion_radius = 0.2 * length;
+  block.inclusion_depth = 0.35 * length;
+  return block;
+}
+
+/// Any block of four or five cells along its shortest side.
+GmshBlock any_block(MeshCells cells) {
+  const auto between = [](double low, double high) {
+    return std::lerp(low, high, *rc::gen::inRange(0, 1000) / 1000.0);
+  };
+  GmshBlock block;
+  block.geometry =
+      *rc::gen::element(MeshGeometry::block, MeshGeometry::indentation,
+                        MeshGeometry::layered, MeshGeometry::inclusion);
+  block.cells = cells;
+  block.length_x = length;
+  block.length_y = length * between(0.7, 1.4);
+  block.depth = length * between(0.5, 2.0);
+  const double half =
+      0.5 * std::min({block.length_x, block.length_y, block.depth});
+  block.size_at_contact = half * between(0.4, 0.5);
+  block.size_far = block.size_at_contact * between(1.0, 3.0);
+  block.is_periodic = *rc::gen::arbitrary<bool>();
+  block.fine_radius = half * between(0.5, 0.8);
+  block.interfaces = {block.depth * between(0.1, 0.4),
+                      block.depth * between(0.5, 0.9)};
+  block.inclusion_radius = half * between(0.5, 0.9);
+  block.inclusion_depth =
+      std::lerp(1.01 * block.inclusion_radius,
+                block.depth - 1.01 * block.inclusion_radius, between(0.0, 1.0));
+  return block;
+}
+
+/// No cell inverted, the box filled, all six sides filled, sides matching.
+/// Tolerance: eps for each of the sums' terms.
+void expect_sound(const GmshBlock& block) {
+  const BlockMesh mesh = gmsh_block(block);
+
+  RC_LOG() << quality_text(mesh_quality(mesh));
+  const double rounding = 50 * eps * static_cast<double>(mesh.cells.size());
+  const auto is_near = [&](double sum, double expected) {
+    return std::abs(sum / expected - 1.0) < rounding;
+  };
+  const double face = block.length_x * block.length_y;
+  RC_ASSERT(test::smallest_jacobian(mesh) > 0.0);
+  RC_ASSERT(is_near(test::volume_of(mesh), face * block.depth));
+  RC_ASSERT(is_near(test::area_of(mesh, FaceGroup::contact), face));
+  RC_ASSERT(is_near(test::area_of(mesh, FaceGroup::fixed), face));
+  for (const auto side : {FaceGroup::left, FaceGroup::right})
+    RC_ASSERT(is_near(test::area_of(mesh, side), block.length_y * block.depth));
+  for (const auto side : {FaceGroup::front, FaceGroup::back})
+    RC_ASSERT(is_near(test::area_of(mesh, side), block.length_x * block.depth));
+  require_sound(mesh,
+                block.is_periodic ? BlockSides::periodic : BlockSides::free);
+}
+
+// RapidCheck's hundred blocks would take a quarter of a minute: fewer, unless
+// the environment says how many.
+const int fewer_blocks = setenv("RC_PARAMS", "max_success=20", 0);
+
+TEST(GmshBlock, OfHexahedraIsSoundForAnyNumbers) {
+  ASSERT_EQ(fewer_blocks, 0);
+  EXPECT_TRUE(rc::check([] { expect_sound(any_block(MeshCells::hexahedra)); }));
+}
+
+TEST(GmshBlock, OfTetrahedraIsSoundForAnyNumbers) {
+  EXPECT_TRUE(
+      rc::check([] { expect_sound(any_block(MeshCells::tetrahedra)); }));
+}
+
+// Claim: no cell is a bad one: hexahedra keep above the corner of a cube's fan,
+// 1/sqrt(3), less its slant where the box is no cube (twice as long on one
+// axis, it is 1/sqrt(6)); gmsh's optimiser keeps tetrahedra above 0.2.
+TEST(GmshBlock, HasNoBadCells) {
+  for (const auto geometry : {MeshGeometry::block, MeshGeometry::indentation,
+                              MeshGeometry::layered, MeshGeometry::inclusion}) {
+    const auto worst = [&](MeshCells cells) {
+      return mesh_quality(gmsh_block(cube(geometry, cells))).smallest_shape;
+    };
+    EXPECT_GT(worst(MeshCells::hexahedra), 1.0 / std::sqrt(6.0));
+    EXPECT_GT(worst(MeshCells::tetrahedra), 0.2);
+  }
+}
+
+/// The longest edge of the contact faces with a vertex within the radius of the
+/// middle, and of those wholly beyond twice that.
+EdgeRange near_and_far_edges(const BlockMesh& mesh, double radius) {
+  EdgeRange edges{0.0, 0.0};
+  for (const BoundaryFace& face : mesh.faces) {
+    if (face.group != FaceGroup::contact)
+      continue;
+    double nearest = length;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Place& place = mesh.vertices[face.vertices[i]];
+      nearest = std::min(nearest, std::hypot(place[0] - 0.5 * length,
+                                             place[1] - 0.5 * length));
+    }
+    const Place edge = test::minus(mesh.vertices[face.vertices[1]],
+                                   mesh.vertices[face.vertices[0]]);
+    double& longest = nearest < radius ? edges.smallest : edges.largest;
+    if (nearest < radius || nearest > 2.0 * radius)
+      longest = std::max(longest, std::sqrt(test::dot(edge, edge)));
+  }
+  return edges;
+}
+
+// Claim: under the indenter the face is as fine as asked, and coarser away from
+// it. Tolerance: hexahedra to rounding; a tetrahedron's edge may be sqrt(2)
+// times the size asked, and as much shorter where it is refined by its ends.
+TEST(GmshBlock, IsFineUnderTheIndenter) {
+  GmshBlock block = cube(MeshGeometry::indentation, MeshCells::hexahedra);
+  block.size_at_contact = 0.05 * length;
+  const EdgeRange hexahedra =
+      near_and_far_edges(gmsh_block(block), 0.9 * block.fine_radius);
+  EXPECT_LE(hexahedra.smallest, block.size_at_contact * (1.0 + 1e-9));
+  EXPECT_GT(hexahedra.largest, 2.0 * block.size_at_contact);
+
+  block.cells = MeshCells::tetrahedra;
+  const EdgeRange tetrahedra =
+      near_and_far_edges(gmsh_block(block), 0.9 * block.fine_radius);
+  EXPECT_LE(tetrahedra.smallest, block.size_at_contact * std::sqrt(2.0));
+  EXPECT_GT(tetrahedra.largest, 2.0 * block.size_at_contact);
+}
+
+// Claim: interfaces are planes of vertices to the bit and no cell crosses one:
+// the groups fill the box between them. Tolerance: sums of rounding.
+TEST(GmshBlock, HasItsInterfacesExactly) {
+  for (const auto cells : {MeshCells::hexahedra, MeshCells::tetrahedra}) {
+    const GmshBlock block = cube(MeshGeometry::layered, cells);
+    const BlockMesh mesh = gmsh_block(block);
+
+    EXPECT_EQ(mesh.group_names,
+              (std::vector<std::string>{"layer 1", "layer 2", "layer 3"}));
+    const std::vector<double> depths = {0.0, 0.15 * length, 0.5 * length,
+                                        length};
+    for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+      const auto layer = static_cast<std::size_t>(mesh.cell_group[cell]);
+      const std::size_t corners = cells == MeshCells::hexahedra ? 8 : 4;
+      for (std::size_t i = 0; i < corners; ++i) {
+        EXPECT_GE(mesh.vertices[mesh.cells[cell][i]][2], depths[layer]);
+        EXPECT_LE(mesh.vertices[mesh.cells[cell][i]][2], depths[layer + 1]);
+      }
+    }
+    for (std::size_t layer = 0; layer < 3; ++layer)
+      EXPECT_NEAR(test::volume_of(mesh, static_cast<int>(layer)) /
+                      (length * length * (depths[layer + 1] - depths[layer])),
+                  1.0, 1e-11);
+  }
+}
+
+// Claim: (M.5): layers of a block start and end near the sizes asked for, and
+// grow evenly. Tolerance: a cell's size is that of its middle, half a growth
+// off its ends', and the count is rounded up by less than one in ten.
+TEST(GmshBlock, GrowsFromTheContactFace) {
+  GmshBlock block = cube(MeshGeometry::block, MeshCells::hexahedra);
+  block.size_at_contact = 0.05 * length;
+  const MeshQuality quality = mesh_quality(gmsh_block(block));
+
+  EXPECT_NEAR(quality.contact_edges.smallest, 0.05 * length, 1e-9 * length);
+  EXPECT_NEAR(quality.edges.smallest / length, 0.05, 0.2 * 0.05);
+  EXPECT_NEAR(quality.edges.largest / length, 0.25, 0.2 * 0.25);
+}
+
+// Claim: a block with something in its middle is its own image when turned half
+// round. Tolerance: gmsh steps along a curve by its length, integrated to 1e-8.
+TEST(GmshBlock, OfHexahedraIsTheSameTurnedRound) {
+  for (const auto geometry :
+       {MeshGeometry::indentation, MeshGeometry::inclusion}) {
+    const BlockMesh mesh = gmsh_block(cube(geometry, MeshCells::hexahedra));
+    const auto has_vertex = [&](const Place& place) {
+      return std::any_of(
+          mesh.vertices.begin(), mesh.vertices.end(), [&](const Place& vertex) {
+            const Place apart = test::minus(vertex, place);
+            return test::dot(apart, apart) < 1e-16 * length * length;
+          });
+    };
+
+    EXPECT_TRUE(std::all_of(
+        mesh.vertices.begin(), mesh.vertices.end(), [&](const Place& place) {
+          return has_vertex({length - place[0], length - place[1], place[2]});
+        }));
+  }
+}
+
+bool are_equal(const BlockMesh& a, const BlockMesh& b) {
+  const auto as_pairs = [](const BlockMesh& mesh) {
+    std::vector<std::pair<std::array<unsigned int, 4>, FaceGroup>> faces;
+    for (const BoundaryFace& face : mesh.faces)
+      faces.emplace_back(face.vertices, face.group);
+    return faces;
+  };
+  return a.vertices == b.vertices && a.cells == b.cells &&
+         a.cell_group == b.cell_group && as_pairs(a) == as_pairs(b);
+}
+
+// Claim: same numbers, same bits, whatever was meshed between and from however
+// many threads.
+TEST(GmshBlock, IsTheSameEachTime) {
+  for (const auto cells : {MeshCells::hexahedra, MeshCells::tetrahedra}) {
+    const GmshBlock block = cube(MeshGeometry::inclusion, cells);
+    const BlockMesh first = gmsh_block(block);
+    gmsh_block(cube(MeshGeometry::layered, MeshCells::tetrahedra));
+    BlockMesh second;
+    BlockMesh third;
+    std::thread one([&] { second = gmsh_block(block); });
+    std::thread other([&] { third = gmsh_block(block); });
+    one.join();
+    other.join();
+
+    EXPECT_TRUE(are_equal(first, second));
+    EXPECT_TRUE(are_equal(first, third));
+  }
+}
+
+TEST(GmshBlock, RefusesImpossibleNumbersInWords) {
+  const auto refusal = [](MeshGeometry geometry, double GmshBlock::*member,
+                          double value) {
+    GmshBlock block = cube(geometry, MeshCells::hexahedra);
+    block.*member = value;
+    try {
+      gmsh_block(block);
+    } catch (const std::domain_error& error) {
+      return std::string(error.what()).substr(0, 16);
+    }
+    return std::string("accepted");
+  };
+  using enum MeshGeometry;
+  EXPECT_EQ(refusal(block, &GmshBlock::depth, 0.0), "depth = 0, but m");
+  EXPECT_EQ(refusal(block, &GmshBlock::size_at_contact, 3e-7),
+            "size_at_contact ");
+  EXPECT_EQ(refusal(block, &GmshBlock::size_far, 5e-8), "size_far = 5e-08");
+  EXPECT_EQ(refusal(indentation, &GmshBlock::fine_radius, 4.5e-7),
+            "fine_radius = 4.");
+  EXPECT_EQ(refusal(inclusion, &GmshBlock::inclusion_radius, 5e-7),
+            "inclusion_radius");
+  EXPECT_EQ(refusal(inclusion, &GmshBlock::inclusion_depth, 1.9e-7),
+            "inclusion_depth ");
+  EXPECT_EQ(refusal(inclusion, &GmshBlock::inclusion_depth, 8.1e-7),
+            "inclusion_depth ");
+  EXPECT_EQ(refusal(file, &GmshBlock::depth, 1e-6), "gmsh_block: a fi");
+  GmshBlock crossed = cube(layered, MeshCells::hexahedra);
+  crossed.interfaces = {5e-7, 2e-7};
+  EXPECT_THROW(gmsh_block(crossed), std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::meshes

@@ -1,0 +1,72 @@
+// Claims about meshes/gmsh_session.hpp.
+#include "meshes/gmsh_session.hpp"
+
+#include <gmsh.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::meshes {
+namespace {
+
+std::string refusal(const std::function<void()>& work) {
+  try {
+    in_gmsh(work);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Claim: what gmsh says is what the caller hears, and the next session starts
+// afresh (a model left half built would still have its point).
+TEST(InGmsh, SpeaksInGmshsWordsAndRecovers) {
+  EXPECT_EQ(refusal([] {
+              gmsh::model::geo::addPoint(0, 0, 0, 0, 7);
+              gmsh::model::mesh::setTransfiniteCurve(99, 3);
+            }),
+            "gmsh: Curve 99 does not exist");
+
+  gmsh::vectorpair entities;
+  EXPECT_EQ(refusal([&] {
+              gmsh::model::geo::synchronize();
+              gmsh::model::getEntities(entities);
+            }),
+            "accepted");
+  EXPECT_TRUE(entities.empty());
+}
+
+TEST(InGmsh, LetsOurOwnRefusalsThrough) {
+  EXPECT_EQ(refusal([] { throw std::domain_error("ours"); }), "ours");
+}
+
+TEST(InGmsh, LeavesSignalsAlone) {
+  struct sigaction before {};
+
+  struct sigaction within {};
+
+  sigaction(SIGINT, nullptr, &before);
+
+  in_gmsh([&] { sigaction(SIGINT, nullptr, &within); });
+
+  EXPECT_EQ(before.sa_handler, within.sa_handler);
+}
+
+TEST(InGmsh, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+
+  in_gmsh([] {
+    gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+    gmsh::model::occ::synchronize();
+    gmsh::model::mesh::generate(3);
+  });
+
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+} // namespace
+} // namespace asperity::meshes
