@@ -4,80 +4,179 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
 
-#include <optional>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
+#include <algorithm>
+#include <cmath>
 
 namespace asperity::fem {
 
-using dealii::Vector;
 using dealii::TrilinosWrappers::PreconditionAMG;
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+namespace {
+
+/// CG's iterations a decade may grow by this before multigrid is set up anew.
+constexpr double worst_growth = 1.5;
+
+/// Clears rows and columns of the flagged unknowns but for the diagonal.
+void clear_rows_and_columns(Matrix& matrix, const Vector& flags) {
+  const Epetra_CrsMatrix& crs = matrix.trilinos_matrix();
+  const Epetra_MultiVector& by_row = flags.trilinos_vector();
+  Epetra_Vector by_column(crs.ColMap());
+  if (crs.Importer() != nullptr)
+    by_column.Import(*by_row(0), *crs.Importer(), Insert);
+  else
+    by_column.Update(1.0, *by_row(0), 0.0);
+  for (int row = 0; row < crs.NumMyRows(); ++row) {
+    const bool is_held = by_row[0][row] != 0.0;
+    const int own_column = crs.LCID(crs.GRID(row));
+    int n_entries = 0;
+    double* values = nullptr;
+    int* columns = nullptr;
+    crs.ExtractMyRowView(row, n_entries, values, columns);
+    for (int i = 0; i < n_entries; ++i)
+      if (columns[i] != own_column && (is_held || by_column[columns[i]] != 0.0))
+        values[i] = 0.0;
+  }
+}
+
+} // namespace
 
 struct BlockSolver::Factors {
-  dealii::SparseDirectUMFPACK direct;
-  std::optional<PreconditionAMG> multigrid; // its constructor needs MPI
+  dealii::SolverControl control;
+  std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> direct;
+  PreconditionAMG multigrid;
   PreconditionAMG::AdditionalData settings;
 };
 
-BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind)
+/// A preconditioner between two projections on the unknowns that are not held.
+class BlockSolver::Masked {
+public:
+  explicit Masked(const BlockSolver& solver) : solver_(solver) {}
+
+  void vmult(Vector& to, const Vector& from) const {
+    if (solver_.own_)
+      solver_.own_->vmult(to, from);
+    else
+      solver_.factors_->multigrid.vmult(to, from);
+    for (const auto unknown : solver_.held_)
+      to(unknown) = 0.0;
+    to.compress(dealii::VectorOperation::insert);
+  }
+
+private:
+  const BlockSolver& solver_;
+};
+
+BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
+                         std::unique_ptr<BlockPreconditioner> own)
     : system_(system),
       is_direct_(kind == LinearSolver::direct ||
                  (kind == LinearSolver::automatic &&
-                  system.n_unknowns() <= most_direct_unknowns)) {
-  matrix_.reinit(system.sparsity());
-  if (is_direct_) {
-    factors_ = std::make_unique<Factors>();
-    return;
-  }
-  start_mpi();
-  factors_ = std::make_unique<Factors>();
+                  system.n_unknowns() <= most_direct_unknowns)),
+      own_(std::move(own)),
+      factors_(std::make_unique<Factors>()) {
+  matrix_.copy_from(system.stiffness());
   PreconditionAMG::AdditionalData& settings = factors_->settings;
   settings.elliptic = true;
-  settings.higher_order_elements =
-      system.dof_handler().get_fe().tensor_degree() > 1;
+  settings.higher_order_elements = system.space().element().degree > 1;
   settings.smoother_sweeps = 2;
   settings.aggregation_threshold = 1e-4; // 0.02 of step-42 needs more steps
-  dealii::DoFTools::extract_constant_modes(system.dof_handler(),
+  dealii::DoFTools::extract_constant_modes(system.space().dof_handler(),
                                            dealii::ComponentMask(3, true),
                                            settings.constant_modes);
 }
 
 BlockSolver::~BlockSolver() = default;
 
-void BlockSolver::set_springs(std::span<const double> springs) {
-  matrix_.copy_from(system_.stiffness());
-  for (std::size_t i = 0; i < springs.size(); ++i)
-    if (springs[i] > 0.0)
-      matrix_.add(system_.face_unknowns()[i], system_.face_unknowns()[i],
-                  springs[i]);
+std::string BlockSolver::name() const {
   if (is_direct_)
-    factors_->direct.initialize(matrix_);
-  else {
-    factors_->multigrid.emplace();
-    factors_->multigrid->initialize(matrix_, factors_->settings);
+    return "direct (MUMPS)";
+  return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
+}
+
+void BlockSolver::set_contact(std::span<const double> springs,
+                              const std::vector<bool>& held) {
+  const ContactPoints& points = system_.contact();
+  is_new_ = false;
+  matrix_.copy_from(system_.stiffness());
+  points.add_springs(springs, matrix_);
+  held_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i])
+      held_.push_back(points[i].row.front().first);
+  Vector flags = system_.space().make_vector();
+  for (const auto unknown : held_)
+    flags(unknown) = 1.0;
+  flags.compress(dealii::VectorOperation::insert);
+  if (flags.linfty_norm() > 0.0)
+    clear_rows_and_columns(matrix_, flags);
+  if (is_direct_) {
+    factors_->direct = std::make_unique<dealii::TrilinosWrappers::SolverDirect>(
+        factors_->control,
+        dealii::TrilinosWrappers::SolverDirect::AdditionalData(false,
+                                                               "Amesos_Mumps"));
+    factors_->direct->initialize(matrix_);
+    ++setups_;
+  } else if (own_) {
+    own_->prepare(springs, held);
+    ++setups_;
   }
 }
 
-bool BlockSolver::solve(Vector<double>& displacement,
-                        const Vector<double>& force) {
-  displacement = 0.0;
-  const double size = force.l2_norm();
-  if (size == 0.0)
+void BlockSolver::refresh_multigrid() {
+  if (!is_stale_)
+    return;
+  factors_->multigrid.clear();
+  factors_->multigrid.initialize(matrix_, factors_->settings);
+  is_stale_ = false;
+  is_new_ = true;
+  steps_a_decade_ = 0.0;
+  ++setups_;
+}
+
+/// Whether the hierarchy still serves: short solves say little.
+void BlockSolver::judge(int steps, double decades) {
+  constexpr int fewest_steps = 5;
+  if (own_ || steps < fewest_steps || !(decades > 1.0))
+    return;
+  const double now = steps / decades;
+  if (is_new_)
+    steps_a_decade_ = std::max(steps_a_decade_, now);
+  else if (now > worst_growth * steps_a_decade_)
+    is_stale_ = true;
+}
+
+bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
+                        double tolerance) {
+  if (forces.l2_norm() == 0.0) {
+    unknowns = 0.0;
     return true;
+  }
   if (is_direct_) {
-    factors_->direct.vmult(displacement, force);
+    factors_->direct->solve(unknowns, forces);
     return true;
   }
-  dealii::SolverControl control(1000, 1e-12 * size, false, false);
-  dealii::SolverCG<Vector<double>> conjugate_gradients(control);
+  if (!own_)
+    refresh_multigrid();
+  dealii::SolverControl control(1000, tolerance, false, false);
+  dealii::SolverCG<Vector> conjugate_gradients(control);
+  bool has_converged = true;
   try {
-    conjugate_gradients.solve(matrix_, displacement, force,
-                              *factors_->multigrid);
+    conjugate_gradients.solve(matrix_, unknowns, forces, Masked(*this));
   } catch (const dealii::SolverControl::NoConvergence&) {
-    return false;
+    has_converged = false;
   }
-  return true;
+  const int steps = static_cast<int>(control.last_step());
+  iterations_ += steps;
+  judge(steps, std::log10(control.initial_value() / control.last_value()));
+  return has_converged;
 }
 
 } // namespace asperity::fem

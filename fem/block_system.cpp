@@ -1,211 +1,141 @@
 #include "fem/block_system.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
+#include "fem/block_triangulation.hpp"
+#include "fem/cell_matrices.hpp"
+
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity::fem {
 namespace {
 
-using dealii::ComponentMask;
-using dealii::FE_Q;
-using dealii::FullMatrix;
-using dealii::Point;
-using dealii::QGauss;
-using dealii::types::boundary_id;
 using dealii::types::global_dof_index;
-
-// GridGenerator's colours of the faces of a box.
-constexpr boundary_id left_face = 0, right_face = 1;
-constexpr boundary_id front_face = 2, back_face = 3;
-constexpr boundary_id contact_face = 4, top_face = 5;
-
-/// deal.II's cell matrix for Lame's moduli at the cell `values` stands on.
-FullMatrix<double> cell_matrix(const dealii::FEValues<3>& values,
-                               const ElasticLayer& layer) {
-  const dealii::FEValuesExtractors::Vector displacement(0);
-  FullMatrix<double> matrix(values.dofs_per_cell);
-  for (const unsigned int q : values.quadrature_point_indices())
-    for (const unsigned int i : values.dof_indices()) {
-      const auto strain = values[displacement].symmetric_gradient(i, q);
-      const double dilatation = values[displacement].divergence(i, q);
-      for (const unsigned int j : values.dof_indices())
-        matrix(i, j) +=
-            (2.0 * layer.shear_modulus *
-                 (strain * values[displacement].symmetric_gradient(j, q)) +
-             layer.lame_modulus * dilatation *
-                 values[displacement].divergence(j, q)) *
-            values.JxW(q);
-    }
-  return matrix;
-}
+using meshes::FaceGroup;
 
 } // namespace
 
-BlockSystem::BlockSystem(const Grid& grid, int degree,
-                         const LayeredBlock& block)
-    : grid_(grid),
-      degree_(static_cast<unsigned int>(degree)),
-      element_(FE_Q<3>(degree_), 3),
-      dof_handler_(triangulation_) {
-  require_cells(grid, degree);
-  require_block(block);
-  make_mesh(block);
-  dof_handler_.distribute_dofs(element_);
-  constrain(block.top);
-  assemble(block);
-  find_contact_face();
-  integrate_loads(block.top);
+BlockSystem::BlockSystem(const BlockProblem& problem)
+    : grid_(problem.grid),
+      field_(problem.moduli),
+      top_(problem.top),
+      quality_(problem.quality),
+      space_(problem),
+      contact_(space_, problem) {
+  if (problem.counter)
+    counter_ = moduli(*problem.counter);
+  assemble();
+  integrate_top_load();
+  find_face_modulus();
 }
 
-void BlockSystem::make_mesh(const LayeredBlock& block) {
-  const auto cells_x = static_cast<std::size_t>(grid_.points_x) / degree_;
-  const auto cells_y = static_cast<std::size_t>(grid_.points_y) / degree_;
-  std::vector<double> thickness;
-  double depth = 0.0;
-  for (const ElasticLayer& layer : block.layers) {
-    thickness.push_back(layer.thickness);
-    depth += layer.thickness;
-  }
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation_,
-      {std::vector<double>(cells_x,
-                           grid_.length_x / static_cast<double>(cells_x)),
-       std::vector<double>(cells_y,
-                           grid_.length_y / static_cast<double>(cells_y)),
-       thickness},
-      Point<3>(), Point<3>(grid_.length_x, grid_.length_y, depth), true);
+Moduli BlockSystem::moduli_of(
+    const dealii::Triangulation<3>::cell_iterator& cell) const {
+  const dealii::Point<3> centre = cell->center();
+  if (counter_ && centre[2] < 0.0)
+    return *counter_;
+  return field_.at({centre[0], centre[1], centre[2]});
 }
 
-void BlockSystem::constrain(cases::TopFace top) {
-  const ComponentMask lateral({true, true, false});
-  const ComponentMask vertical({false, false, true});
-  if (top == cases::TopFace::clamped)
-    dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
-                                                     constraints_);
-  if (top == cases::TopFace::sliding) {
-    dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
-                                                     constraints_, vertical);
-    pin_one_top_node(lateral);
-  }
-  if (top == cases::TopFace::pressure)
-    pin_one_top_node(ComponentMask({true, true, true}));
-  dealii::DoFTools::make_periodicity_constraints(dof_handler_, left_face,
-                                                 right_face, 0, constraints_);
-  dealii::DoFTools::make_periodicity_constraints(dof_handler_, front_face,
-                                                 back_face, 1, constraints_);
-  constraints_.close();
-}
+void BlockSystem::assemble() {
+  const dealii::DoFHandler<3>& handler = space_.dof_handler();
+  std::vector<global_dof_index> roots;
+  for (const auto& line : space_.constraints().get_lines())
+    for (const auto& entry : line.entries)
+      if (!space_.relevant().is_element(entry.first))
+        roots.push_back(entry.first);
+  std::sort(roots.begin(), roots.end());
+  dealii::IndexSet writable = space_.relevant();
+  writable.add_indices(roots.begin(), roots.end());
+  writable.add_indices(contact_.needed());
+  writable.compress();
+  dealii::TrilinosWrappers::SparsityPattern pattern(
+      space_.owned(), space_.owned(), writable, MPI_COMM_WORLD);
+  dealii::DoFTools::make_sparsity_pattern(
+      handler, pattern, space_.constraints(), false,
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  contact_.reserve(pattern);
+  pattern.compress();
+  stiffness_.reinit(pattern);
 
-// The node nearest to the middle of the top, which is nobody's image.
-void BlockSystem::pin_one_top_node(const ComponentMask& components) {
-  const Point<2> middle(grid_.length_x / 2.0, grid_.length_y / 2.0);
-  double nearest = grid_.length_x + grid_.length_y;
-  std::vector<global_dof_index> pinned;
-  for (const auto& cell : dof_handler_.active_cell_iterators())
-    for (const auto& face : cell->face_iterators()) {
-      if (!face->at_boundary() || face->boundary_id() != top_face)
-        continue;
-      for (const unsigned int v : face->vertex_indices()) {
-        const Point<3> place = face->vertex(v);
-        const double distance = Point<2>(place[0], place[1]).distance(middle);
-        if (distance >= nearest)
-          continue;
-        nearest = distance;
-        pinned.clear();
-        for (unsigned int c = 0; c < 3; ++c)
-          if (components[c])
-            pinned.push_back(face->vertex_dof_index(v, c));
-      }
-    }
-  for (const global_dof_index unknown : pinned)
-    constraints_.add_line(unknown);
-}
-
-void BlockSystem::assemble(const LayeredBlock& block) {
-  dealii::DynamicSparsityPattern pattern(dof_handler_.n_dofs());
-  dealii::DoFTools::make_sparsity_pattern(dof_handler_, pattern, constraints_,
-                                          false);
-  sparsity_.copy_from(pattern);
-  stiffness_.reinit(sparsity_);
-
-  dealii::FEValues<3> values(element_, QGauss<3>(degree_ + 1),
-                             dealii::update_gradients |
-                                 dealii::update_JxW_values);
-  std::vector<double> upper_side;
-  for (const ElasticLayer& layer : block.layers)
-    upper_side.push_back((upper_side.empty() ? 0.0 : upper_side.back()) +
-                         layer.thickness);
-  std::vector<FullMatrix<double>> matrix_of_layer(block.layers.size());
-  std::vector<global_dof_index> unknowns(element_.n_dofs_per_cell());
-  for (const auto& cell : dof_handler_.active_cell_iterators()) {
-    const auto above = std::upper_bound(upper_side.begin(), upper_side.end(),
-                                        cell->center()[2]);
-    const auto layer = static_cast<std::size_t>(above - upper_side.begin());
-    FullMatrix<double>& matrix = matrix_of_layer[layer];
-    if (matrix.empty()) { // all cells of a layer are congruent
-      values.reinit(cell);
-      matrix = cell_matrix(values, block.layers[layer]);
-    }
+  CellMatrices matrices(space_);
+  std::vector<global_dof_index> unknowns(space_.element().n_dofs_per_cell());
+  for (const auto& cell : handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
     cell->get_dof_indices(unknowns);
-    constraints_.distribute_local_to_global(matrix, unknowns, stiffness_);
+    space_.constraints().distribute_local_to_global(
+        matrices.of(cell, moduli_of(cell)), unknowns, stiffness_);
   }
+  stiffness_.compress(dealii::VectorOperation::add);
 }
 
-std::size_t BlockSystem::grid_node(const Point<3>& place) const {
-  const long ix = std::lround(place[0] / grid_.spacing_x());
-  const long iy = std::lround(place[1] / grid_.spacing_y());
-  return grid_.index(static_cast<int>(ix) % grid_.points_x,
-                     static_cast<int>(iy) % grid_.points_y);
-}
-
-void BlockSystem::find_contact_face() {
-  std::map<global_dof_index, Point<3>> places;
-  dealii::DoFTools::map_dofs_to_support_points(
-      dealii::MappingQ1<3>(), dof_handler_, places,
-      ComponentMask({false, false, true}));
-  const double above = 1e-6 * grid_.spacing_x();
-  face_unknowns_.assign(grid_.size(), dealii::numbers::invalid_dof_index);
-  for (const auto& [unknown, place] : places)
-    if (place[2] < above && !constraints_.is_constrained(unknown))
-      face_unknowns_[grid_node(place)] = unknown;
-}
-
-void BlockSystem::integrate_loads(cases::TopFace top) {
-  dealii::Vector<double> face_load(dof_handler_.n_dofs());
-  top_load_.reinit(dof_handler_.n_dofs());
-  dealii::FEFaceValues<3> values(element_, QGauss<2>(degree_ + 1),
-                                 dealii::update_values |
-                                     dealii::update_JxW_values);
+void BlockSystem::integrate_top_load() {
+  top_load_ = space_.make_vector();
+  if (top_ != cases::TopFace::pressure)
+    return;
+  dealii::FEFaceValues<3> values(
+      space_.mapping(), space_.element(), space_.face_quadrature(),
+      dealii::update_values | dealii::update_JxW_values);
   const dealii::FEValuesExtractors::Scalar vertical(2);
-  dealii::Vector<double> cell_load(element_.n_dofs_per_cell());
-  std::vector<global_dof_index> unknowns(element_.n_dofs_per_cell());
-  for (const auto& cell : dof_handler_.active_cell_iterators())
+  dealii::Vector<double> cell_load(space_.element().n_dofs_per_cell());
+  std::vector<global_dof_index> unknowns(cell_load.size());
+  double far_area = 0.0; // of the first body
+  for (const auto& cell : space_.dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    const double outward = cell->center()[2] < 0.0 ? -1.0 : 1.0;
     for (const unsigned int f : cell->face_indices()) {
-      const boundary_id face = cell->face(f)->boundary_id();
-      if (face != contact_face &&
-          (face != top_face || top != cases::TopFace::pressure))
+      if (!cell->face(f)->at_boundary() ||
+          cell->face(f)->boundary_id() != boundary_of(FaceGroup::fixed))
         continue;
       values.reinit(cell, f);
       cell_load = 0.0;
-      for (const unsigned int q : values.quadrature_point_indices())
+      for (const unsigned int q : values.quadrature_point_indices()) {
         for (const unsigned int i : values.dof_indices())
-          cell_load(i) += values[vertical].value(i, q) * values.JxW(q);
+          cell_load(i) +=
+              outward * values[vertical].value(i, q) * values.JxW(q);
+        if (outward > 0.0)
+          far_area += values.JxW(q);
+      }
       cell->get_dof_indices(unknowns);
-      constraints_.distribute_local_to_global(
-          cell_load, unknowns, face == top_face ? top_load_ : face_load);
+      space_.constraints().distribute_local_to_global(cell_load, unknowns,
+                                                      top_load_);
     }
-  nodal_areas_.resize(grid_.size());
-  for (std::size_t i = 0; i < grid_.size(); ++i)
-    nodal_areas_[i] = face_load(face_unknowns_[i]);
+  }
+  top_load_.compress(dealii::VectorOperation::add);
+  far_area = dealii::Utilities::MPI::sum(far_area, MPI_COMM_WORLD);
+  top_load_ *= contact_.area() / far_area;
+}
+
+void BlockSystem::find_face_modulus() {
+  double largest = 0.0;
+  for (const auto& cell : space_.dof_handler().active_cell_iterators())
+    if (cell->is_locally_owned() && cell->at_boundary())
+      for (const auto& face : cell->face_iterators())
+        if (face->at_boundary() &&
+            face->boundary_id() == boundary_of(FaceGroup::contact))
+          largest = std::max(largest, moduli_of(cell).shear_modulus);
+  face_shear_modulus_ = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+}
+
+std::string BlockSystem::report() const {
+  const auto& triangulation = space_.triangulation();
+  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  std::string text = fmt::format(
+      "{} {} of order {}, {} unknowns, {} contact points ({}), {} {}\n",
+      triangulation.n_global_active_cells(),
+      triangulation.all_reference_cells_are_hyper_cube() ? "hexahedra"
+                                                         : "tetrahedra",
+      space_.element().degree, n_unknowns(),
+      dealii::Utilities::MPI::sum(contact_.size(), MPI_COMM_WORLD),
+      contact_.is_nodal() ? "nodes" : "Gauss points", n_ranks,
+      n_ranks == 1 ? "rank" : "ranks");
+  return text + quality_;
 }
 
 } // namespace asperity::fem

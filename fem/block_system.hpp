@@ -1,79 +1,70 @@
 #pragma once
 
-// The whole block as a deal.II problem: mesh, unknowns, periodicity, stiffness
-// and loads. Owns nothing of contact. Include from .cpp files of fem/ only.
+// The whole block as a linear system: stiffness, the load of a pressed top and
+// the points of contact. Owns no law of contact.
+// Include from .cpp files of fem/ only.
 
-#include "fem/elastic_layers.hpp"
+#include "fem/block_space.hpp"
+#include "fem/contact_points.hpp"
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/tria.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
-
-#include <vector>
+#include <memory>
+#include <string>
 
 namespace asperity::fem {
 
-/// K u = f of the block above the contact face z = 0, on one process.
-///
-/// Vectors hold zeros at constrained unknowns (periodic images, the held top
-/// and the pins); the images follow from AffineConstraints where needed. A
-/// sliding top is pinned laterally, a pressed top in all directions, at one
-/// node of the top: under balanced loads the pin carries nothing.
+/// K u = f of the block, distributed. Moduli are those at a cell's centre.
 class BlockSystem {
 public:
-  /// @param grid   nodes of the contact face: cells are `degree` spacings wide
-  /// @param degree 1 or 2: FE_Q(degree) with QGauss(degree + 1)
-  /// @throws std::domain_error  the grid or the block is outside its range
-  BlockSystem(const Grid& grid, int degree, const LayeredBlock& block);
+  /// @throws std::domain_error  as make_full_block
+  explicit BlockSystem(const BlockProblem& problem);
 
   const Grid& grid() const { return grid_; }
 
+  const BlockSpace& space() const { return space_; }
+
+  const ContactPoints& contact() const { return contact_; }
+
+  bool has_counter() const { return counter_.has_value(); }
+
   dealii::types::global_dof_index n_unknowns() const {
-    return dof_handler_.n_dofs();
+    return space_.dof_handler().n_dofs();
   }
 
-  const dealii::DoFHandler<3>& dof_handler() const { return dof_handler_; }
-
-  const dealii::SparsityPattern& sparsity() const { return sparsity_; }
-
-  const dealii::SparseMatrix<double>& stiffness() const { return stiffness_; }
-
-  /// The unknown u_z of each grid node, in the grid's order.
-  const std::vector<dealii::types::global_dof_index>& face_unknowns() const {
-    return face_unknowns_;
+  const dealii::TrilinosWrappers::SparseMatrix& stiffness() const {
+    return stiffness_;
   }
 
-  /// Row sums of the mass matrix of the contact face [m^2].
-  const std::vector<double>& nodal_areas() const { return nodal_areas_; }
+  /// Force on the unknowns of a nominal pressure of 1 Pa that pulls the far
+  /// faces away from the contact [m^2]: consistent, of the size of the contact
+  /// face, and zero where the far faces are held.
+  const dealii::TrilinosWrappers::MPI::Vector& top_load() const {
+    return top_load_;
+  }
 
-  /// Force on the unknowns of a unit tension on the top [m^2]: consistent, and
-  /// zero where the top is held.
-  const dealii::Vector<double>& top_load() const { return top_load_; }
+  /// What a cell is made of.
+  Moduli moduli_of(const dealii::Triangulation<3>::cell_iterator& cell) const;
+
+  /// The largest shear modulus of a cell under the contact face [Pa].
+  double face_shear_modulus() const { return face_shear_modulus_; }
+
+  /// Lines on cells, unknowns and ranks.
+  std::string report() const;
 
 private:
-  void make_mesh(const LayeredBlock& block);
-  void constrain(cases::TopFace top);
-  void pin_one_top_node(const dealii::ComponentMask& components);
-  void assemble(const LayeredBlock& block);
-  void find_contact_face();
-  void integrate_loads(cases::TopFace top);
-  std::size_t grid_node(const dealii::Point<3>& place) const;
+  void assemble();
+  void integrate_top_load();
+  void find_face_modulus();
 
   Grid grid_;
-  unsigned int degree_;
-  dealii::Triangulation<3> triangulation_;
-  dealii::FESystem<3> element_;
-  dealii::DoFHandler<3> dof_handler_;
-  dealii::AffineConstraints<double> constraints_;
-  dealii::SparsityPattern sparsity_;
-  dealii::SparseMatrix<double> stiffness_;
-  std::vector<dealii::types::global_dof_index> face_unknowns_;
-  std::vector<double> nodal_areas_;
-  dealii::Vector<double> top_load_;
+  ModuliField field_;
+  std::optional<Moduli> counter_;
+  cases::TopFace top_;
+  std::string quality_;
+  BlockSpace space_;
+  ContactPoints contact_;
+  dealii::TrilinosWrappers::SparseMatrix stiffness_;
+  dealii::TrilinosWrappers::MPI::Vector top_load_;
+  double face_shear_modulus_ = 0.0;
 };
 
 } // namespace asperity::fem

@@ -15,8 +15,8 @@ namespace asperity::fem {
 /// How the block's linear systems are solved.
 enum class LinearSolver {
   automatic, ///< direct for small blocks, multigrid beyond
-  direct,    ///< UMFPACK
-  multigrid, ///< CG to 1e-12 of the load, Trilinos ML smoothed aggregation
+  direct,    ///< MUMPS
+  multigrid, ///< CG, Trilinos ML smoothed aggregation
 };
 
 /// What is prescribed at one step.
@@ -44,27 +44,50 @@ struct BlockSolution {
   double nominal_pressure = 0.0; ///< [Pa]
   double residual = 0.0; ///< larger of the gap's violation over h_rms and of
                          ///< the unbalanced nodal force over the largest [1]
-  int iterations = 0;    ///< Newton steps, each one factorisation
+  double area_by_points = 0.0; ///< area of the points under pressure over that
+                               ///< of the contact face [1]
+  int iterations = 0;          ///< Newton steps
+  int linear_iterations = 0;   ///< of CG, in all of this step's solves
+  int preconditioner_setups = 0; ///< or factorisations, in this step
+  std::string linear_solver;     ///< "direct (MUMPS)", ...
   bool converged = false;
   std::string note; ///< why it did not converge; empty otherwise
 };
 
-/// Node-wise contact of the block on rigid heights by semi-smooth Newton:
+/// Contact of the block on rigid heights, at points c of the contact face:
 ///
-///     K u = sum_i a_i p_i e_i - P g,    p_i = (lambda_i - k gap_i)+,   (F.1)
-///     gap_i = d + u_i - h_i,            P A = sum_i a_i p_i,
+///     K u = B^T a p - P g,    gap_c = d + (B u)_c - h_c,               (F.1)
+///     p_c = (lambda_c - k gap_c)+,    P A = sum_c a_c p_c,
 ///
-/// with K deal.II's stiffness, a_i the nodal areas, d the rigid approach, P g
-/// the balancing load on a pressed top, and P or the mean gap prescribed. One
-/// step solves (F.1) exactly for a contact set; it ends when the set stands
-/// still. lambda = 0 for a penalty; otherwise lambda <- p until no gap in
-/// contact exceeds the tolerance (augmented Lagrangian).
+/// with K deal.II's stiffness, B u the displacement u_z at the points, a their
+/// areas, d the rigid approach, P g the balancing load on a pressed top, and P
+/// or the mean gap prescribed. Points are nodes (B picks u_z, a is the row sum
+/// of the face's mass matrix) or Gauss points. With two bodies B u is the
+/// difference of their displacements.
 ///
-/// The spring acts on the primal unknowns: beyond some 1e7 E/h the rounding of
+/// penalty, augmented: semi-smooth Newton. One step solves (F.1) exactly for a
+/// contact set; it ends when the set stands still. lambda = 0 for a penalty;
+/// otherwise lambda <- p until no gap in contact exceeds the tolerance.
+///
+/// hard: the primal-dual active set, node-wise. Active nodes are held at
+/// u_z = h - d and p is what holds them; a node joins where it overlaps and
+/// leaves where it would be pulled. Gauss points cannot be held one by one and
+/// are refused: they have the augmented law.
+///
+/// A spring acts on the primal unknowns: beyond some 1e7 E/h the rounding of
 /// the gap would exceed 1e-8 of the pressure. So k is bounded by 1e5 mu/h, and
 /// a stiffer penalty k_0 is reached like a wall, by lambda <- (1 - k/k_0) p
-/// until gap + p/k_0 is within the tolerance. Nor is a wall's k softer than
+/// until gap + p/k_0 is within the tolerance. Nor is an augmented k softer than
 /// 1e3 mu/h, with which it would take many rounds.
+///
+/// Maps of the answer are node-wise where the contact face's nodes are the
+/// grid's. Otherwise they are samples at the grid's nodes: the gap with the
+/// displacement of the face there; the pressure interpolated as u_z is from
+/// nodes and cut at 0, or that of the nearest Gauss point of the face (the mean
+/// of faces that share the node). Scalars are sums over the points always.
+///
+/// Under mpirun every call is collective, with equal arguments on every rank,
+/// and every rank gets the whole answer.
 class FullBlock {
 public:
   virtual ~FullBlock() = default;
@@ -73,7 +96,8 @@ public:
 
   virtual std::size_t unknowns() const = 0;
 
-  /// Row sums of the contact face's mass matrix over their mean, mean 1.
+  /// Row sums of the contact face's mass matrix over their mean, mean 1; all
+  /// ones where the maps are samples.
   virtual std::span<const double> nodal_weights() const = 0;
 
   /// The displacement under a given pressure, without its mean.
@@ -82,7 +106,11 @@ public:
   virtual std::vector<double>
   displacement(std::span<const double> pressure) = 0;
 
-  /// @param heights  grid().size() values [m]
+  /// Lines on mesh, unknowns, contact points and ranks.
+  virtual std::string report() const = 0;
+
+  /// @param heights  grid().size() values [m]: exact at points that are nodes
+  ///                 of the grid, by periodic bicubic convolution between
   /// A call starts from the displacement the last one ended with.
   /// @throws std::domain_error  an argument is outside its range
   virtual BlockSolution solve(std::span<const double> heights,
