@@ -2,62 +2,54 @@
 
 #include "base/parallel_rows.hpp"
 #include "contact/chunked_sum.hpp"
+#include "contact/node_bits.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <utility>
 
 namespace asperity::contact {
 namespace {
 
 constexpr float across = 0.5F; ///< weight of a diagonal neighbour
 
-/// touches[i] = whether node i or one of its eight neighbours has a flag, 0 or
-/// 1 each.
-void mark_neighbours(const Grid& grid, int threads,
-                     const std::vector<std::uint8_t>& has,
-                     std::vector<std::uint8_t>& touches) {
-  const auto width = static_cast<std::size_t>(grid.points_x);
-  const int height = grid.points_y;
-  constexpr int rows_a_turn = 16;
-  parallel_turns(
-      (height + rows_a_turn - 1) / rows_a_turn, threads, [&](int turn, int) {
-        std::vector<std::uint8_t> column(width + 2); // of three rows, wrapped
-        const int end = std::min(height, (turn + 1) * rows_a_turn);
-        for (int iy = turn * rows_a_turn; iy < end; ++iy) {
-          const std::uint8_t* const row = &has[grid.index(0, iy)];
-          const std::uint8_t* const below =
-              &has[grid.index(0, (iy + height - 1) % height)];
-          const std::uint8_t* const above =
-              &has[grid.index(0, (iy + 1) % height)];
-          std::uint8_t* const out = &touches[grid.index(0, iy)];
-          std::uint8_t* const sums = column.data();
-          for (std::size_t ix = 0; ix < width; ++ix)
-            sums[ix + 1] = row[ix] | below[ix] | above[ix];
-          sums[0] = sums[width];
-          sums[width + 1] = sums[1];
-          for (std::size_t ix = 0; ix < width; ++ix)
-            out[ix] = sums[ix] | sums[ix + 1] | sums[ix + 2];
-        }
-      });
+constexpr int rows_a_turn = 16;
+
+int turns_of(const Grid& grid) {
+  return (grid.points_y + rows_a_turn - 1) / rows_a_turn;
 }
 
-/// Calls found(i) for each i with flags[i] != 0, eight at a glance.
+/// Calls do_word(turn, iy, word) for each word of the grid's bits, the rows of
+/// a turn on one thread.
+template <class DoWord>
+void each_word(const Grid& grid, const NodeBits& bits, int threads,
+               const DoWord& do_word) {
+  parallel_rows(turns_of(grid), threads, [&](int turn) {
+    const int end = std::min(grid.points_y, (turn + 1) * rows_a_turn);
+    for (int iy = turn * rows_a_turn; iy < end; ++iy)
+      for (int word = 0; word < bits.words_a_row(); ++word)
+        do_word(static_cast<std::size_t>(turn), iy, word);
+  });
+}
+
+/// Calls found(bit) for each bit that is set, the lowest first.
 template <class Found>
-void each_flag(const std::uint8_t* flags, std::size_t size,
-               const Found& found) {
-  std::size_t i = 0;
-  for (; i + 8 <= size; i += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, flags + i, 8);
-    if (eight == 0)
-      continue;
-    for (std::size_t k = i; k < i + 8; ++k)
-      if (flags[k] != 0)
-        found(k);
+void each_bit(NodeBits::Word bits, const Found& found) {
+  for (; bits != 0; bits &= bits - 1)
+    found(std::countr_zero(bits));
+}
+
+/// 1 / sum of w over the neighbours of a bit's node, 0 if there are none.
+float share_of(const std::array<NodeBits::Word, 8>& neighbours, int bit) {
+  NodeBits::Word beside = 0, diagonal = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    beside += neighbours[k] >> bit & 1U;
+    diagonal += neighbours[k + 4] >> bit & 1U;
   }
-  for (; i < size; ++i)
-    if (flags[i] != 0)
-      found(i);
+  const float weight =
+      static_cast<float>(beside) + across * static_cast<float>(diagonal);
+  return weight > 0.0F ? 1.0F / weight : 0.0F;
 }
 
 } // namespace
@@ -66,58 +58,86 @@ RimExtension::RimExtension(const Grid& grid, int threads)
     : grid_(grid), threads_(threads), rings_(layers + 1) {}
 
 void RimExtension::build(std::span<const std::uint8_t> is_free) {
-  const std::size_t nodes = grid_.size();
-  work_.resize(nodes);
-  std::vector<std::uint8_t> seen(nodes), touches(nodes), ring(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    seen[i] = is_free[i] > 0 ? 1 : 0;
-    ring[i] = 1 - seen[i];
-  }
-  const auto collect = [&](Ring& kept) {
-    kept.nodes.clear();
-    std::vector<std::uint32_t> border;
-    const auto width = static_cast<std::size_t>(grid_.points_x);
-    for (int iy = 0; iy < grid_.points_y; ++iy) {
-      const bool is_border = iy == 0 || iy + 1 == grid_.points_y;
-      const std::size_t first = grid_.index(0, iy);
-      each_flag(&ring[first], width, [&](std::size_t ix) {
-        const bool is_edge = is_border || ix == 0 || ix + 1 == width;
-        (is_edge ? border : kept.nodes)
-            .push_back(static_cast<std::uint32_t>(first + ix));
-      });
-    }
-    kept.n_inside = kept.nodes.size();
-    kept.nodes.insert(kept.nodes.end(), border.begin(), border.end());
-    kept.share.assign(kept.nodes.size(), 0.0F);
-  };
+  work_.resize(grid_.size()); // all 0 between uses
+  NodeBits seen(grid_), before(grid_), ring(grid_);
+  const auto width = static_cast<std::size_t>(grid_.points_x);
+  parallel_rows(turns_of(grid_), threads_, [&](int turn) {
+    const int end = std::min(grid_.points_y, (turn + 1) * rows_a_turn);
+    for (int iy = turn * rows_a_turn; iy < end; ++iy)
+      seen.assign_row(iy, is_free.subspan(grid_.index(0, iy), width));
+  });
 
   // Ring 0: free nodes beside others.
-  mark_neighbours(grid_, threads_, ring, touches);
-  for (std::size_t i = 0; i < nodes; ++i)
-    ring[i] = touches[i] & seen[i];
-  collect(rings_[0]);
-  std::vector<float>& present = work_; // all 0 between uses
+  each_word(grid_, seen, threads_, [&](std::size_t, int iy, int word) {
+    const NodeBits::Word own = seen.at(iy, word);
+    if (own == 0)
+      return;
+    NodeBits::Word inner = own;
+    for (const NodeBits::Word neighbour : seen.neighbours(iy, word))
+      inner &= neighbour;
+    ring.at(iy, word) = own & ~inner;
+  });
+  collect(ring, before, rings_[0]);
   for (std::size_t l = 1; l < rings_.size(); ++l) {
-    for (const std::uint32_t node : rings_[l - 1].nodes)
-      present[node] = 1.0F;
-    mark_neighbours(grid_, threads_, ring, touches);
-    for (std::size_t i = 0; i < nodes; ++i) {
-      ring[i] = touches[i] & (1 - seen[i]);
-      seen[i] |= ring[i];
-    }
-    collect(rings_[l]);
-    each_chunk(rings_[l], [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        rings_[l].share[k] = 1.0F / around(rings_[l], k, present.data());
+    std::swap(ring, before);
+    each_word(grid_, seen, threads_, [&](std::size_t, int iy, int word) {
+      NodeBits::Word touched = 0;
+      for (const NodeBits::Word neighbour : before.neighbours(iy, word))
+        touched |= neighbour;
+      NodeBits::Word& known = seen.at(iy, word);
+      ring.at(iy, word) = touched & ~known & seen.valid(word);
+      known |= ring.at(iy, word);
     });
-    for (const std::uint32_t node : rings_[l - 1].nodes)
-      present[node] = 0.0F;
+    collect(ring, before, rings_[l]);
   }
   std::size_t longest = 0;
   for (const Ring& kept : rings_)
     longest = std::max(longest, kept.nodes.size());
   values_.resize(longest);
   is_built_ = true;
+}
+
+void RimExtension::collect(const NodeBits& members, const NodeBits& before,
+                           Ring& kept) const {
+  struct Place {
+    std::size_t inside = 0, border = 0;
+  };
+
+  const auto turns = static_cast<std::size_t>(turns_of(grid_));
+  std::vector<Place> places(turns + 1); // counts, then where a turn begins
+  each_word(grid_, members, threads_, [&](std::size_t turn, int iy, int word) {
+    const NodeBits::Word bits = members.at(iy, word);
+    const NodeBits::Word border = bits & members.border(iy, word);
+    Place& count = places[turn + 1];
+    count.inside += static_cast<std::size_t>(std::popcount(bits & ~border));
+    count.border += static_cast<std::size_t>(std::popcount(border));
+  });
+  for (std::size_t turn = 1; turn <= turns; ++turn) {
+    places[turn].inside += places[turn - 1].inside;
+    places[turn].border += places[turn - 1].border;
+  }
+  kept.n_inside = places[turns].inside;
+  kept.nodes.resize(kept.n_inside + places[turns].border);
+  kept.share.resize(kept.nodes.size());
+  each_word(grid_, members, threads_, [&](std::size_t turn, int iy, int word) {
+    const NodeBits::Word bits = members.at(iy, word);
+    if (bits == 0)
+      return;
+    const auto neighbours = before.neighbours(iy, word);
+    const std::size_t first = grid_.index(64 * word, iy);
+    const auto put = [&](std::size_t& place, NodeBits::Word some) {
+      each_bit(some, [&](int bit) {
+        kept.nodes[place] =
+            static_cast<std::uint32_t>(first + static_cast<std::size_t>(bit));
+        kept.share[place++] = share_of(neighbours, bit);
+      });
+    };
+    const NodeBits::Word border = bits & members.border(iy, word);
+    std::size_t at_border = kept.n_inside + places[turn].border;
+    put(places[turn].inside, bits & ~border);
+    put(at_border, border);
+    places[turn].border = at_border - kept.n_inside;
+  });
 }
 
 float RimExtension::around(const Ring& ring, std::size_t k,

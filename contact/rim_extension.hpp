@@ -11,6 +11,8 @@
 
 namespace asperity::contact {
 
+class NodeBits;
+
 /// The linear map E of a residual on the free nodes to a field on the grid:
 /// itself where free, and on each of the `layers` next rings of nodes
 ///
@@ -57,6 +59,9 @@ private:
     std::vector<float> share; ///< 1 / sum of w over the ring before
   };
 
+  /// The ring of these nodes, `before` the members of the ring before.
+  void collect(const NodeBits& members, const NodeBits& before,
+               Ring& kept) const;
   void clear_work();
 
   /// Sum of w field over the eight neighbours of the ring's node k.
