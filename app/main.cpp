@@ -1,6 +1,7 @@
 // The command line: words to commands, failures to exit codes.
 #include "app/bench.hpp"
 #include "app/commands.hpp"
+#include "app/mpi_world.hpp"
 #include "app/stress_command.hpp"
 #include "cases/case_error.hpp"
 
@@ -197,7 +198,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return asperity::app::run(argc, argv);
+    return asperity::app::has_followed_rank_0()
+               ? asperity::app::exit_good
+               : asperity::app::run(argc, argv);
   } catch (const asperity::cases::CaseError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::domain_error& error) {

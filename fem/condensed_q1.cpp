@@ -1,7 +1,7 @@
 #include "fem/condensed_q1.hpp"
 
-#include "fem/cell_stiffness.hpp"
 #include "base/parallel_rows.hpp"
+#include "fem/cell_stiffness.hpp"
 
 #include <array>
 #include <cmath>

@@ -25,6 +25,29 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
   return block;
 }
 
+LayeredBlock bonded_block(std::span<const double> thickness,
+                          std::span<const double> interfaces,
+                          std::span<const cases::BodyModuli> moduli,
+                          cases::TopFace top) {
+  if (moduli.size() != interfaces.size() + 1)
+    refuse_argument("moduli.size()", static_cast<double>(moduli.size()),
+                    "one more than there are interfaces");
+  LayeredBlock block;
+  block.top = top;
+  double depth = 0.0;
+  std::size_t material = 0;
+  for (const double layer : thickness) {
+    while (material < interfaces.size() &&
+           depth + 0.5 * layer > interfaces[material])
+      ++material;
+    block.layers.push_back(elastic_layer(layer, moduli[material].youngs_modulus,
+                                         moduli[material].poisson_ratio));
+    depth += layer;
+  }
+  require_block(block);
+  return block;
+}
+
 void require_block(const LayeredBlock& block) {
   if (block.layers.empty())
     refuse_argument("layers", 0.0, "at least one");

@@ -39,6 +39,16 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
                                double youngs_modulus, double poisson_ratio,
                                cases::TopFace top);
 
+/// Layers of these thicknesses, each of the material that its middle lies in.
+/// @param interfaces  depths at which materials meet [m], rising
+/// @param moduli      of the materials, the contact face's first: one more than
+///                    interfaces
+/// @throws std::domain_error  a modulus or a count is outside its range
+LayeredBlock bonded_block(std::span<const double> thickness,
+                          std::span<const double> interfaces,
+                          std::span<const cases::BodyModuli> moduli,
+                          cases::TopFace top);
+
 /// Refuses a block without layers, or with one outside ElasticLayer's ranges.
 /// @throws std::domain_error
 void require_block(const LayeredBlock& block);

@@ -4,6 +4,7 @@
 #include "fem/block_problem.hpp"
 #include "fem/contact_newton.hpp"
 #include "fem/face_maps.hpp"
+#include "fem/lattice_preconditioner.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
@@ -33,13 +34,30 @@ const BlockProblem& checked(const BlockProblem& problem) {
   return problem;
 }
 
+/// The lattice's waves where they are asked for, or may serve a block too large
+/// for a direct solver; null otherwise.
+std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
+                                                const BlockSystem& system) {
+  const bool is_asked = problem.linear_solver == LinearSolver::fourier;
+  if (is_asked && !problem.lattice)
+    throw std::domain_error("linear_solver = fourier: the block is no periodic "
+                            "lattice of boxes");
+  const bool serves = problem.linear_solver == LinearSolver::automatic &&
+                      problem.lattice &&
+                      system.n_unknowns() > most_direct_unknowns;
+  if (!is_asked && !serves)
+    return nullptr;
+  return std::make_unique<LatticePreconditioner>(system, problem.degree,
+                                                 *problem.lattice);
+}
+
 class MeshedBlock final : public FullBlock {
 public:
   explicit MeshedBlock(const BlockProblem& problem)
       : system_(checked(problem)),
         maps_(system_),
         weights_(maps_.weights()),
-        newton_(system_, problem.linear_solver) {}
+        newton_(system_, problem.linear_solver, lattice_of(problem, system_)) {}
 
   const Grid& grid() const override { return system_.grid(); }
 

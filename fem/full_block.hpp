@@ -14,9 +14,11 @@ namespace asperity::fem {
 
 /// How the block's linear systems are solved.
 enum class LinearSolver {
-  automatic, ///< direct for small blocks, multigrid beyond
+  automatic, ///< direct for small blocks; beyond, fourier where the mesh is a
+             ///< periodic lattice, else multigrid
   direct,    ///< MUMPS
   multigrid, ///< CG, Trilinos ML smoothed aggregation
+  fourier,   ///< CG, the laterally uniform block by its waves
 };
 
 /// What is prescribed at one step.

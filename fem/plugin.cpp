@@ -3,7 +3,9 @@
 #include "contact/fourier_operator.hpp"
 #include "fem/cell_stiffness.hpp"
 #include "fem/condensed_q1.hpp"
+#include "fem/led_blocks.hpp"
 #include "fem/q2_operator.hpp"
+#include "fem/ranks.hpp"
 #include "meshes/graded_layers.hpp"
 
 #include <deal.II/base/config.h>
@@ -72,10 +74,20 @@ public:
                                         request.threads);
   }
 
-  std::unique_ptr<FullBlock> full(const BlockRequest& request) const override {
-    return make_full_block(request.grid, degree(request),
-                           layered_block(request));
+  std::unique_ptr<FullBlock> full(const FullRequest& request) const override {
+    return lead_full_block(request);
   }
+
+  bool has_followed() const override {
+    if (own_rank() == 0) {
+      end_followers_at_exit();
+      return false;
+    }
+    follow_rank_0();
+    return true;
+  }
+
+  int ranks() const override { return n_ranks(); }
 
   std::string versions() const override {
     return "deal.II " DEAL_II_PACKAGE_VERSION

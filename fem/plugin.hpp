@@ -5,6 +5,7 @@
 
 #include "cases/case.hpp"
 #include "contact/surface_operator.hpp"
+#include "fem/case_problem.hpp"
 #include "fem/full_block.hpp"
 
 #include <functional>
@@ -44,9 +45,17 @@ public:
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 
-  /// Road 1: settings.solver full.
-  virtual std::unique_ptr<FullBlock>
-  full(const BlockRequest& request) const = 0;
+  /// Road 1: settings.solver full. Under mpirun all ranks share the work; a
+  /// call at a time.
+  /// @throws cases::CaseError  besides, for a file that the case names
+  virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
+
+  /// Under mpirun, before anything else is done: on rank 0 false, and the
+  /// others end when the program does; on the others true, once it has ended.
+  virtual bool has_followed() const = 0;
+
+  /// Processes that share a whole block.
+  virtual int ranks() const = 0;
 
   /// "deal.II 9.4.1, Trilinos 13.2.0": for the provenance.
   virtual std::string versions() const = 0;
