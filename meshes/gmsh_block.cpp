@@ -154,7 +154,7 @@ BlockMesh gmsh_block(const GmshBlock& block) {
       make_hexahedra(scaled);
     else
       make_tetrahedra(scaled);
-    mesh = cells_of_gmsh();
+    mesh = cells_of_gmsh().mesh;
   });
   scale(mesh, block, unit);
   for (const Facet& facet : boundary_facets(mesh))

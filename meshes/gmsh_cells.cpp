@@ -20,7 +20,7 @@ constexpr std::array<std::size_t, 8> hexahedron_order = {0, 1, 3, 2,
 using Tags = std::vector<std::size_t>;
 
 /// Cells still by gmsh's numbers.
-struct GmshCells {
+struct TaggedCells {
   CellShape shape = CellShape::hexahedron;
   std::vector<std::array<std::size_t, 8>> cells;
   std::vector<int> groups;
@@ -38,7 +38,7 @@ std::string kind_of(int type) {
   return name;
 }
 
-void add_cells(GmshCells& all, int volume, int group) {
+void add_cells(TaggedCells& all, int volume, int group) {
   std::vector<int> types;
   std::vector<Tags> numbers;
   std::vector<Tags> nodes;
@@ -102,7 +102,7 @@ Groups physical_volumes() {
   return groups;
 }
 
-GmshCells all_cells(const Groups& groups) {
+TaggedCells all_cells(const Groups& groups) {
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
   // By group, then in gmsh's order.
@@ -118,7 +118,7 @@ GmshCells all_cells(const Groups& groups) {
           "mesh: volume {} is in no physical volume, but others are", volume));
   }
   std::sort(by_group.begin(), by_group.end());
-  GmshCells all;
+  TaggedCells all;
   for (const auto& [group, volume] : by_group)
     add_cells(all, volume, group);
   if (all.cells.empty())
@@ -139,16 +139,16 @@ std::map<std::size_t, Place> all_nodes() {
 
 } // namespace
 
-BlockMesh cells_of_gmsh() {
+GmshMesh cells_of_gmsh() {
   const Groups groups = physical_volumes();
-  const GmshCells read = all_cells(groups);
+  const TaggedCells read = all_cells(groups);
   const std::size_t n_corners = read.shape == CellShape::hexahedron ? 8 : 4;
 
-  std::map<std::size_t, unsigned int> vertex_of_node;
+  GmshMesh made;
+  auto& [mesh, vertex_of_node] = made;
   for (const auto& cell : read.cells)
     for (std::size_t corner = 0; corner < n_corners; ++corner)
       vertex_of_node[cell[corner]] = 0;
-  BlockMesh mesh;
   mesh.shape = read.shape;
   mesh.cell_group = read.groups;
   mesh.group_names = groups.names;
@@ -163,7 +163,7 @@ BlockMesh cells_of_gmsh() {
       vertices[corner] = vertex_of_node.at(cell[corner]);
     mesh.cells.push_back(vertices);
   }
-  return mesh;
+  return made;
 }
 
 } // namespace asperity::meshes

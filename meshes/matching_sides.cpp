@@ -61,12 +61,13 @@ std::optional<unsigned int> vertex_at(const BlockMesh& mesh,
   return std::nullopt;
 }
 
-/// The partner of each vertex of the first side; both sides wholly matched.
-std::map<unsigned int, unsigned int> partners(const BlockMesh& mesh,
-                                              const Pair& pair) {
+/// The partner of each vertex of the first side; both sides wholly matched to
+/// `accuracy` of the largest extent.
+std::map<unsigned int, unsigned int>
+partners(const BlockMesh& mesh, const Pair& pair, double accuracy) {
   const std::size_t along = 1 - pair.direction;
   const double tolerance =
-      1e-9 * std::max({mesh.length_x, mesh.length_y, mesh.depth});
+      accuracy * std::max({mesh.length_x, mesh.length_y, mesh.depth});
   const VertexByPlace from = vertices_of(mesh, pair, pair.from);
   const VertexByPlace to = vertices_of(mesh, pair, pair.to);
   const auto search = [&](const VertexByPlace& side, unsigned int vertex,
@@ -92,7 +93,7 @@ std::map<unsigned int, unsigned int> partners(const BlockMesh& mesh,
 }
 
 void require_match(const BlockMesh& mesh, const Pair& pair) {
-  const auto partner_of = partners(mesh, pair);
+  const auto partner_of = partners(mesh, pair, 1e-9);
   std::set<std::array<unsigned int, 4>> faces;
   for (const BoundaryFace& face : mesh.faces)
     if (face.group == pair.to.group)
@@ -112,17 +113,30 @@ void require_match(const BlockMesh& mesh, const Pair& pair) {
   }
 }
 
+std::array<Pair, 2> pairs_of(const BlockMesh& mesh) {
+  return {{{{FaceGroup::left, "left (x = 0)"},
+            {FaceGroup::right, "right (x = length)"},
+            0,
+            mesh.length_x},
+           {{FaceGroup::front, "front (y = 0)"},
+            {FaceGroup::back, "back (y = length)"},
+            1,
+            mesh.length_y}}};
+}
+
 } // namespace
 
 void require_matching_sides(const BlockMesh& mesh) {
-  require_match(mesh, {{FaceGroup::left, "left (x = 0)"},
-                       {FaceGroup::right, "right (x = length)"},
-                       0,
-                       mesh.length_x});
-  require_match(mesh, {{FaceGroup::front, "front (y = 0)"},
-                       {FaceGroup::back, "back (y = length)"},
-                       1,
-                       mesh.length_y});
+  for (const Pair& pair : pairs_of(mesh))
+    require_match(mesh, pair);
+}
+
+void align_sides(BlockMesh& mesh) {
+  for (const Pair& pair : pairs_of(mesh))
+    for (const auto& [vertex, partner] : partners(mesh, pair, 1e-6)) {
+      mesh.vertices[partner] = mesh.vertices[vertex];
+      mesh.vertices[partner][pair.direction] += pair.period;
+    }
 }
 
 } // namespace asperity::meshes

@@ -15,4 +15,12 @@ namespace asperity::meshes {
 ///                            vertices match, but a face's partners are no face
 void require_matching_sides(const BlockMesh& mesh);
 
+/// Moves the vertices of right and back onto their partners' places, a period
+/// on, so that require_matching_sides accepts them: for meshes of few digits,
+/// or of gmsh's graded curves (which it integrates to about 1e-8).
+///
+/// @throws std::domain_error  as require_matching_sides, but for vertices more
+///                            than 1e-6 of the block's largest extent apart
+void align_sides(BlockMesh& mesh);
+
 } // namespace asperity::meshes

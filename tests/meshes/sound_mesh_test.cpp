@@ -2,6 +2,7 @@
 // mesh can be broken, on a small one, is named.
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/matching_sides.hpp"
 #include "meshes/sound_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -214,6 +215,22 @@ TEST(RequireSound, NamesPeriodicFacesThatDontMatch) {
   expect_answer(five_tetrahedra(), "of the face left (x = 0) has no partner on "
                                    "the face right (x = length), though its");
   EXPECT_EQ(answer(moved, BlockSides::free), "accepted");
+}
+
+// Claim: aligned, sides that differ by up to 1e-6 match, corners too; beyond
+// that they are refused.
+TEST(AlignSides, MovesSidesOntoOneAnother) {
+  BlockMesh mesh = cube();
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d)
+      mesh.vertices[i][d] += 1e-16 * static_cast<double>((7 * i + 3 * d) % 5);
+  EXPECT_THROW(require_matching_sides(mesh), std::domain_error);
+
+  align_sides(mesh);
+  EXPECT_NO_THROW(require_matching_sides(mesh));
+
+  mesh.vertices[11][2] += 1e-14;
+  EXPECT_THROW(align_sides(mesh), std::domain_error);
 }
 
 } // namespace
