@@ -7,6 +7,21 @@
 namespace asperity::fem {
 namespace {
 
+/// S_bb and S_gg, lower triangles by columns, and S_gb row by row, one after
+/// the other.
+template <std::size_t degree>
+LayerSymbol::Target three_blocks(std::size_t row, std::size_t column) {
+  constexpr std::size_t plane = plane_unknowns(degree);
+  constexpr std::size_t group = layer_unknowns(degree);
+  if (row < column)
+    return {};
+  if (row < plane)
+    return {in_triangle(plane, row, column)};
+  if (column >= plane)
+    return {triangle(plane) + in_triangle(group, row - plane, column - plane)};
+  return {triangle(plane) + triangle(group) + (row - plane) * plane + column};
+}
+
 template <std::size_t degree>
 class Factors final : public LatticeFactors {
 public:
@@ -54,7 +69,8 @@ Factors<degree>::Factors(const KindSpectra& spectra, const LayeredBlock& block,
   for (const ElasticLayer& layer : block.layers)
     layers.emplace_back(cell_stiffness(static_cast<int>(degree),
                                        steps * grid.spacing_x(),
-                                       steps * grid.spacing_y(), layer));
+                                       steps * grid.spacing_y(), layer),
+                        triangle(plane) + layer_packs, three_blocks<degree>);
   const double spring = block.layers.back().shear_modulus * grid.spacing_x();
   parallel_rows(static_cast<int>(spectra.rows()), threads, [&](int row) {
     for (std::size_t number = 0; number < batches_; ++number)

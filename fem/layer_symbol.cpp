@@ -41,17 +41,6 @@ struct Sum {
 
 using Sums = std::map<std::pair<std::size_t, std::size_t>, Sum>;
 
-/// Where entry (row, column), row >= column, lies in the three blocks.
-std::size_t target(std::size_t degree, std::size_t row, std::size_t column) {
-  const std::size_t plane = plane_unknowns(degree);
-  const std::size_t group = layer_unknowns(degree);
-  if (row < plane)
-    return in_triangle(plane, row, column);
-  if (column >= plane)
-    return triangle(plane) + in_triangle(group, row - plane, column - plane);
-  return triangle(plane) + triangle(group) + (row - plane) * plane + column;
-}
-
 /// entry * cos(theta . d), as products.
 void add_even(Sums& sums, std::size_t to, int dx, int dy, double entry) {
   sums[{to, 5 * cosine(dx) + cosine(dy)}].add(entry);
@@ -67,9 +56,9 @@ void add_odd(Sums& sums, std::size_t to, int dx, int dy, double entry) {
     sums[{to, 5 * cosine(dx) + sine(dy)}].add(entry * sign(dy));
 }
 
-/// What the pair of nodes puts into the lower triangle of S.
+/// What the pair of nodes puts into S.
 void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
-              Sums& sums) {
+              LayerSymbol::Layout layout, Sums& sums) {
   const auto degree = static_cast<std::size_t>(cell.degree);
   const auto place = [&](const Node& node, std::size_t component) {
     const auto kind = static_cast<std::size_t>(node.a % cell.degree +
@@ -83,17 +72,17 @@ void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
                     static_cast<std::size_t>(node.plane), component);
   };
   for (std::size_t c = 0; c < 9; ++c) {
-    const std::size_t row = place(from, c / 3);
-    const std::size_t column = place(to, c % 3);
-    if (column > row)
+    const LayerSymbol::Target target =
+        layout(place(from, c / 3), place(to, c % 3));
+    if (target.place == LayerSymbol::Target::none)
       continue;
-    const double entry = cell.at(cell_row(from, c / 3), cell_row(to, c % 3));
-    const std::size_t entry_target = target(degree, row, column);
+    const double entry =
+        target.sign * cell.at(cell_row(from, c / 3), cell_row(to, c % 3));
     const bool from_z = c / 3 == 2, to_z = c % 3 == 2;
     if (from_z == to_z)
-      add_even(sums, entry_target, to.a - from.a, to.b - from.b, entry);
+      add_even(sums, target.place, to.a - from.a, to.b - from.b, entry);
     else // i on u_x and u_y turns the sign in the rows of u_z
-      add_odd(sums, entry_target, to.a - from.a, to.b - from.b,
+      add_odd(sums, target.place, to.a - from.a, to.b - from.b,
               from_z ? -entry : entry);
   }
 }
@@ -118,11 +107,9 @@ WaveProducts::WaveProducts(const Pack& theta_x, const Pack& theta_y) {
     values[i] = in_x[i / 5] * in_y[i % 5];
 }
 
-LayerSymbol::LayerSymbol(const CellStiffness& cell) {
-  const auto degree = static_cast<std::size_t>(cell.degree);
-  const std::size_t plane = plane_unknowns(degree);
-  const std::size_t group = layer_unknowns(degree);
-  size_ = triangle(plane) + triangle(group) + group * plane;
+LayerSymbol::LayerSymbol(const CellStiffness& cell, std::size_t size,
+                         Layout layout)
+    : size_(size) {
   std::vector<Node> nodes;
   for (int k = 0; k <= cell.degree; ++k)
     for (int b = 0; b <= cell.degree; ++b)
@@ -131,7 +118,7 @@ LayerSymbol::LayerSymbol(const CellStiffness& cell) {
   Sums sums;
   for (const Node& from : nodes)
     for (const Node& to : nodes)
-      add_pair(cell, from, to, sums);
+      add_pair(cell, from, to, layout, sums);
   for (const auto& [place, sum] : sums)
     if (!sum.is_nothing())
       terms_.push_back({sum.amount, static_cast<std::uint16_t>(place.first),

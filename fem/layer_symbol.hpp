@@ -36,20 +36,23 @@ struct WaveProducts {
   WaveProducts(const Pack& theta_x, const Pack& theta_y);
 };
 
-/// S(q), real by u_x and u_y multiplied by i, of the planes b (below) and g
-/// (all others of the layer, from below): three blocks one after the other,
-///
-///     S_bb  lower triangle, by columns        triangle(plane_unknowns)
-///     S_gg  lower triangle, by columns        triangle(layer_unknowns)
-///     S_gb  row by row                        layer_unknowns * plane_unknowns
-///
-/// The cell's mirror images leave few products to each entry.
+/// Entries of S(q), real by u_x and u_y multiplied by i, in a layout of their
+/// own. The cell's mirror images leave few products to each entry.
 class LayerSymbol {
 public:
-  explicit LayerSymbol(const CellStiffness& cell);
+  /// Where an entry goes, and by which sign; nowhere if `place` is none.
+  struct Target {
+    std::size_t place = none;
+    double sign = 1.0;
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  };
 
-  /// Packs of the three blocks.
-  std::size_t size() const { return size_; }
+  /// Target of entry (row, column), each plane_unknowns * plane + 3 kind + c,
+  /// plane 0..degree from below.
+  using Layout = Target (*)(std::size_t row, std::size_t column);
+
+  /// @param size  of the layout, in packs
+  LayerSymbol(const CellStiffness& cell, std::size_t size, Layout layout);
 
   /// @param blocks  size() packs, overwritten [N/m]
   void evaluate(const WaveProducts& products, Pack* blocks) const;

@@ -25,10 +25,12 @@ constexpr std::size_t in_triangle(std::size_t n, std::size_t row,
   return column * n - column * (column + 1) / 2 + row;
 }
 
+// Always inlined: compiled for the processor that their caller is compiled for.
+
 /// In place: A = L D L^T becomes L below the diagonal and 1/D on it. Without
 /// roots: powers of two pass through to the last bit.
 template <std::size_t n>
-inline void factorise(Pack* a) {
+[[gnu::always_inline]] inline void factorise(Pack* a) {
   for (std::size_t k = 0; k < n; ++k) {
     Pack* const from = a + in_triangle(n, 0, k);
     const Pack inverse = 1.0 / from[k];
@@ -46,7 +48,8 @@ inline void factorise(Pack* a) {
 
 /// values = L^-1 values, n rows of m columns, row by row.
 template <std::size_t n, std::size_t m>
-inline void solve_lower(const Pack* factor, Pack* values) {
+[[gnu::always_inline]] inline void solve_lower(const Pack* factor,
+                                               Pack* values) {
   for (std::size_t k = 0; k + 1 < n; ++k) {
     const Pack* const column = factor + in_triangle(n, 0, k);
     for (std::size_t i = k + 1; i < n; ++i)
@@ -57,7 +60,8 @@ inline void solve_lower(const Pack* factor, Pack* values) {
 
 /// values = D^-1 values.
 template <std::size_t n, std::size_t m>
-inline void solve_diagonal(const Pack* factor, Pack* values) {
+[[gnu::always_inline]] inline void solve_diagonal(const Pack* factor,
+                                                  Pack* values) {
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < m; ++j)
       values[k * m + j] *= factor[in_triangle(n, k, k)];
@@ -65,7 +69,8 @@ inline void solve_diagonal(const Pack* factor, Pack* values) {
 
 /// values = L^-T values.
 template <std::size_t n, std::size_t m>
-inline void solve_upper(const Pack* factor, Pack* values) {
+[[gnu::always_inline]] inline void solve_upper(const Pack* factor,
+                                               Pack* values) {
   for (std::size_t k = n - 1; k-- > 0;) {
     const Pack* const column = factor + in_triangle(n, 0, k);
     for (std::size_t i = k + 1; i < n; ++i)
@@ -77,7 +82,8 @@ inline void solve_upper(const Pack* factor, Pack* values) {
 /// a -= R^T D^-1 R on the lower triangle of the m x m matrix a, R of n rows
 /// and m columns and D the factor's.
 template <std::size_t n, std::size_t m>
-inline void take_schur(const Pack* factor, const Pack* rows, Pack* a) {
+[[gnu::always_inline]] inline void take_schur(const Pack* factor,
+                                              const Pack* rows, Pack* a) {
   for (std::size_t k = 0; k < n; ++k) {
     const Pack* const row = rows + k * m;
     const Pack inverse = factor[in_triangle(n, k, k)];
