@@ -99,62 +99,6 @@ private:
   double saved_setup_time_;
 };
 
-/// The three-dimensional block.
-class FullSolver final : public StepSolver {
-public:
-  FullSolver(std::unique_ptr<fem::FullBlock> block,
-             const ContactSettings& settings, const SurfaceOfCase& surface,
-             const results::AreaCoefficients& area_coefficients)
-      : surface_(surface),
-        area_coefficients_(area_coefficients),
-        block_(std::move(block)),
-        contact_(fem::block_contact(settings, surface.scales)) {}
-
-  StepAnswer solve(const StepTarget& target) override {
-    const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
-                                          ? 1.0 / contact_.penalty
-                                          : 0.0;
-    return observe(
-        as_contact(block_->solve(surface_.record.heights,
-                                 {target.control, target.amount}, contact_)),
-        {block_->nodal_weights(), penalty_compliance, area_coefficients_},
-        surface_);
-  }
-
-private:
-  contact::ContactSolution as_contact(fem::BlockSolution block) const {
-    const std::vector<double>& heights = surface_.record.heights;
-    contact::ContactSolution solution;
-    solution.displacement.resize(block.gap.size());
-    for (std::size_t i = 0; i < block.gap.size(); ++i)
-      solution.displacement[i] = block.gap[i] + heights[i] - block.mean_gap;
-    solution.pressure = std::move(block.pressure);
-    solution.gap = std::move(block.gap);
-    solution.nominal_pressure = block.nominal_pressure;
-    solution.mean_gap = block.mean_gap;
-    solution.gap_error = block.residual * surface_.scales.rms_height;
-    solution.iterations = block.iterations;
-    solution.converged = block.converged;
-    solution.note = std::move(block.note);
-    return solution;
-  }
-
-  const SurfaceOfCase& surface_;
-  results::AreaCoefficients area_coefficients_;
-  std::unique_ptr<fem::FullBlock> block_;
-  fem::BlockContact contact_;
-};
-
-bool is_full(const FemSettings& settings) {
-  return settings.solver == cases::FemSolver::full;
-}
-
-results::AreaCoefficients area_coefficients(const FemSettings& settings) {
-  return settings.element == cases::Element::q1
-             ? results::q1_area_coefficients(settings.surface_cell_depth)
-             : results::q2_area_coefficients;
-}
-
 contact::FarFace far_face_of(cases::TopFace top) {
   switch (top) {
   case cases::TopFace::sliding:
@@ -201,6 +145,12 @@ std::string operator_key(const cases::MethodSpec& method,
 
 } // namespace
 
+results::AreaCoefficients area_coefficients(const FemSettings& settings) {
+  return settings.element == cases::Element::q1
+             ? results::q1_area_coefficients(settings.surface_cell_depth)
+             : results::q2_area_coefficients;
+}
+
 contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
                                    const cases::MaterialSpec& material,
                                    const cases::Scales& scales) {
@@ -222,10 +172,6 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
                                                 int threads) {
   const auto* block = std::get_if<FemSettings>(&method.settings);
-  if (block != nullptr && is_full(*block))
-    return std::make_unique<FullSolver>(
-        fem::load_fem_room().full(request(*block, surface, threads)),
-        block->contact, surface, area_coefficients(*block));
   Face face = shared_operator(method, surface, threads);
   return std::make_unique<OperatorSolver>(
       std::move(face.elasticity),

@@ -11,6 +11,7 @@
 #include "contact/halfspace.hpp"
 #include "contact/load_sequence.hpp"
 #include "fem/plugin.hpp"
+#include "results/area_estimate.hpp"
 
 #include <map>
 #include <memory>
@@ -22,14 +23,18 @@ namespace asperity::app {
 MethodDescription describe(const cases::HalfspaceSettings& settings);
 MethodDescription describe(const cases::FemSettings& settings);
 
+/// What finite elements with these settings add to the counted area.
+results::AreaCoefficients area_coefficients(const cases::FemSettings& settings);
+
 /// The block of a method as a continuum, for what is worked out from its
 /// pressure: half-space or slab as the method has it; atoms are a half-space.
 contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
                                    const cases::MaterialSpec& material,
                                    const cases::Scales& scales);
 
-/// Of half-space and finite elements. Makes solvers; operators of equal block
-/// and grid are set up once and shared. Safe to call from any thread.
+/// Of half-space and condensed finite elements. Makes solvers; operators of
+/// equal block and grid are set up once and shared. Safe to call from any
+/// thread.
 class SolverFactory {
 public:
   /// @param cache  where operators are looked for and left; it and the keys

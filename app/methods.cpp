@@ -1,6 +1,7 @@
 #include "app/methods.hpp"
 
 #include "app/theory_method.hpp"
+#include "app/whole_block_method.hpp"
 
 namespace asperity::app {
 
@@ -21,6 +22,9 @@ std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
     return make_atomic_solver({case_, method, surface, realization,
                                resources.threads, resources.scratch,
                                resources.watch});
+  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+      fem != nullptr && fem->solver == cases::FemSolver::full)
+    return make_whole_block(case_, method, surface);
   return elastic_.make(method, surface, resources.threads);
 }
 

@@ -83,7 +83,7 @@ meshes::BlockMesh mesh_of(const cases::Case& rough_case,
                                 settings.depth.in_si(scales),
                                 spec.cells_a_level);
   if (spec.geometry == cases::MeshGeometry::file)
-    return meshes::read_mesh_file(spec.file, spec.file_unit);
+    return meshes::read_mesh_file(spec.file, spec.file_unit, settings.sides);
   return meshes::gmsh_block(
       gmsh_parameters(rough_case, settings, grid, scales));
 }

@@ -67,6 +67,10 @@ public:
 
   std::string report() const override { return system_.report(); }
 
+  bool are_maps_samples() const override {
+    return !system_.contact().is_grid();
+  }
+
   std::vector<double> displacement(std::span<const double> pressure) override;
 
   BlockSolution solve(std::span<const double> heights, const BlockLoad& load,

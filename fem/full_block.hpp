@@ -51,6 +51,8 @@ struct BlockSolution {
   int iterations = 0;          ///< Newton steps
   int linear_iterations = 0;   ///< of CG, in all of this step's solves
   int preconditioner_setups = 0; ///< or factorisations, in this step
+  double memory = 0.0;           ///< matrix and preconditioner, of all ranks
+                                 ///< [bytes]
   std::string linear_solver;     ///< "direct (MUMPS)", ...
   bool converged = false;
   std::string note; ///< why it did not converge; empty otherwise
@@ -101,6 +103,9 @@ public:
   /// Row sums of the contact face's mass matrix over their mean, mean 1; all
   /// ones where the maps are samples.
   virtual std::span<const double> nodal_weights() const = 0;
+
+  /// The maps of an answer are samples at the grid's nodes, see above.
+  virtual bool are_maps_samples() const = 0;
 
   /// The displacement under a given pressure, without its mean.
   /// @param pressure  grid().size() values [Pa]

@@ -1,0 +1,85 @@
+#include "app/whole_block_method.hpp"
+
+#include "app/curve_row.hpp"
+#include "app/elastic_method.hpp"
+#include "fem/plugin.hpp"
+#include "results/area_estimate.hpp"
+
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+contact::ContactSolution as_contact(fem::BlockSolution block,
+                                    const SurfaceOfCase& surface) {
+  const std::vector<double>& heights = surface.record.heights;
+  contact::ContactSolution solution;
+  solution.displacement.resize(block.gap.size());
+  for (std::size_t i = 0; i < block.gap.size(); ++i)
+    solution.displacement[i] = block.gap[i] + heights[i] - block.mean_gap;
+  solution.pressure = std::move(block.pressure);
+  solution.gap = std::move(block.gap);
+  solution.nominal_pressure = block.nominal_pressure;
+  solution.mean_gap = block.mean_gap;
+  solution.gap_error = block.residual * surface.scales.rms_height;
+  solution.iterations = block.iterations;
+  solution.converged = block.converged;
+  solution.note = std::move(block.note);
+  return solution;
+}
+
+class WholeBlock final : public StepSolver {
+public:
+  WholeBlock(std::unique_ptr<fem::FullBlock> block,
+             const cases::FemSettings& settings, const SurfaceOfCase& surface)
+      : surface_(surface),
+        area_coefficients_(area_coefficients(settings)),
+        block_(std::move(block)),
+        contact_(fem::block_contact(settings.contact, surface.scales)) {}
+
+  StepAnswer solve(const StepTarget& target) override {
+    fem::BlockSolution solution = block_->solve(
+        surface_.record.heights, {target.control, target.amount}, contact_);
+    const fem::BlockSolution costs{
+        .area_by_points = solution.area_by_points,
+        .linear_iterations = solution.linear_iterations,
+        .preconditioner_setups = solution.preconditioner_setups,
+        .memory = solution.memory};
+    const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
+                                          ? 1.0 / contact_.penalty
+                                          : 0.0;
+    StepAnswer answer = observe(
+        as_contact(std::move(solution), surface_),
+        {block_->nodal_weights(), penalty_compliance, area_coefficients_},
+        surface_);
+    answer.row.area_fraction = costs.area_by_points;
+    if (block_->are_maps_samples()) // a sample says nothing of the rim
+      answer.row.area_fraction_corrected = costs.area_by_points;
+    answer.row.linear_iterations = costs.linear_iterations;
+    answer.row.preconditioner_setups = costs.preconditioner_setups;
+    answer.row.memory = costs.memory;
+    answer.row.unknowns = static_cast<double>(block_->unknowns());
+    return answer;
+  }
+
+  std::string found_at_setup() const override { return block_->report(); }
+
+private:
+  const SurfaceOfCase& surface_;
+  results::AreaCoefficients area_coefficients_;
+  std::unique_ptr<fem::FullBlock> block_;
+  fem::BlockContact contact_;
+};
+
+} // namespace
+
+std::unique_ptr<StepSolver> make_whole_block(const cases::Case& rough_case,
+                                             const cases::MethodSpec& method,
+                                             const SurfaceOfCase& surface) {
+  return std::make_unique<WholeBlock>(
+      fem::load_fem_room().full({rough_case.text, rough_case.path, method.name,
+                                 surface.record.grid, surface.scales}),
+      std::get<cases::FemSettings>(method.settings), surface);
+}
+
+} // namespace asperity::app
