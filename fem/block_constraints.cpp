@@ -18,13 +18,21 @@ using dealii::Point;
 using dealii::types::global_dof_index;
 using meshes::FaceGroup;
 
+/// Bodies meet at z = 0: apart, no node of one is taken for one of the other.
+Point<3> apart(Point<3> place, bool is_counter, double depth) {
+  if (is_counter)
+    place[2] -= depth;
+  return place;
+}
+
 /// The nodes of all ranks as numbers: place and unknowns, six a node.
-std::vector<double> gathered(const std::vector<FaceNode>& nodes) {
+std::vector<double> gathered(const std::vector<FaceNode>& nodes, double depth) {
   std::vector<double> mine;
   mine.reserve(6 * nodes.size());
   for (const FaceNode& node : nodes) {
+    const Point<3> place = apart(node.place, node.is_counter, depth);
     for (unsigned int i = 0; i < 3; ++i)
-      mine.push_back(node.place[i]);
+      mine.push_back(place[i]);
     for (const global_dof_index unknown : node.unknowns)
       mine.push_back(static_cast<double>(unknown));
   }
@@ -112,12 +120,17 @@ void BlockSpace::pin(const BlockProblem& problem,
     hold(pinned, i);
   if (problem.sides == cases::BlockSides::periodic)
     return;
-  hold(best_place(own, tolerance_,
-                  [&](const Point<3>& p) {
-                    return std::abs(p[1] - pinned[1]) -
-                           std::abs(p[0] - pinned[0]);
-                  }),
-       1);
+  // The second node may move towards the first and away from it.
+  const Point<3> second = best_place(own, tolerance_, [&](const Point<3>& p) {
+    return std::abs(p[1] - pinned[1]) - std::abs(p[0] - pinned[0]);
+  });
+  for (const FaceNode& node : own)
+    if (node.place.distance(second) < tolerance_ &&
+        !constraints_.is_constrained(node.unknowns[1])) {
+      constraints_.add_line(node.unknowns[1]);
+      constraints_.add_entry(node.unknowns[1], node.unknowns[0],
+                             (second[1] - pinned[1]) / (second[0] - pinned[0]));
+    }
 }
 
 /// Each node at x = length_x or y = length_y is its root's image. The roots,
@@ -138,7 +151,7 @@ void BlockSpace::identify_sides() {
     for (const FaceNode& node : face_nodes(side))
       if (owned_.is_element(node.unknowns[2]) && is_root(node.place))
         roots.push_back(node);
-  const std::vector<double> all = gathered(roots);
+  const std::vector<double> all = gathered(roots, lengths_[2]);
   PlaceMap where(tolerance_);
   for (std::size_t i = 0; i < all.size(); i += 6)
     where.insert(Point<3>(all[i], all[i + 1], all[i + 2]), i);
@@ -147,7 +160,8 @@ void BlockSpace::identify_sides() {
   Point<3> first_lost;
   for (const FaceGroup side : {FaceGroup::right, FaceGroup::back})
     for (const FaceNode& node : face_nodes(side)) {
-      const auto root = where.find(root_place(node.place));
+      const auto root = where.find(
+          apart(root_place(node.place), node.is_counter, lengths_[2]));
       if (!root) {
         first_lost = lost++ == 0 ? node.place : first_lost;
         continue;

@@ -1,0 +1,119 @@
+// Claims about fem/moduli_field.hpp.
+#include "fem/moduli_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+constexpr double young = 2e9; // Pa
+const Grid grid{8, 8, 4e-6, 4e-6};
+const cases::Scales scales{1e9, 4e-6, 0.5e-6, 1e-8};
+
+std::string words_of(const std::string& expression) {
+  try {
+    expression_factor(expression, 1e-6);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ModuliField, PutsTheSphereBeforeLayersAndThoseBeforeTheRest) {
+  cases::MaterialSpec material;
+  material.layers = {{{0.25, cases::Yardstick::length}, {5.0 * young, 0.2}}};
+  material.inclusion =
+      cases::MaterialInclusion{{0.5e-6, cases::Yardstick::si},
+                               {0.25, cases::Yardstick::length},
+                               {9.0 * young, 0.1}};
+
+  const ModuliField field =
+      moduli_field(material, scales, {young, 0.3}, grid, 4e-6);
+
+  EXPECT_EQ(field.at({0.0, 0.0, 0.9e-6}), moduli({5.0 * young, 0.2}));
+  EXPECT_EQ(field.at({0.0, 0.0, 1.1e-6}), moduli({young, 0.3}));
+  EXPECT_EQ(field.at({2.3e-6, 2e-6, 0.7e-6}), moduli({9.0 * young, 0.1}));
+  EXPECT_EQ(field.at({2.6e-6, 2e-6, 0.9e-6}), moduli({5.0 * young, 0.2}));
+}
+
+TEST(ModuliField, CountsAnExpressionsLengthsInTheSurfaces) {
+  cases::MaterialSpec material;
+  material.variation = cases::MaterialVariation{};
+  material.variation->factor = "1 + 2*x + sin(pi*y)^2 * exp(-z)";
+
+  const ModuliField field =
+      moduli_field(material, scales, {young, 0.3}, grid, 4e-6);
+
+  const double expected = 1.0 + 2.0 * 0.25 + 0.5 * std::exp(-0.5);
+  EXPECT_NEAR(field.at({1e-6, 1e-6, 2e-6}).shear_modulus /
+                  moduli({young, 0.3}).shear_modulus,
+              expected, 1e-14);
+}
+
+TEST(ModuliField, QuotesTheParserAndTheColumn) {
+  EXPECT_NE(words_of("1 + * x").find("column"), std::string::npos);
+  EXPECT_NE(words_of("1 + depth").find("depth"), std::string::npos);
+  EXPECT_NE(words_of("1 + depth").find("(column 5)"), std::string::npos)
+      << words_of("1 + depth");
+  EXPECT_EQ(words_of("1 + x*y*z"), "");
+  ModuliField field(moduli({young, 0.3}));
+  field.set_factor(expression_factor("x - 1", 1e-6));
+  EXPECT_THROW(field.at({0.5e-6, 0.0, 0.0}), std::domain_error);
+}
+
+// Claim: factors of cells fill 1 -+ spread evenly, whatever the order they are
+// asked in. Tolerance: 4 sigma of the mean of n uniform numbers and of their
+// mean square.
+TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
+  const ModulusFactor factor = random_factor(0.5, 7, 0.5e-6);
+  const ModulusFactor other = random_factor(0.5, 8, 0.5e-6);
+  double mean = 0.0, square = 0.0;
+  std::set<double> seen;
+  constexpr int n = 12;
+  for (int i = 0; i < n * n * n; ++i) {
+    const meshes::Place place{(i % n + 0.5) * 0.5e-6,
+                              (i / n % n + 0.5) * 0.5e-6,
+                              (i / n / n + 0.5) * 0.31e-6};
+    const double value = factor(place);
+    EXPECT_EQ(value, factor({place[0] * (1.0 + 1e-15), place[1], place[2]}));
+    EXPECT_NE(value, other(place));
+    seen.insert(value);
+    mean += value - 1.0;
+    square += (value - 1.0) * (value - 1.0);
+  }
+
+  constexpr double count = n * n * n;
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(count));
+  EXPECT_LT(*seen.rbegin(), 1.5);
+  EXPECT_GT(*seen.begin(), 0.5);
+  EXPECT_NEAR(mean / count, 0.0, 4.0 * 0.5 / std::sqrt(3.0 * count));
+  EXPECT_NEAR(square / count, 0.25 / 3.0,
+              4.0 * 0.25 * std::sqrt(4.0 / 45.0 / count));
+}
+
+TEST(ModuliField, ReadsATableOfBoxes) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "asperity_factors.txt")
+          .string();
+  std::ofstream(path) << "# boxes 2 1 3\n1 2\n3 4\n5 6\n";
+
+  const ModulusFactor factor =
+      table_factor(read_factor_table(path, {4e-6, 4e-6, 3e-6}));
+
+  EXPECT_EQ(factor({1e-6, 3e-6, 0.5e-6}), 1.0);
+  EXPECT_EQ(factor({3e-6, 1e-6, 0.5e-6}), 2.0);
+  EXPECT_EQ(factor({3e-6, 1e-6, 2.5e-6}), 6.0);
+  std::ofstream(path) << "# boxes 2 2 3\n1 2\n3 4\n5 6\n";
+  EXPECT_THROW(read_factor_table(path, {1.0, 1.0, 1.0}), std::runtime_error);
+  std::remove(path.c_str());
+}
+
+} // namespace
+} // namespace asperity::fem
