@@ -78,6 +78,12 @@ public:
     return lead_full_block(request);
   }
 
+  std::unique_ptr<FullBlock>
+  uncondensed(const BlockRequest& request) const override {
+    return make_full_block(request.grid, degree(request),
+                           layered_block(request));
+  }
+
   bool has_followed() const override {
     if (own_rank() == 0) {
       end_followers_at_exit();

@@ -50,6 +50,11 @@ public:
   /// @throws cases::CaseError  besides, for a file that the case names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
+  /// The same without a case: the block of condensed(), whole, on one process
+  /// alone.
+  virtual std::unique_ptr<FullBlock>
+  uncondensed(const BlockRequest& request) const = 0;
+
   /// Under mpirun, before anything else is done: on rank 0 false, and the
   /// others end when the program does; on the others true, once it has ended.
   virtual bool has_followed() const = 0;
