@@ -21,7 +21,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
       results::counted_area_fraction(solution.pressure, weights);
   row.contact_perimeter = results::contact_perimeter(grid, solution.pressure);
   row.area_fraction_corrected = results::corrected_area_fraction(
-      grid, solution.pressure, solution.gap, surface.scales.contact_modulus,
+      grid, solution.pressure, solution.gap, observation.contact_modulus,
       observation.area_coefficients);
   row.area_fraction_fit =
       results::fit_pressure_distribution(solution.pressure, weights)

@@ -18,6 +18,7 @@ struct Observation {
   double local_compliance = 0.0; ///< 1/k [m/Pa] of a penalty that stays, 0 for
                                  ///< a hard wall
   results::AreaCoefficients area_coefficients; ///< of the operator
+  double contact_modulus = 0.0; ///< E* that the rim of a contact feels [Pa]
 };
 
 /// The solution's maps are moved into the answer.

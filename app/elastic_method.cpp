@@ -1,5 +1,6 @@
 #include "app/elastic_method.hpp"
 
+#include "app/continuum_block.hpp"
 #include "app/curve_row.hpp"
 #include "app/kept_face.hpp"
 #include "app/timed_operator.hpp"
@@ -8,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 
 namespace asperity::app {
@@ -44,6 +44,7 @@ struct SolverSetting {
   const ContactSettings& contact;
   const SurfaceOfCase& surface; ///< outlives the solver
   results::AreaCoefficients area_coefficients;
+  double rim_modulus; ///< E* at the scale of a spacing [Pa]
   int threads;
   double saved_setup_time;
 };
@@ -55,6 +56,7 @@ public:
                  const SolverSetting& setting)
       : surface_(setting.surface),
         area_coefficients_(setting.area_coefficients),
+        rim_modulus_(setting.rim_modulus),
         threads_(setting.threads),
         weights_(elasticity->nodal_weights().begin(),
                  elasticity->nodal_weights().end()),
@@ -71,9 +73,10 @@ public:
     contact::ContactSolution solution = sequence_.solve(load_target(target));
     const int transforms = solution.transforms;
     const CpuClock clock(threads_);
-    StepAnswer answer = observe(
-        std::move(solution),
-        {weights_, sequence_.local_compliance(), area_coefficients_}, surface_);
+    StepAnswer answer = observe(std::move(solution),
+                                {weights_, sequence_.local_compliance(),
+                                 area_coefficients_, rim_modulus_},
+                                surface_);
     answer.row.observation_time = clock.seconds();
     answer.row.transforms = transforms;
     answer.row.transform_time = tally_->cpu_time;
@@ -91,6 +94,7 @@ public:
 private:
   const SurfaceOfCase& surface_;
   results::AreaCoefficients area_coefficients_;
+  double rim_modulus_;
   int threads_;
   std::shared_ptr<TimedOperator::Tally> tally_ =
       std::make_shared<TimedOperator::Tally>();
@@ -99,38 +103,23 @@ private:
   double saved_setup_time_;
 };
 
-contact::FarFace far_face_of(cases::TopFace top) {
-  switch (top) {
-  case cases::TopFace::sliding:
-    return contact::FarFace::sliding;
-  case cases::TopFace::pressure:
-    return contact::FarFace::pressure;
-  case cases::TopFace::clamped:
-    break;
-  }
-  return contact::FarFace::clamped;
-}
-
-contact::ElasticBlock block_of(const HalfspaceSettings& settings,
-                               const cases::MaterialSpec& material,
-                               const cases::Scales& scales) {
-  contact::ElasticBlock block;
-  block.contact_modulus = material.contact_modulus;
-  block.poisson_ratio = material.poisson_ratio.value_or(0.0);
-  block.thickness = settings.thickness
-                        ? settings.thickness->in_si(scales)
-                        : std::numeric_limits<double>::infinity();
-  block.far_face = far_face_of(settings.top);
-  return block;
+std::string in_key(const std::vector<cases::MaterialLayer>& layers,
+                   const cases::Scales& scales) {
+  std::string key;
+  for (const cases::MaterialLayer& layer : layers)
+    key += fmt::format(" layer {} {} {}", layer.thickness.in_si(scales),
+                       layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+  return key;
 }
 
 /// Equal for equal operators: grid and block, not the interface.
 std::string operator_key(const cases::MethodSpec& method,
-                         const SurfaceOfCase& surface) {
+                         const SurfaceOfCase& surface,
+                         const cases::MaterialSpec& material) {
   const Grid& grid = surface.record.grid;
   const std::string place =
-      fmt::format("{} {} {} {}", grid.points_x, grid.points_y, grid.length_x,
-                  grid.length_y);
+      fmt::format("{} {} {} {}{}", grid.points_x, grid.points_y, grid.length_x,
+                  grid.length_y, in_key(material.layers, surface.scales));
   if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
     return fmt::format("halfspace {} {} {}", place,
                        half->thickness ? half->thickness->in_si(surface.scales)
@@ -151,19 +140,6 @@ results::AreaCoefficients area_coefficients(const FemSettings& settings) {
              : results::q2_area_coefficients;
 }
 
-contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
-                                   const cases::MaterialSpec& material,
-                                   const cases::Scales& scales) {
-  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
-    return block_of(*half, material, scales);
-  contact::ElasticBlock block = block_of(HalfspaceSettings{}, material, scales);
-  if (const auto* fem = std::get_if<FemSettings>(&method.settings)) {
-    block.thickness = fem->depth.in_si(scales);
-    block.far_face = far_face_of(fem->top);
-  }
-  return block;
-}
-
 SolverFactory::SolverFactory(const cases::MaterialSpec& material, Cache& cache,
                              const CaseKeys& keys)
     : material_(material), cache_(cache), keys_(keys) {}
@@ -172,6 +148,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
                                                 int threads) {
   const auto* block = std::get_if<FemSettings>(&method.settings);
+  const double modulus = rim_modulus(
+      continuum_of(method, material_, surface.scales), surface.scales.spacing);
   Face face = shared_operator(method, surface, threads);
   return std::make_unique<OperatorSolver>(
       std::move(face.elasticity),
@@ -181,7 +159,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                     surface,
                     block != nullptr ? area_coefficients(*block)
                                      : results::halfspace_area_coefficients,
-                    threads, face.saved_setup_time});
+                    modulus, threads, face.saved_setup_time});
 }
 
 SolverFactory::Face
@@ -189,7 +167,7 @@ SolverFactory::shared_operator(const cases::MethodSpec& method,
                                const SurfaceOfCase& surface, int threads) {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<contact::SurfaceOperator>& kept =
-      operators_[operator_key(method, surface)];
+      operators_[operator_key(method, surface, material_)];
   if (kept)
     return {kept->clone(), 0.0};
   Face built = build_operator(method, surface, threads);
@@ -201,22 +179,23 @@ SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
                               const SurfaceOfCase& surface, int threads) {
   const Grid& grid = surface.record.grid;
-  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+  if (std::holds_alternative<HalfspaceSettings>(method.settings))
     return {std::make_unique<contact::FourierOperator>(
                 grid,
                 contact::block_compliance(
-                    grid, block_of(*half, material_, surface.scales)),
+                    grid, continuum_of(method, material_, surface.scales)),
                 threads),
             0.0};
   const fem::FemRoom& room = fem::load_fem_room(); // no part of what is kept
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);
-  asked.keeper = keeper_in(
-      cache_,
-      keys_.face(fmt::format("{} {} {}", operator_key(method, surface),
-                             asked.youngs_modulus, asked.poisson_ratio)),
-      threads, face.saved_setup_time);
+  asked.keeper =
+      keeper_in(cache_,
+                keys_.face(fmt::format(
+                    "{} {} {}", operator_key(method, surface, material_),
+                    asked.youngs_modulus, asked.poisson_ratio)),
+                threads, face.saved_setup_time);
   face.elasticity = room.condensed(asked);
   return face;
 }
@@ -230,7 +209,8 @@ fem::BlockRequest SolverFactory::request(const FemSettings& settings,
           material_.block_youngs_modulus(),
           *material_.poisson_ratio,
           threads,
-          {}};
+          {},
+          material_.layers};
 }
 
 } // namespace asperity::app

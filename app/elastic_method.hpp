@@ -8,7 +8,6 @@
 #include "app/case_keys.hpp"
 #include "app/step_solver.hpp"
 #include "app/surfaces_of_case.hpp"
-#include "contact/halfspace.hpp"
 #include "contact/load_sequence.hpp"
 #include "fem/plugin.hpp"
 #include "results/area_estimate.hpp"
@@ -26,11 +25,10 @@ MethodDescription describe(const cases::FemSettings& settings);
 /// What finite elements with these settings add to the counted area.
 results::AreaCoefficients area_coefficients(const cases::FemSettings& settings);
 
-/// The block of a method as a continuum, for what is worked out from its
-/// pressure: half-space or slab as the method has it; atoms are a half-space.
-contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
-                                   const cases::MaterialSpec& material,
-                                   const cases::Scales& scales);
+/// What a method makes of a block that is not uniform: its layers, or that it
+/// does without them; empty for a uniform block.
+std::string material_words(const cases::MethodSpec& method,
+                           const cases::MaterialSpec& material);
 
 /// Of half-space and condensed finite elements. Makes solvers; operators of
 /// equal block and grid are set up once and shared. Safe to call from any

@@ -28,7 +28,29 @@ std::string in_words(const ContactSettings& settings) {
   return "hard wall";
 }
 
+/// "20 GPa over 50 nm", contact face first.
+std::string in_words(const std::vector<cases::MaterialLayer>& layers) {
+  std::string words;
+  for (const cases::MaterialLayer& layer : layers)
+    words +=
+        fmt::format("{}E = {:g} Pa, nu = {:g}", words.empty() ? "" : "; ",
+                    layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+  return words;
+}
+
 } // namespace
+
+std::string material_words(const cases::MethodSpec& method,
+                           const cases::MaterialSpec& material) {
+  if (material.layers.empty())
+    return {};
+  if (std::holds_alternative<cases::TheorySettings>(method.settings) ||
+      std::holds_alternative<cases::MdSettings>(method.settings))
+    return "uniform: without the layers";
+  return fmt::format("under {} bonded {} ({})", material.layers.size(),
+                     material.layers.size() == 1 ? "layer" : "layers",
+                     in_words(material.layers));
+}
 
 MethodDescription describe(const FemSettings& settings) {
   const std::string solver =

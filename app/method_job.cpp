@@ -137,9 +137,12 @@ void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
 }
 
 void MethodJob::describe_found(const std::string& found) {
-  if (!found.empty())
-    scene_.writer.begin_method(method_.name, describe(method_).kind,
-                               describe(method_).text + "; " + found);
+  if (found.empty())
+    return;
+  const MethodDescription description =
+      describe(method_, scene_.rough_case.material);
+  scene_.writer.begin_method(method_.name, description.kind,
+                             description.text + "; " + found);
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {

@@ -5,9 +5,14 @@
 
 namespace asperity::app {
 
-MethodDescription describe(const cases::MethodSpec& method) {
-  return std::visit([](const auto& settings) { return describe(settings); },
-                    method.settings);
+MethodDescription describe(const cases::MethodSpec& method,
+                           const cases::MaterialSpec& material) {
+  MethodDescription description = std::visit(
+      [](const auto& settings) { return describe(settings); }, method.settings);
+  if (const std::string words = material_words(method, material);
+      !words.empty())
+    description.text += ", " + words;
+  return description;
 }
 
 MethodFactory::MethodFactory(const cases::Case& rough_case, Cache& cache,

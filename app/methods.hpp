@@ -13,7 +13,8 @@
 
 namespace asperity::app {
 
-MethodDescription describe(const cases::MethodSpec& method);
+MethodDescription describe(const cases::MethodSpec& method,
+                           const cases::MaterialSpec& material);
 
 /// What a solver may use of the machine.
 struct Resources {

@@ -115,7 +115,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
     planned.setup_time = left > 0 ? cost.setup_time : 0.0;
     planned.step_time = left > 0 ? left * cost.step_time : 0.0;
     planned.memory = cost.memory;
-    planned.runs_alone = describe(method).runs_alone;
+    planned.runs_alone = describe(method, rough_case.material).runs_alone;
     if (takes_formula(method))
       planned.grid = {};
     uses_fem |=

@@ -94,7 +94,7 @@ void Run::begin() {
   for (std::size_t r = 0; r < surfaces_.whole().size(); ++r)
     writer_.record_surface(static_cast<int>(r), surfaces_.whole()[r].record);
   for (const MethodSpec& method : methods_) {
-    const MethodDescription description = describe(method);
+    const MethodDescription description = describe(method, case_.material);
     writer_.begin_method(method.name, description.kind, description.text);
     if (method.magnification)
       for (int r = 0; r < n_realizations(case_, method); ++r)
@@ -108,7 +108,7 @@ void Run::run_jobs() {
   std::vector<WorkerPool::Job> lone_jobs;
   for (const MethodSpec& method : methods_)
     for (int r = 0; r < n_realizations(case_, method); ++r)
-      (describe(method).runs_alone ? lone_jobs : jobs)
+      (describe(method, case_.material).runs_alone ? lone_jobs : jobs)
           .push_back(
               [this, &method, r] { MethodJob(scene_, method, r).run(); });
   if (const MethodSpec* studied = cases::study_theory(methods_))

@@ -1,6 +1,6 @@
 #include "app/stress_tables.hpp"
 
-#include "app/elastic_method.hpp"
+#include "app/continuum_block.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,16 @@ using contact::StressPlane;
 constexpr int section_rows = 49;      ///< planes of a section, the face's too
 constexpr int section_columns = 257;  ///< at most
 constexpr double section_depth = 4.0; ///< in depths of the strongest point
-constexpr double section_reach = 6.0; ///< to either side, in the same
+constexpr double section_reach = 1.5; ///< to either side, in its own depth
+constexpr double below_layers = 1.5;  ///< it shows this, in their thickness
+
+/// Of a block that goes on for ever [m].
+double depth_of_section(const contact::ElasticBlock& block, double peak_depth) {
+  double layers = 0.0;
+  for (const contact::BondedLayer& layer : block.layers)
+    layers += layer.thickness;
+  return std::max(section_depth * peak_depth, below_layers * layers);
+}
 
 /// The nodes of a section along x, as offsets from the strongest point.
 std::vector<int> offsets_of(const Grid& grid, double depth) {
@@ -57,8 +66,8 @@ results::Table stress_table(const std::string& method,
     const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
     pressure.values.push_back(map.nominal_pressure);
     strongest.values.push_back(peak.von_mises);
-    shear.values.push_back(
-        contact::largest_shear(inside.at_depth(peak.depth))[peak.node]);
+    shear.values.push_back(contact::largest_shear(
+        inside.at_depth(peak.depth, peak.side))[peak.node]);
     depth.values.push_back(peak.depth);
     x.values.push_back(static_cast<double>(peak.node % columns) *
                        map.grid.spacing_x());
@@ -78,8 +87,9 @@ results::Table stress_section(const std::string& method,
   const StressInside inside(grid, block, map.pressure, threads);
   const int peak_x = static_cast<int>(peak.node) % grid.points_x;
   const int peak_y = static_cast<int>(peak.node) / grid.points_x;
-  const std::vector<int> offsets = offsets_of(grid, peak.depth);
-  const double deepest = std::min(section_depth * peak.depth, block.thickness);
+  const double whole_depth = depth_of_section(block, peak.depth);
+  const double deepest = std::min(whole_depth, block.thickness);
+  const std::vector<int> offsets = offsets_of(grid, whole_depth);
   results::Column depth{"depth", "m", {}};
   results::Column x{"x", "m", {}};
   results::Column strength{"von_mises", "Pa", {}};

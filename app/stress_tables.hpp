@@ -19,8 +19,8 @@ results::Table stress_table(const std::string& method,
 
 /// The von Mises stress of one map in the plane of x and depth through `peak`,
 /// its strongest point: rows of depth, x fastest, from the face to four times
-/// the point's depth and six times to either side (or the whole side); x from
-/// the point.
+/// the point's depth, or half as deep again as the block's layers, and once and
+/// a half that to either side (or the whole side); x from the point.
 results::Table stress_section(const std::string& method,
                               const contact::ElasticBlock& block,
                               const results::Fields& map,

@@ -209,20 +209,18 @@ TargetOutcome TargetSearch::choose(double target) {
 
 void TargetSearch::verify(TargetOutcome& outcome,
                           const std::map<std::string, BenchAnswer>& chosen) {
-  const double modulus = case_.material.contact_modulus;
   const int finer_points = 2 * choice_.points;
   outcome.finer = fmt::format("one run a method on {} points with half the "
                               "logarithm of the layers' growth",
                               finer_points);
-  if (!reports::exact_words(case_.surface).empty())
+  if (!reports::exact_words(case_).empty())
     outcome.finer =
         "the exact solution where it answers, else " + outcome.finer;
   for (const auto& [method, forecast] : choice_.methods) {
     const auto answer = chosen.find(method);
     if (answer == chosen.end())
       continue;
-    const BenchAnswer exact =
-        reports::exact_answer(case_.surface, modulus, answer->second);
+    const BenchAnswer exact = reports::exact_answer(case_, answer->second);
     const BenchPoint finer = run_at(method, forecast->element, finer_points,
                                     0.5 * choice_.growth_share);
     for (reports::Promise& promise : outcome.promises) {

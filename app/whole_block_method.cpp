@@ -1,5 +1,6 @@
 #include "app/whole_block_method.hpp"
 
+#include "app/continuum_block.hpp"
 #include "app/curve_row.hpp"
 #include "app/elastic_method.hpp"
 #include "fem/plugin.hpp"
@@ -31,9 +32,11 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
 class WholeBlock final : public StepSolver {
 public:
   WholeBlock(std::unique_ptr<fem::FullBlock> block,
-             const cases::FemSettings& settings, const SurfaceOfCase& surface)
+             const cases::FemSettings& settings, const SurfaceOfCase& surface,
+             double rim_modulus)
       : surface_(surface),
         area_coefficients_(area_coefficients(settings)),
+        rim_modulus_(rim_modulus),
         block_(std::move(block)),
         contact_(fem::block_contact(settings.contact, surface.scales)) {}
 
@@ -48,10 +51,10 @@ public:
     const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
                                           ? 1.0 / contact_.penalty
                                           : 0.0;
-    StepAnswer answer = observe(
-        as_contact(std::move(solution), surface_),
-        {block_->nodal_weights(), penalty_compliance, area_coefficients_},
-        surface_);
+    StepAnswer answer = observe(as_contact(std::move(solution), surface_),
+                                {block_->nodal_weights(), penalty_compliance,
+                                 area_coefficients_, rim_modulus_},
+                                surface_);
     answer.row.area_fraction = costs.area_by_points;
     if (block_->are_maps_samples()) // a sample says nothing of the rim
       answer.row.area_fraction_corrected = costs.area_by_points;
@@ -67,6 +70,7 @@ public:
 private:
   const SurfaceOfCase& surface_;
   results::AreaCoefficients area_coefficients_;
+  double rim_modulus_; ///< E* at the scale of a spacing [Pa]
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
 };
@@ -79,7 +83,9 @@ std::unique_ptr<StepSolver> make_whole_block(const cases::Case& rough_case,
   return std::make_unique<WholeBlock>(
       fem::load_fem_room().full({rough_case.text, rough_case.path, method.name,
                                  surface.record.grid, surface.scales}),
-      std::get<cases::FemSettings>(method.settings), surface);
+      std::get<cases::FemSettings>(method.settings), surface,
+      rim_modulus(continuum_of(method, rough_case.material, surface.scales),
+                  surface.scales.spacing));
 }
 
 } // namespace asperity::app

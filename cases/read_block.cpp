@@ -145,7 +145,29 @@ void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem) {
                  "too often; take contact = \"augmented\" or \"penalty\"");
 }
 
+/// What layers need besides their own numbers.
+void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
+  if (read.material.layers.empty())
+    return;
+  if (!read.material.poisson_ratio)
+    mistakes.add(entry_of(file, "material", "layers").place,
+                 "material.layers needs material.poisson_ratio, which is "
+                 "missing");
+  if (!read.material.counter)
+    return;
+  for (const MethodSpec& method : read.methods) {
+    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    if (std::holds_alternative<HalfspaceSettings>(method.settings) ||
+        (fem != nullptr && fem->bodies == 1))
+      mistakes.add(entry_of(file, "material", "layers").place,
+                   method.name + ": no one block stands for a layered body and "
+                                 "[material.counter]; take [fem] with solver = "
+                                 "\"full\" and bodies = 2");
+  }
+}
+
 void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
+  check_layers(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
     const auto* const fem = std::get_if<FemSettings>(&method.settings);
     if (!fem)

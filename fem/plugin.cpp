@@ -26,10 +26,18 @@ LayeredBlock layered_block(const BlockRequest& request) {
   const cases::FemSettings& settings = request.settings;
   const double surface_cell =
       settings.surface_cell_depth * degree(request) * request.grid.spacing_x();
-  return homogeneous_block(
-      meshes::graded_layers(surface_cell, settings.growth,
-                            settings.depth.in_si(request.scales)),
-      request.youngs_modulus, request.poisson_ratio, settings.top);
+  std::vector<double> interfaces;
+  std::vector<cases::BodyModuli> moduli;
+  double depth = 0.0;
+  for (const cases::MaterialLayer& layer : request.layers) {
+    interfaces.push_back(depth += layer.thickness.in_si(request.scales));
+    moduli.push_back(layer.moduli);
+  }
+  moduli.push_back({request.youngs_modulus, request.poisson_ratio});
+  return bonded_block(meshes::graded_layers_with_interfaces(
+                          surface_cell, settings.growth, interfaces,
+                          settings.depth.in_si(request.scales)),
+                      interfaces, moduli, settings.top);
 }
 
 /// The blocks as raw bytes, if they are as many as this grid has.

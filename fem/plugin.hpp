@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity::fem {
 
@@ -31,6 +32,8 @@ struct BlockRequest {
   double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
   int threads = 1;             ///< changes no bit of an answer
   Keeper keeper = {}; ///< of this very block's condensed operator; may be empty
+  /// Bonded to the contact face, whose first; E and nu are those below them.
+  std::vector<cases::MaterialLayer> layers = {};
 };
 
 /// What the module gives. Each call throws std::domain_error, in words, for a

@@ -80,9 +80,7 @@ void overlay_exact(const cases::Case& contact_case, const Bench& bench,
   for (const BenchPoint& point : bench.points) {
     if (!point.problem.empty() || point.kind == "theory")
       continue;
-    const BenchAnswer exact =
-        exact_answer(contact_case.surface,
-                     contact_case.material.contact_modulus, point.answer);
+    const BenchAnswer exact = exact_answer(contact_case, point.answer);
     if (std::isnan(truth.answer.rms_height))
       truth.answer = exact;
     for (const auto& [name, values] : exact.values) {
@@ -104,7 +102,7 @@ std::string truth_words(const BenchTruth& truth, const Bench& bench,
   std::string words;
   if (std::any_of(truth.is_exact.begin(), truth.is_exact.end(),
                   [](const auto& entry) { return entry.second; }))
-    words = exact_words(contact_case.surface);
+    words = exact_words(contact_case);
   if (truth.series >= bench.series.size())
     return words;
   std::string series;

@@ -113,7 +113,7 @@ BenchAnswer answer_of(const results::Result& result,
   if (contact_case.surface.kind == SurfaceKind::sphere)
     for (double& gap : answer.values["mean_gap"])
       gap -= answer.highest;
-  if (!is_exact_shape(contact_case.surface))
+  if (!is_exact_shape(contact_case))
     add_fits(result, contact_case, name, answer);
   return answer;
 }
@@ -144,11 +144,15 @@ double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
                         scale_of(column, truth));
 }
 
-BenchAnswer exact_answer(const cases::SurfaceSpec& surface,
-                         double contact_modulus, const BenchAnswer& answer) {
+BenchAnswer exact_answer(const cases::Case& contact_case,
+                         const BenchAnswer& answer) {
+  const cases::SurfaceSpec& surface = contact_case.surface;
+  const double contact_modulus = contact_case.material.contact_modulus;
   BenchAnswer exact;
   exact.rms_height = answer.rms_height;
   exact.pressure = answer.pressure;
+  if (!is_exact_shape(contact_case))
+    return exact;
   // Of a sphere, gaps are counted from its top, see answer_of.
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
   for (const double pressure : answer.pressure) {
@@ -183,8 +187,10 @@ std::string error_words(const std::string& quantity) {
   return quantity + ", relative";
 }
 
-std::string exact_words(const cases::SurfaceSpec& surface) {
-  switch (surface.kind) {
+std::string exact_words(const cases::Case& contact_case) {
+  if (!is_exact_shape(contact_case))
+    return "";
+  switch (contact_case.surface.kind) {
   case SurfaceKind::sphere:
     return "Hertz's contact, alone but for the mean displacement of its "
            "images";

@@ -33,10 +33,10 @@ double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
 ///     U(p) = integral_0^p (u(p') - u(p)) dp'
 ///
 /// per nominal area. Empty for shapes without an exact solution.
-BenchAnswer exact_answer(const cases::SurfaceSpec& surface,
-                         double contact_modulus, const BenchAnswer& answer);
+BenchAnswer exact_answer(const cases::Case& contact_case,
+                         const BenchAnswer& answer);
 
 /// "Westergaard", "Hertz", ...; empty for shapes without an exact solution.
-std::string exact_words(const cases::SurfaceSpec& surface);
+std::string exact_words(const cases::Case& contact_case);
 
 } // namespace asperity::reports

@@ -33,7 +33,7 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
   FigureGroup group{"The curves", "", {}};
   const bool has_rough =
       std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
-        return !is_exact_shape(e.contact_case->surface);
+        return !is_exact_shape(*e.contact_case);
       });
   if (has_rough) {
     group.figures.push_back(pressure_gap_figure(entries, series));
@@ -52,13 +52,13 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
-  if (is_exact_shape(entry.contact_case->surface))
+  if (is_exact_shape(*entry.contact_case))
     group.figures = exact_figures(entry);
   append(group.figures, surface_figure(entry));
   append(group.figures, two_faces_figure(entry));
   append(group.figures, spectrum_figure(entry));
   append(group.figures, height_figure(entry));
-  if (!is_exact_shape(entry.contact_case->surface)) {
+  if (!is_exact_shape(*entry.contact_case)) {
     append(group.figures, pressure_distribution_figures(entry));
     append(group.figures, gap_distribution_figures(entry));
   }

@@ -36,7 +36,7 @@ std::string capital(std::string text) {
 } // namespace
 
 std::optional<Figure> height_figure(const ReportEntry& entry) {
-  if (is_exact_shape(entry.contact_case->surface))
+  if (is_exact_shape(*entry.contact_case))
     return std::nullopt;
   Figure figure;
   figure.name = "height-distribution";

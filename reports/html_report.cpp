@@ -251,7 +251,7 @@ List facts_of(const Summary& summary) {
 Value entry_data(const ReportEntry& entry, std::span<const Series> series,
                  bool is_one_of_many) {
   const Summary& summary = entry.summary;
-  const bool is_exact = is_exact_shape(entry.contact_case->surface);
+  const bool is_exact = is_exact_shape(*entry.contact_case);
   const std::vector<Column> columns = answered(columns_of(is_exact), summary);
   Value page;
   page.set("name", summary.case_name);

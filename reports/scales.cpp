@@ -35,10 +35,11 @@ bool uses_formula(const cases::Case& rough_case,
   return false;
 }
 
-bool is_exact_shape(const SurfaceSpec& surface) {
-  return surface.kind == SurfaceKind::sphere ||
-         surface.kind == SurfaceKind::wave_1d ||
-         surface.kind == SurfaceKind::wave_2d;
+bool is_exact_shape(const cases::Case& contact_case) {
+  const SurfaceKind kind = contact_case.surface.kind;
+  return contact_case.material.is_uniform() &&
+         (kind == SurfaceKind::sphere || kind == SurfaceKind::wave_1d ||
+          kind == SurfaceKind::wave_2d);
 }
 
 const results::SurfaceRecord* surface_of(const results::Result& result,

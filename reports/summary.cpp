@@ -79,7 +79,7 @@ MethodSummary summarize_method(const Result& result,
   summary.kind = method.kind;
   summary.description = method.description;
   summary.cost = cost_of(method);
-  if (is_exact_shape(rough_case.surface))
+  if (is_exact_shape(rough_case))
     add_exact_quantities(result, rough_case, method, summary);
   else {
     add_rough_quantities(result, rough_case, method, reference, summary);

@@ -92,8 +92,9 @@ struct Summary {
   bool all_ok() const; ///< no verdict is failed or missing
 };
 
-/// True for shapes with an exact solution, where gamma and kappa mean nothing.
-bool is_exact_shape(const cases::SurfaceSpec& surface);
+/// True for shapes with an exact solution, where gamma and kappa mean nothing,
+/// on the uniform block that it is of.
+bool is_exact_shape(const cases::Case& contact_case);
 
 /// True if the method is a theory that took the case's formula as spectrum.
 bool uses_formula(const cases::Case& rough_case,

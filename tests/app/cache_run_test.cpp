@@ -117,6 +117,30 @@ TEST_F(CachedRun, OneMethodsKeyRunsThatMethodAgain) {
   EXPECT_EQ(computed(), 0); // the first is still there
 }
 
+// Claim: layers reach the half-space, and each of their numbers makes other
+// steps: a stiff coating lifts the mean plane at equal load.
+TEST_F(CachedRun, LayersRunEveryMethodAgainAndAreFelt) {
+  const auto coated = [](const std::string& modulus) {
+    return Overrides{"material.layers=[{thickness=\"0.05 length\","
+                     "youngs_modulus=\"" +
+                     modulus + "\",poisson_ratio=0.2}]"};
+  };
+  computed({}, "bare");
+
+  EXPECT_EQ(computed(coated("20 GPa"), "stiff"), all_steps);
+  EXPECT_EQ(computed(coated("30 GPa"), "stiffer"), all_steps);
+  EXPECT_EQ(computed(coated("20 GPa"), "again"), 0);
+
+  const auto first_gap = [&](const std::string& out) {
+    for (const results::MethodRecord& method : result(out).methods)
+      if (method.name == "halfspace")
+        return method.realizations[0].points[0].mean_gap;
+    return 0.0;
+  };
+  EXPECT_GT(first_gap("stiff"), 1.05 * first_gap("bare"));
+  EXPECT_GT(first_gap("stiffer"), first_gap("stiff"));
+}
+
 TEST_F(CachedRun, AnotherMethodRunsThatAlone) {
   computed();
   text += "[halfspace.slab]\nthickness = \"0.5 length\"\n";

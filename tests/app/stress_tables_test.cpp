@@ -90,5 +90,21 @@ TEST(StressTables, HaveASectionThroughThatPoint) {
                 1e-9 * *strongest);
 }
 
+// Claim: the section of a coated block shows its coating and half as much again
+// below, however shallow the strongest point is.
+TEST(StressTables, HaveASectionThroughTheCoating) {
+  const results::Fields map =
+      hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));
+  contact::ElasticBlock block = halfspace();
+  const double coating = 20.0 * map.grid.spacing_x();
+  block.layers = {{coating, 10.0 * modulus, 0.3}};
+
+  const results::Table section =
+      stress_section("fem", block, map, {0.0, 1e-3 * coating, 0}, 1);
+
+  const std::vector<double> depth = section.values("depth");
+  EXPECT_NEAR(depth.back() / coating, 1.5, 1e-12);
+}
+
 } // namespace
 } // namespace asperity::app

@@ -146,6 +146,30 @@ TEST(Block, OfTwoBodiesIsTheFirstOfThem) {
   EXPECT_EQ(pair.material.counter->youngs_modulus, 7e9);
 }
 
+const std::string a_layer =
+    "material.layers=[{ thickness = 1e-6, youngs_modulus = 3e9, poisson_ratio "
+    "= 0.4 }]";
+
+// Claim: what a layered block still needs, and the pair that no one block can
+// stand for, are named.
+TEST(Block, NamesWhatLayersCannotBe) {
+  std::string without_ratio = rough_case;
+  const std::size_t from = without_ratio.find("poisson_ratio");
+  without_ratio.erase(from, without_ratio.find('\n', from) - from);
+  const std::string pair =
+      refusal("[material.counter]\nyoungs_modulus = \"70 GPa\"\n"
+              "poisson_ratio = 0.3\n",
+              {a_layer});
+
+  EXPECT_NE(pair.find("halfspace: no one block stands for a layered body"),
+            std::string::npos)
+      << pair;
+  EXPECT_NE(pair.find("fem: no one block"), std::string::npos) << pair;
+  EXPECT_NE(mistakes_of(without_ratio, {a_layer})
+                .find("material.layers needs material.poisson_ratio"),
+            std::string::npos);
+}
+
 struct Refused {
   std::string keys, override, words;
 };

@@ -20,7 +20,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 const std::set<std::string> shipped = {
-    "hertz", "polymer", "polymer-nominal", "self-affine", "wave-1d", "wave-2d"};
+    "hertz",       "layered", "polymer", "polymer-nominal",
+    "self-affine", "wave-1d", "wave-2d"};
 
 // Blocks of atoms: what they claim stands in the collection paper.
 const std::set<std::string> blocks_of_atoms = {

@@ -1,0 +1,81 @@
+// Claims about cases/layered: its references are the two classical slopes of
+// the area at light load, with the modulus that its layers show to each wave.
+#include "app/continuum_block.hpp"
+#include "cases/read_case.hpp"
+#include "cases/reference.hpp"
+#include "contact/layered_compliance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace asperity::app {
+namespace {
+
+double reference_of(const std::string& quantity) {
+  for (const cases::ReferenceValue& reference :
+       cases::read_reference("cases/layered/reference.csv"))
+    if (reference.quantity == quantity)
+      return reference.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Claim: what presses the surface flat is a pressure of variance sum |h(q)|^2/
+// C(q)^2, whose root over that of the uniform block is the root mean square of
+// E*(q)/E* = 2/(C(q) q E*), weighed by slope. Persson's A/A_0 = erf(p/sqrt(2
+// variance)) then begins with sqrt(8/pi) over it; Bush, Gibson and Thomas have
+// sqrt(2 pi) for sqrt(8/pi). Tolerance: the five digits written, 5e-6/0.2,
+// times 2.5; the midpoint rule's error is below them.
+TEST(LayeredCase, HasTheSlopesOfItsLayers) {
+  const cases::Case read = cases::read_case("cases/layered/case.toml");
+  const cases::SurfaceSpec& surface = read.surface;
+  const cases::Scales scales{read.material.contact_modulus, *surface.length,
+                             *surface.length / *surface.points, 0.0};
+  const contact::ElasticBlock block =
+      continuum_of(read.methods[1], read.material, scales);
+  double slope = 0.0, stiffness = 0.0;
+  const int n = 4000;
+  const double span =
+      std::log(surface.wavevector_high / surface.wavevector_low);
+  for (int i = 0; i < n; ++i) {
+    const double q = surface.wavevector_low * std::exp((i + 0.5) / n * span);
+    const double weight =
+        std::pow(q, 4) * std::pow(std::max(q, surface.wavevector_roll_off),
+                                  -2.0 - 2.0 * surface.hurst);
+    slope += weight;
+    stiffness +=
+        weight * std::pow(2.0 / (contact::layered_compliance(q, block) * q *
+                                 read.material.contact_modulus),
+                          2);
+  }
+  const double root = std::sqrt(stiffness / slope);
+
+  EXPECT_EQ(read.methods[1].name, "halfspace");
+  EXPECT_NEAR(reference_of("kappa_persson") * root,
+              std::sqrt(8.0 / std::numbers::pi), 7e-5);
+  EXPECT_NEAR(reference_of("kappa_bush_gibson_thomas") * root,
+              std::sqrt(2.0 * std::numbers::pi), 7e-5);
+}
+
+// Claim: a rim feels the coating where that is many spacings thick, and what
+// lies below where it is far less than one. Tolerances: q t = 39 hides the
+// bottom below rounding; at q t = 1.6e-4 the coating's share is some q t times
+// the ratio of the moduli.
+TEST(LayeredCase, ShowsItsRimsTheCoating) {
+  contact::ElasticBlock block{2e9,
+                              0.3,
+                              std::numeric_limits<double>::infinity(),
+                              {},
+                              {{0.05, 2e10, 0.2}}};
+  EXPECT_NEAR(rim_modulus(block, 0.002) / (2e10 / (1.0 - 0.04)), 1.0, 1e-9);
+  EXPECT_NEAR(rim_modulus(block, 500.0) / 2e9, 1.0, 0.003);
+  block.layers.clear();
+  EXPECT_EQ(rim_modulus(block, 0.002), 2e9);
+}
+
+} // namespace
+} // namespace asperity::app
