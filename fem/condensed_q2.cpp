@@ -35,8 +35,7 @@ void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
   if (first == 0 && mode_y == 0)
     on_uniform_mode[0] = spring;
   std::array<Pack, node_kinds * node_kinds> packs;
-  layers.face_compliance(theta_x, theta_y, on_uniform_mode, layers.layers(),
-                         packs.data());
+  layers.face_compliance(theta_x, theta_y, on_uniform_mode, packs.data());
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t i = 0; i < packs.size(); ++i)
       blocks[lane][i] = grid.cell_area() * packs[i][lane];

@@ -30,14 +30,9 @@ public:
   /// (T_0^-1)_zz over the kinds [m/N].
   /// @param theta_x, theta_y  q times the node spacing, a wavevector a lane
   /// @param spring  on the uniform mode of the top's free components [N/m]
-  /// @param layers  that are taken from the contact face up; what lies above
-  ///                is left out
   /// @param block   node_kinds^2 packs, full
   void face_compliance(const Pack& theta_x, const Pack& theta_y,
-                       const Pack& spring, std::size_t layers,
-                       Pack* block) const;
-
-  std::size_t layers() const { return layers_.size(); }
+                       const Pack& spring, Pack* block) const;
 
   struct Layer {
     std::size_t material;

@@ -36,6 +36,7 @@ void q2_setup(benchmark::State& state) {
     benchmark::DoNotOptimize(fem::condensed_compliance_q2(grid, block));
 }
 
-BENCHMARK(q2_setup)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond);
+BENCHMARK(q2_setup)->Arg(128)->Arg(256)->Arg(512)->Unit(
+    benchmark::kMillisecond);
 
 } // namespace

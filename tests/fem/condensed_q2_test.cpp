@@ -2,6 +2,7 @@
 // whole deal.II block with a direct solver, and the exact elastic layer.
 #include "fem/condensed_q2.hpp"
 #include "fem/full_block.hpp"
+#include "fem/lattice_factors.hpp"
 #include "fem/q2_operator.hpp"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,46 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Grid{8, 8, 1e-6, 1e-6},
                                          Grid{12, 8, 1e-6, 0.7e-6},
                                          Grid{14, 6, 1e-6, 0.5e-6}),
+                       ::testing::Values(TopFace::clamped, TopFace::sliding,
+                                         TopFace::pressure)));
+
+class Q2AgainstWholeLayers
+    : public ::testing::TestWithParam<std::tuple<bool, TopFace>> {};
+
+// Claim: split layers of shared symbols give what whole layers of their own
+// cell matrices do, with many layers, one material or several. Tolerance: long
+// waves are small differences of a thick layer's terms, whose rounding grows
+// with the square of the thickest layer in cells (here below 10): some 1e-13.
+TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
+  const auto [is_layered, top] = GetParam();
+  const Grid grid{64, 48, 1e-6, 0.8e-6};
+  LayeredBlock block =
+      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, top);
+  if (!is_layered)
+    for (ElasticLayer& layer : block.layers)
+      layer = {layer.thickness, block.layers[0].lame_modulus,
+               block.layers[0].shear_modulus};
+  const KindSpectra spectra(grid, 2);
+  const auto factors = make_lattice_factors(spectra, 2, block, 1);
+
+  const Q2Compliance found = condensed_compliance_q2(grid, block);
+
+  std::array<Pack, 16> expected;
+  for (std::size_t row = 0; row < spectra.rows(); ++row)
+    for (std::size_t column = 0; column < 17; ++column) {
+      const WaveBatch batch = spectra.batch(row, column / lanes);
+      factors->face_compliance(batch, expected.data());
+      const KindBlock& symbol = found.blocks[row * 17 + column];
+      for (std::size_t i = 0; i < 16; ++i)
+        ASSERT_NEAR(symbol[i], grid.cell_area() * expected[i][column % lanes],
+                    1e-12 * largest_magnitude(symbol))
+            << row << ", " << column << ", " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    MaterialsAndTops, Q2AgainstWholeLayers,
+    ::testing::Combine(::testing::Bool(),
                        ::testing::Values(TopFace::clamped, TopFace::sliding,
                                          TopFace::pressure)));
 
