@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/mpi_world.hpp"
 #include "app/stress_command.hpp"
+#include "base/freed_memory.hpp"
 #include "cases/case_error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -197,6 +198,7 @@ int run(int argc, char** argv) {
 } // namespace asperity::app
 
 int main(int argc, char** argv) {
+  asperity::keep_freed_memory();
   try {
     return asperity::app::has_followed_rank_0()
                ? asperity::app::exit_good

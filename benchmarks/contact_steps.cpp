@@ -6,6 +6,7 @@
 //
 // points a side (512), threads (1), thickness of a slab with a free back in
 // lengths (0: half-space), load steps of the program (16; 0: cold steps only).
+#include "base/freed_memory.hpp"
 #include "contact/load_sequence.hpp"
 
 #include <algorithm>
@@ -125,6 +126,7 @@ void run(int points, int threads, double thickness, int n_steps) {
 } // namespace asperity::contact
 
 int main(int n_arguments, char** arguments) {
+  asperity::keep_freed_memory();
   const auto argument = [&](int i, double otherwise) {
     return n_arguments > i ? std::atof(arguments[i]) : otherwise;
   };

@@ -5,6 +5,7 @@
 #include "base/parallel_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,18 @@ struct Sum {
 
   Sum& operator+=(const Sum& other) {
     value += other.value;
+    return *this;
+  }
+};
+
+/// Several sums of a loop.
+template <std::size_t n>
+struct SeveralSums {
+  std::array<double, n> values{};
+
+  SeveralSums& operator+=(const SeveralSums& other) {
+    for (std::size_t k = 0; k < n; ++k)
+      values[k] += other.values[k];
     return *this;
   }
 };

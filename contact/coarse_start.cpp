@@ -1,3 +1,4 @@
+#include "base/parallel_rows.hpp"
 #include "contact/load_sequence.hpp"
 
 namespace asperity::contact {
@@ -14,9 +15,9 @@ std::vector<double> every_second(const Grid& fine, const Grid& coarse,
 }
 
 std::vector<double> interpolated(const Grid& coarse, const Grid& fine,
-                                 std::span<const double> field) {
+                                 std::span<const double> field, int threads) {
   std::vector<double> result(fine.size());
-  for (int iy = 0; iy < coarse.points_y; ++iy)
+  parallel_rows(coarse.points_y, threads, [&](int iy) {
     for (int ix = 0; ix < coarse.points_x; ++ix) {
       const int right = (ix + 1) % coarse.points_x;
       const int above = (iy + 1) % coarse.points_y;
@@ -30,6 +31,7 @@ std::vector<double> interpolated(const Grid& coarse, const Grid& fine,
       result[fine.index(2 * ix + 1, 2 * iy + 1)] =
           0.25 * (here + east + north + corner);
     }
+  });
   return result;
 }
 
@@ -51,7 +53,8 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
       coarse_start(*coarse, coarse_problem, target, coarse_tolerance);
   const ContactSolution solution =
       solve_contact(*coarse, coarse_problem, target, start);
-  return interpolated(coarse->grid(), elasticity.grid(), solution.pressure);
+  return interpolated(coarse->grid(), elasticity.grid(), solution.pressure,
+                      elasticity.threads());
 }
 
 } // namespace asperity::contact

@@ -26,18 +26,6 @@ struct ResidualSums {
   }
 };
 
-struct AdvanceSums {
-  double pressure = 0.0, cuts = 0.0, residual = 0.0, weight = 0.0;
-
-  AdvanceSums& operator+=(const AdvanceSums& other) {
-    pressure += other.pressure;
-    cuts += other.cuts;
-    residual += other.residual;
-    weight += other.weight;
-    return *this;
-  }
-};
-
 } // namespace
 
 ContactState::ContactState(SurfaceOperator& elasticity_,
@@ -54,10 +42,18 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       freedom(pressure.size()),
       threads(elasticity_.threads()),
       previous_residual_(pressure.size()) {
-  const std::span<const double> weights = elasticity.nodal_weights();
-  for (std::size_t i = 0; i < pressure.size(); ++i)
-    mean_height_ += (weights.empty() ? 1.0 : weights[i]) * problem.heights[i];
-  mean_height_ /= static_cast<double>(pressure.size());
+  const double* const h = problem.heights.data();
+  const auto sum =
+      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
+        return chunked_sum<Sum>(pressure.size(), threads,
+                                [=](std::size_t begin, std::size_t end) {
+                                  double total = 0.0;
+                                  for (std::size_t i = begin; i < end; ++i)
+                                    total += weight[i] * h[i];
+                                  return Sum{total};
+                                });
+      });
+  mean_height_ = sum.value / static_cast<double>(pressure.size());
   compute_raw_gap();
 }
 
@@ -99,7 +95,7 @@ void ContactState::update_residual() {
   if (is_computed_) {
     computed_error_ = gap_error;
   } else if (is_converged() || gap_error < recurrence_range * computed_error_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure);
+    scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
     compute_raw_gap();
     measure_residual();
     computed_error_ = gap_error;
@@ -195,9 +191,9 @@ void ContactState::advance(float step, std::span<const float> direction,
   const double length = static_cast<double>(step);
   const double compliance = problem.local_compliance;
   is_computed_ = false;
-  const AdvanceSums sums =
+  const auto sums =
       with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<AdvanceSums>(
+        return chunked_sum<SeveralSums<4>>(
             pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
               double total = 0.0, cuts = 0.0, gap_sum = 0.0, contact = 0.0;
 #pragma omp simd reduction(+ : total, cuts, gap_sum, contact)
@@ -214,12 +210,13 @@ void ContactState::advance(float step, std::span<const float> direction,
                 gap_sum += w * (gap + compliance * kept);
                 contact += w;
               }
-              return AdvanceSums{total, cuts, gap_sum, contact};
+              return SeveralSums<4>{{total, cuts, gap_sum, contact}};
             });
       });
-  contact_sums_ = {sums.residual, sums.weight};
-  if (sums.cuts > 0.0)
-    correct_cuts(compliance_direction, sums.pressure);
+  const auto [pressure_sum, all_cuts, residual_sum, weight_sum] = sums.values;
+  contact_sums_ = {residual_sum, weight_sum};
+  if (all_cuts > 0.0)
+    correct_cuts(compliance_direction, pressure_sum);
 }
 
 void ContactState::correct_cuts(std::span<float> change, double pressure_sum) {
@@ -259,23 +256,33 @@ void ContactState::correct_cuts(std::span<float> change, double pressure_sum) {
 ContactSolution ContactState::solution() && {
   ContactSolution answer;
   if (!is_computed_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure);
+    scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
     compute_raw_gap();
   }
   const std::size_t nodes = pressure.size();
   answer.displacement.resize(nodes);
-  with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-    double pressure_sum = 0.0;
-    double gap_sum = 0.0;
-    for (std::size_t i = 0; i < nodes; ++i) {
-      answer.displacement[i] = raw_gap[i] + problem.heights[i];
-      raw_gap[i] += rigid_distance_;
-      pressure_sum += weight[i] * pressure[i];
-      gap_sum += weight[i] * raw_gap[i];
-    }
-    answer.nominal_pressure = pressure_sum / static_cast<double>(nodes);
-    answer.mean_gap = gap_sum / static_cast<double>(nodes);
-  });
+  double* const displacement = answer.displacement.data();
+  double* const gap = raw_gap.data();
+  const double* const h = problem.heights.data();
+  const double* const p = pressure.data();
+  const double rigid = rigid_distance_;
+  const auto sums =
+      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
+        return chunked_sum<SeveralSums<2>>(
+            nodes, threads, [=](std::size_t begin, std::size_t end) {
+              double pressure_sum = 0.0, gap_sum = 0.0;
+              for (std::size_t i = begin; i < end; ++i) {
+                displacement[i] = gap[i] + h[i];
+                gap[i] += rigid;
+                pressure_sum += weight[i] * p[i];
+                gap_sum += weight[i] * gap[i];
+              }
+              return SeveralSums<2>{{pressure_sum, gap_sum}};
+            });
+      });
+  const auto [pressure_sum, gap_sum] = sums.values;
+  answer.nominal_pressure = pressure_sum / static_cast<double>(nodes);
+  answer.mean_gap = gap_sum / static_cast<double>(nodes);
   answer.pressure = std::move(pressure);
   answer.gap = std::move(raw_gap);
   answer.gap_error = gap_error;

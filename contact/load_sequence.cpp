@@ -1,6 +1,7 @@
 #include "contact/load_sequence.hpp"
 
 #include "base/require.hpp"
+#include "contact/chunked_sum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,9 +127,12 @@ std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
         (target.amount - last.amount) / (last.amount - before.amount);
     if (std::abs(reach) <= longest_extrapolation) {
       std::vector<double> start = last.pressure;
-      for (std::size_t i = 0; i < start.size(); ++i)
-        start[i] =
-            std::max(0.0, start[i] + reach * (start[i] - before.pressure[i]));
+      chunked(start.size(), elasticity_->threads(),
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                  start[i] = std::max(
+                      0.0, start[i] + reach * (start[i] - before.pressure[i]));
+              });
       if (has_load(start))
         return start;
     }

@@ -1,7 +1,10 @@
 #include "contact/problem_start.hpp"
 
 #include "base/require.hpp"
+#include "contact/chunked_sum.hpp"
+#include "contact/node_weights.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -49,26 +52,39 @@ starting_pressure(const SurfaceOperator& elasticity,
     pressure.assign(nodes, start);
   } else {
     require_size("initial_pressure.size()", initial_pressure.size(), nodes);
-    for (const double start : initial_pressure)
-      require_not_negative("initial_pressure", start, "Pa");
+    const auto bad = std::find_if_not(
+        initial_pressure.begin(), initial_pressure.end(),
+        [](double start) { return start >= 0.0 && std::isfinite(start); });
+    if (bad != initial_pressure.end())
+      require_not_negative("initial_pressure", *bad, "Pa");
     pressure.assign(initial_pressure.begin(), initial_pressure.end());
   }
-  scale_to_target(target, elasticity.nodal_weights(), pressure);
+  scale_to_target(target, elasticity.nodal_weights(), pressure,
+                  elasticity.threads());
   return pressure;
 }
 
 void scale_to_target(const LoadTarget& target, std::span<const double> weights,
-                     std::span<double> pressure) {
+                     std::span<double> pressure, int threads) {
   if (target.kind != LoadTarget::Kind::nominal_pressure)
     return;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < pressure.size(); ++i)
-    sum += (weights.empty() ? 1.0 : weights[i]) * pressure[i];
-  require_positive("sum of initial_pressure", sum, "Pa");
+  double* const p = pressure.data();
+  const Sum sum = with_weights(weights, [&](const auto weight) {
+    return chunked_sum<Sum>(pressure.size(), threads,
+                            [=](std::size_t begin, std::size_t end) {
+                              double total = 0.0;
+                              for (std::size_t i = begin; i < end; ++i)
+                                total += weight[i] * p[i];
+                              return Sum{total};
+                            });
+  });
+  require_positive("sum of initial_pressure", sum.value, "Pa");
   const double scale =
-      target.amount * static_cast<double>(pressure.size()) / sum;
-  for (double& value : pressure)
-    value *= scale;
+      target.amount * static_cast<double>(pressure.size()) / sum.value;
+  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      p[i] *= scale;
+  });
 }
 
 } // namespace asperity::contact

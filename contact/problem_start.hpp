@@ -18,7 +18,8 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       std::span<const double> initial_pressure);
 
 /// Scales to the mean pressure of the target, if that is what it asks.
+/// @param threads  >= 1; their number changes no bit
 void scale_to_target(const LoadTarget& target, std::span<const double> weights,
-                     std::span<double> pressure);
+                     std::span<double> pressure, int threads = 1);
 
 } // namespace asperity::contact

@@ -1,0 +1,19 @@
+#include "base/freed_memory.hpp"
+
+#include <cstdlib> // defines __GLIBC__ where it is
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace asperity {
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int megabyte = 1 << 20;
+  mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+  mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // the largest that it takes
+#endif
+}
+
+} // namespace asperity
