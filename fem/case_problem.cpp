@@ -27,11 +27,12 @@ Grid cells_of(const Grid& nodes, int degree) {
 }
 
 /// Depths of the faces between the material's layers [m].
-std::vector<double> interfaces_of(const cases::MaterialSpec& material,
-                                  const cases::Scales& scales) {
+std::vector<double>
+interfaces_of(const std::vector<cases::MaterialLayer>& layers,
+              const cases::Scales& scales) {
   std::vector<double> interfaces;
   double depth = 0.0;
-  for (const cases::MaterialLayer& layer : material.layers)
+  for (const cases::MaterialLayer& layer : layers)
     interfaces.push_back(depth += layer.thickness.in_si(scales));
   return interfaces;
 }
@@ -66,7 +67,7 @@ meshes::GmshBlock gmsh_parameters(const cases::Case& rough_case,
   block.is_periodic = settings.sides == cases::BlockSides::periodic;
   block.fine_radius = spec.fine_radius.in_si(scales);
   if (spec.geometry == cases::MeshGeometry::layered)
-    block.interfaces = interfaces_of(rough_case.material, scales);
+    block.interfaces = interfaces_of(rough_case.material.layers, scales);
   if (const auto& inclusion = rough_case.material.inclusion) {
     block.inclusion_radius = inclusion->radius.in_si(scales);
     block.inclusion_depth = inclusion->depth.in_si(scales);
@@ -98,16 +99,16 @@ cases::BodyModuli own_moduli(const cases::MaterialSpec& material, int bodies) {
 } // namespace
 
 LayeredBlock layered_block(const cases::FemSettings& settings,
-                           const cases::MaterialSpec& material,
+                           const std::vector<cases::MaterialLayer>& layers,
                            const cases::BodyModuli& own, const Grid& grid,
                            const cases::Scales& scales) {
   // surface_cell_depth counts node spacings: the planes of nodes next to the
   // contact face are that far apart, so 1 is a cubic cell for Q1 and Q2 alike.
   const double surface_cell =
       settings.surface_cell_depth * degree_of(settings) * grid.spacing_x();
-  const std::vector<double> interfaces = interfaces_of(material, scales);
+  const std::vector<double> interfaces = interfaces_of(layers, scales);
   std::vector<cases::BodyModuli> moduli;
-  for (const cases::MaterialLayer& layer : material.layers)
+  for (const cases::MaterialLayer& layer : layers)
     moduli.push_back(layer.moduli);
   moduli.push_back(own);
   return bonded_block(meshes::graded_layers_with_interfaces(
@@ -137,8 +138,8 @@ BlockProblem problem_of_case(const FullRequest& request) {
                                     grid,
                                     settings.depth.in_si(request.scales))};
   if (is_layered) {
-    const LayeredBlock layers =
-        layered_block(settings, rough_case.material, own, grid, request.scales);
+    const LayeredBlock layers = layered_block(
+        settings, rough_case.material.layers, own, grid, request.scales);
     std::vector<double> thickness;
     for (const ElasticLayer& layer : layers.layers)
       thickness.push_back(layer.thickness);

@@ -7,6 +7,7 @@
 #include "fem/block_problem.hpp"
 
 #include <string>
+#include <vector>
 
 namespace asperity::fem {
 
@@ -28,8 +29,9 @@ BlockProblem problem_of_case(const FullRequest& request);
 
 /// The layers of cells of a laterally uniform block with [fem]'s growth, a face
 /// on each interface of the material's layers.
+/// @param own  below these
 LayeredBlock layered_block(const cases::FemSettings& settings,
-                           const cases::MaterialSpec& material,
+                           const std::vector<cases::MaterialLayer>& layers,
                            const cases::BodyModuli& own, const Grid& grid,
                            const cases::Scales& scales);
 

@@ -35,11 +35,13 @@ struct Q2Compliance {
   int rows() const { return grid.points_y / 4 + 1; }
 };
 
-/// As (Q1.1), computed by (Q2.5), with 12x12 blocks for the planes of nodes on cell faces and
-/// those half way up each layer, four node kinds of three components each:
+/// As (Q1.1), with 12x12 blocks for the planes of nodes on cell faces and those
+/// half way up each layer, four node kinds of three components each:
 ///
 ///     T_l = S_bb - R^T [ S_mm S_mt ; S_tm S_tt + T_(l+1) ]^-1 R,       (Q2.2)
-///     R = [ S_mb ; S_tb ],   S(q) of layer l on its planes b, m, t.
+///     R = [ S_mb ; S_tb ],   S(q) of layer l on its planes b, m, t,
+///
+/// computed by (Q2.4) and (Q2.5), four wavevectors at a time.
 ///
 /// At q = 0 a top that is free to move is held by a spring on the uniform mode
 /// of all kinds; loads without a mean do not stretch it.
@@ -50,8 +52,9 @@ struct Q2Compliance {
 /// @par Accuracy
 ///         Rounding as in Q1, of the longest waves and the uniform mode: a
 ///         layer m cells thick loses m^2 eps of them, some 1e-11 at 512^2 with
-///         layers growing by 1.2 to a depth of one length. Discretisation: third order and better in the
-///         node spacing for waves longer than a cell.
+///         layers growing by 1.2 to a depth of one length. Discretisation:
+///         third order and better in the node spacing for waves longer than a
+///         cell.
 Q2Compliance condensed_compliance_q2(const Grid& grid,
                                      const LayeredBlock& block,
                                      int threads = 1);

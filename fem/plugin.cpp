@@ -20,24 +20,10 @@ int degree(const BlockRequest& request) {
   return request.settings.element == cases::Element::q1 ? 1 : 2;
 }
 
-/// surface_cell_depth counts node spacings: the planes of nodes next to the
-/// contact face are that far apart, so 1 is a cubic cell for Q1 and Q2 alike.
-LayeredBlock layered_block(const BlockRequest& request) {
-  const cases::FemSettings& settings = request.settings;
-  const double surface_cell =
-      settings.surface_cell_depth * degree(request) * request.grid.spacing_x();
-  std::vector<double> interfaces;
-  std::vector<cases::BodyModuli> moduli;
-  double depth = 0.0;
-  for (const cases::MaterialLayer& layer : request.layers) {
-    interfaces.push_back(depth += layer.thickness.in_si(request.scales));
-    moduli.push_back(layer.moduli);
-  }
-  moduli.push_back({request.youngs_modulus, request.poisson_ratio});
-  return bonded_block(meshes::graded_layers_with_interfaces(
-                          surface_cell, settings.growth, interfaces,
-                          settings.depth.in_si(request.scales)),
-                      interfaces, moduli, settings.top);
+LayeredBlock layers_of(const BlockRequest& request) {
+  return layered_block(request.settings, request.layers,
+                       {request.youngs_modulus, request.poisson_ratio},
+                       request.grid, request.scales);
 }
 
 /// The blocks as raw bytes, if they are as many as this grid has.
@@ -72,7 +58,7 @@ class DealiiRoom final : public FemRoom {
 public:
   std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const override {
-    const LayeredBlock block = layered_block(request);
+    const LayeredBlock block = layers_of(request);
     if (degree(request) == 1)
       return std::make_unique<contact::FourierOperator>(
           request.grid,
@@ -88,8 +74,7 @@ public:
 
   std::unique_ptr<FullBlock>
   uncondensed(const BlockRequest& request) const override {
-    return make_full_block(request.grid, degree(request),
-                           layered_block(request));
+    return make_full_block(request.grid, degree(request), layers_of(request));
   }
 
   bool has_followed() const override {
