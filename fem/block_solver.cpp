@@ -1,7 +1,6 @@
 #include "fem/block_solver.hpp"
 
-#include "fem/mpi_session.hpp"
-
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>
@@ -23,6 +22,11 @@ namespace {
 
 /// CG's iterations a decade may grow by this before multigrid is set up anew.
 constexpr double worst_growth = 1.5;
+
+/// MUMPS under Amesos waits for ever at its second matrix on two ranks.
+bool is_alone() {
+  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
 
 /// Clears rows and columns of the flagged unknowns but for the diagonal.
 void clear_rows_and_columns(Matrix& matrix, const Vector& flags) {
@@ -97,7 +101,7 @@ BlockSolver::~BlockSolver() = default;
 
 std::string BlockSolver::name() const {
   if (is_direct_)
-    return "direct (MUMPS)";
+    return is_alone() ? "direct (MUMPS)" : "direct (KLU)";
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
 }
 
@@ -120,8 +124,8 @@ void BlockSolver::set_contact(std::span<const double> springs,
   if (is_direct_) {
     factors_->direct = std::make_unique<dealii::TrilinosWrappers::SolverDirect>(
         factors_->control,
-        dealii::TrilinosWrappers::SolverDirect::AdditionalData(false,
-                                                               "Amesos_Mumps"));
+        dealii::TrilinosWrappers::SolverDirect::AdditionalData(
+            false, is_alone() ? "Amesos_Mumps" : "Amesos_Klu"));
     factors_->direct->initialize(matrix_);
     ++setups_;
   } else if (own_) {

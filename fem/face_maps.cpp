@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace asperity::fem {
@@ -16,6 +17,8 @@ using dealii::Point;
 using dealii::types::global_dof_index;
 using meshes::FaceGroup;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+constexpr double inside = 1e-6; // of the unit cell, and of a spacing
 
 /// Weights of the nodes -1, 0, 1, 2 at a share t of the way from 0 to 1.
 std::array<double, 4> cubic_weights(double t) {
@@ -54,76 +57,89 @@ FaceMaps::FaceMaps(const BlockSystem& system) : system_(system) {
 }
 
 /// Every node of the grid on each contact face of this rank's cells that
-/// touches it.
+/// touches it. Faces come in the order in which the Gauss points were made.
 void FaceMaps::find_samples() {
-  const Grid& grid = system_.grid();
   const BlockSpace& space = system_.space();
-  const ContactPoints& points = system_.contact();
-  constexpr double inside = 1e-6; // of the unit cell
-  faces_a_node_.assign(grid.size(), 0.0);
-  std::vector<global_dof_index> of_others;
+  faces_a_node_.assign(system_.grid().size(), 0.0);
   std::size_t first_point = 0;
   for (const auto& cell : space.dof_handler().active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->center()[2] < 0.0)
       continue;
-    for (const unsigned int f : cell->face_indices()) {
-      const auto face = cell->face(f);
-      if (!face->at_boundary() ||
-          face->boundary_id() != boundary_of(FaceGroup::contact))
-        continue;
-      const dealii::BoundingBox<3> box = face->bounding_box();
-      const auto first = [&](unsigned int axis, double spacing) {
-        return static_cast<int>(
-            std::ceil(box.lower_bound(axis) / spacing - inside));
-      };
-      const auto last = [&](unsigned int axis, double spacing) {
-        return static_cast<int>(
-            std::floor(box.upper_bound(axis) / spacing + inside));
-      };
-      const std::size_t n_here = space.face_quadrature().size();
-      for (int iy = first(1, grid.spacing_y()); iy <= last(1, grid.spacing_y());
-           ++iy)
-        for (int ix = first(0, grid.spacing_x());
-             ix <= last(0, grid.spacing_x()); ++ix) {
-          const Point<3> place(ix * grid.spacing_x(), iy * grid.spacing_y(),
-                               0.0);
-          Point<3> unit;
-          try {
-            unit = space.mapping().transform_real_to_unit_cell(cell, place);
-          } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
-            continue;
-          }
-          if (!cell->reference_cell().contains_point(unit, inside))
-            continue;
-          Sample sample;
-          sample.node = grid.index(wrapped(ix, grid.points_x),
-                                   wrapped(iy, grid.points_y));
-          sample.row = points.row_at(cell, unit);
-          double nearest = 1e300;
-          if (!points.is_nodal())
-            for (std::size_t i = first_point; i < first_point + n_here; ++i) {
-              const double distance =
-                  points[i].place.distance(Point<2>(place[0], place[1]));
-              if (distance < nearest) {
-                nearest = distance;
-                sample.nearest = i;
-              }
-            }
-          for (const auto& entry : sample.row)
-            of_others.push_back(entry.first);
-          faces_a_node_[sample.node] += 1.0;
-          samples_.push_back(std::move(sample));
-        }
-      first_point += n_here;
-    }
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() &&
+          cell->face(f)->boundary_id() == boundary_of(FaceGroup::contact)) {
+        sample_face(cell, f, first_point);
+        first_point += space.face_quadrature().size();
+      }
   }
   faces_a_node_ = summed(std::move(faces_a_node_));
   if (*std::min_element(faces_a_node_.begin(), faces_a_node_.end()) == 0.0)
     throw std::domain_error("the contact face does not cover the grid");
-  std::sort(of_others.begin(), of_others.end());
+
+  std::vector<global_dof_index> unknowns;
+  for (const Sample& sample : samples_)
+    for (const auto& entry : sample.row)
+      unknowns.push_back(entry.first);
+  std::sort(unknowns.begin(), unknowns.end());
   needed_ = space.owned();
-  needed_.add_indices(of_others.begin(), of_others.end());
+  needed_.add_indices(unknowns.begin(), unknowns.end());
   needed_.compress();
+}
+
+void FaceMaps::sample_face(
+    const dealii::DoFHandler<3>::active_cell_iterator& cell, unsigned int f,
+    std::size_t first_point) {
+  const Grid& grid = system_.grid();
+  const dealii::BoundingBox<3> box = cell->face(f)->bounding_box();
+  const auto first = [&](unsigned int axis, double spacing) {
+    return static_cast<int>(
+        std::ceil(box.lower_bound(axis) / spacing - inside));
+  };
+  const auto last = [&](unsigned int axis, double spacing) {
+    return static_cast<int>(
+        std::floor(box.upper_bound(axis) / spacing + inside));
+  };
+  for (int iy = first(1, grid.spacing_y()); iy <= last(1, grid.spacing_y());
+       ++iy)
+    for (int ix = first(0, grid.spacing_x()); ix <= last(0, grid.spacing_x());
+         ++ix)
+      take_sample(cell, ix, iy, first_point);
+}
+
+/// The node (ix, iy), if it lies on this cell.
+void FaceMaps::take_sample(
+    const dealii::DoFHandler<3>::active_cell_iterator& cell, int ix, int iy,
+    std::size_t first_point) {
+  const Grid& grid = system_.grid();
+  const BlockSpace& space = system_.space();
+  const ContactPoints& points = system_.contact();
+  const Point<3> place(ix * grid.spacing_x(), iy * grid.spacing_y(), 0.0);
+  Point<3> unit;
+  try {
+    unit = space.mapping().transform_real_to_unit_cell(cell, place);
+  } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
+    return;
+  }
+  if (!cell->reference_cell().contains_point(unit, inside))
+    return;
+  Sample sample;
+  sample.node =
+      grid.index(wrapped(ix, grid.points_x), wrapped(iy, grid.points_y));
+  sample.row = points.row_at(cell, unit);
+  double nearest = std::numeric_limits<double>::max();
+  const std::size_t end = points.is_nodal()
+                              ? first_point
+                              : first_point + space.face_quadrature().size();
+  for (std::size_t i = first_point; i < end; ++i) {
+    const double distance =
+        points[i].place.distance(Point<2>(place[0], place[1]));
+    if (distance < nearest) {
+      nearest = distance;
+      sample.nearest = i;
+    }
+  }
+  faces_a_node_[sample.node] += 1.0;
+  samples_.push_back(std::move(sample));
 }
 
 std::vector<double> FaceMaps::summed(std::vector<double> field) const {

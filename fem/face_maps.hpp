@@ -47,6 +47,10 @@ private:
   };
 
   void find_samples();
+  void sample_face(const dealii::DoFHandler<3>::active_cell_iterator& cell,
+                   unsigned int f, std::size_t first_point);
+  void take_sample(const dealii::DoFHandler<3>::active_cell_iterator& cell,
+                   int ix, int iy, std::size_t first_point);
   std::vector<double> summed(std::vector<double> field) const;
 
   const BlockSystem& system_;

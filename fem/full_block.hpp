@@ -16,7 +16,7 @@ namespace asperity::fem {
 enum class LinearSolver {
   automatic, ///< direct for small blocks; beyond, fourier where the mesh is a
              ///< periodic lattice, else multigrid
-  direct,    ///< MUMPS
+  direct,    ///< MUMPS; KLU on several ranks
   multigrid, ///< CG, Trilinos ML smoothed aggregation
   fourier,   ///< CG, the laterally uniform block by its waves
 };

@@ -1,0 +1,80 @@
+#pragma once
+
+// The uniform periodic block as a deal.II user would write it on one process:
+// the plain version that judges the distributed one and the lattice solver.
+// Include from .cpp files of fem/, tests and benchmarks only.
+
+#include "fem/elastic_layers.hpp"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace asperity::fem {
+
+/// K u = f of the block above the contact face z = 0, on one process.
+///
+/// Vectors hold zeros at constrained unknowns (periodic images, the held top
+/// and the pins); the images follow from AffineConstraints where needed. A
+/// sliding top is pinned laterally, a pressed top in all directions, at one
+/// node of the top: under balanced loads the pin carries nothing.
+class PlainBlock {
+public:
+  /// @param grid   nodes of the contact face: cells are `degree` spacings wide
+  /// @param degree 1 or 2: FE_Q(degree) with QGauss(degree + 1)
+  /// @throws std::domain_error  the grid or the block is outside its range
+  PlainBlock(const Grid& grid, int degree, const LayeredBlock& block);
+
+  const Grid& grid() const { return grid_; }
+
+  dealii::types::global_dof_index n_unknowns() const {
+    return dof_handler_.n_dofs();
+  }
+
+  const dealii::DoFHandler<3>& dof_handler() const { return dof_handler_; }
+
+  const dealii::SparsityPattern& sparsity() const { return sparsity_; }
+
+  const dealii::SparseMatrix<double>& stiffness() const { return stiffness_; }
+
+  /// The unknown u_z of each grid node, in the grid's order.
+  const std::vector<dealii::types::global_dof_index>& face_unknowns() const {
+    return face_unknowns_;
+  }
+
+  /// Row sums of the mass matrix of the contact face [m^2].
+  const std::vector<double>& nodal_areas() const { return nodal_areas_; }
+
+  /// Force on the unknowns of a unit tension on the top [m^2]: consistent, and
+  /// zero where the top is held.
+  const dealii::Vector<double>& top_load() const { return top_load_; }
+
+private:
+  void make_mesh(const LayeredBlock& block);
+  void constrain(cases::TopFace top);
+  void pin_one_top_node(const dealii::ComponentMask& components);
+  void assemble(const LayeredBlock& block);
+  void find_contact_face();
+  void integrate_loads(cases::TopFace top);
+  std::size_t grid_node(const dealii::Point<3>& place) const;
+
+  Grid grid_;
+  unsigned int degree_;
+  dealii::Triangulation<3> triangulation_;
+  dealii::FESystem<3> element_;
+  dealii::DoFHandler<3> dof_handler_;
+  dealii::AffineConstraints<double> constraints_;
+  dealii::SparsityPattern sparsity_;
+  dealii::SparseMatrix<double> stiffness_;
+  std::vector<dealii::types::global_dof_index> face_unknowns_;
+  std::vector<double> nodal_areas_;
+  dealii::Vector<double> top_load_;
+};
+
+} // namespace asperity::fem
