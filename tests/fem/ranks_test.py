@@ -1,0 +1,54 @@
+"""Two ranks give the curve of one to 1e-9 of each number.
+
+Arguments: the program ranks_curves, mpirun. Tolerance: the issue's; systems are
+solved to 1e-12 and a block's condition is some 1e3.
+"""
+import os
+import subprocess
+import sys
+
+
+def curves(command):
+    # Two ranks on a busy core must not wait by spinning.
+    root = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
+    done = subprocess.run(command, env=os.environ | root, text=True, timeout=280,
+                          stdout=subprocess.PIPE, check=True)
+    rows, notes = [], []
+    for line in done.stdout.splitlines():
+        if line.startswith("#"):
+            notes.append(line)
+        elif len(line.split()) == 6:
+            rows.append(line.split())
+    return rows, notes
+
+
+def differences(one, two):
+    """(row name, value, value) of each pair of numbers that is not one."""
+    assert [row[0] for row in one] == [row[0] for row in two]
+    for a, b in zip(one, two):
+        assert a[1] == "1" and b[1] == "1", f"not converged: {a} {b}"
+        for x, y in zip(map(float, a[2:]), map(float, b[2:])):
+            if abs(x - y) > 1e-9 * abs(x):
+                yield a[0], x, y
+
+
+def main(program, mpirun):
+    sample = [["self", "1", "1.0", "2.0", "3.0", "4.0"]]
+    other = [["self", "1", "1.0", "2.0", "3.0", "4.00000001"]]
+    assert list(differences(sample, other)), "cannot fail"
+    assert not list(differences(sample, sample)), "cannot pass"
+
+    one, notes_of_one = curves([program])
+    two, notes_of_two = curves([mpirun, "-np", "2", "--oversubscribe", program])
+    assert len(one) == 16, f"{len(one)} rows"
+    assert all("1 rank" in note for note in notes_of_one), notes_of_one
+    assert all("2 ranks" in note for note in notes_of_two), notes_of_two
+    found = list(differences(one, two))
+    for name, x, y in found:
+        print(f"{name}: {x:.16e} on one rank, {y:.16e} on two")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
