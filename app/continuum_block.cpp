@@ -22,11 +22,8 @@ contact::FarFace far_face_of(cases::TopFace top) {
 
 /// E* of the block without its counter body [Pa].
 double own_modulus(const cases::MaterialSpec& material) {
-  if (!material.counter)
-    return material.contact_modulus;
-  const double nu = material.counter->poisson_ratio;
-  return 1.0 / (1.0 / material.contact_modulus -
-                (1.0 - nu * nu) / material.counter->youngs_modulus);
+  const cases::BodyModuli own = material.first_body();
+  return own.youngs_modulus / (1.0 - own.poisson_ratio * own.poisson_ratio);
 }
 
 } // namespace

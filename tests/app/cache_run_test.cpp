@@ -139,6 +139,12 @@ TEST_F(CachedRun, LayersRunEveryMethodAgainAndAreFelt) {
   };
   EXPECT_GT(first_gap("stiff"), 1.05 * first_gap("bare"));
   EXPECT_GT(first_gap("stiffer"), first_gap("stiff"));
+  for (const results::MethodRecord& method : result("stiff").methods)
+    EXPECT_NE(method.description.find(method.kind == "theory"
+                                          ? "uniform: without the layers"
+                                          : "under 1 bonded layer"),
+              std::string::npos)
+        << method.description;
 }
 
 TEST_F(CachedRun, AnotherMethodRunsThatAlone) {
