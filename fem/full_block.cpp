@@ -1,6 +1,7 @@
 #include "fem/full_block.hpp"
 
 #include "base/require.hpp"
+#include "fem/block_output.hpp"
 #include "fem/block_problem.hpp"
 #include "fem/contact_newton.hpp"
 #include "fem/face_maps.hpp"
@@ -76,6 +77,15 @@ public:
   BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
                       const BlockContact& contact) override;
 
+  StressPeak strongest_stress() const override {
+    return BlockStress(system_, newton_.displacement()).strongest();
+  }
+
+  void write(const std::string& folder_and_stem) override {
+    BlockStress stress(system_, newton_.displacement());
+    output_.write(folder_and_stem, system_, stress, nominal_pressure_);
+  }
+
 private:
   double weighted_mean(std::span<const double> field) const {
     return std::inner_product(field.begin(), field.end(), weights_.begin(),
@@ -90,6 +100,8 @@ private:
   FaceMaps maps_;
   std::vector<double> weights_;
   ContactNewton newton_;
+  BlockOutput output_;
+  double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
 };
 
 std::vector<double>
@@ -132,6 +144,7 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
                 *std::max_element(heights.begin(), heights.end()),
                 height_scale_of(heights, grid().spacing_x()), load, contact,
                 answer);
+  nominal_pressure_ = answer.nominal_pressure;
   answer.pressure = maps_.pressure(newton_.pressure());
   answer.gap = maps_.displacement(newton_.displacement());
   for (std::size_t i = 0; i < answer.gap.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include "fem/elastic_layers.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -56,6 +57,16 @@ struct BlockSolution {
   std::string linear_solver;     ///< "direct (MUMPS)", ...
   bool converged = false;
   std::string note; ///< why it did not converge; empty otherwise
+};
+
+/// Where a block is strained most: the largest von Mises stress sqrt(3 J_2) at
+/// a quadrature point, no cell left out. Between the points, some half a cell
+/// apart, a smooth stress is up to a share (cell/radius of the peak)^2 larger,
+/// and the place is as uncertain as the points are apart.
+struct StressPeak {
+  double von_mises = 0.0;        ///< [Pa]
+  double depth = 0.0;            ///< |z|, below the contact face [m]
+  std::array<double, 3> place{}; ///< [m]; z < 0 in a second body
 };
 
 /// Contact of the block on rigid heights, at points c of the contact face:
@@ -123,6 +134,16 @@ public:
   virtual BlockSolution solve(std::span<const double> heights,
                               const BlockLoad& load,
                               const BlockContact& contact) = 0;
+
+  /// Of the last solution; zeros before the first.
+  virtual StressPeak strongest_stress() const = 0;
+
+  /// Writes the last solution as one more step for ParaView: <stem>_<step>.pvtu
+  /// with its parts .vtu, and <stem>.pvd over the steps, each file whole or not
+  /// at all. block_output.hpp has the fields.
+  /// @param folder_and_stem  "out/block"; the folder is made if need be
+  /// @throws std::runtime_error  a file could not be written
+  virtual void write(const std::string& folder_and_stem) = 0;
 };
 
 /// @param degree 1 or 2; the grid's nodes are all nodes of the contact face
