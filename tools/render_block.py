@@ -110,24 +110,22 @@ def pieces(face, warp):
 def script(polygons, picture, top):
     """What gnuplot is told; z points up out of the pressed face."""
     lines = ["$skin << EOD"]
-    for corners in polygons:
-        value = sum(corner[3] for corner in corners) / len(corners)
-        lines += [f"{x:.5g} {y:.5g} {-z:.5g} {value:.4g}" for x, y, z, _ in corners]
-        lines += ["", ""]
+    for corners in polygons:  # each a surface of two rows of two points
+        rows = [f"{x:.5g} {y:.5g} {-z:.5g} {value:.4g}" for x, y, z, value in corners]
+        lines += [rows[0], rows[1], "", rows[-1], rows[2], "", ""]
     lines += ["EOD",
               "set terminal pngcairo size 1000,640 font 'sans,13'",
               f"set output '{picture}'",
-              "set view 58, 24, 1.25", "set view equal xyz", "set xyplane at graph 0",
+              "set view 58, 24, 1.7", "set view equal xyz", "set xyplane relative 0",
               "unset border", "unset xtics", "unset ytics", "unset ztics",
-              "set pm3d depthorder border linewidth 0.2",
+              "set pm3d depthorder corners2color mean",
               "set palette defined (0 '#20204c', 1 '#2f5d9b', 2 '#3fa7a0', 3 '#b6d36a',"
               " 4 '#f6c244', 5 '#d9472b', 6 '#7a0f1f')",
               f"set cbrange [0:{top * 1e-6:g}]" if top else "set cbrange [0:*]",
               "set cblabel 'von Mises stress [MPa]'",
               "set colorbox user origin 0.9,0.2 size 0.02,0.6",
               "set lmargin at screen 0.02", "set rmargin at screen 0.88",
-              "splot $skin using 1:2:3:4 with polygons fillstyle solid"
-              " fillcolor palette notitle"]
+              "splot $skin using 1:2:3:4 with pm3d notitle"]
     return "\n".join(lines) + "\n"
 
 
