@@ -60,9 +60,8 @@ struct BlockSolution {
 };
 
 /// Where a block is strained most: the largest von Mises stress sqrt(3 J_2) at
-/// a quadrature point, no cell left out. Between the points, some half a cell
-/// apart, a smooth stress is up to a share (cell/radius of the peak)^2 larger,
-/// and the place is known to about a cell.
+/// a quadrature point, no cell left out. The place is
+/// known to about a cell: the stress is read between the cell's edges only.
 struct StressPeak {
   double von_mises = 0.0;        ///< [Pa]
   double depth = 0.0;            ///< |z|, below the contact face [m]
