@@ -20,10 +20,15 @@ StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
           static_cast<int>(step)};
 }
 
-/// Atoms that are written to files of their own leave nothing to be kept.
-bool leaves_files(const cases::MethodSpec& method) {
+/// Atoms and whole blocks that are written to files of their own leave nothing
+/// to be kept.
+bool leaves_files(const cases::MethodSpec& method,
+                  const cases::ReportSpec& report) {
   const auto* md = std::get_if<cases::MdSettings>(&method.settings);
-  return md != nullptr && md->dump;
+  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+  return (md != nullptr && md->dump) ||
+         (fem != nullptr && fem->solver == cases::FemSolver::full &&
+          report.vtu);
 }
 
 bool has_failed(const CurvePoint& row) {
@@ -56,7 +61,8 @@ MethodJob::MethodJob(const RunScene& scene, const cases::MethodSpec& method,
     : scene_(scene),
       method_(method),
       realization_(realization),
-      chain_(leaves_files(method) ? no_cache_ : scene.cache,
+      chain_(leaves_files(method, scene.rough_case.report) ? no_cache_
+                                                           : scene.cache,
              scene.keys.steps(method, realization)) {}
 
 void MethodJob::run() {

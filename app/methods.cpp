@@ -29,7 +29,10 @@ std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
                                resources.watch});
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
       fem != nullptr && fem->solver == cases::FemSolver::full)
-    return make_whole_block(case_, method, surface);
+    return make_whole_block(case_, method, surface,
+                            case_.report.vtu && realization == 0
+                                ? (resources.scratch / "block").string()
+                                : "");
   return elastic_.make(method, surface, resources.threads);
 }
 

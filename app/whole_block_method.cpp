@@ -1,11 +1,13 @@
 #include "app/whole_block_method.hpp"
 
+#include "app/chosen.hpp"
 #include "app/continuum_block.hpp"
 #include "app/curve_row.hpp"
 #include "app/elastic_method.hpp"
 #include "fem/plugin.hpp"
 #include "results/area_estimate.hpp"
 
+#include <set>
 #include <utility>
 
 namespace asperity::app {
@@ -29,25 +31,32 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
   return solution;
 }
 
+/// Which steps leave files, and where.
+struct StepFiles {
+  std::string stem;
+  std::set<std::size_t> steps;
+};
+
 class WholeBlock final : public StepSolver {
 public:
   WholeBlock(std::unique_ptr<fem::FullBlock> block,
              const cases::FemSettings& settings, const SurfaceOfCase& surface,
-             double rim_modulus)
+             double rim_modulus, StepFiles files)
       : surface_(surface),
         area_coefficients_(area_coefficients(settings)),
         rim_modulus_(rim_modulus),
         block_(std::move(block)),
-        contact_(fem::block_contact(settings.contact, surface.scales)) {}
+        contact_(fem::block_contact(settings.contact, surface.scales)),
+        files_(std::move(files)) {}
 
   StepAnswer solve(const StepTarget& target) override {
     fem::BlockSolution solution = block_->solve(
         surface_.record.heights, {target.control, target.amount}, contact_);
-    const fem::BlockSolution costs{
-        .area_by_points = solution.area_by_points,
-        .linear_iterations = solution.linear_iterations,
-        .preconditioner_setups = solution.preconditioner_setups,
-        .memory = solution.memory};
+    const double area = solution.area_by_points;
+    results::CurvePoint costs;
+    costs.linear_iterations = solution.linear_iterations;
+    costs.preconditioner_setups = solution.preconditioner_setups;
+    costs.memory = solution.memory;
     const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
                                           ? 1.0 / contact_.penalty
                                           : 0.0;
@@ -55,13 +64,18 @@ public:
                                 {block_->nodal_weights(), penalty_compliance,
                                  area_coefficients_, rim_modulus_},
                                 surface_);
-    answer.row.area_fraction = costs.area_by_points;
+    answer.row.area_fraction = area;
     if (block_->are_maps_samples()) // a sample says nothing of the rim
-      answer.row.area_fraction_corrected = costs.area_by_points;
+      answer.row.area_fraction_corrected = area;
     answer.row.linear_iterations = costs.linear_iterations;
     answer.row.preconditioner_setups = costs.preconditioner_setups;
     answer.row.memory = costs.memory;
     answer.row.unknowns = static_cast<double>(block_->unknowns());
+    const fem::StressPeak peak = block_->strongest_stress();
+    answer.row.von_mises = peak.von_mises;
+    answer.row.von_mises_depth = peak.depth;
+    if (files_.steps.contains(static_cast<std::size_t>(target.step)))
+      block_->write(files_.stem);
     return answer;
   }
 
@@ -73,19 +87,23 @@ private:
   double rim_modulus_; ///< E* at the scale of a spacing [Pa]
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
+  StepFiles files_;
 };
 
 } // namespace
 
 std::unique_ptr<StepSolver> make_whole_block(const cases::Case& rough_case,
                                              const cases::MethodSpec& method,
-                                             const SurfaceOfCase& surface) {
+                                             const SurfaceOfCase& surface,
+                                             const std::string& files) {
   return std::make_unique<WholeBlock>(
       fem::load_fem_room().full({rough_case.text, rough_case.path, method.name,
                                  surface.record.grid, surface.scales}),
       std::get<cases::FemSettings>(method.settings), surface,
       rim_modulus(continuum_of(method, rough_case.material, surface.scales),
-                  surface.scales.spacing));
+                  surface.scales.spacing),
+      files.empty() ? StepFiles{}
+                    : StepFiles{files, steps_with_fields(rough_case)});
 }
 
 } // namespace asperity::app

@@ -184,6 +184,11 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
       mistakes.add(entry_of(file, method.name, "bodies").place,
                    method.name + ".bodies = 2, but the table "
                                  "[material.counter] is missing");
+    if (fem->bodies == 2 && fem->contact.law == ContactLaw::hard)
+      mistakes.add(entry_of(file, method.name, "bodies").place,
+                   method.name + ".bodies = 2 cannot be held at one place by a "
+                                 "hard wall; take contact = \"augmented\" or "
+                                 "\"penalty\"");
     const bool is_lattice =
         fem->sides == BlockSides::periodic &&
         (!fem->uses_case_mesh || read.mesh.kind == MeshKind::layers);

@@ -105,6 +105,16 @@ std::string BlockSolver::name() const {
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
 }
 
+double BlockSolver::memory() const {
+  std::size_t bytes = matrix_.memory_consumption();
+  if (own_)
+    bytes += own_->bytes();
+  else if (!is_direct_ && !is_stale_)
+    bytes += factors_->multigrid.memory_consumption();
+  return dealii::Utilities::MPI::sum(static_cast<double>(bytes),
+                                     MPI_COMM_WORLD);
+}
+
 void BlockSolver::set_contact(std::span<const double> springs,
                               const std::vector<bool>& held) {
   const ContactPoints& points = system_.contact();
@@ -167,9 +177,24 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
     factors_->direct->solve(unknowns, forces);
     return true;
   }
-  if (!own_)
+  constexpr unsigned int most_steps = 1000;
+  // A hierarchy of another contact may not serve this one at all.
+  constexpr unsigned int most_with_old = 100;
+  if (own_)
+    return iterate(unknowns, forces, tolerance, most_steps);
+  refresh_multigrid();
+  if (!is_new_) {
+    if (iterate(unknowns, forces, tolerance, most_with_old))
+      return true;
+    is_stale_ = true;
     refresh_multigrid();
-  dealii::SolverControl control(1000, tolerance, false, false);
+  }
+  return iterate(unknowns, forces, tolerance, most_steps);
+}
+
+bool BlockSolver::iterate(Vector& unknowns, const Vector& forces,
+                          double tolerance, unsigned int most_steps) {
+  dealii::SolverControl control(most_steps, tolerance, false, false);
   dealii::SolverCG<Vector> conjugate_gradients(control);
   bool has_converged = true;
   try {

@@ -31,6 +31,8 @@ public:
                      const dealii::TrilinosWrappers::MPI::Vector& from) = 0;
 
   virtual std::string name() const = 0;
+
+  virtual std::size_t bytes() const = 0; ///< of memory, on this rank
 };
 
 /// K + B^T diag(s) B, with the rows and columns of held unknowns cleared off
@@ -71,10 +73,17 @@ public:
 
   std::string name() const;
 
+  /// Matrix and preconditioner of all ranks [bytes]; of the direct solver's
+  /// factors nothing is known.
+  double memory() const;
+
 private:
   struct Factors;
   class Masked;
   void refresh_multigrid();
+  bool iterate(dealii::TrilinosWrappers::MPI::Vector& unknowns,
+               const dealii::TrilinosWrappers::MPI::Vector& forces,
+               double tolerance, unsigned int most_steps);
   void judge(int steps, double decades);
 
   const BlockSystem& system_;

@@ -234,6 +234,7 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   answer.linear_iterations = solver_.iterations() - iterations;
   answer.preconditioner_setups = solver_.setups() - setups;
   answer.linear_solver = solver_.name();
+  answer.memory = solver_.memory();
   if (answer.converged && !(answer.residual <= contact.tolerance)) {
     answer.converged = false;
     answer.note = "the nodal forces are not balanced to the tolerance";

@@ -35,6 +35,8 @@ public:
 
   std::string name() const override;
 
+  std::size_t bytes() const override { return solver_.bytes(); }
+
 private:
   void number_unknowns(const LayeredBlock& uniform);
   std::size_t lattice_index(const dealii::Point<3>& place,

@@ -97,6 +97,16 @@ public:
     return own_->solve(heights, load, contact);
   }
 
+  StressPeak strongest_stress() const override {
+    pass_on({OrderKind::strongest_stress, number_});
+    return own_->strongest_stress();
+  }
+
+  void write(const std::string& folder_and_stem) override {
+    pass_on({OrderKind::write, number_, folder_and_stem});
+    own_->write(folder_and_stem);
+  }
+
 private:
   int number_;
   std::unique_ptr<FullBlock> own_;
@@ -113,6 +123,14 @@ std::unique_ptr<FullBlock> built_as_told(const std::string& text) {
   } catch (const cases::CaseError&) {
   }
   return nullptr;
+}
+
+/// What cannot be written is rank 0's to say.
+void write_as_told(FullBlock& block, const std::string& folder_and_stem) {
+  try {
+    block.write(folder_and_stem);
+  } catch (const std::runtime_error&) {
+  }
 }
 
 struct EndOfFollowers {
@@ -145,7 +163,11 @@ void follow_rank_0() {
     case OrderKind::solve:
       solve_as_told(*block, order.numbers);
       break;
+    case OrderKind::strongest_stress:
+      static_cast<void>(block->strongest_stress());
+      break;
     case OrderKind::write:
+      write_as_told(*block, order.text);
       break;
     case OrderKind::drop:
       block.reset();

@@ -14,9 +14,10 @@ enum class OrderKind : int {
   build,        ///< text: a FullRequest
   displacement, ///< numbers: the pressure
   solve,        ///< numbers: the heights, then load and contact
-  write,        ///< text: a path
-  drop,         ///< a block is not needed any more
-  quit,         ///< rank 0 has ended
+  strongest_stress,
+  write, ///< text: folder and stem of the files
+  drop,  ///< a block is not needed any more
+  quit,  ///< rank 0 has ended
 };
 
 /// What every rank is to do with one block.

@@ -194,6 +194,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "fem.growth=1.2", "contact = \"augmented\""},
         Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\n",
                 "fem.growth=1.2", "[material.counter] is missing"},
+        Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\ncontact = "
+                "\"hard\"\n[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+                "poisson_ratio = 0.3\n",
+                "fem.growth=1.2", "cannot be held at one place"},
         Refused{"[fem.whole]\nsolver = \"full\"\nsides = \"free\"\n"
                 "linear_solver = \"fourier\"\n",
                 "fem.growth=1.2", "needs one periodic block"},

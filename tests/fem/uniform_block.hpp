@@ -3,8 +3,8 @@
 // deal.II's assembled stiffness of a uniform block by the lattice's numbering,
 // with springs and a direct solver: the judge of the lattice solver.
 
-#include "fem/block_system.hpp"
 #include "fem/lattice_solver.hpp"
+#include "fem/plain_block.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -131,7 +131,7 @@ private:
     return sum;
   }
 
-  BlockSystem system_;
+  PlainBlock system_;
   NodeLattice lattice_;
   bool is_free_in_z_;
   std::map<dealii::types::global_dof_index, std::size_t> places_;
