@@ -53,6 +53,7 @@ public:
     fem::BlockSolution solution = block_->solve(
         surface_.record.heights, {target.control, target.amount}, contact_);
     const double area = solution.area_by_points;
+    const bool has_rim = solution.is_contact_on_grid;
     results::CurvePoint costs;
     costs.linear_iterations = solution.linear_iterations;
     costs.preconditioner_setups = solution.preconditioner_setups;
@@ -65,7 +66,7 @@ public:
                                  area_coefficients_, rim_modulus_},
                                 surface_);
     answer.row.area_fraction = area;
-    if (block_->are_maps_samples()) // a sample says nothing of the rim
+    if (!has_rim) // a sample between nodes says nothing of the rim
       answer.row.area_fraction_corrected = area;
     answer.row.linear_iterations = costs.linear_iterations;
     answer.row.preconditioner_setups = costs.preconditioner_setups;

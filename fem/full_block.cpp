@@ -9,6 +9,7 @@
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -68,10 +69,6 @@ public:
 
   std::string report() const override { return system_.report(); }
 
-  bool are_maps_samples() const override {
-    return !system_.contact().is_grid();
-  }
-
   std::vector<double> displacement(std::span<const double> pressure) override;
 
   BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
@@ -87,6 +84,8 @@ public:
   }
 
 private:
+  bool is_contact_on_grid(std::span<const double> pressure) const;
+
   double weighted_mean(std::span<const double> field) const {
     return std::inner_product(field.begin(), field.end(), weights_.begin(),
                               0.0) /
@@ -135,6 +134,20 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
         "cannot be held at one place; choose augmented");
 }
 
+/// @param pressure  the map
+bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
+  const ContactPoints& points = system_.contact();
+  const std::vector<double>& at_points = newton_.pressure();
+  std::array<std::size_t, 2> counts{}; // of points on the grid, and beside it
+  for (std::size_t i = 0; i < at_points.size(); ++i)
+    if (at_points[i] > 0.0)
+      ++counts[points[i].grid_node < 0 ? 1 : 0];
+  dealii::Utilities::MPI::sum(counts, MPI_COMM_WORLD, counts);
+  const auto on_map = static_cast<std::size_t>(
+      std::ranges::count_if(pressure, [](double p) { return p > 0.0; }));
+  return counts[1] == 0 && counts[0] == on_map;
+}
+
 BlockSolution MeshedBlock::solve(std::span<const double> heights,
                                  const BlockLoad& load,
                                  const BlockContact& contact) {
@@ -146,6 +159,7 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
                 answer);
   nominal_pressure_ = answer.nominal_pressure;
   answer.pressure = maps_.pressure(newton_.pressure());
+  answer.is_contact_on_grid = is_contact_on_grid(answer.pressure);
   answer.gap = maps_.displacement(newton_.displacement());
   for (std::size_t i = 0; i < answer.gap.size(); ++i)
     answer.gap[i] += newton_.rigid_gap() - (heights[i] - newton_.highest());

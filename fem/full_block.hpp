@@ -49,12 +49,14 @@ struct BlockSolution {
                          ///< the unbalanced nodal force over the largest [1]
   double area_by_points = 0.0; ///< area of the points under pressure over that
                                ///< of the contact face [1]
-  int iterations = 0;          ///< Newton steps
-  int linear_iterations = 0;   ///< of CG, in all of this step's solves
-  int preconditioner_setups = 0; ///< or factorisations, in this step
-  double memory = 0.0;           ///< matrix and preconditioner, of all ranks
-                                 ///< [bytes]
-  std::string linear_solver;     ///< "direct (MUMPS)", ...
+  bool is_contact_on_grid = true; ///< the points under pressure are exactly the
+                                  ///< grid's nodes under pressure
+  int iterations = 0;             ///< Newton steps
+  int linear_iterations = 0;      ///< of CG, in all of this step's solves
+  int preconditioner_setups = 0;  ///< or factorisations, in this step
+  double memory = 0.0;            ///< matrix and preconditioner, of all ranks
+                                  ///< [bytes]
+  std::string linear_solver;      ///< "direct (MUMPS)", ...
   bool converged = false;
   std::string note; ///< why it did not converge; empty otherwise
 };
@@ -113,9 +115,6 @@ public:
   /// Row sums of the contact face's mass matrix over their mean, mean 1; all
   /// ones where the maps are samples.
   virtual std::span<const double> nodal_weights() const = 0;
-
-  /// The maps of an answer are samples at the grid's nodes, see above.
-  virtual bool are_maps_samples() const = 0;
 
   /// The displacement under a given pressure, without its mean.
   /// @param pressure  grid().size() values [Pa]

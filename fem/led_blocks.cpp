@@ -81,8 +81,6 @@ public:
 
   std::string report() const override { return own_->report(); }
 
-  bool are_maps_samples() const override { return own_->are_maps_samples(); }
-
   std::vector<double> displacement(std::span<const double> pressure) override {
     pass_on({OrderKind::displacement,
              number_,
