@@ -9,7 +9,6 @@
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -36,16 +35,27 @@ const BlockProblem& checked(const BlockProblem& problem) {
   return problem;
 }
 
+/// The mesh is the boxes of its lattice and nothing else.
+bool is_lattice(const BlockProblem& problem) {
+  if (!problem.lattice || !problem.mesh.refine_below.empty() ||
+      problem.counter || problem.sides != cases::BlockSides::periodic)
+    return false;
+  const auto degree = static_cast<std::size_t>(problem.degree);
+  return problem.mesh.shape == meshes::CellShape::hexahedron &&
+         problem.mesh.cells.size() * degree * degree ==
+             problem.lattice->layers.size() * problem.grid.size();
+}
+
 /// The lattice's waves where they are asked for, or may serve a block too large
 /// for a direct solver; null otherwise.
 std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::fourier;
-  if (is_asked && !problem.lattice)
+  if (is_asked && !is_lattice(problem))
     throw std::domain_error("linear_solver = fourier: the block is no periodic "
                             "lattice of boxes");
   const bool serves = problem.linear_solver == LinearSolver::automatic &&
-                      problem.lattice &&
+                      is_lattice(problem) &&
                       system.n_unknowns() > most_direct_unknowns;
   if (!is_asked && !serves)
     return nullptr;
@@ -59,6 +69,7 @@ public:
       : system_(checked(problem)),
         maps_(system_),
         weights_(maps_.weights()),
+        report_(system_.report()),
         newton_(system_, problem.linear_solver, lattice_of(problem, system_)) {}
 
   const Grid& grid() const override { return system_.grid(); }
@@ -67,7 +78,7 @@ public:
 
   std::span<const double> nodal_weights() const override { return weights_; }
 
-  std::string report() const override { return system_.report(); }
+  std::string report() const override { return report_; }
 
   std::vector<double> displacement(std::span<const double> pressure) override;
 
@@ -98,6 +109,7 @@ private:
   BlockSystem system_;
   FaceMaps maps_;
   std::vector<double> weights_;
+  std::string report_; ///< asked of all ranks at once
   ContactNewton newton_;
   BlockOutput output_;
   double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
@@ -138,14 +150,16 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
 bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
   const ContactPoints& points = system_.contact();
   const std::vector<double>& at_points = newton_.pressure();
-  std::array<std::size_t, 2> counts{}; // of points on the grid, and beside it
+  unsigned int on_grid = 0;
+  unsigned int beside = 0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
     if (at_points[i] > 0.0)
-      ++counts[points[i].grid_node < 0 ? 1 : 0];
-  dealii::Utilities::MPI::sum(counts, MPI_COMM_WORLD, counts);
-  const auto on_map = static_cast<std::size_t>(
+      ++(points[i].grid_node < 0 ? beside : on_grid);
+  on_grid = dealii::Utilities::MPI::sum(on_grid, MPI_COMM_WORLD);
+  beside = dealii::Utilities::MPI::sum(beside, MPI_COMM_WORLD);
+  const auto on_map = static_cast<unsigned int>(
       std::ranges::count_if(pressure, [](double p) { return p > 0.0; }));
-  return counts[1] == 0 && counts[0] == on_map;
+  return beside == 0 && on_grid == on_map;
 }
 
 BlockSolution MeshedBlock::solve(std::span<const double> heights,

@@ -23,6 +23,11 @@ const std::set<std::string> shipped = {
     "hertz",       "layered", "polymer", "polymer-nominal",
     "self-affine", "wave-1d", "wave-2d"};
 
+// Whole blocks: with their quick.set they read too.
+const std::set<std::string> whole_blocks = {"hertz-3d",  "heterogeneous",
+                                            "inclusion", "rough-3d",
+                                            "step42",    "two-blocks"};
+
 // Blocks of atoms: what they claim stands in the collection paper.
 const std::set<std::string> blocks_of_atoms = {
     "md-lammps", "md-small", "md-verify", "md-zeta216", "md-zeta4"};
@@ -69,9 +74,20 @@ double pressure_of(const Case& read, std::size_t step) {
       {.contact_modulus = read.material.contact_modulus});
 }
 
+/// The overrides of a folder's quick.set; none without one.
+std::vector<std::string> quick_lines(const std::string& folder) {
+  std::vector<std::string> quick;
+  std::ifstream lines(folder + "/quick.set");
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line.front() != '#')
+      quick.push_back(line);
+  return quick;
+}
+
 TEST(ShippedCases, AreTheFoldersThatAreThere) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
+  expected.insert(whole_blocks.begin(), whole_blocks.end());
   expected.insert({"paper", "peers"});
 
   EXPECT_EQ(folders_in("cases"), expected);
@@ -85,11 +101,7 @@ TEST(ShippedCases, AreTheFoldersThatAreThere) {
 TEST(ShippedCases, ReadThePaperPartByPart) {
   for (const std::string& part : folders_in("cases/paper")) {
     const std::string folder = "cases/paper/" + part;
-    std::vector<std::string> quick;
-    std::ifstream lines(folder + "/quick.set");
-    for (std::string line; std::getline(lines, line);)
-      if (!line.empty() && line.front() != '#')
-        quick.push_back(line);
+    const std::vector<std::string> quick = quick_lines(folder);
     std::ostringstream readme;
     readme << std::ifstream(folder + "/README.md").rdbuf();
 
@@ -125,6 +137,17 @@ TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
     EXPECT_EQ(read.surface.points, 512) << name;
     EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
     EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
+  }
+}
+
+TEST(ShippedCases, ReadTheWholeBlocksInFullAndQuickly) {
+  for (const std::string& name : whole_blocks) {
+    const std::string folder = "cases/" + name;
+
+    EXPECT_EQ(shipped_case(name).name, name);
+    EXPECT_EQ(read_case(folder + "/case.toml", quick_lines(folder)).name, name);
+    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty());
+    EXPECT_TRUE(std::filesystem::exists(folder + "/README.md"));
   }
 }
 
