@@ -44,7 +44,7 @@ def main(program, mpirun, case, folder):
     os.makedirs(folder)
     several = [mpirun, "-np", "2", "--oversubscribe"]
     ask = [program, "run", case, "--set", "surface.points=16", "--no-cache",
-           "--no-report", "--methods", "fem.fourier,fem.multigrid", "--threads", "1"]
+           "--methods", "fem", "--threads", "1"]
     one = run(ask + ["--out", "one"], folder)
     assert one.returncode == 0, one.stdout
     two = run(several + ask + ["--out", "two"], folder)
