@@ -10,7 +10,7 @@
 namespace asperity::meshes {
 namespace {
 
-/// d_l of (M.2) in edges of the face's cells, l = 0..n_levels-1.
+/// d_l of (M.6) in edges of the face's cells, l = 0..n_levels-1.
 std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
   std::vector<long> bottoms;
   long above = 0;

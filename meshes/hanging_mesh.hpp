@@ -12,7 +12,7 @@ namespace asperity::meshes {
 /// cut it. With h the edge of the face's cells, in units of which all follows,
 /// level l = 0..n-1 has cells of edge 2^l and reaches down to
 ///
-///     d_l = smallest multiple of 2^(l+1) with d_l - d_(l-1) >= m 2^l,   (M.2)
+///     d_l = smallest multiple of 2^(l+1) with d_l - d_(l-1) >= m 2^l,   (M.6)
 ///
 /// d_(-1) = 0: at least m cells a level through its thickness, at most one
 /// more (for m = 4 only the third level has five). Below d_(n-1) are the
