@@ -36,6 +36,15 @@ Key length_key(std::string name, std::string example, std::string description) {
           .description = std::move(description)};
 }
 
+/// The same with a default.
+Key length_key_or(std::string fallback, std::string name,
+                  std::string description) {
+  Key key = length_key(std::move(name), fallback, std::move(description));
+  key.need = Need::never;
+  key.fallback = std::move(fallback);
+  return key;
+}
+
 Table material_table() {
   Key modulus = youngs_modulus_key();
   modulus.need = Need::conditional;
@@ -197,31 +206,13 @@ Table mesh_table() {
            .example = "\"tetrahedra\"",
            .show = Show::no,
            .description = "With gmsh."},
-          {.name = "size_at_contact",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .yardsticks = {Yardstick::length, Yardstick::spacing},
-           .fallback = "\"1 h\"",
-           .example = "\"1 h\"",
-           .show = Show::no,
-           .description = "With gmsh: edge of a cell where contact is."},
-          {.name = "size_far",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .yardsticks = {Yardstick::length, Yardstick::spacing},
-           .fallback = "\"0.1 length\"",
-           .example = "\"0.1 length\"",
-           .show = Show::no,
-           .description = "With gmsh: edge of a cell far from it."},
-          {.name = "fine_radius",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .yardsticks = {Yardstick::length, Yardstick::spacing},
-           .fallback = "\"0.1 length\"",
-           .example = "\"0.1 length\"",
-           .show = Show::no,
-           .description = "With indentation: of the fine part around the "
-                          "middle of the face."},
+          length_key_or("\"1 h\"", "size_at_contact",
+                        "With gmsh: edge of a cell where contact is."),
+          length_key_or("\"0.1 length\"", "size_far",
+                        "With gmsh: edge of a cell far from it."),
+          length_key_or("\"0.1 length\"", "fine_radius",
+                        "With indentation: of the fine part around the "
+                        "middle of the face."),
           {.name = "file",
            .type = ValueType::path,
            .need = Need::conditional,
