@@ -1,4 +1,4 @@
-#include "fem/plain_block.hpp"
+#include "tests/fem/plain_block.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>

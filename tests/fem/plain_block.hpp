@@ -2,7 +2,7 @@
 
 // The uniform periodic block as a deal.II user would write it on one process:
 // the plain version that judges the distributed one and the lattice solver.
-// Include from .cpp files of fem/, tests and benchmarks only.
+// For tests.
 
 #include "fem/elastic_layers.hpp"
 

@@ -4,7 +4,6 @@
 // with springs and a direct solver: the judge of the lattice solver.
 
 #include "fem/lattice_solver.hpp"
-#include "fem/plain_block.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -14,6 +13,8 @@
 #include <cmath>
 #include <map>
 #include <vector>
+
+#include "tests/fem/plain_block.hpp"
 
 namespace asperity::fem {
 
