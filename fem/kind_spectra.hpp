@@ -6,6 +6,7 @@
 #include "base/fourier.hpp"
 #include "fem/layer_symbol.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <span>
 #include <vector>
@@ -44,6 +45,24 @@ public:
   std::size_t size() const; ///< complex numbers of one field
 
   WaveBatch batch(std::size_t row, std::size_t number) const;
+
+  /// Calls visit(first, count) for the stretches of one field's spectra that
+  /// hold the waves of |jy| = begin..end-1, each wave once.
+  template <class Visit>
+  void each_stretch(std::size_t begin, std::size_t end,
+                    const Visit& visit) const {
+    const std::size_t columns = cells_x_ / 2 + 1;
+    // 0 and, of an even number, the half are their own opposites.
+    const std::size_t from = std::max<std::size_t>(begin, 1);
+    const std::size_t to = std::min(end, (cells_y_ + 1) / 2);
+    for (std::size_t kind = 0; kind < kinds(); ++kind) {
+      const std::size_t first = kind * cells_y_ * columns;
+      if (begin < end)
+        visit(first + begin * columns, (end - begin) * columns);
+      if (from < to)
+        visit(first + (cells_y_ - to + 1) * columns, (to - from) * columns);
+    }
+  }
 
   /// @param field    grid().size() values
   /// @param spectra  size() numbers, overwritten

@@ -25,7 +25,8 @@ LayerSymbol::Target three_blocks(std::size_t row, std::size_t column) {
 template <std::size_t degree>
 class Factors final : public LatticeFactors {
 public:
-  Factors(const KindSpectra& spectra, const LayeredBlock& block, int threads);
+  Factors(const KindSpectra& spectra, const LayeredBlock& block, Range rows,
+          int threads);
 
   std::size_t bytes() const override { return packs_.size() * sizeof(Pack); }
 
@@ -48,20 +49,23 @@ private:
 
   /// L, 1/D and R of the layers from the contact face up, then T_0's L and 1/D.
   const Pack* of_batch(const WaveBatch& batch) const {
-    return &packs_[(batch.row * batches_ + batch.first / lanes) *
+    return &packs_[((batch.row - rows_.begin) * batches_ +
+                    batch.first / lanes) *
                    (n_layers_ * layer_packs + triangle(plane))];
   }
 
+  Range rows_;
   std::size_t batches_, n_layers_;
   std::vector<Pack> packs_;
 };
 
 template <std::size_t degree>
 Factors<degree>::Factors(const KindSpectra& spectra, const LayeredBlock& block,
-                         int threads)
-    : batches_(spectra.batches()),
+                         Range rows, int threads)
+    : rows_(rows),
+      batches_(spectra.batches()),
       n_layers_(block.layers.size()),
-      packs_(spectra.rows() * batches_ *
+      packs_(rows.size() * batches_ *
              (n_layers_ * layer_packs + triangle(plane))) {
   const Grid& grid = spectra.grid();
   constexpr auto steps = static_cast<double>(degree);
@@ -72,10 +76,10 @@ Factors<degree>::Factors(const KindSpectra& spectra, const LayeredBlock& block,
                                        steps * grid.spacing_y(), layer),
                         triangle(plane) + layer_packs, three_blocks<degree>);
   const double spring = block.layers.back().shear_modulus * grid.spacing_x();
-  parallel_rows(static_cast<int>(spectra.rows()), threads, [&](int row) {
+  parallel_rows(static_cast<int>(rows.size()), threads, [&](int turn) {
+    const std::size_t row = rows.begin + static_cast<std::size_t>(turn);
     for (std::size_t number = 0; number < batches_; ++number)
-      factorise_batch(layers, block, spring,
-                      spectra.batch(static_cast<std::size_t>(row), number));
+      factorise_batch(layers, block, spring, spectra.batch(row, number));
   });
 }
 
@@ -198,10 +202,10 @@ void Factors<degree>::face_compliance(const WaveBatch& batch,
 
 std::unique_ptr<const LatticeFactors>
 make_lattice_factors(const KindSpectra& spectra, int degree,
-                     const LayeredBlock& block, int threads) {
+                     const LayeredBlock& block, Range rows, int threads) {
   if (degree == 1)
-    return std::make_unique<Factors<1>>(spectra, block, threads);
-  return std::make_unique<Factors<2>>(spectra, block, threads);
+    return std::make_unique<Factors<1>>(spectra, block, rows, threads);
+  return std::make_unique<Factors<2>>(spectra, block, rows, threads);
 }
 
 } // namespace asperity::fem

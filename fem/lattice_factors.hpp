@@ -5,6 +5,7 @@
 
 #include "fem/elastic_layers.hpp"
 #include "fem/kind_spectra.hpp"
+#include "fem/lattice_share.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -52,9 +53,10 @@ inline bool holds(cases::TopFace top, std::size_t component) {
 }
 
 /// @param degree  1 or 2
+/// @param rows    of |jy| whose batches there will be factors of
 /// @param threads changes no bit
 std::unique_ptr<const LatticeFactors>
 make_lattice_factors(const KindSpectra& spectra, int degree,
-                     const LayeredBlock& block, int threads);
+                     const LayeredBlock& block, Range rows, int threads);
 
 } // namespace asperity::fem

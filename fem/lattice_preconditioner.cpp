@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace asperity::fem {
 namespace {
@@ -44,19 +45,24 @@ std::vector<bool> held_components(cases::TopFace top) {
   return {false, false, false};
 }
 
+template <class Mail>
+void deliver(const Mail& from, Mail& to) {
+  MPI_Alltoallv(from.values.data(), from.counts.data(), from.starts.data(),
+                MPI_DOUBLE, to.values.data(), to.counts.data(),
+                to.starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+}
+
 } // namespace
 
 LatticePreconditioner::LatticePreconditioner(const BlockSystem& system,
                                              int degree,
                                              const LayeredBlock& uniform)
     : system_(system),
-      solver_(system.grid(), degree, uniform),
+      solver_(system.grid(), degree, uniform, 1, Among::all_ranks),
       plane_depths_(planes_of(uniform, degree)) {
   number_unknowns(uniform);
-  share_numbers();
+  agree_on_numbers();
   lattice_values_.resize(solver_.lattice().size());
-  own_values_.resize(own_numbers_.size());
-  all_values_.resize(all_numbers_.size());
 }
 
 std::size_t LatticePreconditioner::lattice_index(const Point<3>& place,
@@ -111,13 +117,31 @@ void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
       pins_[c] = pin - 1;
 }
 
-void LatticePreconditioner::share_numbers() {
-  const auto of_ranks =
-      dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, own_numbers_);
-  for (const std::vector<std::size_t>& numbers : of_ranks) {
-    starts_.push_back(static_cast<int>(all_numbers_.size()));
-    counts_.push_back(static_cast<int>(numbers.size()));
-    all_numbers_.insert(all_numbers_.end(), numbers.begin(), numbers.end());
+/// Which own unknowns go to which rank, and which nodes come from it.
+void LatticePreconditioner::agree_on_numbers() {
+  const std::size_t nodes = solver_.lattice().grid.size();
+  std::vector<std::vector<std::size_t>> numbers(solver_.share().n_ranks());
+  std::vector<std::vector<std::size_t>> unknowns(numbers.size());
+  for (std::size_t i = 0; i < own_numbers_.size(); ++i)
+    if (own_numbers_[i] != nowhere) {
+      const std::size_t to = solver_.share().owner_of(own_numbers_[i] / nodes);
+      numbers[to].push_back(own_numbers_[i]);
+      unknowns[to].push_back(i);
+    }
+  std::map<unsigned int, std::vector<std::size_t>> to_ranks;
+  for (std::size_t rank = 0; rank < numbers.size(); ++rank)
+    to_ranks[static_cast<unsigned int>(rank)] = std::move(numbers[rank]);
+  auto from_ranks =
+      dealii::Utilities::MPI::some_to_some(MPI_COMM_WORLD, to_ranks);
+  const auto add = [](Mail& mail, const std::vector<std::size_t>& at) {
+    mail.starts.push_back(static_cast<int>(mail.at.size()));
+    mail.counts.push_back(static_cast<int>(at.size()));
+    mail.at.insert(mail.at.end(), at.begin(), at.end());
+    mail.values.resize(mail.at.size());
+  };
+  for (std::size_t rank = 0; rank < unknowns.size(); ++rank) {
+    add(unknowns_, unknowns[rank]);
+    add(lattice_, from_ranks[static_cast<unsigned int>(rank)]);
   }
 }
 
@@ -148,47 +172,70 @@ void LatticePreconditioner::prepare(std::span<const double> springs,
   solver_.set_springs(at_nodes);
 }
 
-void LatticePreconditioner::gather(const Vector& from) {
-  std::copy(from.begin(), from.end(), own_values_.begin());
-  MPI_Allgatherv(own_values_.data(), static_cast<int>(own_values_.size()),
-                 MPI_DOUBLE, all_values_.data(), counts_.data(), starts_.data(),
-                 MPI_DOUBLE, MPI_COMM_WORLD);
+void LatticePreconditioner::send(const Vector& from) {
+  for (std::size_t i = 0; i < unknowns_.at.size(); ++i)
+    unknowns_.values[i] = *(from.begin() + unknowns_.at[i]);
+  deliver(unknowns_, lattice_);
   std::fill(lattice_values_.begin(), lattice_values_.end(), 0.0);
-  for (std::size_t i = 0; i < all_numbers_.size(); ++i)
-    if (all_numbers_[i] != nowhere)
-      lattice_values_[all_numbers_[i]] = all_values_[i];
+  for (std::size_t i = 0; i < lattice_.at.size(); ++i)
+    lattice_values_[lattice_.at[i]] = lattice_.values[i];
+}
+
+void LatticePreconditioner::send_back(Vector& to) {
+  for (std::size_t i = 0; i < lattice_.at.size(); ++i)
+    lattice_.values[i] = lattice_values_[lattice_.at[i]];
+  deliver(lattice_, unknowns_);
+  std::fill(to.begin(), to.end(), 0.0);
+  for (std::size_t i = 0; i < unknowns_.at.size(); ++i)
+    *(to.begin() + unknowns_.at[i]) = unknowns_.values[i];
+}
+
+/// Calls do_pin(fields, node) for each component that only a pin holds: the
+/// own fields of the component, and the pin's place among all values. Springs
+/// hold u_z themselves.
+template <class DoPin>
+void LatticePreconditioner::each_pin(const DoPin& do_pin) {
+  const Range own = solver_.share().fields();
+  const std::size_t nodes = solver_.lattice().grid.size();
+  for (std::size_t c = 0; c < (has_springs_ ? 2U : 3U); ++c) {
+    if (!pins_[c])
+      continue;
+    std::vector<std::span<double>> fields;
+    for (std::size_t field = own.begin; field < own.end; ++field)
+      if (field % 3 == c)
+        fields.push_back(
+            std::span(lattice_values_).subspan(field * nodes, nodes));
+    do_pin(fields, *pins_[c]);
+  }
 }
 
 /// The pin bears what the forces of its component sum up to.
 void LatticePreconditioner::balance() {
-  const NodeLattice& lattice = solver_.lattice();
-  const std::size_t nodes = lattice.grid.size();
-  for (std::size_t c = 0; c < (has_springs_ ? 2U : 3U); ++c) {
-    if (!pins_[c])
-      continue;
+  each_pin([&](const auto& fields, std::size_t pin) {
     double sum = 0.0;
-    for (std::size_t plane = 0; plane < lattice.planes; ++plane)
-      for (std::size_t node = 0; node < nodes; ++node)
-        sum += lattice_values_[lattice.index(plane, c, node)];
-    lattice_values_[*pins_[c]] -= sum;
-  }
+    for (const std::span<double> field : fields)
+      sum = std::accumulate(field.begin(), field.end(), sum);
+    solver_.share().add_up({&sum, 1});
+    lattice_values_[pin] -= sum;
+  });
 }
 
 /// The shift that leaves the pin where it is.
 void LatticePreconditioner::rest() {
-  const NodeLattice& lattice = solver_.lattice();
-  for (std::size_t c = 0; c < (has_springs_ ? 2U : 3U); ++c) {
-    if (!pins_[c])
-      continue;
-    const double shift = lattice_values_[*pins_[c]];
-    for (std::size_t plane = 0; plane < lattice.planes; ++plane)
-      for (std::size_t node = 0; node < lattice.grid.size(); ++node)
-        lattice_values_[lattice.index(plane, c, node)] -= shift;
-  }
+  const std::size_t nodes = solver_.lattice().grid.size();
+  each_pin([&](const auto& fields, std::size_t pin) {
+    double shift = solver_.share().fields().contains(pin / nodes)
+                       ? lattice_values_[pin]
+                       : 0.0;
+    solver_.share().add_up({&shift, 1});
+    for (const std::span<double> field : fields)
+      for (double& value : field)
+        value -= shift;
+  });
 }
 
 void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
-  gather(from);
+  send(from);
   balance();
   if (has_springs_)
     static_cast<void>(solver_.solve_with_springs(
@@ -196,9 +243,7 @@ void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
   else
     solver_.solve(lattice_values_, lattice_values_);
   rest();
-  auto value = to.begin();
-  for (const std::size_t number : own_numbers_)
-    *value++ = number == nowhere ? 0.0 : lattice_values_[number];
+  send_back(to);
 }
 
 std::string LatticePreconditioner::name() const {

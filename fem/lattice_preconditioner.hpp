@@ -14,8 +14,8 @@
 namespace asperity::fem {
 
 /// (K_0 + springs)^-1 of the laterally uniform block K_0 nearest to a periodic
-/// one on the same lattice. Every rank gathers the residual, solves for all of
-/// it and keeps its own: the work is not divided among ranks.
+/// one on the same lattice. The residual goes to the ranks that solve for its
+/// fields, as LatticeShare divides them, and the answer back.
 ///
 /// A component whose rigid shift only a pin holds is solved balanced: the pin
 /// bears the sum of the forces, and the shift is taken off until it rests.
@@ -41,9 +41,11 @@ private:
   void number_unknowns(const LayeredBlock& uniform);
   std::size_t lattice_index(const dealii::Point<3>& place,
                             std::size_t component) const;
-  void find_pins(cases::TopFace top);
-  void share_numbers();
-  void gather(const dealii::TrilinosWrappers::MPI::Vector& from);
+  void agree_on_numbers();
+  void send(const dealii::TrilinosWrappers::MPI::Vector& from);
+  void send_back(dealii::TrilinosWrappers::MPI::Vector& to);
+  template <class DoPin>
+  void each_pin(const DoPin& do_pin);
   void balance();
   void rest();
 
@@ -52,11 +54,18 @@ private:
   std::vector<double> plane_depths_;     ///< of the lattice's planes [m]
   std::vector<std::size_t> own_numbers_; ///< on the lattice, in owned() order;
                                          ///< constrained ones have `nowhere`
-  std::vector<std::size_t> all_numbers_; ///< of all ranks, in their order
-  std::vector<int> counts_, starts_;     ///< of each rank among these
+
+  struct Mail {
+    std::vector<int> counts, starts; ///< of each rank
+    std::vector<std::size_t> at;     ///< where each value is, rank after rank
+    std::vector<double> values;
+  };
+
+  Mail unknowns_; ///< from and to the own unknowns
+  Mail lattice_;  ///< to and from the fields of this rank
   std::array<std::optional<std::size_t>, 3> pins_; ///< a component
   bool has_springs_ = false;
-  std::vector<double> lattice_values_, own_values_, all_values_;
+  std::vector<double> lattice_values_;
 };
 
 } // namespace asperity::fem

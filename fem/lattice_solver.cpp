@@ -39,6 +39,7 @@ struct LatticeSolver::Parts {
   cases::TopFace top;
   int threads;
   KindSpectra spectra;
+  LatticeShare share;
   std::unique_ptr<const LatticeFactors> factors;
   SpringFace face;
   std::vector<std::complex<double>> modes;      ///< of every field
@@ -47,14 +48,18 @@ struct LatticeSolver::Parts {
   std::vector<std::vector<double>> scratch; ///< a thread's
   std::vector<std::vector<Pack>> values;    ///< a thread's batch
 
-  Parts(const Grid& grid, int degree, const LayeredBlock& block, int n_threads)
+  Parts(const Grid& grid, int degree, const LayeredBlock& block, int n_threads,
+        Among among)
       : lattice{grid, degree,
                 block.layers.size() * static_cast<std::size_t>(degree) + 1},
         top(block.top),
         threads(n_threads),
         spectra(grid, degree),
-        factors(make_lattice_factors(spectra, degree, block, n_threads)),
-        face(spectra, *factors, top == cases::TopFace::pressure, n_threads),
+        share(spectra, 3 * lattice.planes, among),
+        factors(make_lattice_factors(spectra, degree, block, share.rows(),
+                                     n_threads)),
+        face(spectra, *factors, share, top == cases::TopFace::pressure,
+             n_threads),
         modes(3 * lattice.planes * spectra.size()),
         face_modes(spectra.size()),
         face_field(grid.size()),
@@ -78,6 +83,9 @@ struct LatticeSolver::Parts {
     return (field / 3 * 3 * spectra.kinds() + field % 3) * wave_columns;
   }
 
+  template <class DoField>
+  void each_field(const DoField& do_field); ///< of the own, with a scratch
+  double total_force(std::span<const double> force) const; ///< in z [N]
   void transform(std::span<const double> force);
   void transform_back(std::span<double> displacement, double shift);
   void load(const WaveBatch& batch, Pack* batch_values);
@@ -86,34 +94,54 @@ struct LatticeSolver::Parts {
   void sweep_batch(Sweep part, const WaveBatch& batch, Pack* batch_values);
 };
 
+template <class DoField>
+void LatticeSolver::Parts::each_field(const DoField& do_field) {
+  const Range own = share.fields();
+  parallel_turns(static_cast<int>(own.size()), threads,
+                 [&](int turn, int worker) {
+                   do_field(own.begin + static_cast<std::size_t>(turn),
+                            scratch[static_cast<std::size_t>(worker)]);
+                 });
+}
+
+double LatticeSolver::Parts::total_force(std::span<const double> force) const {
+  std::vector<double> of_planes(lattice.planes, 0.0);
+  for (std::size_t plane = 0; plane < lattice.planes; ++plane)
+    if (const std::size_t field = 3 * plane + 2;
+        share.fields().contains(field)) {
+      const auto values =
+          force.subspan(field * lattice.grid.size(), lattice.grid.size());
+      of_planes[plane] = std::accumulate(values.begin(), values.end(), 0.0);
+    }
+  share.add_up(of_planes);
+  return std::accumulate(of_planes.begin(), of_planes.end(), 0.0);
+}
+
 void LatticeSolver::Parts::transform(std::span<const double> force) {
-  parallel_turns(
-      static_cast<int>(3 * lattice.planes), threads, [&](int turn, int worker) {
-        const auto field = static_cast<std::size_t>(turn);
-        if (!is_held(field))
-          spectra.forward(
-              force.subspan(field * lattice.grid.size(), lattice.grid.size()),
-              field_modes(field), scratch[static_cast<std::size_t>(worker)]);
-      });
+  each_field([&](std::size_t field, std::vector<double>& own_scratch) {
+    if (!is_held(field))
+      spectra.forward(
+          force.subspan(field * lattice.grid.size(), lattice.grid.size()),
+          field_modes(field), own_scratch);
+  });
+  share.fields_to_rows(modes);
 }
 
 void LatticeSolver::Parts::transform_back(std::span<double> displacement,
                                           double shift) {
-  parallel_turns(static_cast<int>(3 * lattice.planes), threads,
-                 [&](int turn, int worker) {
-                   const auto field = static_cast<std::size_t>(turn);
-                   const std::span<double> answer = displacement.subspan(
-                       field * lattice.grid.size(), lattice.grid.size());
-                   if (is_held(field)) {
-                     std::fill(answer.begin(), answer.end(), 0.0);
-                     return;
-                   }
-                   spectra.backward(field_modes(field), answer,
-                                    scratch[static_cast<std::size_t>(worker)]);
-                   if (shift != 0.0 && field % 3 == 2)
-                     for (double& value : answer)
-                       value += shift;
-                 });
+  share.rows_to_fields(modes);
+  each_field([&](std::size_t field, std::vector<double>& own_scratch) {
+    const std::span<double> answer =
+        displacement.subspan(field * lattice.grid.size(), lattice.grid.size());
+    if (is_held(field)) {
+      std::fill(answer.begin(), answer.end(), 0.0);
+      return;
+    }
+    spectra.backward(field_modes(field), answer, own_scratch);
+    if (shift != 0.0 && field % 3 == 2)
+      for (double& value : answer)
+        value += shift;
+  });
 }
 
 void LatticeSolver::Parts::load(const WaveBatch& batch, Pack* batch_values) {
@@ -142,10 +170,12 @@ void LatticeSolver::Parts::store(const WaveBatch& batch, Pack* batch_values) {
 }
 
 void LatticeSolver::Parts::sweep(Sweep part) {
+  const Range own = share.rows();
   parallel_turns(
-      static_cast<int>(spectra.rows()), threads, [&](int row, int worker) {
+      static_cast<int>(own.size()), threads, [&](int turn, int worker) {
+        const std::size_t row = own.begin + static_cast<std::size_t>(turn);
         for (std::size_t i = 0; i < spectra.batches(); ++i)
-          sweep_batch(part, spectra.batch(static_cast<std::size_t>(row), i),
+          sweep_batch(part, spectra.batch(row, i),
                       values[static_cast<std::size_t>(worker)].data());
       });
 }
@@ -180,20 +210,25 @@ void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
 }
 
 LatticeSolver::LatticeSolver(const Grid& grid, int degree,
-                             const LayeredBlock& block, int threads) {
+                             const LayeredBlock& block, int threads,
+                             Among among) {
   if (degree != 1 && degree != 2)
     refuse_argument("degree", degree, "1 or 2");
   if (threads < 1)
     refuse_argument("threads", threads, "at least 1");
   require_cells(grid, degree);
   require_block(block);
-  parts_ = std::make_unique<Parts>(grid, degree, block, threads);
+  parts_ = std::make_unique<Parts>(grid, degree, block, threads, among);
 }
 
 LatticeSolver::~LatticeSolver() = default;
 
 const NodeLattice& LatticeSolver::lattice() const {
   return parts_->lattice;
+}
+
+const LatticeShare& LatticeSolver::share() const {
+  return parts_->share;
 }
 
 std::size_t LatticeSolver::bytes() const {
@@ -233,16 +268,10 @@ SpringSolve LatticeSolver::solve_with_springs(std::span<const double> force,
   if (force.size() != lattice().size() || displacement.size() != force.size())
     refuse_argument("size", static_cast<double>(force.size()),
                     "the size of the lattice");
-  double total_force = 0.0;
-  for (std::size_t plane = 0; plane < lattice().planes; ++plane) {
-    const auto first = force.begin() + static_cast<std::ptrdiff_t>(
-                                           lattice().index(plane, 2, 0));
-    total_force = std::accumulate(
-        first, first + static_cast<std::ptrdiff_t>(lattice().grid.size()),
-        total_force);
-  }
+  const double total_force = parts.total_force(force);
   parts.transform(force);
   parts.sweep(Sweep::down_to_face);
+  parts.share.rows_to_all(parts.face_modes);
   parts.spectra.backward(parts.face_modes, parts.face_field, parts.scratch[0]);
   double shift = 0.0;
   const SpringSolve answer = parts.face.solve(parts.face_field, total_force,

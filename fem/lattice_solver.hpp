@@ -5,6 +5,7 @@
 // that is not quite uniform. Nothing of deal.II shows here.
 
 #include "fem/elastic_layers.hpp"
+#include "fem/lattice_share.hpp"
 #include "fem/spring_solve.hpp"
 
 #include <cstddef>
@@ -50,6 +51,10 @@ struct NodeLattice {
 /// nothing, and u is right up to that shift. Springs under a pressed top hold
 /// it in z themselves: then sum_i q_i = sum f_z exactly.
 ///
+/// Several ranks divide fields and waves among them (LatticeShare); the face's
+/// problem (L.4) every rank solves for itself. The number of ranks changes no
+/// bit.
+///
 /// Both answers are linear in f, symmetric and positive: the first to rounding,
 /// the second to its tolerance, so a tolerance far above that of an outer
 /// conjugate-gradient method asks for a flexible one.
@@ -58,26 +63,32 @@ public:
   /// @param grid    nodes of the contact face, as BlockSystem's
   /// @param degree  1 or 2
   /// @param threads used by each solve; changes no bit
+  /// @param among   who divides the work; with all ranks every call but
+  ///                lattice() and bytes() is collective
   /// @throws std::domain_error  an argument is outside its range
   LatticeSolver(const Grid& grid, int degree, const LayeredBlock& block,
-                int threads = 1);
+                int threads = 1, Among among = Among::this_process);
   ~LatticeSolver();
 
   const NodeLattice& lattice() const;
 
-  /// Memory of the kept factors and of the spectra [B]. A cell layer and a
+  const LatticeShare& share() const;
+
+  /// Memory of this rank's factors and of the spectra [B]. A cell layer and a
   /// fourth of the lattice's wavevectors keep 15 numbers for degree 1, 588 for
   /// degree 2 (a fourth of its wavevectors is a sixteenth of the nodes).
   std::size_t bytes() const;
 
-  /// u = K^-1 f.
+  /// u = K^-1 f. Of force and displacement each rank reads and writes its own
+  /// fields only, share().fields(); field 3 plane + component.
   /// @param force         lattice().size() values [N]; at held unknowns of the
   ///                      top they are not read
   /// @param displacement  lattice().size() values [m], overwritten; 0 where
   ///                      the top is held. May be `force`.
   void solve(std::span<const double> force, std::span<double> displacement);
 
-  /// @param springs  grid.size() values on u_z of the face [N/m] >= 0: 0 for
+  /// @param springs  the same on each rank, grid.size() values on u_z of the
+  /// face [N/m] >= 0: 0 for
   ///                 none, infinity holds the node
   /// @throws std::domain_error  a wrong size, or a value that is out of range
   void set_springs(std::span<const double> springs);

@@ -32,20 +32,23 @@ void invert_block(const Pack* block, const double* added, Pack* inverse) {
 } // namespace
 
 SpringFace::SpringFace(const KindSpectra& spectra,
-                       const LatticeFactors& factors, bool shifts_freely,
-                       int threads)
+                       const LatticeFactors& factors, const LatticeShare& share,
+                       bool shifts_freely, int threads)
     : spectra_(spectra),
       shifts_freely_(shifts_freely),
       threads_(threads),
       compliance_(spectra.rows() * spectra.batches() * spectra.kinds() *
                   spectra.kinds()),
       modes_(spectra.size()) {
-  Pack* block = compliance_.data();
-  for (std::size_t row = 0; row < spectra.rows(); ++row)
+  const std::size_t block_size = spectra.kinds() * spectra.kinds();
+  const Range rows = share.rows();
+  Pack* block = &compliance_[rows.begin * spectra.batches() * block_size];
+  for (std::size_t row = rows.begin; row < rows.end; ++row)
     for (std::size_t number = 0; number < spectra.batches(); ++number) {
       factors.face_compliance(spectra.batch(row, number), block);
-      block += spectra.kinds() * spectra.kinds();
+      block += block_size;
     }
+  share.rows_to_all({&compliance_[0][0], compliance_.size() * lanes});
 }
 
 std::size_t SpringFace::bytes() const {

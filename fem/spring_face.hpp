@@ -19,10 +19,11 @@ namespace asperity::fem {
 ///     (D^-1 + C_0) q = u_0 + shift,   sum_i q_i = F.                   (L.5)
 class SpringFace {
 public:
-  /// @param spectra, factors  outlive this
+  /// @param spectra  outlives this
+  /// @param factors, share    of the same rows; every rank gets the whole face
   /// @param shifts_freely     whether the top is free in z
   SpringFace(const KindSpectra& spectra, const LatticeFactors& factors,
-             bool shifts_freely, int threads);
+             const LatticeShare& share, bool shifts_freely, int threads);
 
   /// @param springs  spectra.grid().size() values [N/m], 0 to infinity
   void set_springs(std::span<const double> springs);

@@ -1,10 +1,12 @@
 // Contact curves of small blocks of every kind, printed by the first rank: what
-// ranks_test.py runs once alone and once under mpirun.
+// ranks_test.py runs once alone and then under mpirun. With the word "waves"
+// only those that are solved by the waves of a lattice.
 #include "fem/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
@@ -15,6 +17,7 @@ using namespace asperity;
 using namespace asperity::fem;
 
 const cases::BodyModuli body{soft_modulus, 0.3};
+const Grid grid{8, 8, 1e-6, 1e-6};
 
 bool is_first() {
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
@@ -41,11 +44,22 @@ void print_curve(const char* name, const BlockProblem& problem,
     std::printf("# %s", report.c_str());
 }
 
-} // namespace
+/// Cells of random moduli, solved by the waves of the block without them.
+BlockProblem by_waves(int degree, cases::TopFace top) {
+  BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
+  problem.top = top;
+  problem.linear_solver = LinearSolver::fourier;
+  problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
+  LayeredBlock& uniform = problem.lattice.emplace();
+  uniform.top = top;
+  for (const double thickness :
+       meshes::graded_layers(degree * grid.spacing_x(), 1.4, 1e-6))
+    uniform.layers.push_back(
+        elastic_layer(thickness, body.youngs_modulus, body.poisson_ratio));
+  return problem;
+}
 
-int main() {
-  start_mpi();
-  const Grid grid{8, 8, 1e-6, 1e-6};
+void print_meshes() {
   const BlockProblem boxes = boxes_problem(grid, 1, body, 1e-6);
   print_curve("direct", boxes, cases::ContactLaw::penalty);
   BlockProblem problem = boxes;
@@ -69,4 +83,23 @@ int main() {
   problem = boxes_problem({16, 16, 1e-6, 1e-6}, 1, body, 1e-6);
   problem.mesh = meshes::hanging_mesh(problem.grid, 1e-6, 4);
   print_curve("hanging", problem, cases::ContactLaw::penalty);
+}
+
+void print_waves() {
+  print_curve("waves", by_waves(1, cases::TopFace::clamped),
+              cases::ContactLaw::penalty);
+  BlockProblem problem = by_waves(1, cases::TopFace::sliding);
+  problem.contact_at = cases::ContactPoints::gauss;
+  print_curve("sliding", problem, cases::ContactLaw::augmented);
+  print_curve("pressed", by_waves(2, cases::TopFace::pressure),
+              cases::ContactLaw::hard);
+}
+
+} // namespace
+
+int main(int n_arguments, char** arguments) {
+  start_mpi();
+  if (n_arguments < 2 || std::string(arguments[1]) != "waves")
+    print_meshes();
+  print_waves();
 }

@@ -1,4 +1,4 @@
-"""Two ranks give the curve of one to 1e-9 of each number.
+"""Two ranks, and three, give the curve of one to 1e-9 of each number.
 
 Arguments: the program ranks_curves, mpirun. Tolerance: the issue's; systems are
 solved to 1e-12 and a block's condition is some 1e3.
@@ -40,14 +40,17 @@ def main(program, mpirun):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    two, notes_of_two = curves([mpirun, "-np", "2", "--oversubscribe", program])
-    assert len(one) == 16, f"{len(one)} rows"
+    assert len(one) == 22, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
-    assert all("2 ranks" in note for note in notes_of_two), notes_of_two
-    found = list(differences(one, two))
-    for name, x, y in found:
-        print(f"{name}: {x:.16e} on one rank, {y:.16e} on two")
-    return 1 if found else 0
+    n_found = 0
+    # Three ranks divide no lattice evenly.
+    for ranks, which, expected in (("2", [], one), ("3", ["waves"], one[16:])):
+        several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
+        assert all(f"{ranks} ranks" in note for note in notes), notes
+        for name, x, y in differences(expected, several):
+            print(f"{name}: {x:.16e} on one rank, {y:.16e} on {ranks}")
+            n_found += 1
+    return 1 if n_found else 0
 
 
 if __name__ == "__main__":
