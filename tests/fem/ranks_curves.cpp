@@ -82,6 +82,7 @@ void print_meshes() {
   print_curve("tetrahedra", problem, cases::ContactLaw::penalty);
   problem = boxes_problem({16, 16, 1e-6, 1e-6}, 1, body, 1e-6);
   problem.mesh = meshes::hanging_mesh(problem.grid, 1e-6, 4);
+  problem.linear_solver = LinearSolver::multigrid;
   print_curve("hanging", problem, cases::ContactLaw::penalty);
 }
 
