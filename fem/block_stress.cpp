@@ -29,13 +29,19 @@ dealii::FullMatrix<double> projection_of(const BlockSpace& space) {
   return project(dealii::FE_SimplexP<3>(1));
 }
 
-/// Largest stress first, then the smallest coordinates.
-using RankedPlace = std::array<double, 4>; // -von Mises [Pa], x, y, z [m]
+/// Largest stress first, then the smallest coordinates: -von Mises [Pa], x, y,
+/// z [m], and the shear there [Pa].
+using RankedPlace = std::array<double, 5>;
 
 } // namespace
 
 double von_mises(const StressTensor& stress) {
   return std::sqrt(1.5) * dealii::deviator(stress).norm();
+}
+
+double largest_shear(const StressTensor& stress) {
+  const std::array<double, 3> principal = dealii::eigenvalues(stress);
+  return 0.5 * (principal.front() - principal.back());
 }
 
 BlockStress::BlockStress(
@@ -125,14 +131,19 @@ StressPeak BlockStress::strongest() {
     const std::vector<StressTensor>& stress = at_points(cell);
     for (unsigned int q = 0; q < stress.size(); ++q) {
       const dealii::Point<3>& place = values_.quadrature_point(q);
-      best =
-          std::min(best, {-von_mises(stress[q]), place[0], place[1], place[2]});
+      const RankedPlace here{-von_mises(stress[q]), place[0], place[1],
+                             place[2], 0.0};
+      if (here < best) {
+        best = here;
+        best[4] = largest_shear(stress[q]);
+      }
     }
   }
   for (const RankedPlace& found :
        dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, best))
     best = std::min(best, found);
   return {.von_mises = -best[0],
+          .largest_shear = best[4],
           .depth = std::abs(best[3]),
           .place = {best[1], best[2], best[3]}};
 }

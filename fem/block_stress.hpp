@@ -22,6 +22,9 @@ using StressTensor = dealii::SymmetricTensor<2, 3>;
 /// sqrt(3 J_2) = sqrt(3/2 s : s) with s the deviator of sigma [Pa] >= 0.
 double von_mises(const StressTensor& stress);
 
+/// Half the difference of the outermost principal stresses [Pa] >= 0.
+double largest_shear(const StressTensor& stress);
+
 /// The stress of one displacement. Every call but at_points is collective.
 ///
 /// A cell has sigma at its quadrature points from the strain there, the points

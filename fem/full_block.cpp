@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "fem/block_output.hpp"
 #include "fem/block_problem.hpp"
+#include "fem/block_section.hpp"
 #include "fem/contact_newton.hpp"
 #include "fem/face_maps.hpp"
 #include "fem/lattice_preconditioner.hpp"
@@ -87,6 +88,11 @@ public:
 
   StressPeak strongest_stress() const override {
     return BlockStress(system_, newton_.displacement()).strongest();
+  }
+
+  std::vector<double> section(const SectionPlane& plane) const override {
+    BlockStress stress(system_, newton_.displacement());
+    return von_mises_in(plane, system_.space(), stress);
   }
 
   void write(const std::string& folder_and_stem) override {

@@ -66,8 +66,17 @@ struct BlockSolution {
 /// known to about a cell: the stress is read between the cell's edges only.
 struct StressPeak {
   double von_mises = 0.0;        ///< [Pa]
+  double largest_shear = 0.0;    ///< at that point [Pa]
   double depth = 0.0;            ///< |z|, below the contact face [m]
   std::array<double, 3> place{}; ///< [m]; z < 0 in a second body
+};
+
+/// Where a section is looked at: each x with each depth, x fastest.
+struct SectionPlane {
+  double y = 0.0;            ///< of the plane [m]
+  bool is_counter = false;   ///< of the second body
+  std::vector<double> x;     ///< [m], in any order
+  std::vector<double> depth; ///< |z| [m] >= 0, in any order
 };
 
 /// Contact of the block on rigid heights, at points c of the contact face:
@@ -135,6 +144,13 @@ public:
 
   /// Of the last solution; zeros before the first.
   virtual StressPeak strongest_stress() const = 0;
+
+  /// Von Mises stress of the last solution in a plane, from the averages at
+  /// vertices (block_stress.hpp), linear in each cell's own coordinates.
+  /// @return  [Pa], plane.x.size() times plane.depth.size() values; where cells
+  ///          meet, of the one whose centre is nearest to the face; NaN outside
+  ///          of the mesh
+  virtual std::vector<double> section(const SectionPlane& plane) const = 0;
 
   /// Writes the last solution as one more step for ParaView: <stem>_<step>.pvtu
   /// with its parts .vtu, and <stem>.pvd over the steps, each file whole or not

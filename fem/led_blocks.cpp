@@ -64,6 +64,24 @@ void solve_as_told(FullBlock& block, const std::vector<double>& numbers) {
   static_cast<void>(block.solve({numbers.data(), n_heights}, load, contact));
 }
 
+/// A plane as numbers: y, the body, how many x, these, the depths.
+std::vector<double> packed(const SectionPlane& plane) {
+  std::vector<double> numbers{plane.y, plane.is_counter ? 1.0 : 0.0,
+                              static_cast<double>(plane.x.size())};
+  numbers.insert(numbers.end(), plane.x.begin(), plane.x.end());
+  numbers.insert(numbers.end(), plane.depth.begin(), plane.depth.end());
+  return numbers;
+}
+
+SectionPlane plane_in(const std::vector<double>& numbers) {
+  const auto first_x = numbers.begin() + 3;
+  const auto first_depth = first_x + static_cast<std::ptrdiff_t>(numbers[2]);
+  return {numbers[0],
+          numbers[1] != 0.0,
+          {first_x, first_depth},
+          {first_depth, numbers.end()}};
+}
+
 class LedBlock final : public FullBlock {
 public:
   LedBlock(int number, std::unique_ptr<FullBlock> own)
@@ -98,6 +116,11 @@ public:
   StressPeak strongest_stress() const override {
     pass_on({OrderKind::strongest_stress, number_});
     return own_->strongest_stress();
+  }
+
+  std::vector<double> section(const SectionPlane& plane) const override {
+    pass_on({OrderKind::section, number_, {}, packed(plane)});
+    return own_->section(plane);
   }
 
   void write(const std::string& folder_and_stem) override {
@@ -163,6 +186,9 @@ void follow_rank_0() {
       break;
     case OrderKind::strongest_stress:
       static_cast<void>(block->strongest_stress());
+      break;
+    case OrderKind::section:
+      static_cast<void>(block->section(plane_in(order.numbers)));
       break;
     case OrderKind::write:
       write_as_told(*block, order.text);

@@ -15,9 +15,10 @@ enum class OrderKind : int {
   displacement, ///< numbers: the pressure
   solve,        ///< numbers: the heights, then load and contact
   strongest_stress,
-  write, ///< text: folder and stem of the files
-  drop,  ///< a block is not needed any more
-  quit,  ///< rank 0 has ended
+  section, ///< numbers: the plane
+  write,   ///< text: folder and stem of the files
+  drop,    ///< a block is not needed any more
+  quit,    ///< rank 0 has ended
 };
 
 /// What every rank is to do with one block.

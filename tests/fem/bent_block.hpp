@@ -1,0 +1,100 @@
+#pragma once
+
+// A block of two materials under a displacement that no load made, whose
+// stress is known everywhere: on boxes, with hanging nodes, on tetrahedra.
+
+#include "fem/block_stress.hpp"
+#include "meshes/layered_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+
+namespace asperity::fem {
+
+/// Over the owned unknowns of that space, u_z by place [m].
+inline dealii::TrilinosWrappers::MPI::Vector vertical_displacement(
+    const BlockSpace& space,
+    const std::function<double(const dealii::Point<3>&)>& of) {
+  auto displacement = space.make_vector();
+  const auto& support = space.element().get_unit_support_points();
+  std::vector<dealii::types::global_dof_index> unknowns(support.size());
+  for (const auto& cell : space.dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(unknowns);
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      if (space.element().system_to_component_index(i).first == 2 &&
+          space.owned().is_element(unknowns[i]))
+        displacement(unknowns[i]) =
+            of(space.mapping().transform_unit_to_real_cell(cell, support[i]));
+  }
+  displacement.compress(dealii::VectorOperation::insert);
+  return displacement;
+}
+
+struct Bent {
+  const char* name;
+  meshes::CellShape shape;
+  bool hangs;
+};
+
+/// u_z = strain_ z (L - z) / L, which quadratic functions hold; its sides are
+/// free, so nothing but hanging nodes is constrained.
+class BentBlock : public ::testing::TestWithParam<Bent> {
+protected:
+  static constexpr double depth_ = 1e-6; // m
+  static constexpr double strain_ = 1e-3;
+  const Grid grid_{8, 8, depth_, depth_};
+  const Moduli near_ = moduli({2.0 * soft_modulus, 0.3}); ///< to depth_ / 2
+  const Moduli far_ = moduli({soft_modulus, 0.2});
+
+  BlockProblem problem() const {
+    BlockProblem problem{
+        .grid = grid_,
+        .mesh = meshes::layered_mesh({4, 4, depth_, depth_},
+                                     std::vector<double>(4, depth_ / 4.0)),
+        .degree = 2,
+        .moduli = ModuliField(far_),
+        .top = cases::TopFace::sliding,
+        .sides = cases::BlockSides::free,
+        .linear_solver = LinearSolver::direct};
+    problem.moduli.add_layer(depth_ / 2.0, near_);
+    if (GetParam().hangs)
+      problem.mesh.refine_below = {depth_ / 4.0};
+    if (GetParam().shape == meshes::CellShape::tetrahedron) {
+      problem.contact_at = cases::ContactPoints::gauss;
+      problem.mesh = tetrahedra_of(problem.mesh);
+    }
+    return problem;
+  }
+
+  static double strain_at(double z) {
+    return strain_ * (1.0 - 2.0 * z / depth_);
+  }
+
+  static dealii::TrilinosWrappers::MPI::Vector
+  displacement_of(const BlockSpace& space) {
+    return vertical_displacement(space, [](const dealii::Point<3>& place) {
+      return strain_ * place[2] * (depth_ - place[2]) / depth_;
+    });
+  }
+};
+
+inline auto all_bent_blocks() {
+  return ::testing::Values(
+      Bent{"boxes", meshes::CellShape::hexahedron, false},
+      Bent{"hanging", meshes::CellShape::hexahedron, true},
+      Bent{"tetrahedra", meshes::CellShape::tetrahedron, false});
+}
+
+inline std::string name_of_bent(const ::testing::TestParamInfo<Bent>& tested) {
+  return tested.param.name;
+}
+
+} // namespace asperity::fem
