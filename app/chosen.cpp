@@ -60,4 +60,27 @@ std::set<std::size_t> steps_with_fields(const cases::Case& rough_case) {
   return steps;
 }
 
+bool is_whole_block(const MethodSpec& method) {
+  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+  return fem != nullptr && fem->solver == cases::FemSolver::full;
+}
+
+std::optional<std::size_t> step_with_section(const cases::Case& rough_case,
+                                             const MethodSpec& method,
+                                             const cases::Scales& scales) {
+  const std::set<std::size_t> steps = steps_with_fields(rough_case);
+  if (!rough_case.report.stress_inside || !is_whole_block(method) ||
+      steps.empty())
+    return std::nullopt;
+  const cases::LoadProgram& load = rough_case.load;
+  const double sign =
+      load.control == cases::Control::nominal_pressure ? 1.0 : -1.0;
+  const auto weight = [&](std::size_t step) {
+    return sign * load.targets[step].in_si(scales);
+  };
+  return *std::max_element(
+      steps.begin(), steps.end(),
+      [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+}
+
 } // namespace asperity::app

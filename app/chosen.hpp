@@ -6,6 +6,7 @@
 #include "cases/case.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,5 +29,15 @@ int n_realizations(const cases::Case& rough_case,
 
 /// Load steps, spread evenly over the program, whose maps are kept.
 std::set<std::size_t> steps_with_fields(const cases::Case& rough_case);
+
+/// True for [fem] with solver = "full".
+bool is_whole_block(const cases::MethodSpec& method);
+
+/// The heaviest of the steps with fields, where a whole block's own section is
+/// taken; none for other methods or where the case asks for no stress inside.
+/// @param scales  of the method's surface
+std::optional<std::size_t> step_with_section(const cases::Case& rough_case,
+                                             const cases::MethodSpec& method,
+                                             const cases::Scales& scales);
 
 } // namespace asperity::app

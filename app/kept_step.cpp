@@ -80,28 +80,45 @@ results::CurvePoint row_of(const std::vector<double>& numbers) {
   return row;
 }
 
-} // namespace
-
-std::string bytes_of(const KeptStep& step) {
-  const Grid& grid = step.answer.grid;
-  return cbor({{"row", packed(row_numbers(step.answer.row))},
-               {"note", step.answer.row.note},
-               {"points", {grid.points_x, grid.points_y}},
-               {"length", packed({grid.length_x, grid.length_y})},
-               {"pressure", packed_map(step.answer.pressure)},
-               {"gap", packed_map(step.answer.gap)},
-               {"setup", packed({step.setup_cpu_time})},
-               {"found", step.found_at_setup}});
-}
-
-std::string bytes_of(const results::Table& table) {
+Json table_json(const results::Table& table) {
   Json columns = Json::array();
   for (const results::Column& column : table.columns)
     columns.push_back({{"name", column.name},
                        {"unit", column.unit},
                        {"values", packed(column.values)}});
+  return {{"name", table.name}, {"title", table.title}, {"columns", columns}};
+}
+
+results::Table table_in(const Json& json) {
+  results::Table table;
+  table.name = json.at("name").get<std::string>();
+  table.title = json.at("title").get<std::string>();
+  for (const Json& column : json.at("columns"))
+    table.columns.push_back({column.at("name").get<std::string>(),
+                             column.at("unit").get<std::string>(),
+                             unpacked(column.at("values"))});
+  return table;
+}
+
+} // namespace
+
+std::string bytes_of(const KeptStep& step) {
+  const Grid& grid = step.answer.grid;
   return cbor(
-      {{"name", table.name}, {"title", table.title}, {"columns", columns}});
+      {{"row", packed(row_numbers(step.answer.row))},
+       {"note", step.answer.row.note},
+       {"points", {grid.points_x, grid.points_y}},
+       {"length", packed({grid.length_x, grid.length_y})},
+       {"pressure", packed_map(step.answer.pressure)},
+       {"gap", packed_map(step.answer.gap)},
+       {"section",
+        step.answer.section ? table_json(*step.answer.section) : Json()},
+       {"setup", packed({step.setup_cpu_time})},
+       {"found", step.found_at_setup}});
+}
+
+std::string bytes_of(const results::Table& table) {
+  return cbor(table_json(table));
 }
 
 std::string bytes_of(const std::vector<double>& numbers) {
@@ -120,6 +137,8 @@ std::optional<KeptStep> kept_step(std::string_view bytes) {
                    length.at(1)};
     answer.pressure = unpacked_map(json.at("pressure"));
     answer.gap = unpacked_map(json.at("gap"));
+    if (!json.at("section").is_null())
+      answer.section = table_in(json.at("section"));
     step.setup_cpu_time = unpacked(json.at("setup")).at(0);
     step.found_at_setup = json.at("found").get<std::string>();
     return step;
@@ -127,16 +146,7 @@ std::optional<KeptStep> kept_step(std::string_view bytes) {
 }
 
 std::optional<results::Table> kept_table(std::string_view bytes) {
-  return from_cbor<results::Table>(bytes, [](const Json& json) {
-    results::Table table;
-    table.name = json.at("name").get<std::string>();
-    table.title = json.at("title").get<std::string>();
-    for (const Json& column : json.at("columns"))
-      table.columns.push_back({column.at("name").get<std::string>(),
-                               column.at("unit").get<std::string>(),
-                               unpacked(column.at("values"))});
-    return table;
-  });
+  return from_cbor<results::Table>(bytes, table_in);
 }
 
 std::optional<std::vector<double>> kept_numbers(std::string_view bytes) {

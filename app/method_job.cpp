@@ -25,10 +25,7 @@ StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
 bool leaves_files(const cases::MethodSpec& method,
                   const cases::ReportSpec& report) {
   const auto* md = std::get_if<cases::MdSettings>(&method.settings);
-  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
-  return (md != nullptr && md->dump) ||
-         (fem != nullptr && fem->solver == cases::FemSolver::full &&
-          report.vtu);
+  return (md != nullptr && md->dump) || (is_whole_block(method) && report.vtu);
 }
 
 bool has_failed(const CurvePoint& row) {
@@ -82,6 +79,13 @@ bool MethodJob::needs_maps(std::size_t step) const {
          !std::holds_alternative<cases::TheorySettings>(method_.settings);
 }
 
+bool MethodJob::needs_section(std::size_t step) const {
+  return realization_ == 0 && is_whole_block(method_) &&
+         step == step_with_section(
+                     scene_.rough_case, method_,
+                     scene_.surfaces.of(method_, realization_).scales);
+}
+
 /// Puts the steps that the cache has into the file.
 /// @return  those that are still to be computed
 std::vector<std::size_t> MethodJob::take_kept() {
@@ -94,7 +98,8 @@ std::vector<std::size_t> MethodJob::take_kept() {
     if (scene_.writer.has_step(method_.name, realization_,
                                static_cast<int>(step)))
       continue;
-    std::optional<KeptStep> kept = chain_.read(step, needs_maps(step));
+    std::optional<KeptStep> kept =
+        chain_.read(step, needs_maps(step), needs_section(step));
     if (!kept) {
       missing.push_back(step);
       continue;
@@ -136,6 +141,8 @@ void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
     scene_.writer.append_step(method_.name, realization_, row);
     return;
   }
+  if (needs_section(step)) // before its step, which then counts as done
+    scene_.writer.record_table(answer.section.value());
   scene_.writer.append_step_with_fields(
       method_.name, realization_, row, answer.grid,
       {row.step, row.nominal_pressure, std::move(answer.pressure),

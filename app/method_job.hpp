@@ -70,6 +70,7 @@ public:
 
 private:
   bool needs_maps(std::size_t step) const;
+  bool needs_section(std::size_t step) const;
   std::vector<std::size_t> take_kept();
   void take(std::size_t step, KeptStep& kept,
             std::vector<results::CurvePoint>& rows);

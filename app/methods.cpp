@@ -1,5 +1,6 @@
 #include "app/methods.hpp"
 
+#include "app/chosen.hpp"
 #include "app/theory_method.hpp"
 #include "app/whole_block_method.hpp"
 
@@ -27,12 +28,9 @@ std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
     return make_atomic_solver({case_, method, surface, realization,
                                resources.threads, resources.scratch,
                                resources.watch});
-  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
-      fem != nullptr && fem->solver == cases::FemSolver::full)
-    return make_whole_block(case_, method, surface,
-                            case_.report.vtu && realization == 0
-                                ? (resources.scratch / "block").string()
-                                : "");
+  if (is_whole_block(method))
+    return make_whole_block(case_, method, surface, realization,
+                            resources.scratch);
   return elastic_.make(method, surface, resources.threads);
 }
 

@@ -6,7 +6,8 @@ bool StepChain::has(std::size_t step) const {
   return cache_.has(keys_.at(step), entry_kind::step);
 }
 
-std::optional<KeptStep> StepChain::read(std::size_t step, bool needs_maps) {
+std::optional<KeptStep> StepChain::read(std::size_t step, bool needs_maps,
+                                        bool needs_section) {
   const std::string& key = keys_.at(step);
   const std::optional<std::string> bytes = cache_.read(key, entry_kind::step);
   if (!bytes)
@@ -14,7 +15,8 @@ std::optional<KeptStep> StepChain::read(std::size_t step, bool needs_maps) {
   std::optional<KeptStep> kept = kept_step(*bytes);
   if (!kept)
     cache_.remove(key, entry_kind::step);
-  if (kept && needs_maps && !kept->has_maps())
+  if (kept && ((needs_maps && !kept->has_maps()) ||
+               (needs_section && !kept->answer.section)))
     return std::nullopt;
   return kept;
 }

@@ -22,8 +22,9 @@ public:
   /// True if the step seems to be there; it is not opened.
   bool has(std::size_t step) const;
 
-  /// @param needs_maps  an entry without maps is then none
-  std::optional<KeptStep> read(std::size_t step, bool needs_maps);
+  /// An entry without the maps or the section that are needed is none.
+  std::optional<KeptStep> read(std::size_t step, bool needs_maps,
+                               bool needs_section);
 
   /// @param state  StepSolver::state() behind the step; the one of the step
   ///               before goes, because only the last is gone on from

@@ -6,6 +6,7 @@
 #include "cases/case.hpp"
 #include "results/result.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct StepAnswer {
   Grid grid;                    ///< of the maps
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m]
+  /// The method's own stress in a section, at step_with_section alone.
+  std::optional<results::Table> section = {};
 };
 
 /// One method on one realisation.

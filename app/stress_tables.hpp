@@ -1,7 +1,7 @@
 #pragma once
 
 // The stress below the face of a case's blocks, as tables of its result: the
-// strongest point under each kept pressure map, and a section through one.
+// strongest point under each kept pressure map, and which has a section.
 
 #include "cases/case.hpp"
 #include "contact/stress_inside.hpp"
@@ -17,20 +17,20 @@ results::Table stress_table(const std::string& method,
                             const contact::ElasticBlock& block,
                             std::span<const results::Fields> maps, int threads);
 
-/// The von Mises stress of one map in the plane of x and depth through `peak`,
-/// its strongest point: rows of depth, x fastest, from the face to four times
-/// the point's depth, or half as deep again as the block's layers, and once and
-/// a half that to either side (or the whole side); x from the point.
-results::Table stress_section(const std::string& method,
-                              const contact::ElasticBlock& block,
-                              const results::Fields& map,
-                              const contact::StressPeak& peak, int threads);
+/// The same of a whole block's own stress, from the rows of its curve, with
+/// what its pressure gives beside it.
+/// @param of_pressure  stress_table of these maps
+/// @param rows         of the maps' curve; each map has one
+results::Table own_stress_table(const results::Table& of_pressure,
+                                std::span<const results::Fields> maps,
+                                std::span<const results::CurvePoint> rows);
 
 /// Records both for every method of the result that kept maps, if the case
 /// asks for it ([report] stress_inside): "stress-inside-<method>" of
 /// realisation 0, and "stress-section-<method>" of the heaviest load. The
 /// block is the method's as a continuum: half-space or slab, E* and nu of the
-/// case (atoms: the half-space).
+/// case (atoms: the half-space). A whole block has its own strongest points in
+/// its rows, and its own section in the file since its step was solved.
 void record_stress_inside(const cases::Case& rough_case,
                           std::span<const cases::MethodSpec> methods,
                           const cases::Scales& scales, int threads,

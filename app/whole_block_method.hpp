@@ -7,19 +7,20 @@
 #include "app/surfaces_of_case.hpp"
 #include "cases/case.hpp"
 
+#include <filesystem>
 #include <memory>
-#include <string>
 
 namespace asperity::app {
 
-/// Steps whose maps are kept leave files for ParaView where the case asks.
+/// Steps of the first realisation whose maps are kept leave files for ParaView
+/// where the case asks, and the heaviest of them a section.
 /// @param surface  the method's own; outlives the solver
-/// @param files    folder and stem of these; empty for none
+/// @param scratch  folder of the files, made when needed
 /// @throws std::domain_error, cases::CaseError  the mesh cannot be made or is
 ///                                              refused, in words
-std::unique_ptr<StepSolver> make_whole_block(const cases::Case& rough_case,
-                                             const cases::MethodSpec& method,
-                                             const SurfaceOfCase& surface,
-                                             const std::string& files);
+std::unique_ptr<StepSolver>
+make_whole_block(const cases::Case& rough_case, const cases::MethodSpec& method,
+                 const SurfaceOfCase& surface, int realization,
+                 const std::filesystem::path& scratch);
 
 } // namespace asperity::app

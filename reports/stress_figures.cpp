@@ -10,6 +10,30 @@
 namespace asperity::reports {
 namespace {
 
+/// What is known of a method's strongest points: its own, or the continuum's
+/// under its pressure.
+struct Strength {
+  std::string title;
+  std::vector<double> von_mises, depth; ///< [Pa], [m]
+  std::vector<double> largest_shear;    ///< [Pa]; empty where not known
+  bool is_beside = false; ///< the continuum's, of a block that knows its own
+};
+
+std::vector<Strength> strengths_of(const results::Table& table,
+                                   const std::string& method) {
+  std::vector<Strength> strengths{{method, table.values("von_mises"),
+                                   table.values("depth"),
+                                   table.values("largest_shear"), false}};
+  if (std::vector<double> beside = table.values("von_mises_from_pressure");
+      !beside.empty())
+    strengths.push_back({method + ", from its pressure",
+                         std::move(beside),
+                         table.values("depth_from_pressure"),
+                         {},
+                         true});
+  return strengths;
+}
+
 /// Strongest von Mises stress against the load, and its depth below.
 Figure strength_figure(const ReportEntry& entry) {
   Figure figure;
@@ -20,36 +44,45 @@ Figure strength_figure(const ReportEntry& entry) {
                   "depth [um]", "largest shear/von Mises [1]"});
   std::vector<std::string> strengths;
   std::vector<std::string> depths;
+  bool has_whole = false;
+  std::size_t color = 0;
   for (const results::MethodRecord& method : entry.result->methods) {
     const results::Table* found =
         entry.result->table(stress_table_name(method.name));
     if (found == nullptr)
       continue;
-    const std::size_t index = strengths.size();
     const std::vector<double> pressure = found->values("nominal_pressure");
-    const std::vector<double> strength = found->values("von_mises");
-    const std::vector<double> shear = found->values("largest_shear");
-    const std::vector<double> depth = found->values("depth");
-    for (std::size_t i = 0; i < pressure.size(); ++i)
-      table.add(method.name,
-                {static_cast<double>(index), std::log10(pressure[i] / modulus),
-                 strength[i] / modulus, depth[i] * 1e6,
-                 shear[i] / strength[i]});
-    const std::string style =
-        fmt::format("with linespoints pointtype {} linewidth 1.4 linecolor rgb "
-                    "'{}'",
-                    4 + 2 * index, method_color(index));
-    strengths.push_back(fmt::format("'{}.csv' {} {} title {}", figure.name,
-                                    of_series(index, "$3:4"), style,
-                                    gnuplot_text(method.name)));
-    depths.push_back(fmt::format("'{}.csv' {} {} notitle", figure.name,
-                                 of_series(index, "$3:5"), style));
+    for (const Strength& one : strengths_of(*found, method.name)) {
+      has_whole = has_whole || one.is_beside;
+      const std::size_t index = strengths.size();
+      for (std::size_t i = 0; i < pressure.size(); ++i)
+        table.add(one.title, {static_cast<double>(index),
+                              std::log10(pressure[i] / modulus),
+                              one.von_mises[i] / modulus, one.depth[i] * 1e6,
+                              one.largest_shear.empty()
+                                  ? not_a_number
+                                  : one.largest_shear[i] / one.von_mises[i]});
+      const std::string style = fmt::format(
+          "with linespoints pointtype {} linewidth 1.4 {}linecolor rgb '{}'",
+          4 + 2 * color, one.is_beside ? "dashtype 2 " : "",
+          method_color(color));
+      strengths.push_back(fmt::format("'{}.csv' {} {} title {}", figure.name,
+                                      of_series(index, "$3:4"), style,
+                                      gnuplot_text(one.title)));
+      depths.push_back(fmt::format("'{}.csv' {} {} notitle", figure.name,
+                                   of_series(index, "$3:5"), style));
+    }
+    ++color;
   }
   figure.height = 560;
   figure.caption =
       "The largest von Mises stress anywhere in the block under each kept "
       "pressure map, and how deep below the face it lies (below). Worked out "
       "from the pressure as in a continuum, a wave at a time.";
+  if (has_whole)
+    figure.caption += " A whole block shows its own, the largest at a "
+                      "quadrature point of its cells; dashed is what its "
+                      "pressure gives in the continuum.";
   figure.script =
       "set multiplot layout 2,1 spacing 0.02,0.11\nset logscale y\nset "
       "ylabel " +
@@ -80,12 +113,15 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   CsvTable table({"method", "depth [um]", "x [um]", "von Mises/E* [1]"});
   for (std::size_t i = 0; i < strength.size(); ++i)
     table.add(method.name, {depth[i] * 1e6, x[i] * 1e6, strength[i] / modulus});
-  const auto strongest = std::max_element(strength.begin(), strength.end());
+  const auto strongest = std::max_element( // places without stress are NaN
+      strength.begin(), strength.end(), [](double a, double b) {
+        return b > a || (std::isnan(a) && !std::isnan(b));
+      });
   const std::size_t at = static_cast<std::size_t>(strongest - strength.begin());
   figure.width = 660;
   figure.height = 330;
   figure.caption = fmt::format(
-      "{}. The plane through the strongest point, which is {:.3g} E* at a "
+      "{}. The plane through the strongest point; at most {:.3g} E*, at a "
       "depth of {:.3g} µm; the face is the upper edge.",
       section->title, *strongest / modulus, depth[at] * 1e6);
   figure.script = fmt::format(

@@ -1,5 +1,6 @@
 // Claims about app/stress_tables.hpp: the tables hold Hertz's strongest point,
 // each row of its own map, and a section through it.
+#include "app/stress_section.hpp"
 #include "app/stress_tables.hpp"
 #include "theory/hertz.hpp"
 

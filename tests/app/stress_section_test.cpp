@@ -1,0 +1,117 @@
+// Claims about the section of a whole block, app/stress_section.hpp: which
+// places the block is asked for, and where its answers end up.
+#include "app/stress_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::app {
+namespace {
+
+/// Answers with a function of the place, and remembers what it was asked.
+class KnownBlock final : public fem::FullBlock {
+public:
+  const Grid& grid() const override { return grid_; }
+
+  std::size_t unknowns() const override { return 0; }
+
+  std::span<const double> nodal_weights() const override { return {}; }
+
+  std::vector<double> displacement(std::span<const double>) override {
+    return {};
+  }
+
+  std::string report() const override { return ""; }
+
+  fem::BlockSolution solve(std::span<const double>, const fem::BlockLoad&,
+                           const fem::BlockContact&) override {
+    return {};
+  }
+
+  fem::StressPeak strongest_stress() const override { return {}; }
+
+  std::vector<double> section(const fem::SectionPlane& plane) const override {
+    asked = plane;
+    std::vector<double> values;
+    for (const double depth : plane.depth)
+      for (const double x : plane.x)
+        values.push_back(x + 10.0 * depth);
+    return values;
+  }
+
+  void write(const std::string&) override {}
+
+  mutable fem::SectionPlane asked;
+
+private:
+  Grid grid_{16, 16, 1.6, 1.6};
+};
+
+const contact::ElasticBlock halfspace{1e9, 0.3,
+                                      std::numeric_limits<double>::infinity(),
+                                      contact::FarFace::clamped};
+
+OwnSection at(double x, double depth, bool is_periodic) {
+  return {
+      "fem", 5e6, {1e6, 5e5, std::abs(depth), {x, 0.7, depth}}, is_periodic};
+}
+
+// Claim: the plane goes through the strongest point, four times as deep and six
+// to either side, wrapped into the period; each value stands beside its place.
+TEST(OwnSection, GoesThroughTheStrongestPoint) {
+  const KnownBlock block;
+
+  const results::Table table =
+      stress_section(at(0.32, 0.11, true), block, halfspace);
+
+  EXPECT_EQ(table.name, "stress-section-fem");
+  EXPECT_EQ(block.asked.y, 0.7);
+  EXPECT_FALSE(block.asked.is_counter);
+  const std::vector<double> x = table.values("x");
+  const std::vector<double> depth = table.values("depth");
+  const std::vector<double> strength = table.values("von_mises");
+  EXPECT_NEAR(x.front(), -0.7, 1e-12);
+  EXPECT_NEAR(x.back(), 0.7, 1e-12);
+  EXPECT_EQ(depth.front(), 0.0);
+  EXPECT_NEAR(depth.back(), 0.44, 1e-12);
+  ASSERT_EQ(strength.size(), x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double place = 0.32 + x[i] + (0.32 + x[i] < 0.0 ? 1.6 : 0.0);
+    EXPECT_NEAR(strength[i], place + 10.0 * depth[i], 1e-12) << i;
+  }
+}
+
+// Claim: beside free sides there is nothing.
+TEST(OwnSection, EndsAtFreeSides) {
+  const KnownBlock block;
+
+  const std::vector<double> x =
+      stress_section(at(0.32, 0.11, false), block, halfspace).values("x");
+
+  EXPECT_NEAR(*std::min_element(x.begin(), x.end()), -0.3, 1e-12);
+  EXPECT_NEAR(*std::max_element(x.begin(), x.end()), 0.7, 1e-12);
+}
+
+// Claim: a point in the second body is looked at there, one next to the face
+// from a spacing's depth, and no deeper than the block.
+TEST(OwnSection, IsOfTheBodyOfThePointAndWithinIt) {
+  const KnownBlock block;
+  contact::ElasticBlock slab = halfspace;
+  slab.thickness = 0.3;
+
+  const std::vector<double> counter =
+      stress_section(at(0.8, -0.01, true), block, halfspace).values("depth");
+  const bool is_counter = block.asked.is_counter;
+  const std::vector<double> within =
+      stress_section(at(0.8, 0.2, true), block, slab).values("depth");
+
+  EXPECT_TRUE(is_counter);
+  EXPECT_NEAR(counter.back(), 0.4, 1e-12);
+  EXPECT_NEAR(within.back(), 0.3, 1e-12);
+}
+
+} // namespace
+} // namespace asperity::app

@@ -1,0 +1,96 @@
+// Claims about the figures of the stress below the face: a whole block shows
+// its own numbers with those of its pressure beside, other methods theirs.
+#include "reports/figures.hpp"
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+class StressFigures : public ::testing::Test {
+protected:
+  StressFigures() {
+    const double modulus = synthetic::contact_modulus;
+    result.methods = {{"fem", "fem", "a whole block", {}},
+                      {"halfspace", "halfspace", "a half-space", {}}};
+    result.tables = {table("stress-inside-fem",
+                           {{"nominal_pressure", {0.01 * modulus}},
+                            {"von_mises", {0.5 * modulus}},
+                            {"depth", {2e-6}},
+                            {"von_mises_from_pressure", {0.4 * modulus}},
+                            {"depth_from_pressure", {3e-6}}}),
+                     table("stress-inside-halfspace",
+                           {{"nominal_pressure", {0.01 * modulus}},
+                            {"von_mises", {0.375 * modulus}},
+                            {"largest_shear", {0.1875 * modulus}},
+                            {"depth", {4e-6}}}),
+                     table("stress-section-fem",
+                           {{"depth", {0.0, 0.0, 1e-6, 1e-6}},
+                            {"x", {-1e-6, 1e-6, -1e-6, 1e-6}},
+                            {"von_mises",
+                             {std::numeric_limits<double>::quiet_NaN(),
+                              0.25 * modulus, 0.125 * modulus, 0.0}}})};
+  }
+
+  static results::Table
+  table(const std::string& name,
+        const std::vector<std::pair<std::string, std::vector<double>>>& of) {
+    results::Table made{name, "A section of fem, from its cells", {}};
+    for (const auto& [column, values] : of)
+      made.columns.push_back({column, "1", values});
+    return made;
+  }
+
+  std::vector<Figure> figures() const {
+    return stress_figures(entry_of(result, rough));
+  }
+
+  cases::Case rough = synthetic::rough_case();
+  results::Result result = synthetic::rough_result(rough, 1);
+};
+
+TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
+  const Figure strength = figures().front();
+
+  EXPECT_NE(strength.data.find("\"fem\",0,-2,0.5,2,"), std::string::npos)
+      << strength.data;
+  EXPECT_NE(strength.data.find("\"fem, from its pressure\",1,-2,0.4,3,"),
+            std::string::npos)
+      << strength.data;
+  EXPECT_NE(strength.data.find("\"halfspace\",2,-2,0.375,4,0.5\n"),
+            std::string::npos)
+      << strength.data;
+  EXPECT_NE(strength.caption.find("whole block"), std::string::npos);
+}
+
+TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
+  result.tables[0].columns.resize(3);
+
+  const Figure strength = figures().front();
+
+  EXPECT_EQ(strength.data.find("from its pressure"), std::string::npos);
+  EXPECT_EQ(strength.caption.find("whole block"), std::string::npos);
+}
+
+// Claim: a place without stress is not the strongest, and the section says
+// where its numbers are from.
+TEST_F(StressFigures, LeaveOutPlacesWithoutStress) {
+  const std::vector<Figure> all = figures();
+
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[1].name, "stress-section-fem");
+  EXPECT_NE(all[1].caption.find("at most 0.25 E*, at a depth of 0 "),
+            std::string::npos)
+      << all[1].caption;
+  EXPECT_NE(all[1].caption.find("from its cells"), std::string::npos);
+  EXPECT_NE(all[1].script.find("set cbrange [0:0.25]"), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports
