@@ -97,6 +97,20 @@ TEST(Block, RefusesAnInclusionThatSticksOut) {
       << answer;
 }
 
+// Claim: a sphere that touches the face sticks out; depths in other yardsticks
+// than the radius are nothing the reader can compare.
+TEST(Block, ComparesDepthsOfOneYardstickAlone) {
+  const auto sphere = [](const std::string& depth) {
+    return "[material.inclusion]\nradius = \"0.2 length\"\ndepth = " + depth +
+           "\nyoungs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n";
+  };
+
+  EXPECT_NE(refusal(sphere("\"0.2 length\""), full)
+                .find("must be more than the radius"),
+            std::string::npos);
+  EXPECT_EQ(block(sphere("1e-6"), full).material.inclusion->depth.value, 1e-6);
+}
+
 TEST(Block, VariesByAFunctionByChanceOrByATable) {
   const auto variation = [](const std::string& keys) {
     return *block("[material.variation]\n" + keys, full).material.variation;
@@ -205,6 +219,34 @@ INSTANTIATE_TEST_SUITE_P(
                 "fem.growth=1.2", "material.layers is missing"},
         Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\n",
                 "fem.growth=1.2", "mesh.file is missing"}));
+
+const std::string gmsh = "[mesh]\nkind = \"gmsh\"\ngeometry = ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, WholeBlock,
+    testing::Values(
+        Refused{"", "material.layers=3", "must be a list of tables"},
+        Refused{"", "material.layers=[]", "must be a list of tables"},
+        Refused{"", "material.layers=[3]", "must be a table of thickness"},
+        Refused{"", "material.inclusion=3",
+                "must be a table: [material.inclusion]"},
+        Refused{"", "fem.contact_at=gauss", "needs solver = \"full\""},
+        Refused{gmsh + "\"indentation\"\n", "fem.mesh=case",
+                "needs solver = \"full\""},
+        Refused{"[material.variation]\nkind = \"random\"\nspread = "
+                "0.5\nseed = 1\n",
+                "fem.growth=1.2", "[material.variation] is not laterally"},
+        Refused{"[fem.whole]\nsolver = \"full\"\nlinear_solver = "
+                "\"fourier\"\n" +
+                    gmsh + "\"indentation\"\n",
+                "fem.growth=1.2", "needs one periodic block"},
+        Refused{"[fem.whole]\nsolver = \"full\"\nlinear_solver = "
+                "\"fourier\"\nbodies = 2\ncontact = \"penalty\"\npenalty = "
+                "\"10 E*/h\"\n[material.counter]\nyoungs_modulus = \"7 "
+                "GPa\"\npoisson_ratio = 0.3\n",
+                "fem.growth=1.2", "needs one periodic block"},
+        Refused{gmsh + "\"inclusion\"\n", "fem.growth=1.2",
+                "[material.inclusion] is missing"}));
 
 } // namespace
 } // namespace asperity::cases

@@ -43,6 +43,28 @@ TEST(ModuliField, PutsTheSphereBeforeLayersAndThoseBeforeTheRest) {
   EXPECT_EQ(field.at({2.6e-6, 2e-6, 0.9e-6}), moduli({5.0 * young, 0.2}));
 }
 
+TEST(ModuliField, LaysLayersOnEachOther) {
+  ModuliField field(moduli({young, 0.3}));
+  field.add_layer(1e-6, moduli({2.0 * young, 0.2}));
+  field.add_layer(0.5e-6, moduli({3.0 * young, 0.1}));
+
+  EXPECT_EQ(field.at({0.0, 0.0, 0.9e-6}), moduli({2.0 * young, 0.2}));
+  EXPECT_EQ(field.at({0.0, 0.0, 1.4e-6}), moduli({3.0 * young, 0.1}));
+  EXPECT_EQ(field.at({0.0, 0.0, 1.6e-6}), moduli({young, 0.3}));
+}
+
+// Claim: a factor is one of E and leaves nu. Tolerance: rounding.
+TEST(ModuliField, MultipliesBothModuli) {
+  ModuliField field(moduli({young, 0.3}));
+  field.set_factor([](const meshes::Place&) { return 1.7; });
+
+  const Moduli found = field.at({0.0, 0.0, 0.0});
+
+  const Moduli expected = moduli({1.7 * young, 0.3});
+  EXPECT_NEAR(found.lame_modulus / expected.lame_modulus, 1.0, 1e-14);
+  EXPECT_NEAR(found.shear_modulus / expected.shear_modulus, 1.0, 1e-14);
+}
+
 TEST(ModuliField, CountsAnExpressionsLengthsInTheSurfaces) {
   cases::MaterialSpec material;
   material.variation = cases::MaterialVariation{};
@@ -74,6 +96,8 @@ TEST(ModuliField, QuotesTheParserAndTheColumn) {
 TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
   const ModulusFactor factor = random_factor(0.5, 7, 0.5e-6);
   const ModulusFactor other = random_factor(0.5, 8, 0.5e-6);
+  const ModulusFactor of_high_word =
+      random_factor(0.5, 7 + (std::uint64_t{1} << 32), 0.5e-6);
   double mean = 0.0, square = 0.0;
   std::set<double> seen;
   constexpr int n = 12;
@@ -84,6 +108,7 @@ TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
     const double value = factor(place);
     EXPECT_EQ(value, factor({place[0] * (1.0 + 1e-15), place[1], place[2]}));
     EXPECT_NE(value, other(place));
+    EXPECT_NE(value, of_high_word(place));
     seen.insert(value);
     mean += value - 1.0;
     square += (value - 1.0) * (value - 1.0);
@@ -96,6 +121,56 @@ TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
   EXPECT_NEAR(mean / count, 0.0, 4.0 * 0.5 / std::sqrt(3.0 * count));
   EXPECT_NEAR(square / count, 0.25 / 3.0,
               4.0 * 0.25 * std::sqrt(4.0 / 45.0 / count));
+}
+
+// Claim: x runs fastest, then y, then z; a box is found by its own count along
+// each axis.
+TEST(ModuliField, FindsABoxByXThenYThenZ) {
+  FactorTable table{{2, 3, 4}, {}, {2e-6, 3e-6, 4e-6}};
+  for (int i = 0; i < 24; ++i)
+    table.factors.push_back(1.0 + i);
+
+  const ModulusFactor factor = table_factor(table);
+
+  for (int i = 0; i < 24; ++i)
+    EXPECT_EQ(factor({(i % 2 + 0.5) * 1e-6, (i / 2 % 3 + 0.5) * 1e-6,
+                      (i / 6 + 0.5) * 1e-6}),
+              1.0 + i);
+}
+
+/// The factor of E at a place of a field of that variation.
+double factor_at(const cases::MaterialVariation& variation,
+                 const meshes::Place& place) {
+  cases::MaterialSpec material;
+  material.variation = variation;
+  return moduli_field(material, scales, {young, 0.3}, grid, 2e-6)
+             .at(place)
+             .shear_modulus /
+         moduli({young, 0.3}).shear_modulus;
+}
+
+// Claim: a case's table covers the block down to its depth, which is not its
+// length, and its chance knows the surface's spacing. Tolerance: rounding.
+TEST(ModuliField, LaysACasesVariationOverTheBlock) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "asperity_case_factors.txt")
+          .string();
+  std::ofstream(path) << "# boxes 1 2 2\n1\n2\n3\n4\n";
+  cases::MaterialVariation table;
+  table.kind = cases::VariationKind::table;
+  table.file = path;
+  cases::MaterialVariation random;
+  random.kind = cases::VariationKind::random;
+  random.spread = 0.5;
+  random.seed = 7;
+  const meshes::Place place{0.75e-6, 3.25e-6, 1.5e-6};
+
+  EXPECT_NEAR(factor_at(table, {1e-6, 1e-6, 0.9e-6}), 1.0, 1e-15);
+  EXPECT_NEAR(factor_at(table, {1e-6, 3e-6, 0.9e-6}), 2.0, 1e-15);
+  EXPECT_NEAR(factor_at(table, {1e-6, 1e-6, 1.1e-6}), 3.0, 1e-15);
+  EXPECT_NEAR(factor_at(random, place),
+              random_factor(0.5, 7, grid.spacing_x())(place), 1e-15);
+  std::remove(path.c_str());
 }
 
 TEST(ModuliField, ReadsATableOfBoxes) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
@@ -32,6 +33,56 @@ TEST_F(BlockCost, StandsOnThePageOfAWholeBlock) {
   EXPECT_NE(html.find("What the whole block cost"), std::string::npos);
   for (const char* number : {">197568<", ">250 MB<", ">26<", ">3<"})
     EXPECT_NE(html.find(number), std::string::npos) << number;
+}
+
+/// The cells of the table's row of that name.
+std::vector<std::string> row_of(const std::string& html,
+                                const std::string& name) {
+  std::size_t place = html.find("What the whole block cost");
+  place = html.find("<tr><td>" + name + "</td>", place);
+  const std::size_t end = html.find("</tr>", place);
+  std::vector<std::string> cells;
+  while ((place = html.find("<td", place)) < end) {
+    place = html.find('>', place) + 1;
+    cells.push_back(html.substr(place, html.find("</td>", place) - place));
+  }
+  return cells;
+}
+
+// Claim: times and iterations are summed over realisations and steps and told
+// for a step, set-ups are summed; methods of a face alone stand beside.
+TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
+  results::Result result = synthetic::rough_result(rough, 2);
+  results::MethodRecord whole = result.methods[1];
+  whole.name = "fem.whole";
+  for (results::Curve& curve : whole.realizations) {
+    curve.setup_cpu_time = &curve == &whole.realizations[0] ? 1.0 : 3.0;
+    int step = 0;
+    for (results::CurvePoint& point : curve.points) {
+      point.unknowns = 12345;
+      point.linear_iterations = 10 + step;
+      point.preconditioner_setups = 2;
+      point.iterations = 4;
+      point.cpu_time = 1.0 + step++;
+    }
+  }
+  results::MethodRecord half = result.methods[1];
+  half.name = half.kind = "halfspace";
+  result.methods.push_back(whole);
+  result.methods.push_back(half);
+  write(result);
+
+  const std::string html = text_of(folder / "report.html");
+
+  const std::vector<std::string> expected{"fem.whole", "12345", "4 s",   "4",
+                                          "17.5",      "2",     "8.5 s", "–"};
+  EXPECT_EQ(row_of(html, "fem.whole"), expected); // sixteen steps a curve
+  for (const char* name : {"fem", "halfspace"}) {
+    const std::vector<std::string> row = row_of(html, name);
+    ASSERT_EQ(row.size(), expected.size()) << name;
+    EXPECT_EQ(row[1], "face alone");
+    EXPECT_EQ(row[4], "–");
+  }
 }
 
 TEST_F(BlockCost, IsNotThereWithoutOne) {
