@@ -50,8 +50,10 @@ class BentBlock : public ::testing::TestWithParam<Bent> {
 protected:
   static constexpr double depth_ = 1e-6; // m
   static constexpr double strain_ = 1e-3;
+  static constexpr double interface_ = 0.75 * depth_; ///< strained, like all
+                                                      ///< but the middle
   const Grid grid_{8, 8, depth_, depth_};
-  const Moduli near_ = moduli({2.0 * soft_modulus, 0.3}); ///< to depth_ / 2
+  const Moduli near_ = moduli({2.0 * soft_modulus, 0.3}); ///< to interface_
   const Moduli far_ = moduli({soft_modulus, 0.2});
 
   BlockProblem problem() const {
@@ -64,7 +66,7 @@ protected:
         .top = cases::TopFace::sliding,
         .sides = cases::BlockSides::free,
         .linear_solver = LinearSolver::direct};
-    problem.moduli.add_layer(depth_ / 2.0, near_);
+    problem.moduli.add_layer(interface_, near_);
     if (GetParam().hangs)
       problem.mesh.refine_below = {depth_ / 4.0};
     if (GetParam().shape == meshes::CellShape::tetrahedron) {

@@ -20,7 +20,7 @@ protected:
 
   /// Of uniaxial strain: 2 mu |strain|.
   double expected(double depth) const {
-    const Moduli& material = depth <= depth_ / 2.0 ? near_ : far_;
+    const Moduli& material = depth <= interface_ ? near_ : far_;
     return 2.0 * material.shear_modulus * std::abs(strain_at(depth));
   }
 
@@ -34,7 +34,7 @@ protected:
 TEST_P(SectionOfBentBlock, IsTheStressWhateverTheCells) {
   SectionPlane plane;
   plane.x = {0.9e-6, 0.0, 0.37e-6, 0.5e-6, depth_, 0.123e-6};
-  plane.depth = {0.77e-6, 0.0, 0.11e-6, 0.25e-6, depth_ / 2.0, 0.51e-6, depth_};
+  plane.depth = {0.77e-6, 0.0, 0.11e-6, 0.25e-6, interface_, 0.51e-6, depth_};
   for (const double y : {0.0, 0.25e-6, 0.61e-6, depth_}) {
     plane.y = y;
     const std::vector<double> found = section(plane);

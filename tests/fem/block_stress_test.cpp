@@ -71,7 +71,7 @@ TEST_P(BentBlock, HasALinearStressExactlyAtItsVertices) {
 
   stress.at_vertices([&](const BlockStress::Cell& cell,
                          std::span<const StressTensor> at_vertex) {
-    const Moduli& material = cell->center()[2] < depth_ / 2.0 ? near_ : far_;
+    const Moduli& material = cell->center()[2] < interface_ ? near_ : far_;
     for (const unsigned int v : cell->vertex_indices()) {
       const double strain = strain_at(cell->vertex(v)[2]);
       ++n_checked;
