@@ -2,9 +2,11 @@
 
 #include "app/bench_runner.hpp"
 #include "app/case_library.hpp"
+#include "app/chosen.hpp"
 #include "app/interrupt.hpp"
 #include "app/sweep.hpp"
 #include "app/target_error.hpp"
+#include "app/target_words.hpp"
 #include "cases/case_hash.hpp"
 #include "cases/read_case.hpp"
 #include "reports/bench_analysis.hpp"
@@ -166,8 +168,9 @@ ExitCode bench_case(const BenchCommand& command) {
   run_points(bench, sweep, runner);
   reports::analyse(bench, contact_case);
   if (target > 0.0 && !is_interrupted()) {
-    TargetSearch search(contact_case,
-                        {subject.file, common, folder / "runs", 1, 1e9});
+    cases::Case asked = contact_case;
+    asked.methods = chosen_methods(asked, command.methods);
+    TargetSearch search(asked, {subject.file, common, folder / "runs", 1, 1e9});
     bench.targets.push_back(search.run(target));
     print_outcome(bench.targets.back());
   }

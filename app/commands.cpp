@@ -3,6 +3,7 @@
 #include "app/bench.hpp"
 #include "app/cache.hpp"
 #include "app/case_library.hpp"
+#include "app/chosen.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
 #include "app/plan.hpp"
@@ -125,22 +126,26 @@ reports::Summary write_outputs(const fs::path& folder) {
   return entry.summary;
 }
 
+/// Writes the report of a result, says what it found.
+ExitCode report_on(const fs::path& folder) {
+  const reports::Summary summary = write_outputs(folder);
+  print_verdicts(summary);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return exit_code_of(summary);
+}
+
 ExitCode run_one(const cases::Case& rough_case, const RunOptions& options,
                  bool no_report = false) {
   fmt::print("{}: {}\n", rough_case.name, rough_case.title);
   const RunOutcome outcome = run_case(rough_case, options);
-  if (no_report)
-    return outcome.is_interrupted     ? exit_interrupted
-           : outcome.failed_steps > 0 ? exit_numerics_gave_up
-                                      : exit_good;
-  const reports::Summary summary = write_outputs(options.folder);
-  print_verdicts(summary);
-  fmt::print("report: {}\n", (options.folder / "report.html").string());
+  const ExitCode reported = no_report ? exit_good : report_on(options.folder);
   if (outcome.is_interrupted) {
-    fmt::print("interrupted; go on with --resume\n");
+    if (!no_report)
+      fmt::print("interrupted; go on with --resume\n");
     return exit_interrupted;
   }
-  return exit_code_of(summary);
+  return no_report && outcome.failed_steps > 0 ? exit_numerics_gave_up
+                                               : reported;
 }
 
 /// Where a case or collection of that name goes to.
@@ -167,19 +172,24 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
 /// At the setting that is chosen for an error, which is then verified.
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
-  TargetRun target(read.rough_case, read.found.file, read.overrides,
-                   options.folder, read_target_error(command.target_error));
+  cases::Case asked = read.rough_case;
+  asked.methods = chosen_methods(asked, options.methods, options.is_exact);
+  TargetRun target(asked, read.found.file, read.overrides, options.folder,
+                   read_target_error(command.target_error));
   if (!target.is_chosen())
     return exit_numerics_gave_up;
-  const cases::Case chosen = target.chosen_case();
-  ExitCode end = run_one(chosen, options, command.no_report);
-  if (is_interrupted())
-    return end;
-  if (!target.verify(chosen, options.folder))
+  ExitCode end = exit_good;
+  do {
+    const cases::Case chosen = target.chosen_case();
+    end = run_one(chosen, options, true);
+    if (is_interrupted())
+      return end;
+    if (target.verify(chosen, options.folder))
+      break;
     end = worse(end, exit_expectation_failed);
-  if (!command.no_report)
-    write_outputs(options.folder);
-  return end;
+  } while (target.choose_again());
+  target.record(options.folder);
+  return command.no_report ? end : worse(end, report_on(options.folder));
 }
 
 void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {

@@ -37,25 +37,76 @@ double bias_of(const std::string& column, const Forecast::Term& term,
              : std::numeric_limits<double>::infinity();
 }
 
+/// What a run takes besides its steps grows with the points as well (maps,
+/// stress inside): only what the cheapest run has of it is the same for all.
+void add_cost(Forecast& forecast, std::span<const BenchPoint> coarse) {
+  forecast.fixed_time = std::numeric_limits<double>::infinity();
+  for (const BenchPoint& point : coarse)
+    forecast.fixed_time =
+        std::fmin(forecast.fixed_time, point.cpu.median - point.phases.steps());
+  std::vector<double> points;
+  std::vector<double> times;
+  for (const BenchPoint& point : coarse) {
+    points.push_back(point.points);
+    times.push_back(point.cpu.median - forecast.fixed_time);
+  }
+  forecast.step_time = reports::fit_power_law(points, times);
+}
+
 } // namespace
+
+std::string Forecast::best_column(const std::string& quantity, int points,
+                                  double growth_share) const {
+  std::string best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [column, term] : terms) {
+    if (!means(quantity, column))
+      continue;
+    const double error = parts(column, points, growth_share).sum();
+    if (error < least) {
+      least = error;
+      best = column;
+    }
+  }
+  return best;
+}
+
+ErrorParts Forecast::parts(const std::string& column, int points,
+                           double growth_share) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto found = terms.find(column);
+  if (found == terms.end())
+    return {infinite, infinite, infinite};
+  const Term& term = found->second;
+  return {term.error *
+              std::pow(static_cast<double>(finest) / points, term.order),
+          term.floor * growth_share * growth_share, term.bias};
+}
 
 double Forecast::error(const std::string& quantity, int points,
                        double growth_share) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [name, term] : terms) {
-    if (!means(quantity, name))
-      continue;
-    const double error =
-        term.error *
-            std::pow(static_cast<double>(finest) / points, term.order) +
-        term.floor * growth_share * growth_share + term.bias;
-    least = std::fmin(least, error);
-  }
-  return least;
+  return parts(best_column(quantity, points, growth_share), points,
+               growth_share)
+      .sum();
 }
 
 double Forecast::cpu_time(int points) const {
   return fixed_time + step_time.at(points);
+}
+
+void Forecast::learn(const std::string& column, int points, double growth_share,
+                     double found) {
+  const auto known = terms.find(column);
+  const double excess = found - parts(column, points, growth_share).sum();
+  if (known == terms.end() || !(excess > 0.0))
+    return;
+  Term& term = known->second;
+  if (term.is_corrected)
+    term.bias += excess;
+  else
+    term.error +=
+        excess * std::pow(static_cast<double>(points) / finest, term.order);
+  term.is_corrected = true;
 }
 
 std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
@@ -120,15 +171,8 @@ Forecast::Term term_of(std::span<const BenchPoint> coarse,
 
 void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
               std::span<const std::string> quantities) {
-  std::vector<double> points;
-  std::vector<double> times;
-  for (const BenchPoint& point : coarse) {
-    points.push_back(point.points);
-    times.push_back(point.phases.steps());
-  }
   forecast.finest = coarse.back().points;
-  forecast.step_time = reports::fit_power_law(points, times);
-  forecast.fixed_time = coarse.back().cpu.median - times.back();
+  add_cost(forecast, coarse);
   for (const std::string& quantity : quantities)
     for (const auto& [column, values] : coarse.back().answer.values)
       if (means(quantity, column))
@@ -148,6 +192,26 @@ void add_growth(Forecast& forecast, const BenchPoint& as_it_is,
     const double difference =
         reports::error_against(halved.answer, as_it_is.answer, column);
     term.floor = std::isfinite(difference) ? difference * 4.0 / 3.0 : 0.0;
+  }
+}
+
+void add_exact(Forecast& forecast, std::span<const BenchPoint> coarse,
+               std::span<const BenchAnswer> exact) {
+  const std::size_t n = coarse.size();
+  for (auto& [column, term] : forecast.terms) {
+    const double fine =
+        reports::error_against(exact[n - 1], coarse[n - 1].answer, column);
+    const double rough =
+        reports::error_against(exact[n - 2], coarse[n - 2].answer, column);
+    if (!std::isfinite(fine) || !std::isfinite(rough))
+      continue;
+    const double fall = std::pow(static_cast<double>(coarse[n - 1].points) /
+                                     coarse[n - 2].points,
+                                 term.order);
+    const double stays =
+        std::clamp((fine * fall - rough) / (fall - 1.0), 0.0, fine);
+    term.error = std::fmax(term.error, fine - stays);
+    term.bias = std::fmax(0.0, stays - term.floor);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "app/target_run.hpp"
 
 #include "app/sweep.hpp"
+#include "app/target_words.hpp"
 #include "cases/case_hash.hpp"
 #include "cases/read_case.hpp"
 #include "reports/bench_answer.hpp"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -27,20 +27,6 @@ BenchRunnerOptions search_options(const cases::Case& contact_case,
           std::numeric_limits<double>::infinity()};
 }
 
-results::Provenance facts_of(const reports::TargetOutcome& outcome) {
-  results::Provenance facts{{"target error", reports::per_cent(outcome.target)},
-                            {"target error, verified", outcome.finer}};
-  for (const reports::Promise& promise : outcome.promises)
-    facts.emplace_back(
-        fmt::format("target error, {} of {}", promise.quantity, promise.method),
-        fmt::format("promised {}, predicted {}, found {}: {} ({})",
-                    reports::per_cent(outcome.target),
-                    reports::per_cent(promise.predicted),
-                    reports::per_cent(promise.found),
-                    promise.is_kept ? "kept" : "not kept", promise.estimator));
-  return facts;
-}
-
 } // namespace
 
 TargetRun::TargetRun(const cases::Case& contact_case,
@@ -49,20 +35,35 @@ TargetRun::TargetRun(const cases::Case& contact_case,
                      const std::filesystem::path& folder, double target)
     : file_(std::move(file)),
       overrides_(std::move(overrides)),
+      lengths_(
+          common_overrides(contact_case, contact_case.surface.realizations)),
       search_(contact_case,
               search_options(contact_case, file_, overrides_, folder)) {
   fmt::print("{}: looking for the cheapest setting with an error of {}\n",
              contact_case.name, reports::per_cent(target));
   outcome_ = search_.choose(target);
   if (is_chosen())
-    fmt::print("chosen: {}; predicted {:.3g} s of CPU time a realisation\n",
-               outcome_.chosen, outcome_.predicted_cpu_time);
+    print_choice();
   else
     fmt::print("{}\n", outcome_.problem);
 }
 
+void TargetRun::print_choice() const {
+  fmt::print("chosen: {}; predicted {:.3g} s of CPU time a realisation\n",
+             outcome_.chosen, outcome_.predicted_cpu_time);
+}
+
+bool TargetRun::choose_again() {
+  const bool is_again = search_.choose_again(outcome_);
+  fmt::print("{}\n", outcome_.earlier.back());
+  if (is_again)
+    print_choice();
+  return is_again;
+}
+
 cases::Case TargetRun::chosen_case() const {
   std::vector<std::string> overrides = overrides_;
+  overrides.insert(overrides.end(), lengths_.begin(), lengths_.end());
   overrides.insert(overrides.end(), outcome_.overrides.begin(),
                    outcome_.overrides.end());
   return cases::read_case(file_.string(), overrides);
@@ -78,6 +79,11 @@ bool TargetRun::verify(const cases::Case& chosen,
   for (const results::MethodRecord& method : result.methods)
     answers[method.name] = reports::answer_of(result, chosen, method.name);
   search_.verify(outcome_, answers);
+  return outcome_.is_kept();
+}
+
+void TargetRun::record(const std::filesystem::path& folder) const {
+  const results::Result result = results::read_result(folder);
   print_outcome(outcome_);
   results::ResultWriter writer(folder,
                                {result.case_name, result.case_title,
@@ -86,9 +92,6 @@ bool TargetRun::verify(const cases::Case& chosen,
                                results::ResultWriter::Mode::resume);
   writer.record_provenance(facts_of(outcome_));
   writer.finish(result.status);
-  return std::all_of(
-      outcome_.promises.begin(), outcome_.promises.end(),
-      [](const reports::Promise& promise) { return promise.is_kept; });
 }
 
 } // namespace asperity::app

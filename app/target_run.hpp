@@ -25,14 +25,25 @@ public:
   /// The case with the chosen settings laid over it, as --set would.
   cases::Case chosen_case() const;
 
-  /// Holds the result of that case against one finer run a method, says what
-  /// was promised and found, and writes both into the result as facts.
+  /// Holds the result of that case against the exact solution or one finer run
+  /// a method.
   /// @return  true if every promise held
   bool verify(const cases::Case& chosen, const std::filesystem::path& folder);
 
+  /// After a promise was broken: true if another setting is predicted to keep
+  /// the error, which is then that of chosen_case().
+  bool choose_again();
+
+  /// Says what was promised and found, and writes both into the result.
+  void record(const std::filesystem::path& folder) const;
+
 private:
+  void print_choice() const;
+
   std::filesystem::path file_;
   std::vector<std::string> overrides_;
+  std::vector<std::string> lengths_; ///< in node spacings, kept in metres: the
+                                     ///< chosen grid has the case's surface
   TargetSearch search_;
   reports::TargetOutcome outcome_;
 };

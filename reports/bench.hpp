@@ -55,7 +55,7 @@ struct BenchPoint {
   bool is_own = false;                ///< the case's own setting
   bool is_elastic = true; ///< the truth is its limit too; else its distance
                           ///< from that is no error (atoms, theory)
-  bool is_truth = false; ///< of the series that makes the truth
+  bool is_truth = false;  ///< of the series that makes the truth
 
   int repeats = 0;           ///< timed
   bool has_warm_up = false;  ///< a run before them that does not count
@@ -116,7 +116,7 @@ struct Promise {
   std::string estimator; ///< the column that serves: "area_fraction_fit"
   std::string method;
   double predicted = not_a_number;
-  double found = not_a_number; ///< against one finer run
+  double found = not_a_number; ///< against the exact solution or a finer run
   bool is_kept = false;
 };
 
@@ -131,6 +131,10 @@ struct TargetOutcome {
   double cpu_time = not_a_number;           ///< that it took [s]
   double search_cpu_time = 0.0;             ///< of the coarse runs [s]
   std::vector<Promise> promises;
+  std::vector<std::string> earlier; ///< settings tried before that did not keep
+                                    ///< it, and why there was no other
+
+  bool is_kept() const; ///< every promise
 };
 
 struct Bench {

@@ -168,6 +168,12 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   return exact;
 }
 
+bool TargetOutcome::is_kept() const {
+  return !promises.empty() &&
+         std::all_of(promises.begin(), promises.end(),
+                     [](const Promise& promise) { return promise.is_kept; });
+}
+
 bool is_area(const std::string& quantity) {
   return quantity.starts_with("area_fraction") &&
          !cases::names_a_load(quantity);

@@ -118,6 +118,7 @@ Json to_json(const TargetOutcome& target) {
           {"chosen", target.chosen},
           {"finer", target.finer},
           {"problem", target.problem},
+          {"earlier", target.earlier},
           {"predicted_cpu_time [s]", number(target.predicted_cpu_time)},
           {"cpu_time [s]", number(target.cpu_time)},
           {"search_cpu_time [s]", number(target.search_cpu_time)},

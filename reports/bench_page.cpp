@@ -52,14 +52,18 @@ Value target_data(const TargetOutcome& target) {
     value.set("problem", target.problem);
     return value;
   }
-  const bool is_kept =
-      std::all_of(target.promises.begin(), target.promises.end(),
-                  [](const Promise& promise) { return promise.is_kept; });
-  value.set("banner_class", is_kept ? "" : "bad");
+  value.set("banner_class", target.is_kept() ? "" : "bad");
   value.set("banner", fmt::format("{}: {}",
-                                  is_kept ? "The promise held"
-                                          : "The promise did not hold",
+                                  target.is_kept() ? "The promise held"
+                                                   : "The promise did not hold",
                                   target.chosen));
+  List earlier;
+  for (const std::string& words : target.earlier) {
+    Value row;
+    row.set("words", words);
+    earlier.push_back(row);
+  }
+  value.set("earlier", earlier);
   value.set("chosen",
             fmt::format("Predicted {} s of CPU time, took {} s; the coarse "
                         "runs that chose it took {} s. Verified against {}.",

@@ -1,5 +1,6 @@
 // Claims about `asperity bench` and --target-error as a user meets them, on a
 // wave of seconds that has an exact answer.
+#include "cases/read_case.hpp"
 #include "results/result_reader.hpp"
 
 #include <nlohmann/json.hpp>
@@ -155,11 +156,44 @@ TEST_F(Bench, RunsTheChosenSetting) {
   EXPECT_NE(fact->second.find(": kept"), std::string::npos) << fact->second;
 }
 
+// Claim: the chosen grid carries the case's surface: a length in node spacings
+// is what it was on the case's own grid. Tolerance: the digits of an override.
+TEST_F(Bench, KeepsTheSurfaceOnTheChosenGrid) {
+  const Ended done =
+      run("run wave.toml --target-error 2% --no-report --out r "
+          "--set 'surface.wavelength=\"32 h\"' --set surface.points=128");
+
+  ASSERT_NE(done.exit_code, 2) << done.output;
+  const cases::Case chosen = cases::read_case_text(
+      results::read_result(folder / "r").case_text, "wave.toml");
+  ASSERT_NE(chosen.surface.points, 128) << done.output;
+  EXPECT_NEAR(chosen.surface.wavelength / 0.25e-6, 1.0, 1e-12);
+}
+
+// Claim: methods that --methods leaves out promise nothing and break nothing.
+TEST_F(Bench, PromisesForTheMethodsThatRun) {
+  const Ended done = run("run wave.toml --target-error 1% --no-report --out r "
+                         "--set 'fem.contact=\"hard\"' --methods halfspace");
+
+  EXPECT_EQ(done.exit_code, 0) << done.output;
+  EXPECT_EQ(done.output.find("of fem"), std::string::npos) << done.output;
+}
+
 // Claim: what cannot be had is said, not tried.
 TEST_F(Bench, SaysWhatItCannotDo) {
   const Ended none = run("run wave.toml --target-error 1e-9 --out r");
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_NE(none.output.find("no setting up to"), std::string::npos);
+
+  // A slab a tenth as thick as the wave is long: no grid makes it the
+  // half-space of Westergaard's solution.
+  const Ended thin = run("run wave.toml --target-error 1% --out r "
+                         "--set 'halfspace.thickness=\"0.1 length\"'");
+  EXPECT_EQ(thin.exit_code, 3);
+  EXPECT_NE(thin.output.find("stays on any grid"), std::string::npos);
+  EXPECT_NE(thin.output.find("twice the thickness changes it by"),
+            std::string::npos)
+      << thin.output;
 
   const Ended wrong = run("bench wave.toml --target-error 1m --out b");
   EXPECT_EQ(wrong.exit_code, 2);
