@@ -1,5 +1,7 @@
 #include "app/cost_model.hpp"
 
+#include "app/block_cost.hpp"
+#include "app/block_size.hpp"
 #include "surfaces/build.hpp"
 
 #include <algorithm>
@@ -28,12 +30,6 @@ constexpr double fem_load_time = 0.25;   ///< of deal.II, CPU [s]
 constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
 constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
 
-/// The whole block: 7 s a step for Q1 at 32^2, 30 s for Q2 (docs/fem.md).
-constexpr double full_q1_step_time = 7.0;
-constexpr double full_q2_step_time = 30.0;
-constexpr double full_exponent = 1.1; ///< of multigrid, in unknowns
-constexpr double full_q1_unknowns = 32.0 * 32.0 * 3.0 * 13.0;
-
 /// An evaluation with all that Newton's method does for it, an atom. A step
 /// takes 9 evaluations in `md-small` (100 a side), 33 in `md-zeta216` (400).
 constexpr double atom_evaluation_time = 1.3e-6;
@@ -58,8 +54,7 @@ constexpr double program_memory = 24.0 * mebibyte;
 constexpr double fem_memory = 110.0 * mebibyte;
 constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
 constexpr double doubles_an_atom = 60.0;
-constexpr double full_doubles_an_unknown = 150.0; ///< matrix and multigrid
-constexpr double packing = 0.5;                   ///< of maps by deflate
+constexpr double packing = 0.5; ///< of maps by deflate
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
@@ -88,14 +83,16 @@ MethodCost cost_on_face(const cases::SurfaceSpec& surface,
   return cost;
 }
 
-MethodCost cost_of_fem(const cases::SurfaceSpec& surface,
-                       const cases::FemSettings& settings,
-                       const cases::Scales& scales, const Grid& grid,
+MethodCost cost_of_fem(const cases::Case& rough_case,
+                       const cases::FemSettings& settings, const Grid& grid,
                        MachineRates& rates) {
   if (settings.solver == cases::FemSolver::full)
-    return cost_of_full_block(settings, scales, grid, rates);
-  MethodCost cost = cost_on_face(surface, settings.contact, grid, rates);
-  const double layers = n_layers(settings, scales, grid);
+    return cost_of_full_block(rough_case, settings, grid, rates);
+  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  MethodCost cost =
+      cost_on_face(rough_case.surface, settings.contact, grid, rates);
+  const double layers = n_layers(rough_case, settings, scales, grid);
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
   if (settings.element == Element::q1) {
     cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
@@ -138,40 +135,9 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
 
 } // namespace
 
-int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
-             const Grid& grid) {
-  const double node_steps = settings.element == Element::q1 ? 1.0 : 2.0;
-  const double cells =
-      settings.depth.in_si(scales) /
-      (settings.surface_cell_depth * node_steps * grid.spacing_x());
-  const double growth = settings.growth;
-  const double layers =
-      growth > 1.0 ? std::log1p((growth - 1.0) * cells) / std::log(growth)
-                   : cells;
-  return std::max(1, static_cast<int>(std::lround(layers)));
-}
-
-MethodCost cost_of_full_block(const cases::FemSettings& settings,
-                              const cases::Scales& scales, const Grid& grid,
-                              MachineRates& rates) {
-  const bool is_q1 = settings.element == Element::q1;
-  const double planes =
-      (is_q1 ? 1.0 : 2.0) * n_layers(settings, scales, grid) + 1.0;
-  MethodCost cost;
-  cost.unknowns = 3.0 * nodes(grid) * planes;
-  cost.step_time = rates.slowness() *
-                   (is_q1 ? full_q1_step_time : full_q2_step_time) *
-                   std::pow(cost.unknowns / full_q1_unknowns, full_exponent);
-  cost.setup_time = rates.slowness() * fem_load_time + 0.1 * cost.step_time;
-  cost.memory = full_doubles_an_unknown * sizeof(double) * cost.unknowns;
-  return cost;
-}
-
 MethodCost cost_of(const cases::Case& rough_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates) {
-  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
   if (std::holds_alternative<cases::TheorySettings>(method.settings))
     return {1.0, rates.slowness() * theory_setup_time,
             rates.slowness() * theory_step_time, 0.0};
@@ -179,7 +145,7 @@ MethodCost cost_of(const cases::Case& rough_case,
           std::get_if<cases::HalfspaceSettings>(&method.settings))
     return cost_on_face(rough_case.surface, half->contact, grid, rates);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
-    return cost_of_fem(rough_case.surface, *fem, scales, grid, rates);
+    return cost_of_fem(rough_case, *fem, grid, rates);
   return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
                        rates);
 }

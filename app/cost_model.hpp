@@ -23,16 +23,6 @@ MethodCost cost_of(const cases::Case& rough_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates);
 
-/// The same block by the whole three-dimensional problem, node-wise.
-MethodCost cost_of_full_block(const cases::FemSettings& settings,
-                              const cases::Scales& scales, const Grid& grid,
-                              MachineRates& rates);
-
-/// Layers of cells of a block: the first surface_cell_depth node spacings
-/// thick, each `growth` times the one before.
-int n_layers(const cases::FemSettings& settings, const cases::Scales& scales,
-             const Grid& grid);
-
 /// Of the tables of [magnification] and [adhesion], CPU [s].
 double study_time(const cases::Case& rough_case, MachineRates& rates);
 

@@ -1,5 +1,6 @@
 #include "app/plan.hpp"
 
+#include "app/block_cost.hpp"
 #include "app/case_keys.hpp"
 #include "app/chosen.hpp"
 #include "app/methods.hpp"
@@ -53,8 +54,13 @@ double wall_time(const Plan& plan) {
   return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
+bool is_whole_block(const MethodSpec& method) {
+  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+  return fem != nullptr && fem->solver == cases::FemSolver::full;
+}
+
 double peak_memory(const Plan& plan, const cases::Case& rough_case,
-                   const Grid& grid, bool uses_fem) {
+                   const Grid& grid, double program) {
   std::vector<double> jobs;
   double alone = 0.0;
   for (const PlannedMethod& method : plan.methods) {
@@ -73,7 +79,7 @@ double peak_memory(const Plan& plan, const cases::Case& rough_case,
       beside += jobs[i];
   const double surfaces = sizeof(double) * static_cast<double>(grid.size()) *
                           rough_case.surface.realizations;
-  return base_memory(uses_fem) + surfaces + std::max(beside, alone);
+  return program + surfaces + std::max(beside, alone);
 }
 
 double result_bytes(const cases::Case& rough_case,
@@ -103,6 +109,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   Plan plan;
   plan.threads = WorkerPool(options.threads).threads();
   bool uses_fem = false;
+  bool uses_block = false;
   for (const MethodSpec& method : methods) {
     const MethodCost cost = cost_of(rough_case, method, grid, rates);
     PlannedMethod planned{.name = method.name, .grid = grid};
@@ -120,6 +127,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
       planned.grid = {};
     uses_fem |=
         left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
+    uses_block |= left > 0 && is_whole_block(method);
     plan.cpu_time += planned.setup_time + planned.step_time;
     plan.methods.push_back(std::move(planned));
   }
@@ -135,7 +143,10 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   plan.base_time = base_time(rates);
   plan.cpu_time += plan.base_time + plan.study_time;
   plan.wall_time = wall_time(plan);
-  plan.memory = peak_memory(plan, rough_case, grid, uses_fem);
+  plan.memory = peak_memory(plan, rough_case, grid,
+                            base_memory(uses_fem) +
+                                (uses_block ? full_block_memory() : 0.0));
+  plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(rough_case, methods, grid);
   plan.skipped = skipped_by_scene({rough_case, methods, grid}, rates);
   return plan;

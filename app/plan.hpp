@@ -36,6 +36,7 @@ struct Plan {
   double wall_time = 0.0;  ///< [s]
   double memory = 0.0;     ///< peak [B]
   double disk = 0.0;       ///< of result.h5 [B]
+  double factor = 2.0;     ///< that CPU time and memory may be off by [1]
 };
 
 /// @param largest_probe  see MachineRates

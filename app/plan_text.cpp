@@ -48,11 +48,13 @@ std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
   if (plan.study_time > 0.0)
     text += fmt::format("tables of studies and of the stress inside: CPU {}\n",
                         time_text(plan.study_time));
-  text += fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, "
-                      "result {} (the report comes on top)\n",
-                      time_text(plan.cpu_time), time_text(plan.wall_time),
-                      plan.threads, plan.threads == 1 ? "" : "s",
-                      size_text(plan.memory), size_text(plan.disk));
+  text +=
+      fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, "
+                  "result {}, within a factor of {:g} (the report "
+                  "comes on top)\n",
+                  time_text(plan.cpu_time), time_text(plan.wall_time),
+                  plan.threads, plan.threads == 1 ? "" : "s",
+                  size_text(plan.memory), size_text(plan.disk), plan.factor);
   if (!plan.skipped.empty())
     text += "skipped, with what it would have cost:\n";
   for (const results::Skipped& one : plan.skipped)

@@ -1,5 +1,6 @@
 #include "app/skipped.hpp"
 
+#include "app/block_cost.hpp"
 #include "app/chosen.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "surfaces/build.hpp"
@@ -147,11 +148,8 @@ void Skips::add_of_fem(const MethodSpec& method,
                        const cases::FemSettings& settings) {
   if (settings.solver == cases::FemSolver::full)
     return;
-  const cases::Scales scales{scene_.rough_case.material.contact_modulus,
-                             scene_.grid.length_x, scene_.grid.spacing_x(),
-                             0.0};
   const MethodCost full =
-      cost_of_full_block(settings, scales, scene_.grid, rates_);
+      cost_of_full_block(scene_.rough_case, settings, scene_.grid, rates_);
   list.push_back(
       {fmt::format("{}: {} of {} displacements of the block", method.name,
                    count_text(full.unknowns - nodes()),

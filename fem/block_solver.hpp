@@ -13,9 +13,6 @@
 
 namespace asperity::fem {
 
-/// LinearSolver::automatic is direct up to this size.
-constexpr unsigned int most_direct_unknowns = 12000;
-
 /// Stands for the inverse of the matrix in CG: symmetric, positive definite.
 class BlockPreconditioner {
 public:

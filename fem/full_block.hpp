@@ -13,6 +13,9 @@
 
 namespace asperity::fem {
 
+/// LinearSolver::automatic is direct up to this size.
+inline constexpr unsigned int most_direct_unknowns = 12000;
+
 /// How the block's linear systems are solved.
 enum class LinearSolver {
   automatic, ///< direct for small blocks; beyond, fourier where the mesh is a

@@ -1,4 +1,6 @@
 // Claims about plans: counts and structure. No test asserts a time.
+#include "app/block_cost.hpp"
+#include "app/block_size.hpp"
 #include "app/plan.hpp"
 #include "cases/read_case.hpp"
 #include "meshes/graded_layers.hpp"
@@ -138,24 +140,51 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
   EXPECT_FALSE(find(all_maps.skipped, "theory on"));
 }
 
-// The plan prints what the block would have without its elimination: 3 N^2
-// displacements on every plane of nodes that meshes/ makes.
+// The plan prints what the block would have without its elimination: three
+// displacements a node, (N + 1)^2 of them on every plane that meshes/ makes.
 TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
   const cases::Case rough_case = read();
   auto fem = std::get<cases::FemSettings>(rough_case.methods.at(2).settings);
   fem.element = cases::Element::q1;
   const Grid grid = grid_of_case(rough_case, rough_case.methods);
-  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
   MachineRates rates(32);
   const std::size_t layers =
       meshes::graded_layers(grid.spacing_x(), fem.growth, grid.length_x).size();
 
-  const MethodCost cost = cost_of_full_block(fem, scales, grid, rates);
+  const MethodCost cost = cost_of_full_block(rough_case, fem, grid, rates);
 
-  EXPECT_NEAR(cost.unknowns,
-              3.0 * 32 * 32 * (static_cast<double>(layers) + 1.0),
-              1.5 * 3.0 * 32 * 32); // the mesh rounds its layers, and so do we
+  EXPECT_EQ(cost.unknowns, 3.0 * 33 * 33 * (static_cast<double>(layers) + 1.0));
+}
+
+// Claim: a coating's interface is met by a layer's face, and the layers that
+// takes are counted.
+TEST_F(PlannedRun, CountsTheLayersOfACoating) {
+  const cases::Case coated =
+      read({R"(material.layers=[{thickness = "0.1 length", youngs_modulus = )"
+            R"("20 GPa", poisson_ratio = 0.3}])"});
+  const auto& fem = std::get<cases::FemSettings>(coated.methods.at(2).settings);
+  const Grid grid = grid_of_case(coated, coated.methods);
+  const cases::Scales scales{coated.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  const std::vector<double> interfaces{0.1 * grid.length_x};
+
+  const std::vector<double> meshed = meshes::graded_layers_with_interfaces(
+      2.0 * grid.spacing_x(), fem.growth, interfaces, grid.length_x);
+
+  EXPECT_EQ(n_layers(coated, fem, scales, grid),
+            static_cast<int>(meshed.size()));
+  EXPECT_NE(n_layers(coated, fem, scales, grid),
+            n_layers(read(), fem, scales, grid));
+}
+
+// Claim: a plan with a whole block says how far off it may be.
+TEST_F(PlannedRun, SaysHowGoodItIs) {
+  const Plan whole = plan({R"(fem.solver="full")"});
+
+  EXPECT_EQ(plan().factor, 2.0);
+  EXPECT_EQ(whole.factor, block_factor);
+  EXPECT_NE(plan_text(whole, read()).find("within a factor of 3"),
+            std::string::npos);
 }
 
 // Claim: the model counts. With the same rates, twice the points a side are
