@@ -37,20 +37,27 @@ double bias_of(const std::string& column, const Forecast::Term& term,
              : std::numeric_limits<double>::infinity();
 }
 
-/// What a run takes besides its steps grows with the points as well (maps,
-/// stress inside): only what the cheapest run has of it is the same for all.
+/// What a run takes besides its steps may grow as they do (maps, stress
+/// inside); its noise must not make a finer grid the cheaper one, so the
+/// exponent is that of the steps.
 void add_cost(Forecast& forecast, std::span<const BenchPoint> coarse) {
-  forecast.fixed_time = std::numeric_limits<double>::infinity();
-  for (const BenchPoint& point : coarse)
-    forecast.fixed_time =
-        std::fmin(forecast.fixed_time, point.cpu.median - point.phases.steps());
+  const auto rest = [](const BenchPoint& point) {
+    return point.cpu.median - point.phases.steps();
+  };
+  const BenchPoint& first = coarse.front();
+  const BenchPoint& last = coarse.back();
+  const double more_steps = last.phases.steps() - first.phases.steps();
+  const double share =
+      more_steps > 0.0 ? std::fmax(0.0, rest(last) - rest(first)) / more_steps
+                       : 0.0;
   std::vector<double> points;
   std::vector<double> times;
   for (const BenchPoint& point : coarse) {
     points.push_back(point.points);
-    times.push_back(point.cpu.median - forecast.fixed_time);
+    times.push_back((1.0 + share) * point.phases.steps());
   }
   forecast.step_time = reports::fit_power_law(points, times);
+  forecast.fixed_time = std::fmax(0.0, first.cpu.median - times.front());
 }
 
 } // namespace
