@@ -54,11 +54,6 @@ double wall_time(const Plan& plan) {
   return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
-bool is_whole_block(const MethodSpec& method) {
-  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
-  return fem != nullptr && fem->solver == cases::FemSolver::full;
-}
-
 double peak_memory(const Plan& plan, const cases::Case& rough_case,
                    const Grid& grid, double program) {
   std::vector<double> jobs;
