@@ -4,6 +4,7 @@ curve to 1e-9, and a case that is refused ends all of them.
 Arguments: asperity, mpirun, a case, an empty folder. Tolerance: the issue's.
 """
 import csv
+import glob
 import math
 import os
 import shutil
@@ -11,7 +12,7 @@ import subprocess
 import sys
 
 NUMBERS = ["nominal_pressure", "mean_gap", "area_fraction", "elastic_energy",
-           "von_mises"]
+           "von_mises", "von_mises_depth"]
 
 
 def run(command, folder):
@@ -39,11 +40,32 @@ def differences(one, two):
                     yield a["method"], name, x, y
 
 
+def sections(folder):
+    """The von Mises stress of each section drawn, by its file's name."""
+    found = {}
+    for path in glob.glob(f"{folder}/figures/stress-section-*.csv"):
+        with open(path, encoding="utf-8") as file:
+            found[os.path.basename(path)] = [float(row["von Mises/E* [1]"])
+                                             for row in csv.DictReader(file)]
+    return found
+
+
+def section_differences(one, two):
+    """Sections that differ by more than 1e-9 of their largest value."""
+    assert len(one) == 3 and one.keys() == two.keys(), (one.keys(), two.keys())
+    for name in one:
+        scale = max(one[name])
+        assert scale > 0.0 and len(one[name]) == len(two[name]), name
+        if max(abs(x - y) for x, y in zip(one[name], two[name])) > 1e-9 * scale:
+            yield (name,)
+
+
 def main(program, mpirun, case, folder):
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     several = [mpirun, "-np", "2", "--oversubscribe"]
     ask = [program, "run", case, "--set", "surface.points=16", "--no-cache",
+           "--set", "report.stress_inside=true",
            "--methods", "fem", "--threads", "1"]
     one = run(ask + ["--out", "one"], folder)
     assert one.returncode == 0, one.stdout
@@ -51,6 +73,7 @@ def main(program, mpirun, case, folder):
     assert two.returncode == 0, two.stdout
     assert two.stdout.count("steps: ") == 1, f"said twice:\n{two.stdout}"
     found = list(differences(rows_of(f"{folder}/one"), rows_of(f"{folder}/two")))
+    found += section_differences(sections(f"{folder}/one"), sections(f"{folder}/two"))
     for line in found:
         print(*line)
     refused = run(several + ask + ["--set", "fem.growth=0.5"], folder)
@@ -62,4 +85,6 @@ if __name__ == "__main__":
     sample = [{"method": "fem", "mean_gap [m]": "1.0"}]
     other = [{"method": "fem", "mean_gap [m]": "1.00000001"}]
     assert list(differences(sample, other)), "cannot fail"
+    plain = {"a": [1.0, 2.0], "b": [1.0], "c": [1.0]}
+    assert list(section_differences(plain, plain | {"a": [1.0, 2.0 + 1e-8]}))
     sys.exit(main(*sys.argv[1:]))
