@@ -6,6 +6,8 @@
 
 #include "fem/block_system.hpp"
 
+#include <deal.II/lac/trilinos_precondition.h>
+
 #include <memory>
 #include <span>
 #include <string>
@@ -32,13 +34,22 @@ public:
   virtual std::size_t bytes() const = 0; ///< of memory, on this rank
 };
 
+/// How Trilinos ML is set up for a matrix on the unknowns of a block.
+/// @param is_second_order  whether it is of second-order cells
+dealii::TrilinosWrappers::PreconditionAMG::AdditionalData
+multigrid_settings(const BlockSpace& space, bool is_second_order);
+
 /// K + B^T diag(s) B, with the rows and columns of held unknowns cleared off
-/// their diagonal.
+/// their diagonal. Only the direct solver writes it down; conjugate gradients
+/// apply it.
 ///
-/// Multigrid (Trilinos ML) is set up for the first matrix and kept for those
-/// that follow while CG gains a decade in no more than 1.5 times the iterations
-/// it took when the hierarchy was new. Held unknowns are masked around it, so a
-/// hierarchy that did not know of them stays symmetric and sees no big number.
+/// Multigrid (Trilinos ML) is set up for the first contact: for the matrix
+/// itself, or where the block is of second-order hexahedra for that of
+/// first-order cells between the same nodes (block_assembly.hpp), which is set
+/// up and swept in half the time. It is kept for the contacts that follow until
+/// the iterations they took beyond those it took when new would pay for another
+/// one. Held unknowns are masked around it, so a hierarchy that did not know of
+/// them stays symmetric and sees no big number.
 class BlockSolver {
 public:
   /// @param system must outlive the solver
@@ -47,6 +58,7 @@ public:
               std::unique_ptr<BlockPreconditioner> own = {});
   ~BlockSolver();
 
+  /// Costs nothing where nothing has changed.
   /// @param springs  [N/m] of the contact points of this rank
   /// @param held     whether a point's only unknown is held; node-wise contact
   ///                 with one body only, else all false
@@ -77,6 +89,11 @@ public:
 private:
   struct Factors;
   class Masked;
+  class Operator;
+  bool is_same_contact(std::span<const double> springs,
+                       const std::vector<bool>& held) const;
+  void write_matrix(const dealii::TrilinosWrappers::SparseMatrix& stiffness);
+  void clear_held(dealii::TrilinosWrappers::MPI::Vector& vector) const;
   void refresh_multigrid();
   bool iterate(dealii::TrilinosWrappers::MPI::Vector& unknowns,
                const dealii::TrilinosWrappers::MPI::Vector& forces,
@@ -85,13 +102,20 @@ private:
 
   const BlockSystem& system_;
   bool is_direct_;
-  dealii::TrilinosWrappers::SparseMatrix matrix_;
   std::unique_ptr<BlockPreconditioner> own_;
+  dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
+  dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< what factors_ are of
   std::unique_ptr<Factors> factors_; ///< after the matrix: goes first
+  // The contact.
+  bool is_set_ = false;
+  std::vector<double> springs_;
+  std::vector<bool> holds_; ///< a point
   std::vector<dealii::types::global_dof_index> held_;
-  bool is_stale_ = true;
-  bool is_new_ = false;         ///< multigrid is of this very matrix
+  bool has_springs_ = false;    ///< on any rank
+  bool is_stale_ = true;        ///< multigrid
+  bool is_new_ = false;         ///< multigrid is of this very contact
   double steps_a_decade_ = 0.0; ///< when the hierarchy was new
+  double lost_steps_ = 0.0;     ///< beyond these, since
   int iterations_ = 0;
   int setups_ = 0;
 };

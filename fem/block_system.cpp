@@ -1,12 +1,10 @@
 #include "fem/block_system.hpp"
 
+#include "fem/block_assembly.hpp"
 #include "fem/block_triangulation.hpp"
-#include "fem/cell_matrices.hpp"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +26,8 @@ BlockSystem::BlockSystem(const BlockProblem& problem)
       contact_(space_, problem) {
   if (problem.counter)
     counter_ = moduli(*problem.counter);
-  assemble();
+  CellMatrices matrices(space_);
+  assemble(*this, matrices, {}, stiffness_);
   integrate_top_load();
   find_face_modulus();
 }
@@ -39,39 +38,6 @@ Moduli BlockSystem::moduli_of(
   if (counter_ && centre[2] < 0.0)
     return *counter_;
   return field_.at({centre[0], centre[1], centre[2]});
-}
-
-void BlockSystem::assemble() {
-  const dealii::DoFHandler<3>& handler = space_.dof_handler();
-  std::vector<global_dof_index> roots;
-  for (const auto& line : space_.constraints().get_lines())
-    for (const auto& entry : line.entries)
-      if (!space_.relevant().is_element(entry.first))
-        roots.push_back(entry.first);
-  std::sort(roots.begin(), roots.end());
-  dealii::IndexSet writable = space_.relevant();
-  writable.add_indices(roots.begin(), roots.end());
-  writable.add_indices(contact_.needed());
-  writable.compress();
-  dealii::TrilinosWrappers::SparsityPattern pattern(
-      space_.owned(), space_.owned(), writable, MPI_COMM_WORLD);
-  dealii::DoFTools::make_sparsity_pattern(
-      handler, pattern, space_.constraints(), false,
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-  contact_.reserve(pattern);
-  pattern.compress();
-  stiffness_.reinit(pattern);
-
-  CellMatrices matrices(space_);
-  std::vector<global_dof_index> unknowns(space_.element().n_dofs_per_cell());
-  for (const auto& cell : handler.active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    cell->get_dof_indices(unknowns);
-    space_.constraints().distribute_local_to_global(
-        matrices.of(cell, moduli_of(cell)), unknowns, stiffness_);
-  }
-  stiffness_.compress(dealii::VectorOperation::add);
 }
 
 void BlockSystem::integrate_top_load() {

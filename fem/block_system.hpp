@@ -51,7 +51,6 @@ public:
   std::string report() const;
 
 private:
-  void assemble();
   void integrate_top_load();
   void find_face_modulus();
 

@@ -7,6 +7,8 @@
 namespace asperity::fem {
 namespace {
 
+using dealii::Tensor;
+
 /// As many shapes as a graded block has layers; a free mesh fills them once.
 constexpr std::size_t most_shapes = 128;
 
@@ -16,22 +18,52 @@ constexpr double same_edge = 1e-11;
 } // namespace
 
 CellMatrices::CellMatrices(const BlockSpace& space)
-    : values_(space.mapping(), space.element(), space.cell_quadrature(),
-              dealii::update_gradients | dealii::update_JxW_values),
-      matrix_(space.element().n_dofs_per_cell()) {}
+    : CellMatrices(space, space.element(), space.cell_quadrature()) {}
 
-dealii::FullMatrix<double> CellMatrices::integrate(const Moduli& moduli) const {
-  const dealii::FEValuesExtractors::Vector displacement(0);
-  dealii::FullMatrix<double> matrix(values_.dofs_per_cell);
-  std::vector<dealii::SymmetricTensor<2, 3>> strain(values_.dofs_per_cell);
+CellMatrices::CellMatrices(const BlockSpace& space,
+                           const dealii::FiniteElement<3>& element,
+                           const dealii::Quadrature<3>& quadrature)
+    : values_(space.mapping(), element.base_element(0), quadrature,
+              dealii::update_gradients | dealii::update_JxW_values),
+      matrix_(element.n_dofs_per_cell()) {
+  for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+    component_and_node_.push_back(element.system_to_component_index(i));
+}
+
+/// Integrals of d_k phi_a d_l phi_b [m]. Functions that vanish in a part of the
+/// cell cost nothing there.
+CellMatrices::Products CellMatrices::integrate() const {
+  Products products(values_.dofs_per_cell, values_.dofs_per_cell);
+  std::vector<unsigned int> there;
   for (const unsigned int q : values_.quadrature_point_indices()) {
-    const auto tangent = elastic_response({}, moduli).tangent;
-    for (const unsigned int i : values_.dof_indices())
-      strain[i] = values_[displacement].symmetric_gradient(i, q);
-    for (const unsigned int i : values_.dof_indices()) {
-      const auto stress = tangent * strain[i] * values_.JxW(q);
-      for (const unsigned int j : values_.dof_indices())
-        matrix(i, j) += stress * strain[j];
+    there.clear();
+    for (const unsigned int a : values_.dof_indices())
+      if (values_.shape_grad(a, q).norm_square() > 0.0)
+        there.push_back(a);
+    for (const unsigned int a : there) {
+      const Tensor<1, 3> weighted = values_.shape_grad(a, q) * values_.JxW(q);
+      for (const unsigned int b : there)
+        products(a, b) += outer_product(weighted, values_.shape_grad(b, q));
+    }
+  }
+  return products;
+}
+
+dealii::FullMatrix<double> CellMatrices::contract(const Products& products,
+                                                  const Moduli& moduli) const {
+  const auto symmetric = elastic_response({}, moduli).tangent;
+  Tensor<4, 3> tangent; // C_ikjl at i, j, k, l
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int l = 0; l < 3; ++l)
+          tangent[i][j][k][l] = symmetric[i][k][j][l];
+  dealii::FullMatrix<double> matrix(component_and_node_.size());
+  for (unsigned int row = 0; row < matrix.m(); ++row) {
+    const auto [i, a] = component_and_node_[row];
+    for (unsigned int column = 0; column < matrix.n(); ++column) {
+      const auto [j, b] = component_and_node_[column];
+      matrix(row, column) = scalar_product(tangent[i][j], products(a, b));
     }
   }
   return matrix;
@@ -39,7 +71,7 @@ dealii::FullMatrix<double> CellMatrices::integrate(const Moduli& moduli) const {
 
 const CellMatrices::Shape& CellMatrices::shape_of(
     const dealii::DoFHandler<3>::active_cell_iterator& cell) {
-  std::vector<dealii::Tensor<1, 3>> edges;
+  std::vector<Tensor<1, 3>> edges;
   for (const unsigned int v : cell->vertex_indices())
     edges.push_back(cell->vertex(v) - cell->vertex(0));
   const double tolerance = same_edge * cell->diameter();
@@ -52,8 +84,11 @@ const CellMatrices::Shape& CellMatrices::shape_of(
   const auto found = std::find_if(shapes_.begin(), shapes_.end(), is_same);
   if (found != shapes_.end())
     return *found;
-  values_.reinit(cell);
-  Shape shape{std::move(edges), integrate({1.0, 0.0}), integrate({0.0, 1.0})};
+  // As a cell of the mesh alone: the handler's has three components.
+  values_.reinit(dealii::Triangulation<3>::active_cell_iterator(cell));
+  const Products products = integrate();
+  Shape shape{std::move(edges), contract(products, {1.0, 0.0}),
+              contract(products, {0.0, 1.0})};
   if (shapes_.size() < most_shapes) {
     shapes_.push_back(std::move(shape));
     return shapes_.back();
