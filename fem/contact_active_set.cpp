@@ -47,7 +47,6 @@ std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
 void ContactNewton::solve_wall(const BlockLoad& load,
                                const BlockContact& contact, double height_scale,
                                BlockSolution& answer) {
-  constexpr int most_refinements = 3;
   const double spring = first_spring * stiffness_scale_;
   const double gap_tolerance = contact.tolerance * height_scale;
   const std::vector<double> no_springs(pressure_.size(), 0.0);
@@ -55,7 +54,6 @@ void ContactNewton::solve_wall(const BlockLoad& load,
   std::vector<bool> active(pressure_.size());
   std::transform(pressure_.begin(), pressure_.end(), active.begin(),
                  [](double pressure) { return pressure > 0.0; });
-  bool is_tight = solver_.is_direct();
   int refinements = 0;
   answer.note = "the contact set did not come to rest";
   while (answer.iterations < contact.max_iterations) {
@@ -67,21 +65,20 @@ void ContactNewton::solve_wall(const BlockLoad& load,
     }
     for (std::size_t i = 0; i < active.size(); ++i)
       pressure_[i] = active[i] ? pressure_[i] : 0.0;
-    if (!step(load, no_springs, active, is_tight)) {
+    if (!step(load, no_springs, active, contact.tolerance)) {
       answer.note = "the linear solver gave up";
       break;
     }
     take_wall_pressure(active);
     const std::vector<bool> next = next_active(active, gap_tolerance);
-    const bool stands = is_same(next, active);
-    if (stands && is_tight &&
-        (refinements++ == most_refinements ||
-         unbalanced() <= contact.tolerance)) {
+    if (!is_same(next, active)) {
+      refinements = 0;
+    } else if (unbalanced() <= contact.tolerance ||
+               refinements++ == most_refinements) {
       answer.converged = true;
       answer.note.clear();
       break;
     }
-    is_tight = stands || solver_.is_direct();
     active = next;
   }
   // A pull of the size of rounding is no contact.

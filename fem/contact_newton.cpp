@@ -41,6 +41,7 @@ ContactNewton::ContactNewton(const BlockSystem& system,
       pressure_(system.contact().size(), 0.0),
       heights_(system.contact().size(), 0.0),
       face_displacement_(system.contact().size(), 0.0),
+      elastic_(displacement_),
       imbalance_(displacement_),
       by_imbalance_(displacement_),
       by_approach_(displacement_),
@@ -121,13 +122,12 @@ void ContactNewton::update_pressure(double penalty) {
     pressure_[i] = std::max(0.0, multiplier_[i] - penalty * gap(i));
 }
 
-/// Newton to a standing contact set at fixed multipliers. A step from far away
-/// leaves the rounding of where it came from: steps on the same set refine it.
+/// Newton to a standing contact set at fixed multipliers. Steps on the same set
+/// refine what the linear solver, or the rounding of a step from far away,
+/// left.
 bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
                            BlockSolution& answer) {
-  constexpr int most_refinements = 3;
   int refinements = 0;
-  bool is_tight = solver_.is_direct();
   const std::vector<bool> nothing(pressure_.size(), false);
   std::vector<double> springs(pressure_.size());
   update_pressure(contact.penalty);
@@ -142,17 +142,16 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
     for (std::size_t i = 0; i < springs.size(); ++i)
       springs[i] =
           before[i] ? contact.penalty * system_.contact()[i].area : 0.0;
-    if (!step(load, springs, nothing, is_tight)) {
+    if (!step(load, springs, nothing, contact.tolerance)) {
       answer.note = "the linear solver gave up";
       return false;
     }
     update_pressure(contact.penalty);
-    const bool stands = is_same(contact_set(pressure_), before);
-    if (stands && is_tight &&
-        (refinements++ == most_refinements ||
-         unbalanced() <= contact.tolerance))
+    if (!is_same(contact_set(pressure_), before))
+      refinements = 0;
+    else if (unbalanced() <= contact.tolerance ||
+             refinements++ == most_refinements)
       return true;
-    is_tight = stands || solver_.is_direct();
   }
   answer.note = "the contact set did not come to rest";
   return false;

@@ -7,10 +7,14 @@
 #include "fem/block_system.hpp"
 #include "fem/full_block.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace asperity::fem {
+
+/// Steps on a standing contact set after which no more precision is had.
+constexpr int most_refinements = 8;
 
 /// (F.1) of full_block.hpp over the points of all ranks. contact_newton.cpp has
 /// springs (penalty, augmented), contact_active_set.cpp the wall and
@@ -55,6 +59,12 @@ public:
   double mean_gap() const; ///< over the area of all points [m]
 
 private:
+  /// What the residual of a linear solve is kept within.
+  struct Range {
+    double finest = 0.0;
+    double coarsest = std::numeric_limits<double>::infinity();
+  };
+
   double area() const { return system_.contact().area(); }
 
   double borne() const; ///< sum a p [N]
@@ -65,6 +75,7 @@ private:
   bool any(const std::vector<bool>& set) const;
   bool is_same(const std::vector<bool>& a, const std::vector<bool>& b) const;
   void find_imbalance();
+  double largest_force() const; ///< of a point [N]
   double unbalanced();
   double violation(double compliance) const;
   void solve_springs(const BlockLoad& load, const BlockContact& contact,
@@ -77,10 +88,11 @@ private:
                                 double gap_tolerance) const;
   void take_wall_pressure(const std::vector<bool>& active);
   bool step(const BlockLoad& load, std::span<const double> springs,
-            const std::vector<bool>& held, bool is_tight);
+            const std::vector<bool>& held, double tolerance);
   bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
-                 std::span<const double> held_displacement, bool is_tight);
+                 std::span<const double> held_displacement, const Range& range);
+  double stiffness_of(std::span<const double> springs) const;
   bool border(const BlockLoad& load, std::span<const double> springs,
               const std::vector<bool>& held);
 
@@ -96,10 +108,10 @@ private:
   std::vector<double> pressure_;
   std::vector<double> heights_;                     ///< less the highest [m]
   std::vector<double> face_displacement_;           ///< B u [m]
+  dealii::TrilinosWrappers::MPI::Vector elastic_;   ///< K u [N]
   dealii::TrilinosWrappers::MPI::Vector imbalance_; ///< K u + P g - B^T a p
   // Responses of the last step, where the next one's iterations start.
   dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_, by_top_;
-  double force_scale_ = 0.0; ///< l2 norm of B^T a p [N]
 };
 
 } // namespace asperity::fem

@@ -249,5 +249,25 @@ TEST(WholeBlockCosts, AreReported) {
   EXPECT_NE(block->report().find("scaled Jacobian 1"), std::string::npos);
 }
 
+// Claim: a matrix is factorised once for each contact set and no more: not
+// again where a load ends with the set of the last one.
+TEST(WholeBlockCosts, AreNoneForAContactThatStands) {
+  BlockProblem problem = boxes_problem({8, 8, length, length}, 1, body, length);
+  problem.linear_solver = LinearSolver::direct;
+  const auto block = make_full_block(problem);
+  const auto press = [&](double load) {
+    return block->solve(wave_heights(block->grid(), 1e-8),
+                        {Control::nominal_pressure, load},
+                        {ContactLaw::penalty, 1e17, 1e-8, 100});
+  };
+
+  const BlockSolution first = press(1e7);
+  const BlockSolution again = press(1.0001e7);
+
+  ASSERT_TRUE(first.converged && again.converged);
+  EXPECT_LT(first.preconditioner_setups, first.iterations);
+  EXPECT_EQ(again.preconditioner_setups, 0);
+}
+
 } // namespace
 } // namespace asperity::fem
