@@ -64,8 +64,9 @@ Table report_table() {
                .example = "true",
                .description =
                    "Work out the stress below the face under each kept "
-                   "pressure map, by the continuum: the strongest von Mises "
-                   "stress, its place, and a section through it."},
+                   "pressure map, by the continuum, or from the cells of a "
+                   "whole block: the strongest von Mises stress, its place, "
+                   "and a section through it."},
               {.name = "vtu",
                .type = ValueType::boolean,
                .fallback = "false",
