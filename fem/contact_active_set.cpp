@@ -65,7 +65,7 @@ void ContactNewton::solve_wall(const BlockLoad& load,
     }
     for (std::size_t i = 0; i < active.size(); ++i)
       pressure_[i] = active[i] ? pressure_[i] : 0.0;
-    if (!step(load, no_springs, active, contact.tolerance)) {
+    if (!step(load, no_springs, active, contact.tolerance, refinements)) {
       answer.note = "the linear solver gave up";
       break;
     }

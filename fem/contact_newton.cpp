@@ -142,7 +142,7 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
     for (std::size_t i = 0; i < springs.size(); ++i)
       springs[i] =
           before[i] ? contact.penalty * system_.contact()[i].area : 0.0;
-    if (!step(load, springs, nothing, contact.tolerance)) {
+    if (!step(load, springs, nothing, contact.tolerance, refinements)) {
       answer.note = "the linear solver gave up";
       return false;
     }

@@ -63,6 +63,7 @@ private:
   struct Range {
     double finest = 0.0;
     double coarsest = std::numeric_limits<double>::infinity();
+    double share = 1.0; ///< of the usual part that is left
   };
 
   double area() const { return system_.contact().area(); }
@@ -88,7 +89,7 @@ private:
                                 double gap_tolerance) const;
   void take_wall_pressure(const std::vector<bool>& active);
   bool step(const BlockLoad& load, std::span<const double> springs,
-            const std::vector<bool>& held, double tolerance);
+            const std::vector<bool>& held, double tolerance, int refinements);
   bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);

@@ -19,6 +19,10 @@ using dealii::TrilinosWrappers::MPI::Vector;
 constexpr double loose_on_wall = 1e-2;
 constexpr double loose_on_springs = 1e-3;
 
+/// What a refinement leaves of the residual of a response that it takes over
+/// from the step before.
+constexpr double sharpening = 1e-2;
+
 /// Share of the tolerated imbalance below which no solve need go.
 constexpr double finest = 0.1;
 
@@ -106,9 +110,10 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
     right.compress(dealii::VectorOperation::insert);
     answer.compress(dealii::VectorOperation::insert);
   }
-  const double tolerance = std::clamp(
-      (has_wall ? loose_on_wall : loose_on_springs) * right.l2_norm(),
-      range.finest, range.coarsest);
+  const double tolerance =
+      std::clamp(range.share * (has_wall ? loose_on_wall : loose_on_springs) *
+                     right.l2_norm(),
+                 range.finest, range.coarsest);
   if (!solver_.solve(answer, right, tolerance))
     return false;
   answer += held;
@@ -116,9 +121,12 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
 }
 
 /// Solves (F.1), linear for one contact set, for the changes of u, d and P: u
-/// by block elimination, d and P from the two scalar equations.
+/// by block elimination, d and P from the two scalar equations. What the block
+/// does under a unit of approach or of pressure is the same in every step on
+/// one set: the more `refinements` there were, the better it is known.
 bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
-                         const std::vector<bool>& held, double tolerance) {
+                         const std::vector<bool>& held, double tolerance,
+                         int refinements) {
   const ContactPoints& points = system_.contact();
   const bool is_load = load.control == cases::Control::nominal_pressure;
   if (is_load)
@@ -144,19 +152,21 @@ bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
   if (!solve_for(by_imbalance_, forces, to_wall,
                  {.finest = finest * tolerance * largest_force()}))
     return false;
+  const double share = std::pow(sharpening, refinements);
   std::vector<double> pushes(springs.begin(), springs.end());
   for (double& push : pushes)
     push = -push;
   forces = 0.0;
   points.add_force(pushes, forces);
   if (!solve_for(by_approach_, forces, with_wall,
-                 {.coarsest = loose_on_springs * stiffness_of(springs)}))
+                 {.coarsest = share * loose_on_springs * stiffness_of(springs),
+                  .share = share}))
     return false;
   forces = system_.top_load();
   forces *= -1.0;
   if (is_load || forces.linfty_norm() == 0.0)
     by_top_ = 0.0;
-  else if (!solve_for(by_top_, forces, at_rest, {}))
+  else if (!solve_for(by_top_, forces, at_rest, {.share = share}))
     return false;
   return border(load, springs, held);
 }
