@@ -12,7 +12,7 @@ def curves(command):
     # Two ranks on a busy core must not wait by spinning.
     root = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
-    done = subprocess.run(command, env=os.environ | root, text=True, timeout=280,
+    done = subprocess.run(command, env=os.environ | root, text=True, timeout=400,
                           stdout=subprocess.PIPE, check=True)
     rows, notes = [], []
     for line in done.stdout.splitlines():
