@@ -11,6 +11,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/app/folder.hpp"
 #include "tests/app/same_bits.hpp"
 
 namespace asperity::app {
@@ -51,16 +52,8 @@ fields = 1
 constexpr int a_method = 2 * 4;
 constexpr int all_steps = 4 + 2 * a_method;
 
-class CachedRun : public ::testing::Test {
+class CachedRun : public FolderTest {
 protected:
-  static std::filesystem::path new_folder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
-    return mkdtemp(pattern.data());
-  }
-
-  ~CachedRun() override { std::filesystem::remove_all(folder); }
-
   RunOutcome run(const Overrides& overrides, Cache& beside,
                  const std::string& out = "out") const {
     const cases::Case rough_case = cases::read_case_text(
@@ -79,7 +72,6 @@ protected:
   }
 
   std::string text = pressed_case;
-  std::filesystem::path folder = new_folder();
   Cache cache{folder / "cache", 100'000'000};
 };
 

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/app/folder.hpp"
+
 namespace asperity::app {
 namespace {
 
@@ -35,16 +37,8 @@ contact = "hard"
 fields = 3
 )";
 
-class InsideRun : public ::testing::Test {
+class InsideRun : public FolderTest {
 protected:
-  static std::filesystem::path new_folder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
-    return mkdtemp(pattern.data());
-  }
-
-  ~InsideRun() override { std::filesystem::remove_all(folder); }
-
   RunOutcome run(const std::string& out,
                  const std::vector<std::string>& overrides = {
                      "report.stress_inside=true"}) {
@@ -57,7 +51,6 @@ protected:
     return results::read_result(folder / out);
   }
 
-  std::filesystem::path folder = new_folder();
   Cache cache{folder / "cache", 100'000'000};
 };
 

@@ -15,6 +15,8 @@
 #include <numeric>
 #include <string>
 
+#include "tests/app/folder.hpp"
+
 namespace asperity::app {
 namespace {
 
@@ -48,16 +50,8 @@ contact = "hard"
 fields = 1
 )";
 
-class PlannedRun : public ::testing::Test {
+class PlannedRun : public FolderTest {
 protected:
-  static std::filesystem::path new_folder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
-    return mkdtemp(pattern.data());
-  }
-
-  ~PlannedRun() override { std::filesystem::remove_all(folder); }
-
   static cases::Case read(const std::vector<std::string>& overrides = {}) {
     return cases::read_case_text(planned_case, "planned.toml", overrides);
   }
@@ -68,7 +62,6 @@ protected:
                      {folder / "out", methods, false, 2, "", &cache}, 32);
   }
 
-  std::filesystem::path folder = new_folder();
   Cache cache{folder / "cache", 100'000'000};
 };
 

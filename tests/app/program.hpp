@@ -11,6 +11,8 @@
 #include <string>
 #include <sys/wait.h>
 
+#include "tests/app/folder.hpp"
+
 namespace asperity::app {
 
 struct Ended {
@@ -25,17 +27,8 @@ inline std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// A test with an empty folder to work in, removed at its end.
-class ProgramTest : public ::testing::Test {
+class ProgramTest : public FolderTest {
 protected:
-  ProgramTest() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
-    folder = mkdtemp(pattern.data());
-  }
-
-  ~ProgramTest() override { std::filesystem::remove_all(folder); }
-
   /// `before` goes before the program: environment, or "timeout -s INT 1".
   Ended run(const std::string& arguments,
             const std::string& before = "") const {
@@ -51,8 +44,6 @@ protected:
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name) << text;
   }
-
-  std::filesystem::path folder;
 };
 
 /// A case of seconds: every method, two realisations, four loads.
