@@ -22,6 +22,9 @@ constexpr double bins_a_spread = 8.0; // of s = sqrt(2G)
 constexpr double reach = 6.0;         // of the bins on either side of p, in s
 constexpr int n_passes = 2;
 
+// <sigma^2>/p^2 - 1 beyond which p, a sum of both signs, is rounding: 1/eps^2.
+constexpr double most_excess = 2e31;
+
 // The search for G by least squares: ln G to either side of its start.
 constexpr double search_reach = 4.0; // e^4 = 55
 constexpr double search_step = 0.5;
@@ -46,22 +49,25 @@ ReducedMap reduced(std::span<const double> pressure,
   map.mean = weighted_mean(pressure, weights);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
-  // <s^2> - p^2 without a difference of near equals, s the positive part
+  // <s^2>/p^2 - 1 without a difference of near equals, s the positive part, and
+  // divided by p before it is squared: the square of a pressure may not be
+  // within a double's range.
   double spread = 0.0;
   double surplus = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
-    const double positive = std::max(0.0, pressure[i]);
+    const double ratio = pressure[i] / map.mean;
+    const double positive = std::max(0.0, ratio);
     map.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
-    spread += map.weight(i) * (positive - map.mean) * (positive - map.mean);
-    surplus += map.weight(i) * (positive - pressure[i]);
+    spread += map.weight(i) * (positive - 1.0) * (positive - 1.0);
+    surplus += map.weight(i) * (positive - ratio);
   }
-  const auto size = static_cast<double>(pressure.size());
   map.mean_square_excess =
-      (spread + 2.0 * map.mean * surplus) / size / (map.mean * map.mean);
+      (spread + 2.0 * surplus) / static_cast<double>(pressure.size());
   return map;
 }
 
-/// G/p^2 of which the mean square is (1 + excess) p^2.
+/// G/p^2 of which the mean square is (1 + excess) p^2, 0 <= excess <
+/// most_excess.
 double variance_of_excess(double excess) {
   // Full contact has 2 G, and any other has less: a bound below. From there to
   // 1 % of p^2 what full contact lacks is erfc(7), below rounding.
@@ -74,6 +80,12 @@ double variance_of_excess(double excess) {
   };
   // Light contact has 4 p sqrt(G/pi), and any other has more: a bound above.
   const double most = 0.25 * std::sqrt(std::numbers::pi) * (1.0 + excess);
+  // Towards either end of contact its bound is the root to within rounding, and
+  // the sign of `lack` there is that of rounding: the bound is the answer.
+  if (!(lack(std::sqrt(least)) < 0.0))
+    return least;
+  if (!(lack(most) > 0.0))
+    return most * most;
   std::uintmax_t evaluations = 100;
   const auto [low, high] = boost::math::tools::toms748_solve(
       lack, std::sqrt(least), most, boost::math::tools::eps_tolerance<double>(),
@@ -153,6 +165,8 @@ PressureFit empty_fit(const ReducedMap& map) {
     fit.reason = "nothing is in contact";
   } else if (!(map.mean > 0.0)) {
     fit.reason = "the mean pressure is not positive";
+  } else if (!(map.mean_square_excess < most_excess)) {
+    fit.reason = "the mean pressure is rounding beside the pressures";
   }
   return fit;
 }

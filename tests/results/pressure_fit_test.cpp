@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -204,6 +205,59 @@ TEST(PressureFit, AnswersTheEndsOfContact) {
                std::domain_error);
   EXPECT_THROW(pressure_fit_by_moment(open, std::vector{1.0}),
                std::domain_error);
+}
+
+// Claim: from full contact to a single node of 10^8 every map has a fit by
+// moment with the moments of the map. Near both ends the root lies at the
+// bound of its bracket to within rounding: pressures 1 -+ d have the excess
+// d^2, and n nodes of which one is in contact have n - 1 (by weights, so that
+// the map stays small). Tolerance: rounding of the moments, 1e-13.
+TEST(PressureFitByMoment, HasARootAtBothEndsOfContact) {
+  for (int i = 0; i <= 2000; ++i) {
+    const double spread = std::sqrt(0.005 + 1e-5 * i);
+
+    const PressureFit fit =
+        pressure_fit_by_moment(std::vector{1.0 - spread, 1.0 + spread});
+
+    ASSERT_NEAR(
+        theory::pressure_moments(1.0, fit.variance).mean_square_pressure,
+        1.0 + spread * spread, 1e-13)
+        << spread * spread;
+  }
+  for (double n = 1e3; n <= 1e8; n *= 1.1) {
+    const std::vector<double> weights{2.0 / n, 2.0 - 2.0 / n};
+
+    const PressureFit fit =
+        pressure_fit_by_moment(std::vector{0.5 * n, 0.0}, weights);
+
+    ASSERT_NEAR(
+        theory::pressure_moments(0.5, fit.variance).mean_square_pressure /
+            (0.25 * n),
+        1.0, 1e-13)
+        << n;
+  }
+}
+
+// Claim: the extremes of a double's range, and a mean that is lost in rounding
+// beside the pressures, have an answer and no exception.
+TEST(PressureFit, AnswersTheEndsOfADouble) {
+  const std::vector<double> reduced = samples(load * load, 4000);
+  std::vector<double> pulled(100, 1.0);
+  std::fill(pulled.begin(), pulled.begin() + 50, -1.0);
+  pulled.back() += 1e-15;
+  for (const auto fit_of :
+       {fit_pressure_distribution, pressure_fit_by_moment}) {
+    const double area = fit_of(reduced, {}).area_fraction;
+    for (const double unit : {0x1p-600, 0x1p600}) {
+      std::vector<double> pressure = reduced;
+      for (double& one : pressure)
+        one *= unit;
+      EXPECT_EQ(fit_of(pressure, {}).area_fraction, area) << unit;
+    }
+    EXPECT_TRUE(std::isnan(fit_of(pulled, {}).area_fraction));
+    EXPECT_EQ(fit_of(pulled, {}).reason,
+              "the mean pressure is rounding beside the pressures");
+  }
 }
 
 // Claim: one Hertzian spot, whose pressures rise to their density's end with
