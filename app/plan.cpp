@@ -92,6 +92,13 @@ double result_bytes(const cases::Case& rough_case,
 
 } // namespace
 
+void add_up_times(Plan& plan) {
+  plan.cpu_time = plan.base_time + plan.study_time;
+  for (const PlannedMethod& method : plan.methods)
+    plan.cpu_time += method.setup_time + method.step_time;
+  plan.wall_time = wall_time(plan);
+}
+
 Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe) {
   const std::vector<MethodSpec> methods =
@@ -123,7 +130,6 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
     uses_fem |=
         left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
     uses_block |= left > 0 && is_whole_block(method);
-    plan.cpu_time += planned.setup_time + planned.step_time;
     plan.methods.push_back(std::move(planned));
   }
   if (const MethodSpec* theory = cases::study_theory(methods);
@@ -136,8 +142,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
             stress_time(static_cast<int>(steps_with_fields(rough_case).size()),
                         grid, rates);
   plan.base_time = base_time(rates);
-  plan.cpu_time += plan.base_time + plan.study_time;
-  plan.wall_time = wall_time(plan);
+  add_up_times(plan);
   plan.memory = peak_memory(plan, rough_case, grid,
                             base_memory(uses_fem) +
                                 (uses_block ? full_block_memory() : 0.0));

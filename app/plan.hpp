@@ -44,6 +44,10 @@ struct Plan {
 Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe = 1024);
 
+/// Fills in cpu_time and wall_time from the times of the parts and the number
+/// of threads: methods share the threads, those that run alone one by one.
+void add_up_times(Plan& plan);
+
 /// As a table for people, with what is skipped below.
 std::string plan_text(const Plan& plan, const cases::Case& rough_case);
 
