@@ -11,8 +11,10 @@ import shutil
 import subprocess
 import sys
 
-NUMBERS = ["nominal_pressure", "mean_gap", "area_fraction", "elastic_energy",
-           "von_mises", "von_mises_depth"]
+NUMBERS = ["nominal_pressure [Pa]", "mean_gap [m]", "area_fraction [1]",
+           "area_fraction_corrected [1]", "area_fraction_fit [1]",
+           "area_fraction_moment [1]", "contact_perimeter [1/m]",
+           "elastic_energy [J/m^2]"]
 
 
 def run(command, folder):
@@ -29,15 +31,14 @@ def rows_of(folder):
 
 
 def differences(one, two):
-    """What differs by more than 1e-9 of itself."""
-    assert len(one) == len(two), (len(one), len(two))
+    """What differs by more than 1e-9 of itself. A column that is missing, a
+    number that is not finite and a table without rows are errors."""
+    assert one and len(one) == len(two), (len(one), len(two))
     for a, b in zip(one, two):
-        for name in a:
-            if name.split(" ")[0] in NUMBERS:
-                x, y = float(a[name]), float(b[name])
-                same = (math.isnan(x) and math.isnan(y)) or abs(x - y) <= 1e-9 * abs(x)
-                if not same:
-                    yield a["method"], name, x, y
+        for name in NUMBERS:
+            x, y = float(a[name]), float(b[name])
+            if not (math.isfinite(x) and abs(x - y) <= 1e-9 * abs(x)):
+                yield a["method"], name, x, y
 
 
 def sections(folder):
@@ -56,7 +57,7 @@ def section_differences(one, two):
     for name in one:
         scale = max(one[name])
         assert scale > 0.0 and len(one[name]) == len(two[name]), name
-        if max(abs(x - y) for x, y in zip(one[name], two[name])) > 1e-9 * scale:
+        if not all(abs(x - y) <= 1e-9 * scale for x, y in zip(one[name], two[name])):
             yield (name,)
 
 
@@ -82,9 +83,15 @@ def main(program, mpirun, case, folder):
 
 
 if __name__ == "__main__":
-    sample = [{"method": "fem", "mean_gap [m]": "1.0"}]
-    other = [{"method": "fem", "mean_gap [m]": "1.00000001"}]
-    assert list(differences(sample, other)), "cannot fail"
+    sample = [{"method": "fem"} | dict.fromkeys(NUMBERS, "1.0")]
+    assert not list(differences(sample, sample)), "cannot pass"
+    for name in NUMBERS:
+        for other in ("1.00000001", "nan", "inf"):
+            changed = [sample[0] | {name: other}]
+            assert list(differences(sample, changed)), "cannot fail"
+            assert list(differences(changed, sample)), "cannot fail"
     plain = {"a": [1.0, 2.0], "b": [1.0], "c": [1.0]}
-    assert list(section_differences(plain, plain | {"a": [1.0, 2.0 + 1e-8]}))
+    assert not list(section_differences(plain, plain))
+    for value in (2.0 + 1e-8, math.nan):
+        assert list(section_differences(plain, plain | {"a": [1.0, value]}))
     sys.exit(main(*sys.argv[1:]))
