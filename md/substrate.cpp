@@ -23,6 +23,7 @@ Substrate::Substrate(const Grid& grid, std::span<const double> heights,
                      double reach, double unit)
     : reach_(reach / unit),
       spacing_(grid.spacing_x() / unit),
+      reach_square_((reach_ / spacing_) * (reach_ / spacing_)),
       margin_(static_cast<int>(std::ceil(reach_ / spacing_)) + 1 + strip_width),
       blocks_((grid.points_x + block_width - 1) / block_width) {
   pad(grid, heights, unit);
@@ -75,14 +76,13 @@ void Substrate::find_highest(int points) {
 
 // The squares of the radii are 1, 2, 3 ... spacings^2 up to beyond the reach.
 void Substrate::list_strips() {
-  const double reach = reach_ / spacing_;
-  const int n_radii = static_cast<int>(reach * reach) + 1;
+  const int n_radii = static_cast<int>(reach_square_) + 1;
   for (int radius_square = 1; radius_square <= n_radii; ++radius_square)
     for (int row = 0; row < parts; ++row)
       for (int column = 0; column < parts; ++column) {
         list_begins_.push_back(strips_.size());
         list_strips(column / double{parts}, row / double{parts},
-                    std::min<double>(radius_square, reach * reach));
+                    std::min<double>(radius_square, reach_square_));
       }
   list_begins_.push_back(strips_.size());
 }
@@ -120,8 +120,8 @@ Window Substrate::window(const LatticePoint& point, double z) const {
   const double above = std::max(z - highest, 0.0);
   if (above >= reach_)
     return window;
-  const int radius = static_cast<int>((reach_ * reach_ - above * above) /
-                                      (spacing_ * spacing_));
+  const double rise = above / spacing_;
+  const int radius = static_cast<int>(reach_square_ - rise * rise);
   const int part =
       static_cast<int>(y * parts) * parts + static_cast<int>(x * parts);
   const std::size_t list = as_index(radius * parts * parts + part);
