@@ -1,5 +1,6 @@
 #include "md/dynamics_run.hpp"
 
+#include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "md/checkpoint.hpp"
 
@@ -213,10 +214,8 @@ DynamicsOutcome run_dynamics(const InertialSystem& system, const Load& load,
   DynamicsOutcome outcome = Run(system, load, state, run).finish(state, watch);
   std::vector<double> forces(system.size());
   const Evaluation evaluation = system.energy_and_forces(state, forces);
-  double largest = 0.0;
-  for (const double force : forces)
-    largest = std::max(largest, std::abs(force));
-  outcome.relaxation.largest_residual = largest / evaluation.contact_force;
+  outcome.relaxation.largest_residual =
+      largest_magnitude(forces) / evaluation.contact_force;
   return outcome;
 }
 

@@ -1,8 +1,10 @@
 #include "md/fire.hpp"
 
+#include "base/maximum.hpp"
+#include "md/vector_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace asperity::md {
 namespace {
@@ -16,17 +18,6 @@ constexpr double mixing_decay = 0.99;
 // The frequencies are near 1: the largest step is stable up to 2.
 constexpr double first_time_step = 0.1;
 constexpr double largest_time_step = 1.0;
-
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-double largest(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double value : values)
-    size = std::max(size, std::abs(value));
-  return size;
-}
 
 /// values = keep * values + factor * other.
 void mix(std::vector<double>& values, double keep,
@@ -50,7 +41,8 @@ public:
     ++result.evaluations;
     result.energy = evaluation.energy;
     result.residual = residual_of(evaluation, forces_);
-    result.largest_residual = largest(forces_) / evaluation.contact_force;
+    result.largest_residual =
+        largest_magnitude(forces_) / evaluation.contact_force;
   }
 
   /// From the forces at `state` to the next state.
@@ -62,8 +54,8 @@ public:
         time_step_ = std::min(growth * time_step_, largest_time_step);
         mixing_ *= mixing_decay;
       }
-    } else if (steps_downhill_ >= 0) { // not at the very first step
-      mix(state, 1.0, velocity_, -0.5 * time_step_);
+    } else if (length_ > 0.0) { // not at the very first step
+      mix(state, 1.0, velocity_, -0.5 * length_);
       std::ranges::fill(velocity_, 0.0);
       std::ranges::fill(momentum_, 0.0);
       steps_downhill_ = 0;
@@ -80,10 +72,11 @@ public:
       mix(velocity_, 1.0 - mixing_, pull_, factor);
       mix(momentum_, 1.0 - mixing_, forces_, factor);
     }
-    const double fastest = largest(velocity_);
-    mix(state, 1.0, velocity_,
-        fastest > 0.0 ? std::min(time_step_, settings_.largest_step / fastest)
-                      : 0.0);
+    const double fastest = largest_magnitude(velocity_);
+    length_ = fastest > 0.0
+                  ? std::min(time_step_, settings_.largest_step / fastest)
+                  : 0.0;
+    mix(state, 1.0, velocity_, length_);
   }
 
 private:
@@ -93,8 +86,9 @@ private:
   std::vector<double> pull_; ///< P forces
   std::vector<double> velocity_;
   std::vector<double> momentum_; ///< P^-1 velocity
-  int steps_downhill_ = -1;
+  int steps_downhill_ = 0;
   double time_step_ = first_time_step;
+  double length_ = 0.0; ///< of the last step, in velocities; 0 before it
   double mixing_ = first_mixing;
 };
 
@@ -107,8 +101,8 @@ Relaxation relax_by_fire(const System& system, std::vector<double>& state,
   Relaxation result;
   fire.evaluate(state, result);
   while (!(result.residual <= settings.tolerance)) {
-    if (!std::isfinite(result.energy)) {
-      result.note = "the energy is no longer a number";
+    if (!std::isfinite(result.energy) || std::isnan(result.residual)) {
+      result.note = "the energy or a force is no longer a number";
       return result;
     }
     if (result.evaluations >= settings.max_evaluations) {

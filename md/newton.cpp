@@ -1,5 +1,6 @@
 #include "md/newton.hpp"
 
+#include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "md/vector_sums.hpp"
 
@@ -47,7 +48,8 @@ public:
     Relaxation report = counted_;
     report.energy = evaluation_.energy;
     report.residual = residual_of(evaluation_, forces_);
-    report.largest_residual = largest(forces_) / evaluation_.contact_force;
+    report.largest_residual =
+        largest_magnitude(forces_) / evaluation_.contact_force;
     return report;
   }
 
@@ -131,7 +133,8 @@ private:
     const double before = dot(forces_, step_);
     if (!(before > 0.0) || !std::isfinite(before))
       return false;
-    double length = std::min(1.0, settings_.largest_step / largest(step_));
+    double length =
+        std::min(1.0, settings_.largest_step / largest_magnitude(step_));
     const int tries = softness_ > 0.0 ? shortenings : last_shortenings;
     for (int i = 0; i < tries && !is_used_up(); ++i) {
       for (std::size_t k = 0; k < state_.size(); ++k)

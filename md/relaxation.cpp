@@ -1,5 +1,6 @@
 #include "md/relaxation.hpp"
 
+#include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "md/curvature_memory.hpp"
 #include "md/vector_sums.hpp"
@@ -42,7 +43,8 @@ public:
     report.evaluations = evaluations_;
     report.energy = evaluation_.energy;
     report.residual = residual_of(evaluation_, forces_);
-    report.largest_residual = largest(forces_) / evaluation_.contact_force;
+    report.largest_residual =
+        largest_magnitude(forces_) / evaluation_.contact_force;
     return report;
   }
 
@@ -80,7 +82,8 @@ private:
   }
 
   bool search() {
-    double length = std::min(1.0, settings_.largest_step / largest(direction_));
+    double length =
+        std::min(1.0, settings_.largest_step / largest_magnitude(direction_));
     for (int i = 0; i < shortenings; ++i) {
       for (std::size_t k = 0; k < state_.size(); ++k)
         trial_[k] = state_[k] + length * direction_[k];

@@ -1,0 +1,87 @@
+// Claims about the single steps of md/fire.hpp, on one unknown each.
+#include "md/fire.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/md/separate_system.hpp"
+
+namespace asperity::md {
+namespace {
+
+using scenes::Separate;
+
+/// A spring balanced at 0; with contact_stiffness 1 the preconditioner is 1.
+Separate spring(double stiffness) {
+  return {1, [=](std::size_t, double x) { return 0.5 * stiffness * x * x; },
+          [=](std::size_t, double x) { return -stiffness * x; }};
+}
+
+RelaxationSettings settings_with(double largest_step) {
+  RelaxationSettings settings;
+  settings.tolerance = 1e-9;
+  settings.max_evaluations = 2000;
+  settings.largest_step = largest_step;
+  settings.contact_stiffness = 1.0;
+  return settings;
+}
+
+// Claim: a first step that ends uphill is a rise like any other. The first time
+// step is 0.1, so from 1 the spring of 500 is next met at 1 - 0.01 * 500 = -4,
+// where motion that goes on with this time step diverges.
+TEST(FireSteps, ARiseAfterTheFirstStepShortensTheTimeStep) {
+  const Separate system = spring(500.0);
+  std::vector<double> state{1.0};
+
+  const Relaxation answer = relax_by_fire(system, state, settings_with(1e3));
+
+  ASSERT_TRUE(answer.converged) << answer.note;
+  EXPECT_NEAR(state[0], 0.0, 1e-9 / 500.0);
+  ASSERT_GE(system.evaluated.size(), 3U);
+  EXPECT_DOUBLE_EQ(system.evaluated[1][0], -4.0);
+  // Half of the step of -5 back, then half of the time step with force 2000.
+  EXPECT_DOUBLE_EQ(system.evaluated[2][0], -1.5 + 0.05 * 0.05 * 2000.0);
+}
+
+// Claim: what is taken back at a rise is half of the step that was taken, which
+// largest_step may have shortened: no state is further from the one before it
+// than half a step back and one step on.
+TEST(FireSteps, ARiseTakesBackHalfOfTheStepThatWasTaken) {
+  const Separate system = spring(30.0);
+  const double largest_step = 0.01;
+  std::vector<double> state{1.003}; // not a whole number of steps away
+
+  const Relaxation answer =
+      relax_by_fire(system, state, settings_with(largest_step));
+
+  ASSERT_TRUE(answer.converged) << answer.note;
+  for (std::size_t i = 1; i < system.evaluated.size(); ++i)
+    ASSERT_LE(std::abs(system.evaluated[i][0] - system.evaluated[i - 1][0]),
+              1.5 * largest_step * (1.0 + 1e-12))
+        << "step " << i;
+}
+
+// Claim: forces that are not finite end the relaxation at once, whatever the
+// energy says.
+TEST(FireSteps, SaysWhenAForceIsNotFinite) {
+  const Separate system(
+      2, [](std::size_t, double x) { return x; },
+      [](std::size_t i, double) {
+        return i == 1 ? std::numeric_limits<double>::quiet_NaN() : -1.0;
+      });
+  std::vector<double> state = system.undeformed(0.0);
+
+  const Relaxation answer = relax_by_fire(system, state, settings_with(1.0));
+
+  EXPECT_FALSE(answer.converged);
+  EXPECT_EQ(answer.evaluations, 1);
+  EXPECT_NE(answer.note.find("no longer a number"), std::string::npos)
+      << answer.note;
+  EXPECT_TRUE(std::isnan(answer.largest_residual));
+}
+
+} // namespace
+} // namespace asperity::md
