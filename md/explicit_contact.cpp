@@ -172,10 +172,10 @@ int ExplicitContact::descend_to(double height) {
 Relaxation ExplicitContact::balance(const Load& load, int step,
                                     const Watch& watch, TimeAverage& average) {
   const cases::MdSettings& settings = request_.settings;
-  const double force = load.kind == Load::Kind::height
-                           ? contact_force()
-                           : load.amount * request_.layer.cell_area();
-  if (force == 0.0 && settings.temperature == 0.0) {
+  const bool is_held = load.kind == Load::Kind::height;
+  const double force =
+      is_held ? contact_force() : load.amount * request_.layer.cell_area();
+  if (is_held && force == 0.0 && settings.temperature == 0.0) {
     // Nothing touches: the flat block is the answer.
     state_ = system_.undeformed(load.amount);
     Relaxation none;

@@ -170,11 +170,11 @@ Relaxation GreenContact::balance(const Load& load, const Watch& watch) {
   system_.set_load(load);
   const double force = contact_force();
   Relaxation relaxation;
-  if (force > 0.0) {
-    relaxation = relaxed(settings_for(force), watch);
-  } else { // nothing touches: the flat block is the answer
+  if (force == 0.0) { // nothing touches: the flat block is the answer
     state_ = system_.undeformed(load.amount);
     relaxation.converged = true;
+  } else {
+    relaxation = relaxed(settings_for(force), watch);
   }
   add_effort(before, relaxation);
   return relaxation;

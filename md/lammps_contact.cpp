@@ -71,7 +71,8 @@ public:
 private:
   void write_inputs(Control control, double amount) const;
   bool go_on(const std::string& log, const Watch& watch) const;
-  void fill(const LammpsAnswer& answer, AtomStep& result) const;
+  void fill(const LammpsAnswer& answer, Control control,
+            AtomStep& result) const;
   void judge(AtomStep& result) const;
 
   AtomRequest request_;
@@ -113,7 +114,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
     return result;
   try {
     LammpsAnswer answer = read_answer(block_, folder_);
-    fill(answer, result);
+    fill(answer, control, result);
     judge(result);
     if (fault_of(result.inspection, block_.layer.size()).empty())
       start_ = std::move(answer.positions);
@@ -159,7 +160,8 @@ bool LammpsContact::go_on(const std::string& log, const Watch& watch) const {
        residual(block_, progress->force_norm, std::abs(progress->push))});
 }
 
-void LammpsContact::fill(const LammpsAnswer& answer, AtomStep& result) const {
+void LammpsContact::fill(const LammpsAnswer& answer, Control control,
+                         AtomStep& result) const {
   const std::size_t n = block_.layer.size();
   const double area = block_.layer.area();
   const Layer layer = lowest_layer(block_, answer.positions);
@@ -182,9 +184,12 @@ void LammpsContact::fill(const LammpsAnswer& answer, AtomStep& result) const {
   result.contact_count = result.inspection.in_contact / static_cast<double>(n);
   result.elastic_energy = answer.bond_energy / area;
   result.interface_energy = answer.pair_energy / area;
-  const bool is_apart = std::isinf(result.inspection.shortest_distance);
+  // A held block out of reach is in balance; a load is not, with nothing there
+  // to bear it.
+  const bool is_free = control == Control::mean_gap &&
+                       std::isinf(result.inspection.shortest_distance);
   result.residual =
-      is_apart ? 0.0 : residual(block_, norm(answer.forces), contact_force);
+      is_free ? 0.0 : residual(block_, norm(answer.forces), contact_force);
 }
 
 void LammpsContact::judge(AtomStep& result) const {

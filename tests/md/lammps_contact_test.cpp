@@ -127,6 +127,21 @@ TEST_F(LammpsContactTest, OutOfReachThereIsNoPressure) {
   EXPECT_EQ(step.interface_energy, 0.0);
 }
 
+// Claim: a block that is pressed down and touches nothing is in no balance. Its
+// atoms start 4 angstrom over the substrate and end beyond the cut-off here.
+TEST_F(LammpsContactTest, ALoadIsNotInBalanceOutOfReach) {
+  request.settings.cutoff = 3.9e-10;
+  request.settings.contact_distance = 3.3e-10;
+  request.settings.max_evaluations = 2;
+
+  const AtomStep step =
+      make_lammps_contact(request)->solve(Control::nominal_pressure, 1e3, 0);
+
+  EXPECT_EQ(step.nominal_pressure, 0.0);
+  EXPECT_FALSE(step.converged);
+  EXPECT_FALSE(step.note.empty());
+}
+
 TEST_F(LammpsContactTest, AStepThatFailsSaysWhy) {
   request.settings.max_evaluations = 5;
   const auto contact = make_lammps_contact(request);
