@@ -24,6 +24,8 @@ using reports::BenchPhases;
 using reports::BenchPoint;
 using reports::BenchTime;
 
+constexpr double mebibyte = 1024.0 * 1024.0;
+
 BenchTime time_of(std::vector<double> times) {
   std::sort(times.begin(), times.end());
   const std::size_t n = times.size();
@@ -39,9 +41,10 @@ const results::MethodRecord* method_in(const results::Result& result,
   return nullptr;
 }
 
-double writing_time(const results::Result& result) {
+/// The number that a fact of the run begins with; 0 if there is none.
+double number_in(const results::Result& result, const std::string& name) {
   for (const auto& [key, fact] : result.provenance)
-    if (key == "writing CPU time")
+    if (key == name)
       return std::stod(fact);
   return 0.0;
 }
@@ -62,7 +65,7 @@ BenchPhases phases_of(const results::Result& result,
     phases.setup = std::max(phases.setup - step_time, 0.0);
   phases.solving =
       std::max(step_time - phases.transforms - phases.observation, 0.0);
-  phases.writing = writing_time(result);
+  phases.writing = number_in(result, "writing CPU time");
   phases.rest =
       std::max(cpu_time - phases.setup - phases.steps() - phases.writing, 0.0);
   return phases;
@@ -97,6 +100,7 @@ std::string last_words(const fs::path& log, const std::string& title) {
 
 struct BenchRunner::Once {
   ChildEnd end;
+  double peak_memory = 0.0; ///< [B]
   std::string problem;
   BenchPhases phases;
   reports::BenchAnswer answer;
@@ -167,6 +171,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       once.iterations += row.iterations;
       once.transforms += row.transforms;
     }
+  once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);
   once.answer = reports::answer_of(result, case_, point.method);
   if (!result.surfaces.empty())
@@ -219,7 +224,7 @@ void BenchRunner::run(BenchPoint& point) {
   for (const Once& one : timed) {
     wall.push_back(one.end.wall_time);
     cpu.push_back(one.end.cpu_time);
-    point.peak_memory = std::max(point.peak_memory, one.end.peak_memory);
+    point.peak_memory = std::max(point.peak_memory, one.peak_memory);
   }
   point.repeats = static_cast<int>(timed.size());
   point.wall = time_of(wall);

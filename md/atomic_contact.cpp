@@ -1,6 +1,6 @@
 #include "md/atomic_contact.hpp"
 
-#include "md/child_process.hpp"
+#include "base/child_process.hpp"
 #include "md/explicit_contact.hpp"
 #include "md/green_contact.hpp"
 #include "md/lammps_contact.hpp"

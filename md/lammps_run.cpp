@@ -1,11 +1,12 @@
 #include "md/lammps_run.hpp"
 
+#include "base/child_process.hpp"
 #include "cases/case_error.hpp"
-#include "md/child_process.hpp"
 #include "md/lammps_answer.hpp"
 
 #include <fmt/format.h>
 
+#include <unistd.h>
 #include <utility>
 
 namespace asperity::md {
@@ -13,12 +14,27 @@ namespace {
 
 constexpr double seconds_between_looks = 0.25;
 
-/// With setpriv in front, the end of this process ends the child.
-std::vector<std::string> tied_to_us(std::vector<std::string> command) {
-  const std::filesystem::path setpriv = program_on_path("setpriv");
-  if (!setpriv.empty())
-    command.insert(command.begin(),
-                   {setpriv.string(), "--pdeathsig", "TERM", "--"});
+/// Ours without what an MPI started in this process left there, and as root
+/// with the two variables that OpenMPI then asks for.
+std::vector<std::string> lammps_environment() {
+  std::vector<std::string> variables = own_environment();
+  std::erase_if(variables, [](const std::string& variable) {
+    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_");
+  });
+  variables.emplace_back("OMP_NUM_THREADS=1");
+  if (::geteuid() == 0) {
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
+  }
+  return variables;
+}
+
+/// mpirun ends its ranks when it is asked to end, not when it is killed.
+ChildCommand lammps_command(std::vector<std::string> words,
+                            const std::filesystem::path& folder,
+                            const std::filesystem::path& output) {
+  ChildCommand command{std::move(words), folder, output, lammps_environment()};
+  command.death_signal = SIGTERM;
   return command;
 }
 
@@ -27,13 +43,13 @@ std::vector<std::string> tied_to_us(std::vector<std::string> command) {
 std::string version_of(const std::filesystem::path& lmp,
                        const std::filesystem::path& folder) {
   const std::filesystem::path output = folder / "lammps-version.txt";
-  ChildProcess child({lmp.string(), "-h"}, folder, output);
-  constexpr double patience = 60.0;
-  const bool has_ended = child.has_ended(patience);
+  ChildCommand command = lammps_command({lmp.string(), "-h"}, folder, output);
+  command.limits.wall_time = 60.0;
+  const ChildEnd end = run_child(command).end;
   const std::string text = file_text(output);
   const std::string before = "Simulator - ";
   const std::size_t found = text.find(before);
-  if (!has_ended || !child.failure().empty() || found == std::string::npos)
+  if (!end.failure.empty() || found == std::string::npos)
     throw cases::CaseError(fmt::format(
         "[md] engine = \"lammps\": {} -h does not answer as LAMMPS does; see "
         "{}",
@@ -94,14 +110,14 @@ LammpsRun run_lammps(const LammpsProgram& program,
   const std::filesystem::path log_path = folder / log;
   const std::filesystem::path output = folder / (log + ".out");
   std::filesystem::remove(log_path);
-  ChildProcess child(tied_to_us(std::move(command)), folder, output);
+  ChildProcess child(lammps_command(std::move(command), folder, output));
   while (!child.has_ended(seconds_between_looks)) {
     if (go_on && !go_on(file_text(log_path))) {
       child.stop();
       return {false, "stopped while LAMMPS was at work"};
     }
   }
-  const std::string failure = child.failure();
+  const std::string& failure = child.end().failure;
   if (failure.empty())
     return {true, ""};
   std::string words = error_in(file_text(log_path));

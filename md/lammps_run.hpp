@@ -34,7 +34,7 @@ struct LammpsRun {
 
 /// Runs `input` in `folder` and waits for its end; LAMMPS' log goes to `log`
 /// and what else it says to `log` + ".out". The child ends with this process,
-/// however that ends (where setpriv is installed, as on every Debian).
+/// however that ends.
 ///
 /// @param go_on  asked some times a second with the log so far; false stops
 ///               the child

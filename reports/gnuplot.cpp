@@ -1,20 +1,15 @@
 #include "reports/gnuplot.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/child_process.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <fcntl.h>
 #include <fstream>
 #include <iterator>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
-
-extern char** environ;
 
 namespace asperity::reports {
 namespace {
@@ -59,36 +54,16 @@ void replace_all(std::string& text, const std::string& from,
 
 // Runs `program script` inside `folder`; returns what went wrong, or "".
 std::string run(const std::string& program, const std::string& script,
-                const std::filesystem::path& folder,
-                const std::filesystem::path& messages) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null",
-                                   O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO,
-                                   messages.filename().c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::string program_copy = program;
-  std::string script_copy = script;
-  std::array<char*, 3> arguments{program_copy.data(), script_copy.data(),
-                                 nullptr};
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, program.c_str(), &actions, nullptr,
-                                   arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0)
-    return fmt::format("{} cannot be started: {}", program,
-                       std::generic_category().message(failure));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+                const std::filesystem::path& folder) {
+  try {
+    const ChildAnswer answer = run_child({{program, script}, folder});
+    return answer.end.failure.empty()
+               ? ""
+               : fmt::format("{} ended with {}: {}", program,
+                             answer.end.failure, answer.output);
+  } catch (const std::system_error& error) {
+    return error.what();
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-    return "";
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    return program + " cannot be started";
-  return fmt::format("{} failed: {}", program, read_text(messages));
 }
 
 } // namespace
@@ -112,12 +87,9 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                   figure.script));
 
   const std::filesystem::path svg_path = folder / svg_name;
-  const std::filesystem::path messages =
-      temporary_beside(folder / (figure.name + ".log"));
   std::error_code ignored;
   std::filesystem::remove(svg_path, ignored);
-  drawn.problem = run(program, script_name, folder, messages);
-  std::filesystem::remove(messages, ignored);
+  drawn.problem = run(program, script_name, folder);
   if (!drawn.problem.empty())
     return drawn;
   drawn.svg = read_text(svg_path);

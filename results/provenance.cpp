@@ -1,6 +1,7 @@
 #include "results/provenance.hpp"
 
 #include "base/fourier.hpp"
+#include "base/peak_memory.hpp"
 #include "results/build_info.hpp"
 #include "results/hdf5_file.hpp"
 
@@ -88,8 +89,7 @@ Provenance RunClock::facts() const {
       {"wall time", fmt::format("{:.2f} s", wall.count())},
       {"CPU time", fmt::format("{:.2f} s", seconds(used.ru_utime) +
                                                seconds(used.ru_stime))},
-      {"peak memory",
-       fmt::format("{:.0f} MiB", static_cast<double>(used.ru_maxrss) / 1024)},
+      {"peak memory", fmt::format("{:.0f} MiB", peak_memory() / (1 << 20))},
   };
 }
 

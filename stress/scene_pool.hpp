@@ -25,7 +25,7 @@ using RunOne = std::function<SceneReport(const Scene&)>;
 /// process that dies or exceeds the time is reported as that of the scene it
 /// was at, and another goes on. Which process runs what changes no report but
 /// its seconds. To be called from a process with one thread.
-/// @throws std::runtime_error  no process could be started
+/// @throws std::system_error  no process could be started
 /// @throws std::domain_error   scene_seconds is not positive
 void run_scenes(std::span<const Scene> scenes, const PoolSettings& settings,
                 const std::function<void(const SceneReport&)>& take,

@@ -2,7 +2,7 @@
 // They share the pair law and nothing else: LAMMPS finds its own pairs, has
 // bonds for the crystal, every atom of its block, and another minimiser.
 // Skipped where the Debian package lammps is not installed.
-#include "md/child_process.hpp"
+#include "base/child_process.hpp"
 #include "md/green_system.hpp"
 #include "md/lammps_block.hpp"
 #include "md/lammps_contact.hpp"

@@ -2,7 +2,7 @@
 // give one curve, its energy is its work, any number of processes the same
 // answer, and a step that fails says why. Skipped where the Debian package
 // lammps is not installed.
-#include "md/child_process.hpp"
+#include "base/child_process.hpp"
 #include "md/lammps_contact.hpp"
 
 #include <gtest/gtest.h>

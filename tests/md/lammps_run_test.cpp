@@ -1,8 +1,8 @@
 // Claims about md/lammps_run.hpp: LAMMPS is found along PATH or asked for by
 // its package, and how it ended is told in its own words. What needs the
 // program is skipped where the Debian package lammps is not installed.
+#include "base/child_process.hpp"
 #include "cases/case_error.hpp"
-#include "md/child_process.hpp"
 #include "md/lammps_run.hpp"
 
 #include <gtest/gtest.h>
@@ -62,6 +62,26 @@ TEST_F(LammpsRunTest, AMissingProgramIsAskedForByItsPackage) {
   EXPECT_NE(refusal(1).find("does not answer as LAMMPS does"),
             std::string::npos)
       << refusal(1);
+}
+
+// An MPI that was started in this process would take LAMMPS for its own rank.
+TEST_F(LammpsRunTest, SeesNothingOfAnMpiOfThisProcess) {
+  ::setenv("PMIX_RANK", "0", 1);
+  ::setenv("OMPI_COMM_WORLD_SIZE", "7", 1);
+  ::setenv("ASPERITY_SEEN", "yes", 1);
+  write("lmp", "#!/bin/sh\n"
+               "echo \"$PMIX_RANK$OMPI_COMM_WORLD_SIZE$ASPERITY_SEEN\"\n"
+               "exit 3\n");
+  std::filesystem::permissions(folder / "lmp", std::filesystem::perms::all);
+
+  const LammpsRun run =
+      run_lammps({folder / "lmp", {}, 1, {}}, folder, "in", "log");
+
+  EXPECT_EQ(run.note, "LAMMPS ended with exit code 3: yes (see " +
+                          (folder / "log").string() + ")");
+  ::unsetenv("PMIX_RANK");
+  ::unsetenv("OMPI_COMM_WORLD_SIZE");
+  ::unsetenv("ASPERITY_SEEN");
 }
 
 TEST_F(LammpsRunTest, VersionIsADate) {

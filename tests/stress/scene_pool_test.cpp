@@ -63,7 +63,7 @@ TEST(ScenePool, OutlivesCrashes) {
     const bool is_killed = index == 0 || index == 7 || index == 11;
     EXPECT_EQ(report.outcome == Outcome::crashed, is_killed) << index;
   }
-  EXPECT_EQ(reports.at(7).reason, "signal 6");
+  EXPECT_EQ(reports.at(7).reason, "signal 6 (Aborted)");
   EXPECT_EQ(reports.at(11).reason, "exit code 5");
 }
 

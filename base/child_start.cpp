@@ -1,0 +1,141 @@
+#include "base/child_start.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity {
+namespace {
+
+/// Everything the child needs between vfork and exec, where it shares our
+/// memory and may not allocate.
+struct Prepared {
+  const char* program = nullptr;
+  char* const* words = nullptr;
+  char* const* environment = nullptr;
+  const char* folder = nullptr;
+  int input = -1;
+  int output = -1;
+  pid_t parent = 0;
+  int death_signal = 0;
+  const ChildLimits* limits = nullptr;
+  sigset_t signals{}; ///< mask of this thread, which the child gets back
+};
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+bool limit(int resource, rlim_t soft, rlim_t hard) {
+  const rlimit values{soft, hard};
+  return setrlimit(static_cast<__rlimit_resource_t>(resource), &values) == 0;
+}
+
+/// A handler of ours must not run in the child: it would change our memory.
+void forget_signal_handlers() {
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+
+    if (sigaction(number, nullptr, &action) == 0 &&
+        action.sa_handler != SIG_IGN && action.sa_handler != SIG_DFL) {
+      action = {};
+      action.sa_handler = SIG_DFL;
+      sigaction(number, &action, nullptr);
+    }
+  }
+}
+
+/// Returns only where something was refused; errno says what.
+void become(const Prepared& child) {
+  forget_signal_handlers();
+  if (setpgid(0, 0) != 0 ||
+      !bind_to_parent(child.parent, child.death_signal, *child.limits) ||
+      dup2(child.input, STDIN_FILENO) < 0 ||
+      dup2(child.output, STDOUT_FILENO) < 0 ||
+      dup2(child.output, STDERR_FILENO) < 0 ||
+      (child.folder != nullptr && chdir(child.folder) != 0))
+    return;
+  constexpr unsigned first_inherited = 3;
+  close_range(first_inherited, ~0U, 0); // an older kernel leaves them open
+  sigprocmask(SIG_SETMASK, &child.signals, nullptr);
+  execve(child.program, child.words, child.environment);
+}
+
+/// The error of the child's start, 0 if it runs. vfork: the parent waits until
+/// exec, and a large process starts a child as fast as a small one.
+[[gnu::noinline]] int start(const Prepared& child, pid_t& process) {
+  volatile int error = 0;
+  const pid_t started = vfork();
+  if (started < 0)
+    return errno;
+  if (started == 0) {
+    become(child);
+    error = errno;
+    _exit(127);
+  }
+  process = started;
+  return error;
+}
+
+} // namespace
+
+bool bind_to_parent(pid_t parent, int death_signal, const ChildLimits& limits) {
+  const auto seconds = static_cast<rlim_t>(std::ceil(limits.cpu_time));
+  if ((seconds > 0 && !limit(RLIMIT_CPU, seconds, seconds + 1)) ||
+      (limits.memory > 0 && !limit(RLIMIT_AS, limits.memory, limits.memory)) ||
+      (limits.file_size > 0 &&
+       !limit(RLIMIT_FSIZE, limits.file_size, limits.file_size)) ||
+      prctl(PR_SET_PDEATHSIG, death_signal) != 0)
+    return false;
+  errno = ESRCH;
+  return getppid() == parent; // else it died before it could be bound to
+}
+
+pid_t start_process(const ChildCommand& command, int output) {
+  const std::string& name = command.words.at(0);
+  const std::string program = name.find('/') == std::string::npos
+                                  ? program_on_path(name).string()
+                                  : name;
+  const auto check = [&](int error) {
+    if (error != 0)
+      throw std::system_error(error, std::generic_category(),
+                              name + " cannot be started");
+  };
+  check(program.empty() ? ENOENT : 0);
+  const FileDescriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  check(input.get() < 0 ? errno : 0);
+  std::vector<std::string> words = command.words;
+  std::vector<std::string> environment = command.environment;
+  const std::vector<char*> word_pointers = pointers_to(words);
+  const std::vector<char*> variable_pointers = pointers_to(environment);
+  Prepared child{program.c_str(),
+                 word_pointers.data(),
+                 variable_pointers.data(),
+                 command.folder.empty() ? nullptr : command.folder.c_str(),
+                 input.get(),
+                 output,
+                 getpid(),
+                 command.death_signal,
+                 &command.limits};
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &child.signals);
+  pid_t process = 0;
+  const int error = start(child, process);
+  pthread_sigmask(SIG_SETMASK, &child.signals, nullptr);
+  if (error != 0 && process > 0)
+    waitpid(process, nullptr, 0);
+  check(error);
+  return process;
+}
+
+} // namespace asperity
