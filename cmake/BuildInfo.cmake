@@ -3,9 +3,10 @@
 # "unknown" without git, and where SOURCE is not itself a checkout (an unpacked
 # archive may lie inside somebody's repository). Dirty: a tracked file differs.
 #
-# And the stamp of what decides the numbers: every source of every room, and
-# TOOLS (compiler, flags, libraries). Left out by name is what only speaks, so
-# that a file nobody thought of counts. A glob, because a list could forget one.
+# And the stamp of what decides the numbers: every source of every module, at
+# any depth, and TOOLS (compiler, flags, libraries). Excluded by name is what
+# only reports, so that a file nobody thought of counts. A glob, because a list
+# could omit one.
 cmake_minimum_required(VERSION 3.25)
 set(commit "unknown")
 set(dirty "unknown")
@@ -29,9 +30,14 @@ if(GIT)
   endif()
 endif()
 set(told "${TOOLS}")
-file(GLOB sources RELATIVE ${SOURCE} ${SOURCE}/*/*.cpp ${SOURCE}/*/*.hpp)
-list(FILTER sources EXCLUDE REGEX
-  "^(reports|tests|build)/|^app/(main|commands|progress|collection|plan_text)\\.")
+file(GLOB modules LIST_DIRECTORIES true RELATIVE ${SOURCE} ${SOURCE}/*)
+list(FILTER modules EXCLUDE REGEX "^(\\..*|build.*|reports|tests|benchmarks|tools|out)$")
+set(sources "")
+foreach(module IN LISTS modules)
+  file(GLOB_RECURSE found RELATIVE ${SOURCE} ${SOURCE}/${module}/*.cpp ${SOURCE}/${module}/*.hpp)
+  list(APPEND sources ${found})
+endforeach()
+list(FILTER sources EXCLUDE REGEX "^app/(main|commands|progress|collection|plan_text)\\.")
 list(SORT sources)
 foreach(source IN LISTS sources)
   file(SHA256 ${SOURCE}/${source} hash)
