@@ -1,12 +1,12 @@
 #include "app/case_library.hpp"
 
 #include "cases/case_error.hpp"
+#include "cases/input_file.hpp"
 #include "cases/nearest.hpp"
 #include "cases/read_case.hpp"
 #include "cases/reference.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -94,19 +94,16 @@ std::string reference_text_of(const cases::Case& read) {
   const fs::path path = fs::path(read.path).parent_path() / "reference.csv";
   if (!fs::exists(path))
     return "";
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw cases::CaseError(path.string() + " cannot be read");
-  cases::read_reference_text(text.str(), path.string());
-  return text.str();
+  const std::string text =
+      cases::read_input_file(path, cases::largest_reference_file);
+  cases::read_reference_text(text, path.string());
+  return text;
 }
 
 std::string text_of_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return stream ? text.str() : "";
+  return fs::exists(file)
+             ? cases::read_input_file(file, cases::largest_case_file)
+             : "";
 }
 
 std::vector<std::string> quick_overrides(const fs::path& file) {

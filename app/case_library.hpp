@@ -38,6 +38,7 @@ FoundCases find_cases(const std::string& word);
 std::string reference_text_of(const cases::Case& read);
 
 /// The text of a file, empty if there is none.
+/// @throws cases::CaseError  it cannot be read
 std::string text_of_file(const std::filesystem::path& file);
 
 /// The lines of quick.set beside a case file, "key=value" each, without empty

@@ -1,13 +1,13 @@
 #include "cases/base_case.hpp"
 
+#include "base/read_file.hpp"
 #include "cases/case_text.hpp"
+#include "cases/input_file.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/vocabulary.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace asperity::cases {
 namespace {
@@ -17,13 +17,14 @@ namespace fs = std::filesystem;
 constexpr int deepest = 8; // more are a circle
 
 std::string text_of_file(const std::string& path, const Place& asked_at) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || fs::is_directory(path) || !(text << stream.rdbuf()))
-    throw_mistake(asked_at, asked_at.text == path
-                                ? "there is no such case file"
-                                : "base: there is no case file " + path);
-  return text.str();
+  try {
+    return read_file(path, largest_case_file);
+  } catch (const FileError& error) {
+    const bool is_asked_for = asked_at.text == path;
+    const std::string what = error.what();
+    throw_mistake(asked_at, is_asked_for ? what.substr(path.size() + 2)
+                                         : "base: " + what);
+  }
 }
 
 bool is_key(const std::string& table, const std::string& name) {

@@ -1,9 +1,12 @@
 #include "cases/read_case.hpp"
 
+#include "base/read_file.hpp"
 #include "cases/base_case.hpp"
 #include "cases/case_text.hpp"
+#include "cases/input_file.hpp"
 #include "cases/read_parts.hpp"
 #include "cases/table_reader.hpp"
+#include "cases/toml_limits.hpp"
 #include "cases/toml_text.hpp"
 
 #include <algorithm>
@@ -114,11 +117,17 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
 
 void require_file(const Case& read, const std::string& key,
                   const std::string& file) {
-  if (file.empty() || std::filesystem::exists(file))
+  if (file.empty())
     return;
-  throw_mistake({read.path, 0},
-                key + ": there is no file " + file +
-                    " (a relative path starts at the case file's folder)");
+  if (!std::filesystem::exists(file))
+    throw_mistake({read.path, 0},
+                  key + ": there is no file " + file +
+                      " (a relative path starts at the case file's folder)");
+  try {
+    require_regular_file(file, largest_number_file);
+  } catch (const FileError& error) {
+    throw_mistake({read.path, 0}, key + ": " + error.what());
+  }
 }
 
 void require_files(const Case& read) {
@@ -140,7 +149,12 @@ Case read_text(const StackedText& stacked, const std::string& path) {
 
   Node file = parse_toml(stacked.text, stacked.path);
   Mistakes mistakes;
-  for (const std::string& entry : overrides_in(stacked.text))
+  const std::vector<std::string> own = overrides_in(stacked.text);
+  if (own.size() + entries.size() > most_overrides)
+    throw_mistake({path, 0},
+                  "has more than " + std::to_string(most_overrides) +
+                      " keys laid over it (--set, or a case on its base)");
+  for (const std::string& entry : own)
     apply_override(file, entry, mistakes);
   for (const LaidOver& over : stacked.overrides)
     apply_override(file, over.entry, mistakes, over.place);

@@ -1,13 +1,14 @@
 #include "cases/reference.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/case_error.hpp"
+#include "cases/input_file.hpp"
 #include "cases/quantity_at_load.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -79,11 +80,8 @@ void read_line(const std::string& line, const Place& place, bool has_why,
 } // namespace
 
 std::vector<ReferenceValue> read_reference(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw_mistake({path, 0}, "there is no such table of references");
-  return read_reference_text(text.str(), path);
+  return read_reference_text(read_input_file(path, largest_reference_file),
+                             path);
 }
 
 std::vector<ReferenceValue> read_reference_text(const std::string& text,
@@ -98,6 +96,10 @@ std::vector<ReferenceValue> read_reference_text(const std::string& text,
     const Place place{fmt::format("{}:{}", path, ++line_number), line_number};
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
+    if (find_not_plain(line) != line.npos) {
+      mistakes.add(place, "is not UTF-8 text without control characters");
+      continue;
+    }
     if (line.empty() || line.front() == '#')
       continue;
     if (!has_header)

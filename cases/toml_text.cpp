@@ -1,5 +1,7 @@
 #include "cases/toml_text.hpp"
 
+#include "cases/toml_limits.hpp"
+
 #include <fmt/format.h>
 #include <toml.hpp>
 
@@ -8,6 +10,7 @@
 #include <limits>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace asperity::cases {
 namespace {
@@ -30,10 +33,40 @@ std::string short_reason(const std::string& explanation) {
   return reason + hint;
 }
 
-Node node_from(const toml::value& value, const std::string& file,
+/// The file that values are read from, and its lines. The library counts them
+/// from the start of the text for each value and copies the line.
+class Source {
+public:
+  Source(const std::string& text, std::string name) : name_(std::move(name)) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n')
+        line_ends_.push_back(i);
+  }
+
+  Place place_of(const toml::value& value) const {
+    const auto* const region = dynamic_cast<const toml::detail::region*>(
+        toml::detail::get_region(value));
+    const int line = region == nullptr
+                         ? static_cast<int>(value.location().line())
+                         : line_at(region->first() - region->begin());
+    return {name_ + ":" + std::to_string(line), line};
+  }
+
+private:
+  int line_at(std::ptrdiff_t offset) const {
+    const auto end = std::lower_bound(line_ends_.begin(), line_ends_.end(),
+                                      static_cast<std::size_t>(offset));
+    return 1 + static_cast<int>(end - line_ends_.begin());
+  }
+
+  std::string name_;
+  std::vector<std::size_t> line_ends_;
+};
+
+Node node_from(const toml::value& value, const Source& file,
                const std::string& path);
 
-void fill_table(Node& node, const toml::value& value, const std::string& file) {
+void fill_table(Node& node, const toml::value& value, const Source& file) {
   for (const auto& [key, entry] : value.as_table()) {
     const std::string path = node.path.empty() ? key : node.path + "." + key;
     node.entries.push_back({key, node_from(entry, file, path)});
@@ -55,12 +88,11 @@ void fill_integer(Node& node, std::int64_t integer) {
   node.integer = integer;
 }
 
-Node node_from(const toml::value& value, const std::string& file,
+Node node_from(const toml::value& value, const Source& file,
                const std::string& path) {
   Node node;
   node.path = path;
-  node.place.line = static_cast<int>(value.location().line());
-  node.place.text = file + ":" + std::to_string(node.place.line);
+  node.place = file.place_of(value);
   if (value.is_boolean()) {
     node.type = NodeType::boolean;
     node.boolean = value.as_boolean();
@@ -177,9 +209,14 @@ Node* table_for(Node& file, const std::vector<std::string>& keys,
 } // namespace
 
 Node parse_toml(const std::string& text, const std::string& path) {
+  if (const auto broken = broken_limit(text))
+    throw_mistake(
+        {broken->line == 0 ? path : path + ":" + std::to_string(broken->line),
+         broken->line},
+        broken->what);
   std::istringstream stream(text);
   try {
-    return node_from(toml::parse(stream, path), path, "");
+    return node_from(toml::parse(stream, path), Source(text, path), "");
   } catch (const toml::syntax_error& error) {
     const int line = static_cast<int>(error.location().line());
     throw_mistake({path + ":" + std::to_string(line), line},
@@ -245,6 +282,11 @@ std::string toml_value(const Node& node) {
 
 void apply_override(Node& file, const std::string& override_text,
                     Mistakes& mistakes, const Place& place) {
+  if (const auto broken = broken_limit(override_text)) {
+    mistakes.add(place,
+                 "\"" + override_text.substr(0, 40) + "...\" " + broken->what);
+    return;
+  }
   const auto equals = find_unquoted(override_text, '=');
   const std::string path = trimmed(override_text.substr(0, equals));
   const std::vector<std::string> keys = split_at_dots(path);

@@ -12,7 +12,8 @@ namespace asperity::cases {
 
 /// The whole file as one table.
 /// @param path  for messages, not opened
-/// @throws CaseError  the text is no TOML: "path:line: is not TOML: ..."
+/// @throws CaseError  the text is no TOML: "path:line: is not TOML: ...", or
+///                    breaks a limit of toml_limits.hpp
 Node parse_toml(const std::string& text, const std::string& path);
 
 /// One TOML value: 3, "14 nm", { from = 1, to = 2 }.

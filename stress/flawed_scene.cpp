@@ -3,7 +3,6 @@
 #include "surfaces/map_file.hpp"
 
 #include <limits>
-#include <sstream>
 
 #include "stress/kinds.hpp"
 
@@ -85,11 +84,10 @@ void build_spoilt_block(Scene scene) {
 }
 
 void read_spoilt_map(Flaw flaw) {
-  std::istringstream text(flaw == Flaw::nan_in_file
-                              ? "0 1 2\n3 nan 5\n6 7 8\n"
-                              : "0 1 2\n3 4 inf\n6 7 8\n");
-  surfaces::read_height_map(text, "map.txt", cases::MapFormat::plain,
-                            {1e-6, 1e-9});
+  surfaces::read_height_map_text(
+      flaw == Flaw::nan_in_file ? "0 1 2\n3 nan 5\n6 7 8\n"
+                                : "0 1 2\n3 4 inf\n6 7 8\n",
+      "map.txt", cases::MapFormat::plain, {1e-6, 1e-9});
 }
 
 void read_spoilt_case() {

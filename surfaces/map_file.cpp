@@ -1,5 +1,6 @@
 #include "surfaces/map_file.hpp"
 
+#include "base/plain_text.hpp"
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
 #include "surfaces/number_table.hpp"
@@ -72,7 +73,7 @@ double header_length(const NumberTable& table, const char* key) {
     refuse_line(table.name, line.line,
                 fmt::format("{}: found '{}', but must be a number > 0 and a "
                             "unit of {}",
-                            key, text, known_units));
+                            key, printable(text), known_units));
   return number * *metres;
 }
 
@@ -88,12 +89,12 @@ double header_height_unit(const NumberTable& table, const MapScale& scale) {
   if (scale.height_unit)
     throw cases::CaseError(fmt::format(
         "surface.height_unit = {:.6g} m, but line {} of {} says it: '{}'",
-        *scale.height_unit, line.line, table.name, line.text));
+        *scale.height_unit, line.line, table.name, printable(line.text)));
   const std::optional<double> metres = length_unit(line.text);
   if (!metres)
     refuse_line(table.name, line.line,
                 fmt::format("Value units: found '{}', but must be one of {}",
-                            line.text, known_units));
+                            printable(line.text), known_units));
   return *metres;
 }
 
@@ -106,7 +107,7 @@ HeightMap from_gwyddion(NumberTable table, const Grid& points,
     throw cases::CaseError(fmt::format(
         "surface.length = {:.6g} m, but line {} of {} says it: '{}'",
         *scale.length, header(table, "Width").line, table.name,
-        header(table, "Width").text));
+        printable(header(table, "Width").text)));
   const double unit = header_height_unit(table, scale);
   for (double& height : table.numbers)
     height *= unit;
@@ -154,9 +155,9 @@ HeightMap from_table(NumberTable table, cases::MapFormat format,
 
 } // namespace
 
-HeightMap read_height_map(std::istream& stream, const std::string& name,
-                          cases::MapFormat format, const MapScale& scale) {
-  return from_table(read_number_table(stream, name), format, scale);
+HeightMap read_height_map_text(std::string_view text, const std::string& name,
+                               cases::MapFormat format, const MapScale& scale) {
+  return from_table(read_number_text(text, name), format, scale);
 }
 
 HeightMap read_height_map(const std::string& path, cases::MapFormat format,

@@ -6,9 +6,9 @@
 #include "cases/case.hpp"
 #include "surfaces/height_map.hpp"
 
-#include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace asperity::surfaces {
 
@@ -20,7 +20,7 @@ struct MapScale {
 
 /// Reads a matrix of heights as it is: nothing levelled, the mean left in.
 /// Columns go along x, rows along y from the first line on; a map may be
-/// rectangular and of odd size. Numbers as read_number_table takes them.
+/// rectangular and of odd size. Numbers as read_number_text takes them.
 ///
 /// Gwyddion's text matrix begins with the lines
 ///
@@ -39,8 +39,8 @@ struct MapScale {
 /// @param format  automatic: Gwyddion if a comment says a width
 /// @throws cases::CaseError  with name:line of what is wrong in the file, or
 ///                           the key of the case that is missing or too much
-HeightMap read_height_map(std::istream& stream, const std::string& name,
-                          cases::MapFormat format, const MapScale& scale);
+HeightMap read_height_map_text(std::string_view text, const std::string& name,
+                               cases::MapFormat format, const MapScale& scale);
 HeightMap read_height_map(const std::string& path, cases::MapFormat format,
                           const MapScale& scale);
 

@@ -1,17 +1,14 @@
 #include "surfaces/number_table.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/case_error.hpp"
+#include "cases/input_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <istream>
-#include <string_view>
 #include <system_error>
 
 namespace asperity::surfaces {
@@ -104,7 +101,7 @@ private:
       refuse_line(table_.name, line_number_,
                   fmt::format("column {}: found '{}', but must be a finite "
                               "number",
-                              column, word));
+                              column, printable(word)));
     table_.numbers.push_back(number);
   }
 
@@ -129,21 +126,19 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
   throw cases::CaseError(fmt::format("{}:{}: {}", name, line, what));
 }
 
-NumberTable read_number_table(std::istream& stream, const std::string& name) {
+NumberTable read_number_text(std::string_view text, const std::string& name) {
   TableReader reader(name);
-  for (std::string line; std::getline(stream, line);)
-    reader.take(line);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    reader.take(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
   return reader.finish();
 }
 
 NumberTable read_number_file(const std::string& path) {
-  if (std::filesystem::is_directory(path))
-    throw cases::CaseError(path + ": is a folder, not a file of numbers");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw cases::CaseError(
-        fmt::format("{}: cannot be opened ({})", path, std::strerror(errno)));
-  return read_number_table(stream, path);
+  return read_number_text(
+      cases::read_input_file(path, cases::largest_number_file), path);
 }
 
 } // namespace asperity::surfaces

@@ -4,8 +4,8 @@
 // separators, comments and the messages about what is not a number.
 
 #include <cstddef>
-#include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -31,7 +31,7 @@ struct NumberTable {
   }
 };
 
-/// Reads to the end of the stream. Numbers are parted by blanks, tabs, commas
+/// Reads a whole text. Numbers are parted by blanks, tabs, commas
 /// or semicolons and written with a dot, whatever the locale; empty lines are
 /// skipped, lines that begin with '#' are comments, Windows line ends and a
 /// UTF-8 byte order mark are taken. A comma inside a column that is parted by
@@ -39,9 +39,10 @@ struct NumberTable {
 /// @throws cases::CaseError  name:line: of the first thing that is not a finite
 ///                           number, of a row of another length than the first,
 ///                           or that there are no numbers at all
-NumberTable read_number_table(std::istream& stream, const std::string& name);
+NumberTable read_number_text(std::string_view text, const std::string& name);
 
-/// @throws cases::CaseError  the same, and a file that cannot be opened
+/// @throws cases::CaseError  the same, and what is no regular file or is larger
+///                           than cases::largest_number_file
 NumberTable read_number_file(const std::string& path);
 
 /// @throws cases::CaseError  "name:line: what"

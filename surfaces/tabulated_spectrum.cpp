@@ -90,9 +90,9 @@ IsotropicSpectrum TabulatedSpectrum::isotropic() const {
   return {*this, wavevectors_, moment(0), moment(2)};
 }
 
-TabulatedSpectrum read_tabulated_spectrum(std::istream& stream,
-                                          const std::string& name) {
-  return from_table(read_number_table(stream, name));
+TabulatedSpectrum read_tabulated_spectrum_text(std::string_view text,
+                                               const std::string& name) {
+  return from_table(read_number_text(text, name));
 }
 
 TabulatedSpectrum read_tabulated_spectrum(const std::string& path) {

@@ -5,8 +5,8 @@
 
 #include "surfaces/isotropic_spectrum.hpp"
 
-#include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -42,10 +42,10 @@ private:
 };
 
 /// Reads the columns q [rad/m] and C [m^4]; comments and separators as
-/// read_number_table takes them.
+/// read_number_text takes them.
 /// @throws cases::CaseError  with name:line of the first row that is wrong
-TabulatedSpectrum read_tabulated_spectrum(std::istream& stream,
-                                          const std::string& name);
+TabulatedSpectrum read_tabulated_spectrum_text(std::string_view text,
+                                               const std::string& name);
 TabulatedSpectrum read_tabulated_spectrum(const std::string& path);
 
 } // namespace asperity::surfaces

@@ -147,7 +147,11 @@ TEST_F(BaseCase, SaysWhatABaseMustBe) {
   write("circle.toml", "base = \"circle.toml\"\n");
 
   EXPECT_EQ(mistakes_of("lost.toml"),
-            "  lost.toml:1: base: there is no case file nowhere.toml\n");
+            "  lost.toml:1: base: nowhere.toml: there is no such file\n");
+  write("device.toml", "base = \"/dev/zero\"\n");
+  EXPECT_EQ(mistakes_of("device.toml"),
+            "  device.toml:1: base: /dev/zero: is a device, but must be a "
+            "regular file\n");
   EXPECT_EQ(mistakes_of("second.toml"),
             "  second.toml:2: base must be the file's first key\n");
   EXPECT_EQ(mistakes_of("number.toml"),

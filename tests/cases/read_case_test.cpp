@@ -251,8 +251,9 @@ TEST(ReadCase, SaysThatAFileIsNotThere) {
   const std::string head = "1 mistake(s) in the case file\n  ";
 
   EXPECT_EQ(told("no/case.toml", {}),
-            head + "no/case.toml: there is no such case file\n");
-  EXPECT_EQ(told("cases", {}), head + "cases: there is no such case file\n");
+            head + "no/case.toml: there is no such file\n");
+  EXPECT_EQ(told("cases", {}),
+            head + "cases: is a folder, but must be a regular file\n");
   EXPECT_EQ(
       told("cases/wave-1d/case.toml",
            {"surface={ kind = \"measured\", file = \"no.txt\", level = "
@@ -261,6 +262,13 @@ TEST(ReadCase, SaysThatAFileIsNotThere) {
       head + "cases/wave-1d/case.toml: surface.file: there is no file "
              "cases/wave-1d/no.txt (a relative path starts at the case file's "
              "folder)\n");
+  EXPECT_EQ(
+      told("cases/wave-1d/case.toml",
+           {"surface={ kind = \"measured\", file = \"/dev/zero\", level = "
+            "\"none\", edges = \"periodic\" }",
+            "expect="}),
+      head + "cases/wave-1d/case.toml: surface.file: /dev/zero: is a "
+             "device, but must be a regular file\n");
 }
 
 // The digest of FIPS 180's example "abc", by sha1sum and by the standard.

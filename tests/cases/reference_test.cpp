@@ -77,6 +77,14 @@ TEST(Reference, MaySayWhyANumberCannotFollow) {
   EXPECT_NE(mistakes_of(head + "a,1,1,0,s,w\n"), "");
 }
 
+// Claim: a byte that is no text is refused with its line: the page and the JSON
+// that quote the source could not hold it.
+TEST(Reference, IsUtf8) {
+  EXPECT_EQ(mistakes_of(head + "a,1,1,0,J\xF6rg\n"),
+            "  reference.csv:2: is not UTF-8 text without control "
+            "characters\n");
+}
+
 TEST(Reference, NeedsItsHeader) {
   EXPECT_EQ(mistakes_of("a,1,1,0,s\n"),
             "  reference.csv:1: \"a,1,1,0,s\", but the first line must be " +
@@ -84,6 +92,7 @@ TEST(Reference, NeedsItsHeader) {
   EXPECT_EQ(mistakes_of(""),
             "  reference.csv:1: is empty, but must begin with " + head);
   EXPECT_THROW(read_reference("no/such/reference.csv"), CaseError);
+  EXPECT_THROW(read_reference("/dev/zero"), CaseError);
 }
 
 } // namespace

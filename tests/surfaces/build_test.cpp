@@ -180,8 +180,7 @@ TEST(BuildSurface, SaysWhichKeyCannotBe) {
             "surface.rms_height or surface.rms_slope is missing");
   surface.kind = SurfaceKind::spectrum;
   surface.file = "none.csv";
-  EXPECT_EQ(message_of(build),
-            "none.csv: cannot be opened (No such file or directory)");
+  EXPECT_EQ(message_of(build), "none.csv: there is no such file");
   surface.kind = SurfaceKind::sphere;
   EXPECT_THROW(formula_spectrum(surface), std::domain_error);
 }

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,11 @@ namespace asperity::surfaces {
 namespace {
 
 using cases::MapFormat;
+using namespace std::string_literals;
 
 HeightMap read(const std::string& text, const MapScale& scale = {},
                MapFormat format = MapFormat::automatic) {
-  std::istringstream stream(text);
-  return read_height_map(stream, "map.txt", format, scale);
+  return read_height_map_text(text, "map.txt", format, scale);
 }
 
 const std::string gwyddion = "# Channel: Topography\n"
@@ -173,6 +172,15 @@ TEST(MapFile, SaysWhichKeyOfTheCaseIsMissingOrTooMuch) {
             "'nm'");
 }
 
+// Claim: a message shows the start of what was found, and no control character
+// of it, which could move a terminal's cursor.
+TEST(MapFile, QuotesWhatItFoundShortAndPlain) {
+  EXPECT_EQ(message_of("1 2\n3 \x1B[2J" + std::string(100000, 'x') + "\n",
+                       {1e-6, 1e-9}),
+            "map.txt:2: column 2: found '?[2J" + std::string(56, 'x') +
+                "...', but must be a finite number");
+}
+
 TEST(MapFile, ReadsFromDiskAndSaysWhatIsNoFile) {
   const std::filesystem::path folder = testing::TempDir();
   const std::string path = folder / "asperity_map_file_test.txt";
@@ -181,7 +189,7 @@ TEST(MapFile, ReadsFromDiskAndSaysWhatIsNoFile) {
   EXPECT_EQ(read_height_map(path, MapFormat::automatic, {}).heights.size(), 6u);
 
   std::filesystem::remove(path);
-  for (const std::string& bad : {path, folder.string()})
+  for (const std::string& bad : {path, folder.string(), "/dev/zero"s})
     EXPECT_THROW(read_height_map(bad, MapFormat::automatic, {}),
                  cases::CaseError)
         << bad;

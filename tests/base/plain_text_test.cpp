@@ -1,0 +1,45 @@
+// Claims about base/plain_text.hpp, with the bounds of RFC 3629.
+#include "base/plain_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t plain = std::string_view::npos;
+
+TEST(PlainText, IsUtf8OfAnyLength) {
+  EXPECT_EQ(find_not_plain(""), plain);
+  EXPECT_EQ(find_not_plain("a\tb\r\n\xC3\xBC"), plain);
+  EXPECT_EQ(find_not_plain("\xE2\x82\xAC\xEF\xBF\xBD\xED\x9F\xBF"), plain);
+  EXPECT_EQ(find_not_plain("\xF0\x90\x80\x80\xF4\x8F\xBF\xBF"), plain);
+}
+
+// Claim: cut, overlong, surrogate, beyond U+10FFFF, stray: each is found where
+// it begins.
+TEST(PlainText, IsNoOtherByte) {
+  for (const std::string& bad :
+       {"\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+        "\xF8\x88\x80\x80\x80", "\x80", "\xFF"})
+    EXPECT_EQ(find_not_plain("ab" + bad + "c"), 2U) << bad;
+}
+
+TEST(PlainText, HasNoControlCharacters) {
+  for (const char bad : {'\x01', '\x1B', '\x7F'})
+    EXPECT_EQ(find_not_plain(std::string("ab") + bad), 2U);
+  EXPECT_EQ(find_not_plain(std::string_view("ab\0", 3)), 2U);
+  EXPECT_EQ(find_not_plain("ab\xC2\x9B"), 2U); // CSI of terminals
+}
+
+// Claim: what a message quotes cannot move the cursor of a terminal, break the
+// line or fill the screen.
+TEST(Printable, IsShortAndPlain) {
+  EXPECT_EQ(printable("3,5 \xC2\xB5m"), "3,5 \xC2\xB5m");
+  EXPECT_EQ(printable("a\x1B[2J\nb\xFF"), "a?[2J?b?");
+  EXPECT_EQ(printable("\xE2\x82\xAC\xE2\x82\xAC", 4), "\xE2\x82\xAC?...");
+}
+
+} // namespace
+} // namespace asperity
