@@ -1,5 +1,6 @@
 #include "contact/active_set.hpp"
 
+#include "base/maximum.hpp"
 #include "contact/active_system.hpp"
 #include "contact/problem_start.hpp"
 #include "contact/projected_state.hpp"
@@ -24,13 +25,6 @@ constexpr int patience = 10;
 /// Seen are some ten; one node at a time could be very many.
 constexpr int most_iterations = 200;
 
-double largest(std::span<const double> field) {
-  double most = 0.0;
-  for (const double value : field)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
 /// C [m/Pa] of the longest wave along the longer side.
 double long_wave_compliance(SurfaceOperator& elasticity) {
   const Grid& grid = elasticity.grid();
@@ -44,7 +38,7 @@ double long_wave_compliance(SurfaceOperator& elasticity) {
                    (along_x ? static_cast<double>(ix) / grid.points_x
                             : static_cast<double>(iy) / grid.points_y));
   elasticity.displacement(wave, answer);
-  return largest(answer);
+  return largest_magnitude(answer);
 }
 
 class ActiveSet {
@@ -73,6 +67,8 @@ public:
       balanced_[i] += state_.pressure[i];
     state_.elasticity.displacement(balanced_, displacement_);
     find_residual(balanced_, displacement_);
+    if (!std::isfinite(largest_magnitude(residual_)))
+      return "the balanced gap is not finite";
     exchange();
     for (std::size_t i = 0; i < balanced_.size(); ++i)
       state_.pressure[i] = std::max(0.0, balanced_[i]);
@@ -148,8 +144,9 @@ private:
 
 double gap_rounding(const ProjectedState& state, double long_wave) {
   return rounding_of_a_field *
-         (largest(state.problem.heights) + std::abs(state.rigid_distance) +
-          largest(state.pressure) *
+         (largest_magnitude(state.problem.heights) +
+          std::abs(state.rigid_distance) +
+          largest_magnitude(state.pressure) *
               (long_wave + state.problem.local_compliance));
 }
 
@@ -169,8 +166,9 @@ ContactSolution active_set(SurfaceOperator& elasticity,
   std::string reason;
   for (;; ++state.iterations) {
     state.update_residual();
-    state.problem.gap_tolerance =
-        std::max(problem.gap_tolerance, gap_rounding(state, long_wave));
+    const double rounding = gap_rounding(state, long_wave);
+    if (std::isfinite(rounding))
+      state.problem.gap_tolerance = std::max(problem.gap_tolerance, rounding);
     if (state.is_at_end())
       break;
     reason = nodes.step();

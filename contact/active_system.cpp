@@ -1,5 +1,6 @@
 #include "contact/active_system.hpp"
 
+#include "base/maximum.hpp"
 #include "contact/active_set.hpp"
 #include "contact/fourier_operator.hpp"
 
@@ -17,13 +18,20 @@ namespace {
 /// the roots in it are the same ones in all units.
 class Factor {
 public:
+  /// A matrix without a positive diagonal, or with a number that is not
+  /// finite, has none.
   void compute(Eigen::MatrixXd matrix) {
-    scale_ = std::ldexp(1.0, -std::ilogb(matrix.diagonal().maxCoeff()));
+    const double largest = matrix.diagonal().maxCoeff();
+    exists_ = largest > 0.0 && matrix.allFinite();
+    if (!exists_)
+      return;
+    scale_ = std::ldexp(1.0, -std::ilogb(largest));
     matrix *= scale_;
     factor_.compute(matrix);
+    exists_ = factor_.info() == Eigen::Success;
   }
 
-  bool exists() const { return factor_.info() == Eigen::Success; }
+  bool exists() const { return exists_; }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
     return factor_.solve(right) * scale_;
@@ -32,6 +40,7 @@ public:
 private:
   Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor_;
   double scale_ = 1.0;
+  bool exists_ = false;
 };
 
 /// Conjugate gradients with a preconditioner of single precision take some
@@ -224,7 +233,7 @@ bool ActiveSystem::solve_by_fixed(std::span<const std::size_t> free,
     }
     double error = 0.0;
     for (const std::size_t node : free)
-      error = std::max(error, std::abs(r[node]));
+      error = maximum(error, std::abs(r[node]));
     if (error <= tolerance)
       break;
     used = r;

@@ -1,3 +1,4 @@
+#include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "contact/load_sequence.hpp"
 
@@ -26,8 +27,8 @@ double weighted_mean(std::span<const double> field,
 double wall_error(const ContactSolution& solution) {
   double error = 0.0;
   for (std::size_t i = 0; i < solution.gap.size(); ++i)
-    if (solution.pressure[i] > 0.0 || solution.gap[i] < 0.0)
-      error = std::max(error, std::abs(solution.gap[i]));
+    if (!(solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0))
+      error = maximum(error, std::abs(solution.gap[i]));
   return error;
 }
 
@@ -77,7 +78,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
   solution.iterations = iterations;
   solution.transforms = transforms;
   solution.gap_error = wall_error(solution);
-  if (solution.converged && solution.gap_error > problem.gap_tolerance) {
+  if (solution.converged && !(solution.gap_error <= problem.gap_tolerance)) {
     solution.converged = false;
     solution.note = "penetration left after " + std::to_string(n_rounds) +
                     " multiplier updates; raise the penalty";

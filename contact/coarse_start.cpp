@@ -1,6 +1,8 @@
 #include "base/parallel_rows.hpp"
 #include "contact/load_sequence.hpp"
 
+#include <cmath>
+
 namespace asperity::contact {
 namespace {
 
@@ -53,6 +55,8 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
       coarse_start(*coarse, coarse_problem, target, coarse_tolerance);
   const ContactSolution solution =
       solve_contact(*coarse, coarse_problem, target, start);
+  if (!std::isfinite(solution.gap_error))
+    return {};
   return interpolated(coarse->grid(), elasticity.grid(), solution.pressure,
                       elasticity.threads());
 }

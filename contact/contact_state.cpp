@@ -1,5 +1,6 @@
 #include "contact/contact_state.hpp"
 
+#include "base/maximum.hpp"
 #include "contact/chunked_sum.hpp"
 #include "contact/node_weights.hpp"
 #include "contact/problem_start.hpp"
@@ -19,7 +20,7 @@ struct ResidualSums {
   double error = 0.0, free_weight = 0.0, freed = 0.0;
 
   ResidualSums& operator+=(const ResidualSums& other) {
-    error = std::max(error, other.error);
+    error = maximum(error, other.error);
     free_weight += other.free_weight;
     freed += other.freed;
     return *this;
@@ -117,7 +118,8 @@ void ContactState::measure_residual() {
         return chunked_sum<ResidualSums>(
             pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
               double error = 0.0, total = 0.0, changed = 0.0;
-#pragma omp simd reduction(+ : total, changed) reduction(max : error)
+              double zero = 0.0; // NaN where any value is not finite
+#pragma omp simd reduction(+ : total, changed, zero) reduction(max : error)
               for (std::size_t i = begin; i < end; ++i) {
                 const double value = w[i] + compliance * p[i] + rigid;
                 const double overlap = value < 0.0 ? 1.0 : 0.0;
@@ -129,9 +131,10 @@ void ContactState::measure_residual() {
                 free[i] = static_cast<std::uint8_t>(code);
                 r[i] = static_cast<float>(kept);
                 error = size > error ? size : error;
+                zero += 0.0 * value;
                 total += code > 0.0 ? weight[i] : 0.0;
               }
-              return ResidualSums{error, total, changed};
+              return ResidualSums{error + zero, total, changed};
             });
       });
   gap_error = sums.error;
@@ -290,8 +293,7 @@ ContactSolution ContactState::solution() && {
   answer.transforms = transforms;
   answer.converged = is_converged();
   if (!answer.converged)
-    answer.note =
-        "not converged in " + std::to_string(iterations) + " iterations";
+    answer.note = not_converged_note(gap_error, iterations);
   return answer;
 }
 

@@ -5,6 +5,7 @@
 
 #include "contact/solver.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -67,9 +68,11 @@ public:
 
   bool is_converged() const { return gap_error <= problem.gap_tolerance; }
 
-  /// True at the tolerance, or after the iterations allowed.
+  /// True at the tolerance, after the iterations allowed, or where an error
+  /// that is not finite leaves nothing to go on from.
   bool is_at_end() const {
-    return is_converged() || iterations >= problem.max_iterations;
+    return is_converged() || !std::isfinite(gap_error) ||
+           iterations >= problem.max_iterations;
   }
 
   bool by_pressure() const {

@@ -106,17 +106,20 @@ void LoadSequence::recall(std::span<const double> memory) {
       memory.size() != 1 + 2 * length)
     refuse_argument("memory.size()", static_cast<double>(memory.size()),
                     "that of one or two steps");
-  history_.clear();
+  std::vector<Step> history;
+  for (std::size_t at = 1; at < memory.size(); at += length) {
+    const std::span<const double> pressure =
+        memory.subspan(at + 1, heights_.size());
+    for (const double value : pressure)
+      require_not_negative("a pressure of memory", value, "Pa");
+    history.push_back({memory[at], {pressure.begin(), pressure.end()}});
+  }
+  history_ = std::move(history);
   if (memory.empty())
     return;
   kind_ = memory[0] == static_cast<double>(LoadTarget::Kind::nominal_pressure)
               ? LoadTarget::Kind::nominal_pressure
               : LoadTarget::Kind::mean_gap;
-  for (std::size_t at = 1; at < memory.size(); at += length) {
-    const std::span<const double> pressure =
-        memory.subspan(at + 1, heights_.size());
-    history_.push_back({memory[at], {pressure.begin(), pressure.end()}});
-  }
 }
 
 std::vector<double> LoadSequence::start_for(const LoadTarget& target) {

@@ -78,7 +78,7 @@ private:
 
 /// The pressure of the same problem on every second node, solved to
 /// `coarse_tolerance` [m] and interpolated bilinearly; empty where the
-/// operator has no coarse form.
+/// operator has no coarse form or the coarse residual is not finite.
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
                                  const ContactProblem& problem,
                                  const LoadTarget& target,

@@ -33,6 +33,21 @@ void require_problem(const ContactProblem& problem, const LoadTarget& target,
     refuse_argument("mean_gap", target.amount, "finite [m]");
 }
 
+double weighted_sum(std::span<const double> weights,
+                    std::span<const double> pressure, int threads) {
+  const double* const p = pressure.data();
+  return with_weights(weights, [&](const auto weight) {
+    return chunked_sum<Sum>(pressure.size(), threads,
+                            [=](std::size_t begin, std::size_t end) {
+                              double total = 0.0;
+                              for (std::size_t i = begin; i < end; ++i)
+                                total += weight[i] * p[i];
+                              return Sum{total};
+                            })
+        .value;
+  });
+}
+
 } // namespace
 
 std::vector<double>
@@ -59,8 +74,12 @@ starting_pressure(const SurfaceOperator& elasticity,
       require_not_negative("initial_pressure", *bad, "Pa");
     pressure.assign(initial_pressure.begin(), initial_pressure.end());
   }
-  scale_to_target(target, elasticity.nodal_weights(), pressure,
-                  elasticity.threads());
+  const std::span<const double> weights = elasticity.nodal_weights();
+  if (target.kind == LoadTarget::Kind::nominal_pressure)
+    require_positive("sum of initial_pressure",
+                     weighted_sum(weights, pressure, elasticity.threads()),
+                     "Pa");
+  scale_to_target(target, weights, pressure, elasticity.threads());
   return pressure;
 }
 
@@ -68,23 +87,19 @@ void scale_to_target(const LoadTarget& target, std::span<const double> weights,
                      std::span<double> pressure, int threads) {
   if (target.kind != LoadTarget::Kind::nominal_pressure)
     return;
+  const double scale = target.amount * static_cast<double>(pressure.size()) /
+                       weighted_sum(weights, pressure, threads);
   double* const p = pressure.data();
-  const Sum sum = with_weights(weights, [&](const auto weight) {
-    return chunked_sum<Sum>(pressure.size(), threads,
-                            [=](std::size_t begin, std::size_t end) {
-                              double total = 0.0;
-                              for (std::size_t i = begin; i < end; ++i)
-                                total += weight[i] * p[i];
-                              return Sum{total};
-                            });
-  });
-  require_positive("sum of initial_pressure", sum.value, "Pa");
-  const double scale =
-      target.amount * static_cast<double>(pressure.size()) / sum.value;
   chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       p[i] *= scale;
   });
+}
+
+std::string not_converged_note(double gap_error, int iterations) {
+  return (std::isfinite(gap_error) ? "not converged in "
+                                   : "the residual is not finite after ") +
+         std::to_string(iterations) + " iterations";
 }
 
 } // namespace asperity::contact

@@ -1,10 +1,11 @@
 #pragma once
 
-// What both solvers do before their first iteration.
+// What every solver does before its first iteration and says after its last.
 
 #include "contact/solver.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace asperity::contact {
@@ -17,9 +18,13 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const LoadTarget& target,
                                       std::span<const double> initial_pressure);
 
-/// Scales to the mean pressure of the target, if that is what it asks.
+/// Scales to the mean pressure of the target, if that is what it asks. Where no
+/// node carries a load, the pressure is NaN afterwards, and so is its residual.
 /// @param threads  >= 1; their number changes no bit
 void scale_to_target(const LoadTarget& target, std::span<const double> weights,
                      std::span<double> pressure, int threads = 1);
+
+/// Why iterations that ended with this error [m] are not converged.
+std::string not_converged_note(double gap_error, int iterations);
 
 } // namespace asperity::contact

@@ -1,8 +1,8 @@
 #include "contact/projected_state.hpp"
 
+#include "base/maximum.hpp"
 #include "contact/problem_start.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,8 +20,13 @@ ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
       residual(pressure.size()),
       is_free(pressure.size()),
       weights_(elasticity_.nodal_weights()) {
+  compute_displacement();
+}
+
+void ProjectedState::compute_displacement() {
   elasticity.displacement(pressure, displacement);
   ++transforms;
+  is_computed_ = true;
 }
 
 double ProjectedState::dot(std::span<const double> a,
@@ -37,6 +42,14 @@ double ProjectedState::dot(std::span<const double> a,
 }
 
 void ProjectedState::update_residual() {
+  measure_residual();
+  if (is_computed_ || !is_converged())
+    return;
+  compute_displacement();
+  measure_residual();
+}
+
+void ProjectedState::measure_residual() {
   const std::size_t nodes = pressure.size();
   const double compliance = problem.local_compliance;
   const std::span<const double> heights = problem.heights;
@@ -62,8 +75,8 @@ void ProjectedState::update_residual() {
     residual[i] += rigid_distance;
     is_free[i] = pressure[i] > 0.0 || residual[i] < 0.0;
     if (!is_free[i])
-      residual[i] = 0.0;
-    gap_error = std::max(gap_error, std::abs(residual[i]));
+      residual[i] *= 0.0; // NaN where it is not finite
+    gap_error = maximum(gap_error, std::abs(residual[i]));
   }
 }
 
@@ -89,9 +102,9 @@ void ProjectedState::advance(double step, std::span<const double> direction,
       value *= scale;
   }
   if (is_cut) {
-    elasticity.displacement(pressure, displacement);
-    ++transforms;
+    compute_displacement();
   } else {
+    is_computed_ = false;
     for (std::size_t i = 0; i < nodes; ++i)
       displacement[i] =
           scale * (displacement[i] - step * compliance_direction[i]);
@@ -100,8 +113,8 @@ void ProjectedState::advance(double step, std::span<const double> direction,
 
 ContactSolution ProjectedState::solution() && {
   ContactSolution answer;
-  // The recurrence has gathered rounding: the fields shown are exact.
-  elasticity.displacement(pressure, displacement);
+  if (!is_computed_)
+    compute_displacement();
   const std::size_t nodes = pressure.size();
   double pressure_sum = 0.0;
   double gap_sum = 0.0;
@@ -117,11 +130,10 @@ ContactSolution ProjectedState::solution() && {
   answer.displacement = std::move(displacement);
   answer.gap_error = gap_error;
   answer.iterations = iterations;
-  answer.transforms = transforms + 1;
+  answer.transforms = transforms;
   answer.converged = is_converged();
   if (!answer.converged)
-    answer.note =
-        "not converged in " + std::to_string(iterations) + " iterations";
+    answer.note = not_converged_note(gap_error, iterations);
   return answer;
 }
 

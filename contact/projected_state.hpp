@@ -5,6 +5,7 @@
 
 #include "contact/solver.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,9 @@ public:
                  std::span<const double> initial_pressure);
 
   /// Residual gap + c p, rigid distance (under pressure control the mean over
-  /// the contact is made 0), error and the set of free nodes.
+  /// the contact is made 0), error and the set of free nodes. A displacement
+  /// that followed by recurrence is computed anew before the tolerance is
+  /// believed.
   void update_residual();
 
   /// p = max(0, p - step * direction) on the free nodes, then the prescribed
@@ -33,9 +36,11 @@ public:
   /// Sum of weight * a * b over all nodes.
   double dot(std::span<const double> a, std::span<const double> b) const;
 
-  /// True at the tolerance, or after the iterations allowed.
+  /// True at the tolerance, after the iterations allowed, or where an error
+  /// that is not finite leaves nothing to go on from.
   bool is_at_end() const {
-    return is_converged() || iterations >= problem.max_iterations;
+    return is_converged() || !std::isfinite(gap_error) ||
+           iterations >= problem.max_iterations;
   }
 
   /// The state as the answer; says if it did not converge.
@@ -60,6 +65,10 @@ private:
 
   bool is_converged() const { return gap_error <= problem.gap_tolerance; }
 
+  void compute_displacement();
+  void measure_residual();
+
+  bool is_computed_ = false; ///< the displacement holds no recurrence
   std::span<const double> weights_;
 };
 

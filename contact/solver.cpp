@@ -7,6 +7,7 @@
 #include "contact/rim_extension.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -56,13 +57,13 @@ public:
     if (!state.by_pressure())
       correct_load(state);
     const double slope = conjugate(state);
-    if (!(slope > 0.0))
+    if (!(slope > 0.0 && std::isfinite(slope)))
       return false;
 
     state.elasticity.displacement_change(direction_, compliance_direction_);
     ++state.transforms;
     const double curvature = energy(state);
-    if (!(curvature > 0.0))
+    if (!(curvature > 0.0 && std::isfinite(curvature)))
       return false;
 
     state.advance(static_cast<float>(slope / curvature), direction_,
@@ -205,8 +206,9 @@ ContactSolution hand_over(ContactState&& state) {
   if (!answer.converged) {
     ContactProblem rest = state.problem;
     rest.max_iterations = std::max(1, rest.max_iterations - iterations);
-    answer =
-        polonsky_keer(state.elasticity, rest, state.target, answer.pressure);
+    answer = polonsky_keer(state.elasticity, rest, state.target,
+                           std::isfinite(answer.gap_error) ? answer.pressure
+                                                           : state.pressure);
     iterations += answer.iterations;
     transforms += answer.transforms;
     note += "; then by the plain method";

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/base/fields.hpp"
+
 namespace asperity {
 namespace {
 
@@ -70,12 +72,9 @@ TEST(RealFourier, GivesTheFieldBackOnThreeThreads) {
   fourier.forward(field, spectrum);
   fourier.backward(spectrum, back);
 
-  double error = 0.0;
-  for (std::size_t i = 0; i < field.size(); ++i)
-    error =
-        std::max(error, std::abs(back[i] / static_cast<double>(square.size()) -
-                                 field[i]));
-  EXPECT_LT(error, 1e-14);
+  for (double& value : back)
+    value /= static_cast<double>(square.size());
+  EXPECT_LT(tests::largest_difference(back, field), 1e-14);
 }
 
 TEST(SignedWavenumber, CountsTheNyquistRowAsPositive) {

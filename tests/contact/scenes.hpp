@@ -1,9 +1,10 @@
 #pragma once
 
-// Random rough obstacles for the contact tests, made without the surfaces
-// room, and an independent check of complementarity.
+// Random rough obstacles for the contact tests, made without the module of
+// surfaces, and an independent check of complementarity.
 
 #include "base/fourier.hpp"
+#include "base/maximum.hpp"
 #include "contact/halfspace.hpp"
 #include "contact/solver.hpp"
 
@@ -64,11 +65,15 @@ inline double rms(const std::vector<double>& field) {
 }
 
 /// Largest violation of p >= 0, gap + c p >= 0, p (gap + c p) = 0 [m], from
-/// pressure, gap and heights alone: displacement is computed anew.
+/// pressure, first gap and heights alone: displacement is computed anew. NaN
+/// where any number is not finite, infinity where fields are not of the grid.
 inline double complementarity_error(SurfaceOperator& elasticity,
                                     const ContactProblem& problem,
                                     const ContactSolution& solution) {
-  const std::size_t nodes = solution.pressure.size();
+  const std::size_t nodes = elasticity.grid().size();
+  if (solution.pressure.size() != nodes || solution.gap.size() != nodes ||
+      problem.heights.size() != nodes)
+    return INFINITY;
   std::vector<double> displacement(nodes);
   elasticity.displacement(solution.pressure, displacement);
   const double rigid_distance =
@@ -80,8 +85,9 @@ inline double complementarity_error(SurfaceOperator& elasticity,
                           problem.local_compliance * solution.pressure[i];
     if (solution.pressure[i] < 0.0)
       return INFINITY;
-    error = std::max(error,
-                     solution.pressure[i] > 0.0 ? std::abs(excess) : -excess);
+    error =
+        maximum(error, solution.pressure[i] > 0.0 ? std::abs(excess) : -excess);
+    error += 0.0 * (solution.gap[i] + excess); // NaN where one is not finite
   }
   return error;
 }

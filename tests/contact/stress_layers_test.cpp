@@ -1,6 +1,7 @@
 // Claims about contact/stress_inside.hpp on layered blocks: equal layers change
 // nothing, the field is in balance and whole across interfaces, stores the work
 // of the face, and bends a stiff coating.
+#include "base/maximum.hpp"
 #include "contact/stress_inside.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "tests/base/fields.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -60,17 +63,11 @@ std::vector<double> patch(const Grid& grid, double radius) {
 
 double largest_difference(const StressPlane& a, const StressPlane& b) {
   double largest = 0.0;
-  const auto compare = [&](const std::vector<double>& x,
-                           const std::vector<double>& y) {
-    for (std::size_t i = 0; i < x.size(); ++i)
-      largest = std::max(largest, std::abs(x[i] - y[i]));
-  };
-  compare(a.xx, b.xx);
-  compare(a.yy, b.yy);
-  compare(a.zz, b.zz);
-  compare(a.xy, b.xy);
-  compare(a.yz, b.yz);
-  compare(a.zx, b.zx);
+  for (const auto component :
+       {&StressPlane::xx, &StressPlane::yy, &StressPlane::zz, &StressPlane::xy,
+        &StressPlane::yz, &StressPlane::zx})
+    largest =
+        maximum(largest, tests::largest_difference(a.*component, b.*component));
   return largest;
 }
 
