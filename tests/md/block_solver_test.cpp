@@ -1,3 +1,4 @@
+#include "base/maximum.hpp"
 #include "md/block_solver.hpp"
 
 #include <gtest/gtest.h>
@@ -175,7 +176,7 @@ double largest_stiffening(int levels, int layers, int last) {
   for (int wavenumber = 1; wavenumber <= last; ++wavenumber) {
     const double angle = 2.0 * std::numbers::pi * wavenumber / 64.0;
     const double exact = inverse(slab.clamped(angle, 0.0, cells)).zz;
-    error = std::max(error, exact / compliance(block, wavenumber) - 1.0);
+    error = maximum(error, exact / compliance(block, wavenumber) - 1.0);
   }
   return error;
 }

@@ -1,4 +1,5 @@
 // Claims about md/dynamics.hpp: energy, temperature and spread.
+#include "base/maximum.hpp"
 #include "base/physical_constants.hpp"
 #include "md/dynamics.hpp"
 #include "md/thermal_noise.hpp"
@@ -187,7 +188,7 @@ double energy_drift(ExplicitSystem& system, const Motion& start,
   const int n_steps = static_cast<int>(std::lround(1e-12 / time_step));
   for (int i = 0; i < n_steps; ++i) {
     dynamics.step();
-    drift = std::max(drift, std::abs(total() - first));
+    drift = maximum(drift, std::abs(total() - first));
     kinetic += dynamics.kinetic_energy() / n_steps;
   }
   return drift / kinetic;

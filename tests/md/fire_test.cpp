@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/base/fields.hpp"
 #include "tests/md/rough_contact.hpp"
 
 namespace asperity::md {
@@ -29,13 +30,10 @@ double force_difference(const System& system, std::span<const double> a,
                         std::span<const double> b) {
   const std::vector<double> first = normal_forces(system, a);
   const std::vector<double> second = normal_forces(system, b);
-  double difference = 0.0;
   double mean = 0.0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    difference = std::max(difference, std::abs(first[i] - second[i]));
-    mean += std::abs(first[i]) / static_cast<double>(first.size());
-  }
-  return difference / mean;
+  for (const double force : first)
+    mean += std::abs(force) / static_cast<double>(first.size());
+  return tests::largest_difference(first, second) / mean;
 }
 
 class ThreeWays : public ::testing::TestWithParam<Load> {

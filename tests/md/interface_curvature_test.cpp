@@ -1,5 +1,6 @@
 // Claims about the second derivatives of md/interface.hpp and what
 // md/interface_curvature.hpp makes of them.
+#include "base/maximum.hpp"
 #include "md/interface_curvature.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ double largest(const std::vector<SymmetricBlock>& blocks) {
   for (const SymmetricBlock& block : blocks)
     for (const double entry :
          {block.xx, block.yy, block.zz, block.xy, block.xz, block.yz})
-      most = std::max(most, std::abs(entry));
+      most = maximum(most, std::abs(entry));
   return most;
 }
 

@@ -1,5 +1,6 @@
 // Claims about md/interface.hpp: energy and forces, against all pairs one by
 // one.
+#include "base/maximum.hpp"
 #include "md/interface.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/base/fields.hpp"
 #include "tests/md/small_interface.hpp"
 
 namespace asperity::md {
@@ -50,11 +52,10 @@ Answer plain_answer(const Scene& scene, const Interaction& interaction) {
 /// The largest difference of any force, in units of the largest force.
 double force_difference(const Planes& a, const Planes& b) {
   double largest = 0.0, scale = 0.0;
-  for (const auto plane : {&Planes::x, &Planes::y, &Planes::z})
-    for (std::size_t i = 0; i < a.x.size(); ++i) {
-      largest = std::max(largest, std::abs((a.*plane)[i] - (b.*plane)[i]));
-      scale = std::max(scale, std::abs((b.*plane)[i]));
-    }
+  for (const auto plane : {&Planes::x, &Planes::y, &Planes::z}) {
+    largest = maximum(largest, tests::largest_difference(a.*plane, b.*plane));
+    scale = maximum(scale, largest_magnitude(b.*plane));
+  }
   return largest / scale;
 }
 

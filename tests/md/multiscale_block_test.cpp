@@ -1,3 +1,4 @@
+#include "base/maximum.hpp"
 #include "md/multiscale_block.hpp"
 
 #include <gtest/gtest.h>
@@ -33,13 +34,6 @@ std::vector<double> random_state(const MultiscaleBlock& block, unsigned seed) {
   for (double& value : state)
     value = displacement(random);
   return state;
-}
-
-double largest(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double value : values)
-    size = std::max(size, std::abs(value));
-  return size;
 }
 
 /// Calls act(index of x, y, z; site) for each atom.
@@ -104,7 +98,7 @@ TEST_P(EveryLattice, PassesThePatchTest) {
             std::max(site[0], site[1]) < 32 * spacing - 2.5 * coarse;
         for (const std::size_t unknown : unknowns)
           if (is_inside)
-            error = std::max(error, std::abs(forces[unknown]));
+            error = maximum(error, std::abs(forces[unknown]));
       });
       EXPECT_LT(error / (77.2e9 * spacing * 1e-3 * 32 * spacing), 1e-14)
           << i << j;
@@ -205,9 +199,10 @@ TEST_P(EveryLattice, IsInvariantUnderTranslationInHeight) {
     net += forces[unknowns[2]];
     for (const std::size_t unknown : unknowns)
       EXPECT_NEAR(raised_forces[unknown], forces[unknown],
-                  1e-13 * largest(forces));
+                  1e-13 * largest_magnitude(forces));
   });
-  EXPECT_NEAR(net + forces[block.plate()], 0.0, 1e-11 * largest(forces));
+  EXPECT_NEAR(net + forces[block.plate()], 0.0,
+              1e-11 * largest_magnitude(forces));
 }
 
 // Claim: the cells' mass is all there. One level weighs atoms x layers; what

@@ -1,5 +1,6 @@
 // Claims about md/newton.hpp and the second derivatives of md/green_system.hpp:
 // Newton's method ends in the balance of L-BFGS, with far fewer evaluations.
+#include "base/maximum.hpp"
 #include "md/green_system.hpp"
 #include "md/newton.hpp"
 
@@ -80,9 +81,7 @@ TEST_P(EveryHold, CurvatureIsTheDifferenceOfTheForces) {
   for (std::size_t i = 0; i < state.size(); ++i)
     state[i] += 2.0 * length * along[i];
   system.energy_and_forces(state, ahead);
-  double most = 0.0;
-  for (const double force : product)
-    most = std::max(most, std::abs(force));
+  const double most = largest_magnitude(product);
   ASSERT_GT(most, 0.0);
   for (std::size_t i = 0; i < state.size(); ++i)
     EXPECT_NEAR((behind[i] - ahead[i]) / (2.0 * length), product[i],

@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/base/fields.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -58,10 +60,7 @@ SurfaceSpec measured() {
 
 double largest_difference(const HeightMap& a, const HeightMap& b) {
   EXPECT_EQ(a.grid, b.grid);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.heights.size(); ++i)
-    largest = std::max(largest, std::abs(a.heights[i] - b.heights[i]));
-  return largest;
+  return tests::largest_difference(a.heights, b.heights);
 }
 
 template <class Call>

@@ -1,4 +1,5 @@
 // Claims about surfaces/levelling.hpp: which trends go and what stays.
+#include "base/maximum.hpp"
 #include "surfaces/levelling.hpp"
 #include "surfaces/statistics.hpp"
 
@@ -28,10 +29,8 @@ HeightMap trend(double tilt, double bow) {
 }
 
 double largest(const HeightMap& map) {
-  double result = 0.0;
-  for (const double height : map.heights)
-    result = std::max(result, std::abs(height));
-  return result;
+  EXPECT_FALSE(map.heights.empty());
+  return largest_magnitude(map.heights);
 }
 
 // Claim: a trend of its own degree vanishes. Tolerance: 20 eps of 5 um.

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/base/fields.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -32,10 +34,7 @@ IsotropicSpectrum spectrum() {
 }
 
 double largest_difference(const HeightMap& a, const HeightMap& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.heights.size(); ++i)
-    largest = std::max(largest, std::abs(a.heights[i] - b.heights[i]));
-  return largest;
+  return tests::largest_difference(a.heights, b.heights);
 }
 
 // Claim: 64 and 256 points sample one surface. Tolerance: two transforms of

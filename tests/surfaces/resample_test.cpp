@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/base/fields.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -35,13 +37,13 @@ HeightMap noise(int points_x, int points_y) {
 
 double largest_difference(const HeightMap& a, const HeightMap& b) {
   EXPECT_EQ(a.grid, b.grid);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.heights.size(); ++i)
-    largest = std::max(largest, std::abs(a.heights[i] - b.heights[i]));
-  return largest;
+  return tests::largest_difference(a.heights, b.heights);
 }
 
 double mean_square_difference(const HeightMap& a, const HeightMap& b) {
+  EXPECT_EQ(a.grid, b.grid);
+  if (a.heights.size() != b.heights.size())
+    return NAN;
   double sum = 0.0;
   for (std::size_t i = 0; i < a.heights.size(); ++i)
     sum += std::pow(a.heights[i] - b.heights[i], 2);
