@@ -1,8 +1,8 @@
 #include "app/case_keys.hpp"
 
 #include "app/cache.hpp"
-#include "app/case_library.hpp"
 #include "cases/case_text.hpp"
+#include "cases/input_file.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/vocabulary.hpp"
 #include "md/atomic_contact.hpp"
@@ -51,7 +51,9 @@ bool is_key(const std::string& table, const std::string& name) {
 
 /// What is in a file; "" where none is named.
 std::string hash_of_file(const std::string& path) {
-  return path.empty() ? "" : content_hash(text_of_file(path));
+  return path.empty() ? ""
+                      : content_hash(cases::read_input_file(
+                            path, cases::largest_number_file));
 }
 
 /// Every realisation of one seed is the same however many there are, and a map
