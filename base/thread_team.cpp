@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <pthread.h>
@@ -76,6 +77,26 @@ private:
   std::thread thread_; // last: it uses the others
 };
 
+/// What was thrown first by any of several threads.
+class FirstFailure {
+public:
+  void keep() {
+    const std::lock_guard lock(mutex_);
+    if (!first_)
+      first_ = std::current_exception();
+  }
+
+  /// Once all have ended.
+  void rethrow() const {
+    if (first_)
+      std::rethrow_exception(first_);
+  }
+
+private:
+  std::mutex mutex_;
+  std::exception_ptr first_;
+};
+
 using Helpers = std::vector<std::unique_ptr<Helper>>;
 
 /// The helpers of the process that nobody uses.
@@ -134,13 +155,23 @@ void work_together(int threads, const std::function<void(int)>& work) {
   }
   Helpers helpers =
       Park::instance().take(static_cast<std::size_t>(threads - 1));
+  FirstFailure failure;
+  const auto caught = [&](int worker) {
+    try {
+      work(worker);
+    } catch (...) {
+      failure.keep();
+    }
+  };
+  const std::function<void(int)> call = std::ref(caught);
   int worker = 0;
   for (const auto& helper : helpers)
-    helper->call(work, ++worker);
-  work(0);
+    helper->call(call, ++worker);
+  call(0);
   for (const auto& helper : helpers)
     helper->release();
   Park::instance().put_back(std::move(helpers));
+  failure.rethrow();
 }
 
 } // namespace asperity

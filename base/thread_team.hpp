@@ -16,10 +16,12 @@ namespace asperity {
 /// Helpers belong to the process, are started when first needed and joined at
 /// its end. Callers on several threads, and work that calls again, each get
 /// helpers of their own: there are as many as ever worked at once. After a
-/// fork() the child starts its own.
+/// fork() the child starts its own, which oneTBB does not; and oneTBB's threads
+/// are limited, for all their users in a process, by deal.II's MPI session.
 ///
 /// @param threads  >= 1; with 1 no helper is asked
-/// @param work     does not throw
+/// @param work     may throw: the exception that comes first is thrown again
+///                 once all that have begun are done
 /// @throws std::system_error  a thread cannot be started; nothing has been done
 void work_together(int threads, const std::function<void(int)>& work);
 

@@ -9,8 +9,11 @@
 #include <cstddef>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -116,6 +119,76 @@ TEST(ParallelRows, ServesSeveralCallers) {
   }
 
   EXPECT_EQ(right, 4 * 200);
+}
+
+/// Rows that each wait until all threads have one; then the row throws that is
+/// on the chosen thread, the caller's (0) or one of the helpers.
+std::string message_from(int threads, int thrower) {
+  std::atomic<int> begun = 0;
+  try {
+    parallel_turns(threads, threads, [&](int, int worker) {
+      ++begun;
+      while (begun < threads)
+        std::this_thread::yield();
+      if (worker == thrower)
+        throw std::runtime_error("worker " + std::to_string(worker));
+    });
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+// Claim: an exception on any thread reaches the caller, after all threads have
+// ended, and the helpers serve the next loop.
+TEST(ParallelRows, ThrowsWhatAnyThreadThrew) {
+  for (const int threads : {1, 2, 3, 5})
+    for (int thrower = 0; thrower < threads; ++thrower) {
+      EXPECT_EQ(message_from(threads, thrower),
+                "worker " + std::to_string(thrower))
+          << threads;
+      EXPECT_EQ(sum_of_rows(40, threads), 40 * 39 / 2);
+    }
+}
+
+// Claim: where every thread throws, one of the exceptions arrives; where a
+// nested loop throws, it passes through both.
+TEST(ParallelRows, ThrowsOnceWhereAllThrow) {
+  for (int loop = 0; loop < 100; ++loop) {
+    EXPECT_THROW(
+        parallel_rows(8, 3, [](int) { throw std::domain_error("each row"); }),
+        std::domain_error);
+    EXPECT_THROW(parallel_rows(4, 2,
+                               [](int) {
+                                 parallel_rows(3, 2, [](int row) {
+                                   if (row == 1)
+                                     throw std::bad_alloc();
+                                 });
+                               }),
+                 std::bad_alloc);
+  }
+  EXPECT_EQ(sum_of_rows(64, 3), 64 * 63 / 2);
+}
+
+// Claim: after an exception no further row is begun. A row takes 1 ms here, and
+// half of all rows the time in which the other thread learns of it.
+TEST(ParallelRows, BeginsNoRowAfterAnException) {
+  std::atomic<bool> is_thrown = false;
+  std::atomic<int> done = 0;
+  const auto do_row = [&](int row) {
+    if (row == 0) {
+      is_thrown = true;
+      throw std::runtime_error("first row");
+    }
+    while (!is_thrown)
+      std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ++done;
+  };
+
+  EXPECT_THROW(parallel_rows(1000, 2, do_row), std::runtime_error);
+
+  EXPECT_LT(done, 500);
 }
 
 // Claim: a child process has helpers of its own and ends: two rows that wait
