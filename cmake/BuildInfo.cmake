@@ -14,6 +14,8 @@ find_program(GIT git)
 if(GIT)
   set(ENV{GIT_OPTIONAL_LOCKS} 0) # a build beside a git command must not stop it
   file(REAL_PATH "${SOURCE}" source)
+  # Another user's checkout is built and run anyway, so git may read it.
+  set(GIT ${GIT} -c safe.directory=${source})
   execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --show-toplevel
     OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --short=12 HEAD
