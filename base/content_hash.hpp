@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// SHA-256 of a text, as 64 hexadecimal digits.
+std::string content_hash(std::string_view text);
+
+} // namespace asperity

@@ -1,0 +1,67 @@
+#include "base/folder_lock.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/utsname.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity {
+namespace {
+
+std::string description_of(const std::string& purpose) {
+  utsname host{};
+  uname(&host);
+  const std::time_t now =
+      std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{} (process {} on {}, since {:%Y-%m-%dT%H:%M:%SZ})",
+                     purpose, getpid(), host.nodename, fmt::gmtime(now));
+}
+
+/// Empty between the moment of locking and that of writing.
+std::string holder_in(int file) {
+  char text[1024];
+  const ssize_t length = pread(file, text, sizeof text, 0);
+  return length > 0 ? std::string(text, static_cast<std::size_t>(length))
+                    : "another process";
+}
+
+} // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder,
+                       const std::string& purpose) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path path = folder / ".lock";
+  const auto check = [&](bool is_good, const char* what) {
+    if (!is_good)
+      throw std::system_error(errno, std::generic_category(),
+                              what + path.string());
+  };
+  file_ = FileDescriptor(
+      open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+  check(file_.get() >= 0, "cannot write ");
+  const bool is_ours = flock(file_.get(), LOCK_EX | LOCK_NB) == 0;
+  if (!is_ours && errno == EWOULDBLOCK)
+    throw FolderInUse(fmt::format(
+        "{} is in use by {}; wait for its end, or name another --out",
+        folder.string(), holder_in(file_.get())));
+  check(is_ours, "cannot lock ");
+  const std::string text = description_of(purpose);
+  check(ftruncate(file_.get(), 0) == 0 &&
+            pwrite(file_.get(), text.data(), text.size(), 0) ==
+                static_cast<ssize_t>(text.size()),
+        "cannot write ");
+}
+
+FolderLock::~FolderLock() {
+  if (file_.get() >= 0 && ftruncate(file_.get(), 0) != 0) {
+    // The name of a former holder stays in a file that locks nothing.
+  }
+}
+
+} // namespace asperity

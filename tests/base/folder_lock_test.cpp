@@ -1,0 +1,75 @@
+// Claims about base/folder_lock.hpp: one holder at a time, whose name the
+// others are told, and the death of a holder releases the folder.
+#include "base/child_process.hpp"
+#include "base/folder_lock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity {
+namespace {
+
+class FolderLockTest : public testing::Test {
+protected:
+  ~FolderLockTest() override { std::filesystem::remove_all(folder); }
+
+  /// What a second one is told; empty if it gets the folder.
+  std::string refusal() const {
+    try {
+      const FolderLock second(folder, "run second");
+      return "";
+    } catch (const FolderInUse& error) {
+      return error.what();
+    }
+  }
+
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      ("asperity-lock-" + std::to_string(::getpid())) / "new";
+};
+
+TEST_F(FolderLockTest, TheSecondIsToldWhoTheFirstIs) {
+  std::optional<FolderLock> first(std::in_place, folder, "run first");
+
+  const std::string refused = refusal();
+
+  EXPECT_TRUE(refused.starts_with(folder.string() +
+                                  " is in use by run first (process " +
+                                  std::to_string(::getpid()) + " on "))
+      << refused;
+  EXPECT_NE(refused.find(", since 20"), std::string::npos) << refused;
+
+  first.reset();
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(FolderLockTest, AKilledHolderHoldsNothing) {
+  ChildProcess holder = ChildProcess::forked([this](int pipe) {
+    const FolderLock lock(folder, "run killed");
+    if (::write(pipe, "x", 1) == 1)
+      ::pause();
+  });
+  char locked = ' ';
+  ASSERT_EQ(::read(holder.output_pipe(), &locked, 1), 1);
+  EXPECT_NE(refusal().find("run killed"), std::string::npos);
+
+  holder.kill();
+  holder.wait();
+
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(FolderLockTest, AFolderThatCannotBeMadeIsAnError) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "file") << "text";
+
+  EXPECT_THROW(FolderLock(folder / "file", "run"), std::system_error);
+}
+
+} // namespace
+} // namespace asperity
