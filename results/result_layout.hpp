@@ -3,6 +3,8 @@
 // Inside results/ only: the names of docs/results.md that writer and reader
 // must agree on.
 
+#include <string>
+
 namespace asperity::results::layout {
 
 constexpr const char* file_name = "result.h5";
@@ -11,6 +13,9 @@ constexpr int format_version = 1;
 constexpr const char* own_surface = "surface"; ///< beside "curve"
 constexpr const char* tables = "tables";
 constexpr const char* skipped = "skipped";
+inline const std::string input = "input "; ///< before a key, in provenance
+constexpr const char* journal = "journal"; ///< which journal is this file's
+constexpr const char* journal_folded = "journal_folded"; ///< changes in it
 constexpr const char* column_place = "order"; ///< of a column, 0, 1, ...
 
 /// Realisations and steps beyond this are taken for another file's groups.

@@ -5,6 +5,7 @@
 #include "results/curve_storage.hpp"
 #include "results/hdf5_file.hpp"
 #include "results/map_storage.hpp"
+#include "results/result_file.hpp"
 #include "results/result_layout.hpp"
 #include "results/skipped_storage.hpp"
 #include "results/table_storage.hpp"
@@ -56,7 +57,6 @@ Curve read_curve(const Hdf5Group& group) {
   curve.setup_cpu_time = number_or(group, "setup_cpu_time", 0.0);
   if (group.has("curve"))
     curve.points = read_points(group.open("curve"));
-  fill_contact_stiffness(curve.points);
   if (group.has("fields"))
     curve.fields = read_fields(group.open("fields"));
   if (group.has(layout::own_surface))
@@ -133,8 +133,51 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
     for (const std::string& name : tables.children())
       result.tables.push_back(read_table(tables.open(name), name));
   }
-  complete_grids(result);
   return result;
+}
+
+struct FileContent {
+  Result result;
+  JournalState journal;
+};
+
+FileContent read_file(const std::filesystem::path& path) {
+  const std::lock_guard lock(hdf5_mutex());
+  try {
+    const Hdf5File file(path, Hdf5File::Mode::read);
+    return {read_file(file, path), journal_state(file)};
+  } catch (const Hdf5Error& error) {
+    throw cases::CaseError(error.what());
+  }
+}
+
+/// What the journal has beyond the file.
+/// @return  false if changes between the two are missing: a writer has put them
+///          into a newer file since this one was read
+bool merge_journal(FileContent& content, const std::filesystem::path& path) {
+  std::uint64_t last = content.journal.folded;
+  bool is_whole = true;
+  if (content.journal.identity.empty())
+    return is_whole;
+  read_journal(journal_of(path), content.journal.identity,
+               [&](std::uint64_t number, std::string_view bytes) {
+                 is_whole = is_whole && number <= last + 1;
+                 if (!is_whole || number <= last)
+                   return;
+                 merge_change(content.result, change_in(bytes));
+                 last = number;
+               });
+  return is_whole;
+}
+
+FileContent read_file_and_journal(const std::filesystem::path& path) {
+  constexpr int tries = 100; // a writer renames its file rarely
+  for (int i = 0; i < tries; ++i) {
+    FileContent content = read_file(path);
+    if (merge_journal(content, path))
+      return content;
+  }
+  throw cases::CaseError(path.string() + " changes while it is read");
 }
 
 } // namespace
@@ -145,13 +188,12 @@ Result read_result(const std::filesystem::path& path) {
       is_folder ? path / layout::file_name : path;
   if (!std::filesystem::exists(file_path))
     throw cases::CaseError(file_path.string() + ": there is no such file");
-  const std::lock_guard lock(hdf5_mutex());
-  try {
-    const Hdf5File file(file_path, Hdf5File::Mode::read);
-    return read_file(file, file_path);
-  } catch (const Hdf5Error& error) {
-    throw cases::CaseError(error.what());
-  }
+  Result result = std::move(read_file_and_journal(file_path).result);
+  for (MethodRecord& method : result.methods)
+    for (Curve& curve : method.realizations)
+      fill_contact_stiffness(curve.points);
+  complete_grids(result);
+  return result;
 }
 
 StepsDone steps_done(const Result& result) {

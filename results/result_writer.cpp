@@ -8,7 +8,7 @@
 #include "results/map_size.hpp"
 #include "results/map_storage.hpp"
 #include "results/result_layout.hpp"
-#include "results/skipped_storage.hpp"
+#include "results/same_case.hpp"
 #include "results/table_storage.hpp"
 
 #include <fmt/format.h>
@@ -20,12 +20,6 @@ namespace {
 
 void require_index(const char* name, int index) {
   require_between(name, index, 0, layout::most_realizations - 1, "1");
-}
-
-Hdf5Group curve_home(Hdf5Group& file, const std::string& method,
-                     int realization) {
-  return file.open("methods").open(method).open_or_create(
-      std::to_string(realization));
 }
 
 void require_maps(const Grid& grid, const Fields& fields) {
@@ -40,30 +34,8 @@ void require_heights(const SurfaceRecord& surface) {
                  surface.grid.size());
 }
 
-/// An empty group of that name, whatever was there.
-Hdf5Group fresh(Hdf5Group& home, const std::string& name) {
-  if (home.has(name))
-    home.remove(name);
-  return home.open_or_create(name);
-}
-
-} // namespace
-
-ResultWriter::ResultWriter(const std::filesystem::path& folder,
-                           const CaseInfo& info, Mode mode)
-    : path_(folder / layout::file_name),
-      part_(folder / fmt::format(".{}.part", layout::file_name)) {
-  require_positive("contact_modulus", info.contact_modulus, "Pa");
-  std::filesystem::create_directories(folder);
-  if (mode == Mode::resume && std::filesystem::exists(path_))
-    adopt(info);
-  else
-    create(info);
-}
-
-void ResultWriter::create(const CaseInfo& info) {
-  const std::lock_guard lock(hdf5_mutex());
-  Hdf5File file(part_, Hdf5File::Mode::create);
+/// What a new file says from its first moment.
+void write_case(Hdf5File& file, const CaseInfo& info) {
   file.set_attribute("format", layout::format);
   file.set_attribute("format_version", layout::format_version);
   file.set_attribute("name", info.name);
@@ -73,45 +45,51 @@ void ResultWriter::create(const CaseInfo& info) {
   file.set_attribute("reference", info.reference);
   set_with_unit(file, "contact_modulus", info.contact_modulus, "Pa");
   file.set_attribute("status", "running");
-  for (const char* room : {"provenance", "surfaces", "methods"})
-    file.open_or_create(room);
-  file.close();
-  std::filesystem::rename(part_, path_);
+  Hdf5Group facts = file.open_or_create("provenance");
+  for (const auto& [name, hash] : info.inputs)
+    facts.set_attribute(layout::input + name, hash);
+  for (const char* group : {"surfaces", "methods"})
+    file.open_or_create(group);
 }
 
-void ResultWriter::adopt(const CaseInfo& info) {
-  const Result old = read_result(path_);
-  if (old.case_hash != info.hash)
-    throw cases::CaseError(
-        fmt::format("{}: case_hash = \"{}\", but the case to resume has \"{}\"",
-                    path_.string(), old.case_hash, info.hash));
-  steps_ = steps_done(old);
-  for (const MethodRecord& method : old.methods)
-    methods_.insert(method.name);
-  for (const Table& table : old.tables)
-    tables_.insert(table.name);
-  const std::lock_guard lock(hdf5_mutex());
-  update([&info](Hdf5File& file) {
+std::filesystem::path file_in(const std::filesystem::path& folder) {
+  return folder / layout::file_name;
+}
+
+ResultFile file_for(const std::filesystem::path& folder, const CaseInfo& info,
+                    ResultWriter::Mode mode) {
+  require_positive("contact_modulus", info.contact_modulus, "Pa");
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path path = file_in(folder);
+  if (mode != ResultWriter::Mode::resume || !std::filesystem::exists(path))
+    return ResultFile::created(
+        path, [&info](Hdf5File& file) { write_case(file, info); });
+  require_same_case(read_result(path), info);
+  return ResultFile::opened(path, [&info](Hdf5File& file) {
     file.set_attribute("status", "running");
     file.set_attribute("reference", info.reference);
   });
 }
 
-void ResultWriter::update(const Change& change) {
+} // namespace
+
+ResultWriter::ResultWriter(const std::filesystem::path& folder,
+                           const CaseInfo& info, Mode mode)
+    : file_(file_for(folder, info, mode)) {
+  if (mode != Mode::resume)
+    return;
+  const Result old = read_result(path());
+  steps_ = steps_done(old);
+  for (const MethodRecord& method : old.methods)
+    methods_.insert(method.name);
+  for (const Table& table : old.tables)
+    tables_.insert(table.name);
+}
+
+void ResultWriter::record(Change change) {
   const CpuClock clock;
-  try {
-    std::filesystem::copy_file(
-        path_, part_, std::filesystem::copy_options::overwrite_existing);
-    Hdf5File file(part_, Hdf5File::Mode::read_write);
-    change(file);
-    file.close();
-    std::filesystem::rename(part_, path_);
-    cpu_time_ += clock.seconds();
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    throw;
-  }
+  file_.append(std::move(change));
+  cpu_time_ += clock.seconds();
 }
 
 void ResultWriter::require_begun(const std::string& method,
@@ -137,24 +115,16 @@ void ResultWriter::require_new(const std::string& method, int realization,
 }
 
 void ResultWriter::record_provenance(const Provenance& facts) {
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
-    Hdf5Group group = file.open_or_create("provenance");
-    for (const auto& [name, fact] : facts)
-      group.set_attribute(name, fact);
-  });
+  const std::lock_guard lock(mutex_);
+  record({.provenance = facts});
 }
 
 void ResultWriter::record_surface(int realization,
                                   const SurfaceRecord& surface) {
   require_index("realization", realization);
   require_heights(surface);
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
-    Hdf5Group surfaces = file.open_or_create("surfaces");
-    Hdf5Group group = fresh(surfaces, std::to_string(realization));
-    write_surface(group, surface);
-  });
+  const std::lock_guard lock(mutex_);
+  record({.surfaces = {{realization, surface}}});
 }
 
 void ResultWriter::begin_method(const std::string& name,
@@ -163,37 +133,31 @@ void ResultWriter::begin_method(const std::string& name,
   if (name.empty() || name == "." || name.find('/') != std::string::npos)
     throw std::domain_error("name = \"" + name +
                             "\", but must be a name without '/'");
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
-    Hdf5Group group = file.open_or_create("methods").open_or_create(name);
-    group.set_attribute("kind", kind);
-    group.set_attribute("description", description);
-  });
+  const std::lock_guard lock(mutex_);
+  record(
+      {.methods = {{.name = name, .kind = kind, .description = description}}});
   methods_.insert(name);
 }
 
 void ResultWriter::record_setup_time(const std::string& method, int realization,
                                      double cpu_time) {
   require_not_negative("cpu_time", cpu_time, "s");
-  const std::lock_guard lock(hdf5_mutex());
+  const std::lock_guard lock(mutex_);
   require_begun(method, realization);
-  update([&](Hdf5File& file) {
-    Hdf5Group home = curve_home(file, method, realization);
-    set_with_unit(home, "setup_cpu_time", cpu_time, "s");
-  });
+  record({.methods = {{.name = method,
+                       .realization = realization,
+                       .setup_cpu_time = cpu_time}}});
 }
 
 void ResultWriter::record_own_surface(const std::string& method,
                                       int realization,
                                       const SurfaceRecord& surface) {
   require_heights(surface);
-  const std::lock_guard lock(hdf5_mutex());
+  const std::lock_guard lock(mutex_);
   require_begun(method, realization);
-  update([&](Hdf5File& file) {
-    Hdf5Group home = curve_home(file, method, realization);
-    Hdf5Group group = fresh(home, layout::own_surface);
-    write_surface(group, surface);
-  });
+  record({.methods = {{.name = method,
+                       .realization = realization,
+                       .own_surface = surface}}});
 }
 
 void ResultWriter::append_step(const std::string& method, int realization,
@@ -203,15 +167,13 @@ void ResultWriter::append_step(const std::string& method, int realization,
 
 void ResultWriter::append_steps(const std::string& method, int realization,
                                 std::span<const CurvePoint> points) {
-  const std::lock_guard lock(hdf5_mutex());
+  const std::lock_guard lock(mutex_);
   require_new(method, realization, points);
   if (points.empty())
     return;
-  update([&](Hdf5File& file) {
-    Hdf5Group curve =
-        curve_home(file, method, realization).open_or_create("curve");
-    append_points(curve, points);
-  });
+  record({.methods = {{.name = method,
+                       .realization = realization,
+                       .points = {points.begin(), points.end()}}}});
   for (const CurvePoint& point : points)
     steps_[{method, realization}].insert(point.step);
 }
@@ -219,83 +181,79 @@ void ResultWriter::append_steps(const std::string& method, int realization,
 void ResultWriter::append_step_with_fields(const std::string& method,
                                            int realization,
                                            const CurvePoint& point,
-                                           const Grid& grid,
-                                           const Fields& fields) {
+                                           const Grid& grid, Fields fields) {
   require_maps(grid, fields);
   if (fields.step != point.step)
     refuse_argument("fields.step", fields.step,
                     fmt::format("equal to point.step = {}", point.step));
-  const std::lock_guard lock(hdf5_mutex());
+  fields.grid = grid;
+  const std::lock_guard lock(mutex_);
   require_new(method, realization, {&point, 1});
-  update([&](Hdf5File& file) {
-    Hdf5Group home = curve_home(file, method, realization);
-    Hdf5Group maps = home.open_or_create("fields");
-    write_fields(maps, grid, fields);
-    Hdf5Group curve = home.open_or_create("curve");
-    append_points(curve, {&point, 1});
-  });
+  MethodChange change{.name = method, .realization = realization};
+  change.fields.push_back(std::move(fields));
+  change.points.push_back(point);
+  record({.methods = {std::move(change)}});
   steps_[{method, realization}].insert(point.step);
 }
 
 void ResultWriter::append_fields(const std::string& method, int realization,
-                                 const Grid& grid, const Fields& fields) {
+                                 const Grid& grid, Fields fields) {
   require_maps(grid, fields);
-  const std::lock_guard lock(hdf5_mutex());
+  fields.grid = grid;
+  const std::lock_guard lock(mutex_);
   require_begun(method, realization);
-  update([&](Hdf5File& file) {
-    Hdf5Group maps =
-        curve_home(file, method, realization).open_or_create("fields");
-    write_fields(maps, grid, fields);
-  });
+  MethodChange change{.name = method, .realization = realization};
+  change.fields.push_back(std::move(fields));
+  record({.methods = {std::move(change)}});
 }
 
 bool ResultWriter::has_step(const std::string& method, int realization,
                             int step) const {
-  const std::lock_guard lock(hdf5_mutex());
+  const std::lock_guard lock(mutex_);
   const auto found = steps_.find({method, realization});
   return found != steps_.end() && found->second.contains(step);
 }
 
 void ResultWriter::record_table(const Table& table) {
   require_table(table);
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
-    Hdf5Group tables = file.open_or_create(layout::tables);
-    Hdf5Group group = fresh(tables, table.name);
-    write_table(group, table);
-  });
+  const std::lock_guard lock(mutex_);
+  record({.tables = {table}});
   tables_.insert(table.name);
 }
 
 bool ResultWriter::has_table(const std::string& name) const {
-  const std::lock_guard lock(hdf5_mutex());
+  const std::lock_guard lock(mutex_);
   return tables_.contains(name);
 }
 
 void ResultWriter::record_skipped(std::span<const Skipped> skipped) {
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
-    Hdf5Group group = fresh(file, layout::skipped);
-    if (!skipped.empty())
-      write_skipped(group, skipped);
-  });
+  const std::lock_guard lock(mutex_);
+  record({.skipped = std::vector(skipped.begin(), skipped.end())});
 }
 
 void ResultWriter::finish(const std::string& status) {
   if (status != "complete" && status != "interrupted")
     throw std::domain_error("status = \"" + status +
                             "\", but must be complete or interrupted");
-  const std::lock_guard lock(hdf5_mutex());
-  update([&](Hdf5File& file) {
+  const std::lock_guard lock(mutex_);
+  file_.fold([&](Hdf5File& file) {
     file.set_attribute("status", status);
     if (status != "complete")
       return; // a resumed curve goes on: its ends are not yet ends
     for (const auto& [curve_of, steps] : steps_) {
-      Hdf5Group curve = curve_home(file, curve_of.first, curve_of.second)
-                            .open_or_create("curve");
+      Hdf5Group curve = file.open("methods")
+                            .open(curve_of.first)
+                            .open(std::to_string(curve_of.second))
+                            .open("curve");
       fill_stored_stiffness(curve);
     }
   });
+}
+
+void settle_result(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(journal_of(file_in(folder))) &&
+      std::filesystem::exists(file_in(folder)))
+    ResultFile::opened(file_in(folder));
 }
 
 } // namespace asperity::results

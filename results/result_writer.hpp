@@ -4,17 +4,24 @@
 // most the step in progress and leaves a file that opens.
 
 #include "results/result.hpp"
+#include "results/result_file.hpp"
 #include "results/result_reader.hpp"
 
 #include <filesystem>
-#include <functional>
+#include <map>
+#include <mutex>
 #include <set>
 #include <span>
 #include <string>
 
 namespace asperity::results {
 
-class Hdf5File;
+/// SHA-256 of each input file by the key of the case that names it, and
+/// "program": the stamp of the build.
+using Inputs = std::map<std::string, std::string>;
+
+/// Of a result that was read: its facts "input <key>".
+Inputs inputs_of(const Result& result);
 
 /// What a result says of its case.
 struct CaseInfo {
@@ -24,17 +31,18 @@ struct CaseInfo {
   std::string hash;
   double contact_modulus = 0.0; ///< E* [Pa] > 0
   std::string reference = {};   ///< of reference.csv, as text; empty: none
+  Inputs inputs = {};           ///< what decides the numbers beside the text
 };
 
-/// The file's layout is docs/results.md. Each function below is one step: it
-/// copies the last good file to ".result.h5.part" beside it, changes the copy,
-/// and renames it over the old one. A step is there whole or not at all; a
-/// left-over part of a killed run is overwritten. One writer a folder; its
-/// functions may be called from any thread.
+/// The file's layout is docs/results.md. Each function below is one change: it
+/// goes whole to the journal beside the file (result_file.hpp), and from there
+/// into the file, at the latest in finish(). Readers see both as one. After a
+/// kill at any moment every change is there whole or not at all. One writer per
+/// folder; its functions may be called from any thread.
 ///
-/// All throw Hdf5Error or std::filesystem::filesystem_error when the disk or
-/// the library refuses: the file then holds all steps before. Bad arguments
-/// are std::domain_error.
+/// All throw Hdf5Error or std::system_error when the disk or the library
+/// refuses: all changes before are then still there. Bad arguments are
+/// std::domain_error.
 class ResultWriter {
 public:
   enum class Mode {
@@ -43,13 +51,14 @@ public:
   };
 
   /// Makes the folder if need be. The file's status is "running" from here.
-  /// @throws cases::CaseError  resume, and the file is of another case (by
-  ///                           hash) or no result file; nothing is changed
+  /// @throws cases::CaseError  resume, and the file is no result file, or of
+  ///                           another case, other input files or another
+  ///                           program; says which, and nothing is changed
   ResultWriter(const std::filesystem::path& folder, const CaseInfo& info,
                Mode mode = Mode::create);
 
   /// DIR/result.h5
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
 
   /// Adds facts or replaces those of the same name.
   void record_provenance(const Provenance& facts);
@@ -89,12 +98,12 @@ public:
   /// @param grid  of the maps, the method's own; fields.grid is not read
   void append_step_with_fields(const std::string& method, int realization,
                                const CurvePoint& point, const Grid& grid,
-                               const Fields& fields);
+                               Fields fields);
 
   /// Maps of a step, before its row (else a kill between leaves a step that
   /// counts as done without its maps); replaces those of an earlier try.
   void append_fields(const std::string& method, int realization,
-                     const Grid& grid, const Fields& fields);
+                     const Grid& grid, Fields fields);
 
   /// True if that row is in the file, from this run or an earlier one.
   bool has_step(const std::string& method, int realization, int step) const;
@@ -107,8 +116,8 @@ public:
   /// True if that table is in the file, from this run or an earlier one.
   bool has_table(const std::string& name) const;
 
-  /// CPU time of this writer's steps, the copies among it [s]; to be asked
-  /// when no other thread writes.
+  /// CPU time of this writer's changes [s]; to be asked when no other thread
+  /// writes.
   double cpu_time() const { return cpu_time_; }
 
   /// What was not computed; replaces the list that was there.
@@ -118,20 +127,22 @@ public:
   void finish(const std::string& status);
 
 private:
-  using Change = std::function<void(Hdf5File&)>;
-  void update(const Change& change); // all below: under hdf5_mutex()
-  void create(const CaseInfo& info);
-  void adopt(const CaseInfo& info);
+  void record(Change change); // as all below: under mutex_
   void require_begun(const std::string& method, int realization) const;
   void require_new(const std::string& method, int realization,
                    std::span<const CurvePoint> points) const;
 
-  std::filesystem::path path_;
-  std::filesystem::path part_;
+  ResultFile file_;
+  mutable std::mutex mutex_;
   StepsDone steps_;
   std::set<std::string> methods_;
   std::set<std::string> tables_;
   double cpu_time_ = 0.0; ///< [s]
 };
+
+/// Puts the changes that a killed run left in its journal into result.h5, so
+/// that the file can be moved. Does nothing where there is no result.
+/// @throws as ResultWriter
+void settle_result(const std::filesystem::path& folder);
 
 } // namespace asperity::results

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <random>
@@ -48,8 +49,8 @@ Fields sample_fields(int step) {
   }
 }
 
-/// Starts a run, kills it `delay` after its `n_steps`-th step is reported; the
-/// last step it reported.
+/// Starts a run and kills it `delay` after its `n_steps`-th step is reported, 0
+/// for its start; the last step it reported, -1 if there was none.
 int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
                             std::chrono::microseconds delay) {
   int ends[2];
@@ -80,34 +81,37 @@ int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
 }
 
 // Each run resumes what the one before left, so a file that a kill had spoilt
-// would show in the next. A step may be in the file and not yet reported.
+// would show in the next. A step may be in the file and not yet reported. A
+// third of the kills come early, when the journal is put into the file.
 TEST_F(ResultKill, AtAnyMomentKeepsEveryStepThatWasDone) {
   std::mt19937 random(11);
-  std::uniform_int_distribution<int> delay_us(0, 4'000); // one step: ~2 ms
-  std::uniform_int_distribution<int> n_steps(1, 3);
-  int last_reported = -1;
-  int n_kills_in_a_step = 0;
+  std::uniform_int_distribution<int> delay_us(0, 10'000);
+  { const ResultWriter first(folder_, sample_case()); }
+  int n_before = 0;
+  int n_kills_in_a_copy = 0;
 
-  for (int run = 0; run < 30; ++run) {
+  for (int run = 0; run < 60; ++run) {
     const int last = last_step_of_killed_run(
-        folder_, n_steps(random), std::chrono::microseconds(delay_us(random)));
-    EXPECT_GT(last, last_reported);
-    n_kills_in_a_step += std::filesystem::exists(folder_ / ".result.h5.part");
+        folder_, run % 3, std::chrono::microseconds(delay_us(random)));
+    n_kills_in_a_copy += std::filesystem::exists(folder_ / ".result.h5.part");
 
     const Result result = read_result(folder_);
     EXPECT_EQ(result.case_text, sample_case().text);
-    const Curve& curve = result.methods.at(0).realizations.at(0);
+    if (result.methods.empty() || result.methods[0].realizations.empty())
+      continue; // killed before the first step of all
+    const Curve& curve = result.methods[0].realizations[0];
     const int n_points = static_cast<int>(curve.points.size());
-    EXPECT_GE(n_points, last + 1);
-    EXPECT_LE(n_points, last + 2);
+    EXPECT_GE(n_points, std::max(n_before, last + 1));
+    EXPECT_LE(n_points, std::max(n_before, last + 1) + 1);
     for (int step = 0; step < n_points; ++step)
       expect_same(curve.points[static_cast<std::size_t>(step)],
                   sample_point(step));
     EXPECT_EQ(static_cast<int>(curve.fields.size()), (n_points + 4) / 5);
-    last_reported = n_points - 1;
+    n_before = n_points;
   }
 
-  EXPECT_GT(n_kills_in_a_step, 5) << "the kills did not hit a step";
+  EXPECT_GT(n_before, 50) << "the kills came before the steps";
+  EXPECT_GT(n_kills_in_a_copy, 0) << "no kill hit a copy of the file";
 }
 
 } // namespace

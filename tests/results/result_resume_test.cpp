@@ -47,6 +47,7 @@ TEST_F(ResultResume, GoesOnWithAFileOfFewerColumns) {
     ResultWriter first(folder_, sample_case());
     first.begin_method("fem", "fem", "");
     first.append_steps("fem", 0, std::vector{sample_point(0), sample_point(1)});
+    first.finish("interrupted");
     const std::lock_guard lock(hdf5_mutex());
     Hdf5File file(first.path(), Hdf5File::Mode::read_write);
     file.open("methods/fem/0/curve").remove("area_fraction_fit");
@@ -68,21 +69,48 @@ TEST_F(ResultResume, GoesOnWithAFileOfFewerColumns) {
   EXPECT_EQ(points[0].area_fraction, sample_point(0).area_fraction);
 }
 
-TEST_F(ResultResume, DoesNotGoOnWithAnotherCase) {
-  { const ResultWriter first(folder_, sample_case()); }
-  CaseInfo other = sample_case();
-  other.hash = "beef";
+// Claim: a result of another case, other input files or another program is
+// left alone, and every difference is named.
+TEST_F(ResultResume, SaysWhatDiffersAndChangesNothing) {
+  CaseInfo before = sample_case();
+  before.inputs = {{"surface.file", std::string(64, 'a')},
+                   {"program", std::string(64, 'b')},
+                   {"mesh.file", std::string(64, 'c')}};
+  { const ResultWriter first(folder_, before); }
+  CaseInfo now = before;
+  now.hash = "beef";
+  now.text = "schema = 1\r\n# o\n";
+  now.inputs["surface.file"] = std::string(64, 'd');
+  now.inputs["program"] = std::string(64, 'e');
 
   try {
-    const ResultWriter second(folder_, other, ResultWriter::Mode::resume);
+    const ResultWriter second(folder_, now, ResultWriter::Mode::resume);
     FAIL() << "a result of another case was taken for this one's";
   } catch (const cases::CaseError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              (folder_ / "result.h5").string() +
-                  ": case_hash = \"0af3\", but the case to resume has "
-                  "\"beef\"");
+    EXPECT_EQ(
+        std::string(error.what()),
+        (folder_ / "result.h5").string() +
+            " cannot be resumed: line 2 of the case is \"# o\", but was "
+            "\"# ü\"; the program is built from other sources or tools "
+            "(SHA-256 eeeeeeeeeeee, but was bbbbbbbbbbbb); the file that "
+            "surface.file names has other content (SHA-256 dddddddddddd, "
+            "but was aaaaaaaaaaaa); run without --resume, or name another "
+            "--out");
   }
   EXPECT_EQ(read_result(folder_).case_hash, "0af3");
+  EXPECT_EQ(inputs_of(read_result(folder_)), before.inputs);
+
+  const ResultWriter third(folder_, before, ResultWriter::Mode::resume);
+}
+
+// A result of an earlier program does not say what it was computed from.
+TEST_F(ResultResume, DoesNotGoOnWithUnknownInputs) {
+  { const ResultWriter first(folder_, sample_case()); }
+  CaseInfo now = sample_case();
+  now.inputs = {{"surface.file", std::string(64, 'd')}};
+
+  EXPECT_THROW(ResultWriter(folder_, now, ResultWriter::Mode::resume),
+               cases::CaseError);
 }
 
 // The published values are no part of what is computed: those of today stand

@@ -1,0 +1,334 @@
+// Claims about the journal of a result: it reads as the file would, a step
+// costs its own size alone, and no damage or full disk takes what was done.
+#include "base/child_process.hpp"
+#include "cases/case_error.hpp"
+#include "results/hdf5_file.hpp"
+#include "results/journal.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+#include "tests/results/sample_result.hpp"
+
+namespace asperity::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Grid grid{16, 8, 1e-6, 5e-7};
+
+Fields maps_of(int step) {
+  Fields fields;
+  fields.step = step;
+  fields.nominal_pressure = 1e6 + step;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    fields.pressure.push_back(1e6 / (1.0 + static_cast<double>(i) + step));
+    fields.gap.push_back(1e-9 * static_cast<double>(i) - 1e-9 * step);
+  }
+  return fields;
+}
+
+SurfaceRecord surface_of(double height, const Grid& on = grid) {
+  SurfaceRecord surface;
+  surface.grid = on;
+  surface.heights.assign(on.size(), height);
+  surface.rms_height = height;
+  surface.kurtosis = 3.0;
+  surface.spectrum = {{1e6, 2e-20}, {2e6, 1e-21}};
+  return surface;
+}
+
+class ResultJournal : public ResultFolder {
+protected:
+  fs::path journal() const { return folder_ / "result.journal"; }
+
+  fs::path file() const { return folder_ / "result.h5"; }
+
+  /// Every kind of change, some twice.
+  static void write_everything(ResultWriter& writer) {
+    writer.record_provenance({{"commit", "one"}, {"wall time", "1 s"}});
+    writer.record_surface(1, surface_of(1e-9));
+    writer.record_surface(0, surface_of(2e-9));
+    writer.record_surface(1, surface_of(3e-9));
+    writer.begin_method("fem.hard", "fem", "Q1");
+    writer.begin_method("theory", "theory", "");
+    writer.begin_method("fem.hard", "fem", "Q1; found");
+    writer.record_own_surface("theory", 0, surface_of(4e-9));
+    writer.record_setup_time("fem.hard", 1, 0.75);
+    writer.append_steps("fem.hard", 1,
+                        std::vector{sample_point(2), sample_point(0)});
+    writer.append_fields("fem.hard", 1, grid, maps_of(5));
+    writer.append_step_with_fields("fem.hard", 1, sample_point(1), grid,
+                                   maps_of(1));
+    writer.append_fields("fem.hard", 1, grid, maps_of(5));
+    writer.append_step("theory", 0, sample_point(0));
+    writer.record_table({"leak", "A title", {{"gap", "m", {1.0, 2.0}}}});
+    writer.record_table({"leak", "Another", {{"gap", "m", {3.0}}}});
+    writer.record_skipped(std::vector<Skipped>{{"md", "too dear", 1.0, 2.0}});
+    writer.record_provenance({{"wall time", "2 s"}});
+  }
+
+  /// Bytes that this process has handed to write().
+  static double bytes_written() {
+    std::ifstream counters("/proc/self/io");
+    for (std::string word; counters >> word;)
+      if (double bytes = 0.0; word == "wchar:" && counters >> bytes)
+        return bytes;
+    return 0.0;
+  }
+
+  std::size_t rows() const {
+    return read_result(folder_).methods.at(0).realizations.at(0).points.size();
+  }
+
+  /// As a killed run leaves it: rows 0 to n - 1 in the journal alone.
+  void leave_rows(int n) const {
+    ResultWriter writer(folder_, sample_case());
+    writer.begin_method("fem", "fem", "");
+    for (int step = 0; step < n; ++step)
+      writer.append_step("fem", 0, sample_point(step));
+  }
+
+  std::string journal_text() const {
+    std::ifstream stream(journal(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  void write_journal(const std::string& text) const {
+    std::ofstream(journal(), std::ios::binary) << text;
+  }
+};
+
+void expect_same_surface(const SurfaceRecord& a, const SurfaceRecord& b) {
+  EXPECT_EQ(a.grid.points_x, b.grid.points_x);
+  EXPECT_EQ(a.grid.length_y, b.grid.length_y);
+  EXPECT_EQ(a.heights, b.heights);
+  EXPECT_EQ(a.rms_height, b.rms_height);
+  EXPECT_EQ(a.kurtosis, b.kurtosis);
+  ASSERT_EQ(a.spectrum.size(), b.spectrum.size());
+  for (std::size_t i = 0; i < a.spectrum.size(); ++i)
+    EXPECT_EQ(a.spectrum[i].spectrum, b.spectrum[i].spectrum);
+}
+
+void expect_same_curve(const Curve& a, const Curve& b) {
+  EXPECT_EQ(a.setup_cpu_time, b.setup_cpu_time);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    expect_same(a.points[i], b.points[i]);
+  ASSERT_EQ(a.fields.size(), b.fields.size());
+  for (std::size_t i = 0; i < a.fields.size(); ++i) {
+    EXPECT_EQ(a.fields[i].step, b.fields[i].step);
+    EXPECT_EQ(a.fields[i].nominal_pressure, b.fields[i].nominal_pressure);
+    EXPECT_EQ(a.fields[i].pressure, b.fields[i].pressure);
+    EXPECT_EQ(a.fields[i].gap, b.fields[i].gap);
+    EXPECT_EQ(a.fields[i].grid.points_x, b.fields[i].grid.points_x);
+    EXPECT_EQ(a.fields[i].grid.length_y, b.fields[i].grid.length_y);
+  }
+  ASSERT_EQ(a.own_surface.has_value(), b.own_surface.has_value());
+  if (a.own_surface)
+    expect_same_surface(*a.own_surface, *b.own_surface);
+}
+
+TEST_F(ResultJournal, ReadsAsTheFileThatItBecomes) {
+  ResultWriter writer(folder_, sample_case());
+  write_everything(writer);
+  ASSERT_TRUE(fs::exists(journal()));
+  const Result before = read_result(folder_);
+
+  writer.finish("interrupted");
+
+  EXPECT_FALSE(fs::exists(journal()));
+  const Result after = read_result(folder_);
+  EXPECT_EQ(before.status, "running");
+  EXPECT_EQ(after.status, "interrupted");
+  EXPECT_EQ(before.provenance, after.provenance);
+  ASSERT_EQ(before.surfaces.size(), 2U);
+  ASSERT_EQ(after.surfaces.size(), 2U);
+  for (std::size_t r = 0; r < 2; ++r)
+    expect_same_surface(before.surfaces[r], after.surfaces[r]);
+  ASSERT_EQ(before.methods.size(), 2U);
+  ASSERT_EQ(after.methods.size(), 2U);
+  for (std::size_t m = 0; m < 2; ++m) {
+    EXPECT_EQ(before.methods[m].name, after.methods[m].name);
+    EXPECT_EQ(before.methods[m].kind, after.methods[m].kind);
+    EXPECT_EQ(before.methods[m].description, after.methods[m].description);
+    ASSERT_EQ(before.methods[m].realizations.size(),
+              after.methods[m].realizations.size());
+    for (std::size_t r = 0; r < before.methods[m].realizations.size(); ++r)
+      expect_same_curve(before.methods[m].realizations[r],
+                        after.methods[m].realizations[r]);
+  }
+  ASSERT_EQ(before.tables.size(), 1U);
+  EXPECT_EQ(before.tables[0].title, after.tables.at(0).title);
+  EXPECT_EQ(before.tables[0].columns[0].values,
+            after.tables[0].columns.at(0).values);
+  ASSERT_EQ(before.skipped.size(), 1U);
+  EXPECT_EQ(before.skipped[0].why, after.skipped.at(0).why);
+}
+
+// Claim: what a step writes does not grow with the file: here 8 MB of heights
+// and a thousand rows stand in it, and a row is some 300 bytes. Copying the
+// file would be 8 MB a step.
+TEST_F(ResultJournal, AStepCostsItsOwnSizeAlone) {
+  const Grid large{1024, 1024, 1e-6, 1e-6};
+  ResultWriter writer(folder_, sample_case());
+  writer.record_surface(0, surface_of(1e-9, large));
+  writer.begin_method("fem", "fem", "");
+  constexpr int steps = 1000;
+  double most = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    const double before = bytes_written();
+    writer.append_step("fem", 0, sample_point(step));
+    most = std::max(most, bytes_written() - before);
+  }
+
+  EXPECT_GT(most, 200.0);
+  EXPECT_LT(most, 1000.0);
+}
+
+// Claim: with maps in every step, all copies together write each byte a few
+// times, however many steps there are.
+TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
+  const Grid square{128, 128, 1e-6, 1e-6};
+  Fields fields;
+  for (std::size_t i = 0; i < square.size(); ++i) // does not compress well
+    fields.pressure.push_back(std::fmod(1e9 * std::sin(1.0 + double(i)), 1e6));
+  fields.gap = fields.pressure;
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+  constexpr int steps = 100; // 13 MB
+  const double before = bytes_written();
+  for (int step = 0; step < steps; ++step) {
+    fields.step = step;
+    writer.append_step_with_fields("fem", 0, sample_point(step), square,
+                                   fields);
+  }
+  writer.finish("complete");
+
+  const double maps = 2.0 * 4.0 * steps * static_cast<double>(square.size());
+  EXPECT_GT(bytes_written() - before, 1.5 * maps); // journal and file
+  EXPECT_LT(bytes_written() - before, 6.0 * maps);
+}
+
+// Claim: a record that is not whole is none, and those before it stay.
+TEST_F(ResultJournal, LosesAtMostTheRecordThatIsBeingWritten) {
+  leave_rows(2);
+  const std::string two = journal_text();
+  leave_rows(3);
+  const std::string three = journal_text();
+  const std::size_t record = three.size() - two.size();
+  ASSERT_EQ(rows(), 3U);
+
+  for (std::size_t missing = 1; missing <= record; missing += 7) {
+    write_journal(three.substr(0, three.size() - missing));
+    EXPECT_EQ(rows(), 2U) << missing;
+  }
+  for (std::size_t place = three.size() - record; place < three.size();
+       place += 11) {
+    std::string damaged = three;
+    damaged[place] = static_cast<char>(damaged[place] ^ 1);
+    write_journal(damaged);
+    EXPECT_EQ(rows(), 2U) << place;
+  }
+
+  ResultWriter next(folder_, sample_case(), ResultWriter::Mode::resume);
+  EXPECT_TRUE(next.has_step("fem", 0, 1));
+  EXPECT_FALSE(next.has_step("fem", 0, 2));
+  next.append_step("fem", 0, sample_point(2));
+  EXPECT_EQ(rows(), 3U);
+}
+
+// Claim: a journal that is put into the file and not yet removed when the run
+// is killed is not put into it again.
+TEST_F(ResultJournal, IsNotTakenTwice) {
+  leave_rows(3);
+  const std::string text = journal_text();
+  settle_result(folder_);
+  ASSERT_FALSE(fs::exists(journal()));
+  write_journal(text);
+
+  EXPECT_EQ(rows(), 3U);
+
+  ResultWriter next(folder_, sample_case(), ResultWriter::Mode::resume);
+  next.append_step("fem", 0, sample_point(3));
+  EXPECT_EQ(rows(), 4U);
+}
+
+TEST_F(ResultJournal, OfAnotherResultIsNotRead) {
+  leave_rows(3);
+  const std::string text = journal_text();
+  { const ResultWriter other(folder_, sample_case()); }
+  EXPECT_TRUE(read_result(folder_).methods.empty());
+  write_journal(text);
+
+  EXPECT_TRUE(read_result(folder_).methods.empty());
+}
+
+// Claim: damage in the middle stops the writer before it removes anything.
+TEST_F(ResultJournal, ThatIsDamagedIsKeptAndSaid) {
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+  for (int step = 0; step < 3; ++step)
+    writer.append_step("fem", 0, sample_point(step));
+  std::string damaged = journal_text();
+  damaged[damaged.size() / 2] =
+      static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  write_journal(damaged);
+
+  try {
+    writer.finish("complete");
+    FAIL() << "a damaged journal was taken for a whole one";
+  } catch (const Hdf5Error& error) {
+    EXPECT_NE(std::string(error.what()).find("result.journal: change "),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(journal_text(), damaged);
+  EXPECT_FALSE(fs::exists(folder_ / ".result.h5.part"));
+  EXPECT_EQ(read_result(folder_).status, "running");
+}
+
+// Claim: on a full disk (a limit of the file's size does the same) the step
+// that does not fit is an error that names the file, and all before it are
+// there.
+TEST_F(ResultJournal, AFullDiskLeavesWhatWasDone) {
+  ChildLimits limits;
+  limits.file_size = 40'000;
+  ChildProcess child = ChildProcess::forked(
+      [this](int) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ResultWriter writer(folder_, sample_case());
+        writer.begin_method("fem", "fem", "");
+        int step = 0;
+        try {
+          for (; step < 10'000; ++step)
+            writer.append_step("fem", 0, sample_point(step));
+        } catch (const std::system_error& error) {
+          const bool is_named =
+              std::string(error.what()).find("result.journal") !=
+              std::string::npos;
+          ::_exit(is_named && rows() == static_cast<std::size_t>(step) ? 42
+                                                                       : 43);
+        }
+      },
+      limits);
+
+  EXPECT_EQ(child.wait().exit_code, 42);
+  const std::size_t done = rows();
+  EXPECT_GT(done, 50U);
+  ResultWriter next(folder_, sample_case(), ResultWriter::Mode::resume);
+  next.append_step("fem", 0, sample_point(static_cast<int>(done)));
+  next.finish("complete");
+  EXPECT_EQ(rows(), done + 1);
+}
+
+} // namespace
+} // namespace asperity::results
