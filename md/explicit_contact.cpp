@@ -61,6 +61,15 @@ public:
 
   double shown_contact_modulus() const override { return shown_modulus_; }
 
+  std::vector<double> state() const override { return state_; }
+
+  void restore(std::span<const double> state) override {
+    if (state.size() != state_.size())
+      refuse_argument("state.size()", static_cast<double>(state.size()),
+                      fmt::format("{}", state_.size()));
+    state_.assign(state.begin(), state.end());
+  }
+
 private:
   double contact_distance() const { return request_.settings.contact_distance; }
 

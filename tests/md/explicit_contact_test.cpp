@@ -65,6 +65,22 @@ protected:
       ("asperity-explicit-" + std::to_string(::getpid()));
 };
 
+// Claim: another process goes on from the state as this one does, bit by bit.
+TEST(ExplicitContact, GoesOnFromItsState) {
+  const auto first = make_explicit_contact(request_of(small_scene()));
+  first->solve(Control::nominal_pressure, 2e8, 0);
+  const auto second = make_explicit_contact(request_of(small_scene()));
+  second->restore(first->state());
+
+  const AtomStep went_on = first->solve(Control::nominal_pressure, 1e9, 1);
+  const AtomStep restored = second->solve(Control::nominal_pressure, 1e9, 1);
+
+  EXPECT_EQ(went_on.mean_gap, restored.mean_gap);
+  EXPECT_EQ(went_on.pressure, restored.pressure);
+  EXPECT_EQ(first->state(), second->state());
+  EXPECT_THROW(second->restore(std::vector<double>(3)), std::domain_error);
+}
+
 // Claim: pressure control and held height are two ways to one curve, although
 // one presses on the plate and the other on the layer. Tolerance: the residual,
 // 1e-6 of the mean force, over the stiffness of the curve, whose reach is some
