@@ -7,6 +7,7 @@
 #include "app/sweep.hpp"
 #include "app/target_error.hpp"
 #include "app/target_words.hpp"
+#include "base/folder_lock.hpp"
 #include "cases/case_hash.hpp"
 #include "cases/read_case.hpp"
 #include "reports/bench_analysis.hpp"
@@ -153,6 +154,7 @@ ExitCode bench_case(const BenchCommand& command) {
   const fs::path folder = command.out.empty()
                               ? fs::path("out") / contact_case.name / "bench"
                               : fs::path(command.out);
+  const FolderLock lock(folder, "bench " + contact_case.name);
   catch_interrupts();
   std::vector<std::string> common = subject.overrides;
   common.insert(common.end(), sweep.common.begin(), sweep.common.end());
@@ -179,7 +181,13 @@ ExitCode bench_case(const BenchCommand& command) {
   for (const std::string& problem : reports::write_bench_report(bench, folder))
     fmt::print(stderr, "figure not drawn: {}\n", problem);
   fmt::print("report: {}\n", (folder / "report.html").string());
-  return is_interrupted() ? exit_interrupted : exit_good;
+  if (is_interrupted())
+    return exit_interrupted;
+  return std::ranges::any_of(
+             bench.points,
+             [](const BenchPoint& point) { return point.problem.empty(); })
+             ? exit_good
+             : exit_internal; // no setting has an answer
 }
 
 } // namespace asperity::app

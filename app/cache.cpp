@@ -1,19 +1,17 @@
 #include "app/cache.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
 #include "cases/case_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <openssl/evp.h>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 namespace asperity::app {
@@ -21,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view magic = "asperity-cache-1\n";
 constexpr std::size_t hash_length = 64;
 constexpr std::uintmax_t default_size = 2'000'000'000;
 
@@ -80,35 +77,33 @@ std::uintmax_t bytes_of(const std::vector<Entry>& entries) {
   return bytes;
 }
 
-/// The bytes behind the head, if the head is their hash.
-std::optional<std::string> checked_bytes(const fs::path& path) {
+/// What an entry begins with. It says which entry it is, so that one under
+/// another's name is not believed.
+std::string head_of(const std::string& key, const std::string& kind,
+                    std::string_view bytes) {
+  return fmt::format("asperity-cache-2\n{} {}\n{}\n", key, kind,
+                     content_hash(bytes));
+}
+
+/// The bytes behind the head, if the head is this entry's with their hash.
+std::optional<std::string> checked_bytes(const fs::path& path,
+                                         const std::string& key,
+                                         const std::string& kind) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf()))
     return std::nullopt;
-  std::string read = std::move(text).str();
-  const std::size_t head = magic.size() + hash_length;
-  if (read.size() < head || !read.starts_with(magic))
+  const std::string read = std::move(text).str();
+  const std::size_t head = head_of(key, kind, "").size();
+  if (read.size() < head)
     return std::nullopt;
   std::string bytes = read.substr(head);
-  if (read.compare(magic.size(), hash_length, content_hash(bytes)) != 0)
+  if (!read.starts_with(head_of(key, kind, bytes)))
     return std::nullopt;
   return bytes;
 }
 
 } // namespace
-
-std::string content_hash(std::string_view text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int length = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(),
-                 nullptr) != 1)
-    throw std::runtime_error("OpenSSL has no SHA-256");
-  std::string hash;
-  for (unsigned int i = 0; i < length; ++i)
-    hash += fmt::format("{:02x}", digest[i]);
-  return hash;
-}
 
 Cache::Cache(fs::path folder, std::uintmax_t most_bytes)
     : folder_(std::move(folder)),
@@ -127,19 +122,23 @@ std::optional<std::string> Cache::read(const std::string& key,
                                        const std::string& kind) {
   if (!has(key, kind))
     return std::nullopt;
-  std::optional<std::string> bytes = checked_bytes(path_of(key, kind));
+  std::optional<std::string> bytes =
+      checked_bytes(path_of(key, kind), key, kind);
   std::error_code error;
-  if (bytes)
+  if (bytes) {
     fs::last_write_time(path_of(key, kind), fs::file_time_type::clock::now(),
                         error);
-  else
+  } else if (has(key, kind)) { // nobody else has removed it meanwhile
+    ++damaged_;
     remove(key, kind);
+  }
   return bytes;
 }
 
 void Cache::write(const std::string& key, const std::string& kind,
                   std::string_view bytes) {
-  const std::uintmax_t size = magic.size() + hash_length + bytes.size();
+  const std::string head = head_of(key, kind, bytes);
+  const std::uintmax_t size = head.size() + bytes.size();
   if (size > most_bytes_)
     return;
   std::error_code error;
@@ -148,11 +147,12 @@ void Cache::write(const std::string& key, const std::string& kind,
   const fs::path part = temporary_beside(path);
   // Not synced to disk: what a power cut leaves does not pass the check.
   std::ofstream stream(part, std::ios::binary);
-  stream << magic << content_hash(bytes) << bytes;
+  stream << head << bytes;
   stream.close();
   if (stream)
     fs::rename(part, path, error);
   if (!stream || error) {
+    ++refused_;
     fs::remove(part, error);
     return;
   }
@@ -195,6 +195,20 @@ void Cache::remove(const std::string& key, const std::string& kind) {
 Cache::Contents Cache::contents() const {
   const std::vector<Entry> entries = entries_of(folder_);
   return {entries.size(), bytes_of(entries)};
+}
+
+std::vector<std::string> Cache::problems() const {
+  std::vector<std::string> found;
+  if (damaged_ > 0)
+    found.push_back(fmt::format(
+        "cache {}: {} damaged entries were removed and computed again",
+        folder_.string(), damaged_.load()));
+  if (refused_ > 0)
+    found.push_back(
+        fmt::format("cache {}: {} entries could not be written and are not "
+                    "kept",
+                    folder_.string(), refused_.load()));
+  return found;
 }
 
 void Cache::clear() {

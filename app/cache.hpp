@@ -10,11 +10,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity::app {
-
-/// SHA-256 of a text, as 64 hexadecimal digits.
-std::string content_hash(std::string_view text);
 
 /// The kinds of entries, which are the ends of their files' names.
 namespace entry_kind {
@@ -25,8 +23,9 @@ inline constexpr const char* face = "face";   ///< operator of a block's face
 } // namespace entry_kind
 
 /// A bounded store of byte strings. An entry is written beside its place and
-/// renamed into it, and carries the hash of its bytes: one that was damaged is
-/// removed when it is read and counts as missing. Beyond the bound the entries
+/// renamed into it, and carries its key, its kind and the hash of its bytes:
+/// one that was damaged or renamed is removed when it is read and counts as
+/// missing. Beyond the bound the entries
 /// that were not used for the longest time go first. Any number of processes
 /// and threads may use one folder.
 ///
@@ -70,6 +69,10 @@ public:
 
   Contents contents() const;
 
+  /// What went wrong with entries so far, in a sentence each; empty if nothing
+  /// did.
+  std::vector<std::string> problems() const;
+
   /// Removes every entry, and what killed writers left.
   void clear();
 
@@ -82,6 +85,8 @@ private:
   std::uintmax_t most_bytes_ = 0;
   std::mutex mutex_;
   std::optional<std::uintmax_t> bytes_; ///< as far as this process knows
+  std::atomic<int> damaged_ = 0;
+  std::atomic<int> refused_ = 0; ///< writes by the disk
 };
 
 /// Where the cache of this user is: $ASPERITY_CACHE, else

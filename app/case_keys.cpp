@@ -1,6 +1,6 @@
 #include "app/case_keys.hpp"
 
-#include "app/cache.hpp"
+#include "base/content_hash.hpp"
 #include "cases/case_text.hpp"
 #include "cases/input_file.hpp"
 #include "cases/toml_text.hpp"
@@ -17,6 +17,10 @@ namespace {
 
 using cases::Node;
 using cases::NodeEntry;
+
+constexpr const char* surface_file = "surface.file";
+constexpr const char* variation_file = "material.variation.file";
+constexpr const char* mesh_file = "mesh.file";
 
 /// A value as text, the keys of a table by the alphabet.
 std::string canonical(const Node& node) {
@@ -49,27 +53,21 @@ bool is_key(const std::string& table, const std::string& name) {
                      [&](const cases::Key& key) { return key.name == name; });
 }
 
-/// What is in a file; "" where none is named.
-std::string hash_of_file(const std::string& path) {
-  return path.empty() ? ""
-                      : content_hash(cases::read_input_file(
-                            path, cases::largest_number_file));
+/// "" where the case names no such file.
+std::string hash_in(const std::map<std::string, std::string>& inputs,
+                    const std::string& key) {
+  const auto found = inputs.find(key);
+  return found == inputs.end() ? "" : found->second;
 }
 
 /// Every realisation of one seed is the same however many there are, and a map
 /// is what its bytes are, wherever it lies.
-std::string surface_text(const Node& file, const cases::SurfaceSpec& surface) {
+std::string surface_text(const Node& file) {
   Node table = *file.find("surface");
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "realizations" || entry.key == "file";
   });
-  return canonical(table) + hash_of_file(surface.file);
-}
-
-std::string material_text(const Node& file,
-                          const cases::MaterialSpec& material) {
-  return text_of(file, "material") +
-         (material.variation ? hash_of_file(material.variation->file) : "");
+  return canonical(table);
 }
 
 std::string load_text(const cases::LoadProgram& load, std::size_t step) {
@@ -84,9 +82,11 @@ CaseKeys::CaseKeys(const cases::Case& rough_case, std::string program)
     : case_(rough_case),
       program_(std::move(program)),
       file_(parsed(rough_case)),
-      scene_(fmt::format("{}\n{}\n{}", program_,
-                         surface_text(file_, rough_case.surface),
-                         material_text(file_, rough_case.material))) {}
+      inputs_(input_hashes(rough_case)),
+      scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
+                         hash_in(inputs_, surface_file),
+                         text_of(file_, "material"),
+                         hash_in(inputs_, variation_file))) {}
 
 /// The keys of [fem] with those of [fem.hard] over them, variants left out.
 std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
@@ -106,7 +106,7 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
     text += md::engine_identity(*md);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
       fem != nullptr && fem->uses_case_mesh)
-    text += text_of(file_, "mesh") + hash_of_file(case_.mesh.file);
+    text += text_of(file_, "mesh") + hash_in(inputs_, mesh_file);
   return text;
 }
 
@@ -131,6 +131,20 @@ std::string CaseKeys::table(const cases::MethodSpec& theory,
 
 std::string CaseKeys::face(const std::string& face) const {
   return content_hash(program_ + "\n" + face);
+}
+
+std::map<std::string, std::string> input_hashes(const cases::Case& rough_case) {
+  std::map<std::string, std::string> inputs;
+  const auto add = [&](const char* key, const std::string& path) {
+    if (!path.empty())
+      inputs[key] = content_hash(
+          cases::read_input_file(path, cases::largest_number_file));
+  };
+  add(surface_file, rough_case.surface.file);
+  if (rough_case.material.variation)
+    add(variation_file, rough_case.material.variation->file);
+  add(mesh_file, rough_case.mesh.file);
+  return inputs;
 }
 
 std::string program_identity() {

@@ -7,6 +7,7 @@
 #include "cases/node.hpp"
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,14 @@ private:
   const cases::Case& case_;
   std::string program_;
   cases::Node file_;
-  std::string scene_; ///< surface and material
+  std::map<std::string, std::string> inputs_; ///< input_hashes()
+  std::string scene_;                         ///< surface and material
 };
+
+/// SHA-256 of what is in each file that the case names, by the key that names
+/// it: "surface.file". A base case is part of the case's text.
+/// @throws cases::CaseError  a file cannot be read
+std::map<std::string, std::string> input_hashes(const cases::Case& rough_case);
 
 /// Build and processor: equal ones compute the same bits.
 std::string program_identity();

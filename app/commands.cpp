@@ -1,19 +1,19 @@
 #include "app/commands.hpp"
 
+#include "app/asked_cases.hpp"
 #include "app/bench.hpp"
 #include "app/cache.hpp"
 #include "app/case_library.hpp"
 #include "app/chosen.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
+#include "app/last_run.hpp"
 #include "app/plan.hpp"
 #include "app/run_case.hpp"
 #include "app/target_run.hpp"
 #include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
 #include "cases/case_error.hpp"
-#include "cases/node.hpp"
-#include "cases/read_case.hpp"
-#include "cases/toml_text.hpp"
 #include "reports/paper_report.hpp"
 #include "reports/report.hpp"
 #include "reports/verdict.hpp"
@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace asperity::app {
 namespace {
@@ -34,57 +35,6 @@ namespace fs = std::filesystem;
 /// The worse of two ends: what cannot be trusted before what is out of band.
 ExitCode worse(ExitCode one, ExitCode other) {
   return std::max(one, other);
-}
-
-/// A case with what stands beside its file, read before anything runs.
-struct ReadCase {
-  FoundCase found;
-  cases::Case rough_case;
-  std::string reference; ///< text of reference.csv
-  std::vector<std::string> overrides = {};
-};
-
-/// What one word of the command line asked for.
-struct Asked {
-  FoundCases found;
-  std::vector<ReadCase> cases;
-};
-
-std::string title_override(const std::string& title) {
-  cases::Node text;
-  text.type = cases::NodeType::text;
-  text.text = title;
-  return "title=" + cases::toml_value(text);
-}
-
-ReadCase read_with_reference(const FoundCase& found,
-                             std::vector<std::string> overrides,
-                             bool is_quick) {
-  const std::string file = found.file.string();
-  if (is_quick) {
-    const cases::Case whole = cases::read_case(file);
-    std::vector<std::string> quick = quick_overrides(found.file);
-    if (quick.empty())
-      fmt::print("{}: there is no quick.set beside it; it runs in full\n",
-                 whole.name);
-    else
-      quick.push_back(title_override(whole.title + reports::quick_mark));
-    overrides.insert(overrides.begin(), quick.begin(), quick.end());
-  }
-  ReadCase read{found, cases::read_case(file, overrides), "", overrides};
-  read.reference = reference_text_of(read.rough_case);
-  if (read.found.name.empty())
-    read.found.name = read.rough_case.name;
-  return read;
-}
-
-Asked read_asked(const std::string& word,
-                 const std::vector<std::string>& overrides = {},
-                 bool is_quick = false) {
-  Asked asked{find_cases(word), {}};
-  for (const FoundCase& found : asked.found.cases)
-    asked.cases.push_back(read_with_reference(found, overrides, is_quick));
-  return asked;
 }
 
 reports::Summary summary_of(const results::Result& result) {
@@ -204,11 +154,18 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
   const bool is_collection = !asked.found.collection.empty();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
+  std::optional<FolderLock> collection_lock;
+  if (is_collection) {
+    const fs::path folder = folder_of(asked.found.collection, command);
+    collection_lock.emplace(folder, "run " + asked.found.collection);
+    remove_report(folder); // it is of the last run's parts
+  }
   for (const ReadCase& read : asked.cases) {
     const fs::path folder = is_collection
                                 ? folder_of(asked.found.collection, command) /
                                       read.found.file.parent_path().filename()
                                 : folder_of(read.found.name, command);
+    const FolderLock lock(folder, "run " + read.found.name);
     const RunOptions options = options_of(read, folder, command, cache);
     end = worse(end, command.target_error.empty()
                          ? run_one(read.rough_case, options, command.no_report)
@@ -254,11 +211,61 @@ ExitCode report_results(const std::vector<std::string>& paths,
                           : paths.size() > 1        ? fs::path("out/comparison")
                           : fs::is_directory(first) ? first
                                                     : first.parent_path() / ".";
+  const FolderLock lock(folder, "report");
   for (const std::string& failure : reports::write_report(read, folder))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return exit_good;
 }
+
+namespace {
+
+/// What a check has found so far.
+struct Verdicts {
+  std::vector<reports::Summary> summaries;
+  ExitCode end = exit_good;
+
+  void take(reports::Summary summary) {
+    fmt::print("{}\n", summary.case_name);
+    print_verdicts(summary);
+    end = worse(end, exit_code_of(summary));
+    summaries.push_back(std::move(summary));
+  }
+
+  /// Of a case that has no result to be judged.
+  void take_problem(const std::string& case_name, const std::string& problem,
+                    ExitCode exit_code) {
+    reports::Summary summary;
+    summary.case_name = case_name;
+    reports::Verdict verdict;
+    verdict.quantity = "run";
+    verdict.estimate.remark = problem;
+    summary.verdicts.push_back(std::move(verdict));
+    summaries.push_back(std::move(summary));
+    end = worse(end, exit_code);
+  }
+
+  void write(const std::string& junit) const {
+    if (!junit.empty())
+      write_file_atomically(junit, reports::junit_xml(summaries));
+  }
+};
+
+void check_cases(const Asked& asked, Cache& cache, Verdicts& verdicts) {
+  catch_interrupts();
+  for (const auto& [found, rough_case, reference, overrides] : asked.cases) {
+    const fs::path folder = fs::path("out") / found.name;
+    const FolderLock lock(folder, "check " + found.name);
+    if (run_case(rough_case, {folder, {}, false, 0, reference, &cache})
+            .is_interrupted) {
+      verdicts.take_problem(found.name, "interrupted", exit_interrupted);
+      return;
+    }
+    verdicts.take(write_outputs(folder));
+  }
+}
+
+} // namespace
 
 ExitCode check_targets(const std::vector<std::string>& targets,
                        const std::string& junit, bool uses_cache) {
@@ -267,33 +274,24 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   for (const std::string& target : targets)
     if (!is_result(target))
       to_run.emplace(target, read_asked(target));
-  std::vector<reports::Summary> summaries;
-  ExitCode end = exit_good;
-  const auto judge = [&](reports::Summary summary) {
-    fmt::print("{}\n", summary.case_name);
-    print_verdicts(summary);
-    end = worse(end, exit_code_of(summary));
-    summaries.push_back(std::move(summary));
-  };
-  for (const std::string& target : targets) {
-    const auto asked = to_run.find(target);
-    if (asked == to_run.end()) {
-      judge(summary_of(results::read_result(target)));
-      continue;
+  Verdicts verdicts;
+  try {
+    for (const std::string& target : targets) {
+      const auto asked = to_run.find(target);
+      if (asked == to_run.end())
+        verdicts.take(summary_of(results::read_result(target)));
+      else
+        check_cases(asked->second, cache, verdicts);
+      if (is_interrupted())
+        break;
     }
-    catch_interrupts();
-    for (const auto& [found, rough_case, reference, overrides] :
-         asked->second.cases) {
-      const fs::path folder = fs::path("out") / found.name;
-      if (run_case(rough_case, {folder, {}, false, 0, reference, &cache})
-              .is_interrupted)
-        return exit_interrupted;
-      judge(write_outputs(folder));
-    }
+  } catch (const std::exception& error) { // what was found is still told
+    verdicts.take_problem("check", error.what(), exit_internal);
+    verdicts.write(junit);
+    throw;
   }
-  if (!junit.empty())
-    write_file_atomically(junit, reports::junit_xml(summaries));
-  return end;
+  verdicts.write(junit);
+  return verdicts.end;
 }
 
 } // namespace asperity::app

@@ -3,16 +3,20 @@
 #include "app/commands.hpp"
 #include "app/mpi_world.hpp"
 #include "app/stress_command.hpp"
+#include "base/folder_lock.hpp"
 #include "base/freed_memory.hpp"
 #include "cases/case_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <stdexcept>
+#include <system_error>
 
 namespace asperity::app {
 namespace {
@@ -171,7 +175,8 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", ASPERITY_VERSION);
   program.footer("exit codes: 0 good, 1 an expectation failed, 2 bad input, "
-                 "3 the numerics gave up, 4 the machine or a library did");
+                 "3 a solution did not\nconverge, 4 system or library error, "
+                 "130 interrupted");
   Action action;
   RunCommand run;
   StressCommand stress;
@@ -199,10 +204,17 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   asperity::keep_freed_memory();
+  std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like any
   try {
-    return asperity::app::has_followed_rank_0()
-               ? asperity::app::exit_good
-               : asperity::app::run(argc, argv);
+    const int end = asperity::app::has_followed_rank_0()
+                        ? asperity::app::exit_good
+                        : asperity::app::run(argc, argv);
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot write standard output");
+    return end;
+  } catch (const asperity::FolderInUse& error) {
+    fmt::print(stderr, "{}\n", error.what());
   } catch (const asperity::cases::CaseError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::domain_error& error) {

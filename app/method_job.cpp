@@ -201,18 +201,37 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
                           {0, solver->saved_setup_time()});
   scene_.writer.record_setup_time(method_.name, realization_, setup_time);
   describe_found(solver->found_at_setup());
-  bool goes_on = false; // from the step before, which this solver computed
-  std::size_t next = 0;
+  std::size_t next = 0; // the step that the solver would go on with
   for (const std::size_t step : steps) {
-    if (is_interrupted())
+    if (!go_to(*solver, next, step) || !compute_step(*solver, step, setup_time))
       return;
-    if (step > 0 && !(goes_on && step == next))
-      if (const std::vector<double> state = chain_.state_after(step - 1);
-          !state.empty())
-        solver->restore(state);
-    goes_on = compute_step(*solver, step, setup_time);
     next = step + 1;
   }
+}
+
+/// Brings a solver that would go on with `next` to where a run without
+/// interruption stands before `step`: to the last state that is kept, and from
+/// there by computing again what lies between.
+/// @return  false if the run is to end
+bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
+  for (std::size_t known = step; known > next; --known)
+    if (const std::vector<double> state = chain_.state_after(known - 1);
+        !state.empty()) {
+      solver.restore(state);
+      next = known;
+      break;
+    }
+  if (next < step)
+    fmt::print("{}, realization {}: steps {} to {} are computed again, because "
+               "the state after them was not kept\n",
+               method_.name, realization_, next, step - 1);
+  const cases::Scales& scales =
+      scene_.surfaces.of(method_, realization_).scales;
+  for (; next < step && !is_interrupted(); ++next) {
+    solver.solve(target_of(scene_.rough_case.load, next, scales));
+    ++scene_.tally.repeated_steps;
+  }
+  return !is_interrupted();
 }
 
 /// @return  false if it was broken off: the step is still to be done

@@ -31,7 +31,8 @@ struct KeptWork {
 class Tally {
 public:
   std::atomic<int> computed_steps = 0;
-  std::atomic<int> failed_steps = 0; ///< not converged
+  std::atomic<int> failed_steps = 0;   ///< not converged
+  std::atomic<int> repeated_steps = 0; ///< only for the state behind them
   std::atomic<bool> uses_fem = false;
 
   /// @param thing  a method, or a table
@@ -78,6 +79,7 @@ private:
   void describe_found(const std::string& found);
   void compute_theory(const std::vector<std::size_t>& steps);
   void compute_elastic(const std::vector<std::size_t>& steps);
+  bool go_to(StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
   Resources resources() const;
 

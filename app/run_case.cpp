@@ -3,12 +3,14 @@
 #include "app/case_keys.hpp"
 #include "app/chosen.hpp"
 #include "app/interrupt.hpp"
+#include "app/last_run.hpp"
 #include "app/method_job.hpp"
 #include "app/provenance_of_run.hpp"
 #include "app/skipped.hpp"
 #include "app/stress_tables.hpp"
 #include "app/studies.hpp"
 #include "cases/case_hash.hpp"
+#include "results/provenance.hpp"
 
 #include <fmt/format.h>
 
@@ -20,18 +22,19 @@ using cases::MethodSpec;
 
 constexpr int probed_points = 256;
 
-/// A new run keeps the last result under another name, and leaves no table or
-/// report of it that would seem to be the new one's.
-/// @return the folder
-const fs::path& put_last_run_aside(const fs::path& folder) {
-  for (const char* name : {"curves.csv", "summary.json", "report.html"})
-    fs::remove(folder / name);
-  if (!fs::exists(folder / "result.h5"))
-    return folder;
-  fs::rename(folder / "result.h5", folder / "result.previous.h5");
-  fmt::print("the last result is kept as {}\n",
-             (folder / "result.previous.h5").string());
-  return folder;
+/// What the text of the case leaves open.
+results::Inputs inputs_of(const cases::Case& rough_case) {
+  results::Inputs inputs = input_hashes(rough_case);
+  inputs["program"] = results::build_stamp();
+  return inputs;
+}
+
+/// Where the folder has to be clean for a new run, or kept for one that
+/// resumes.
+const fs::path& prepared(const RunOptions& options) {
+  if (!options.resume)
+    put_last_run_aside(options.folder);
+  return options.folder;
 }
 
 /// One run of a case, from the surfaces to the end of its file.
@@ -43,10 +46,10 @@ public:
         methods_(std::move(methods)),
         pool_(options.threads),
         surfaces_(case_, methods_),
-        writer_(options.resume ? options.folder
-                               : put_last_run_aside(options.folder),
+        writer_(prepared(options),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
-                 case_.material.contact_modulus, options.reference},
+                 case_.material.contact_modulus, options.reference,
+                 inputs_of(case_)},
                 options.resume ? results::ResultWriter::Mode::resume
                                : results::ResultWriter::Mode::create),
         cache_(options.cache != nullptr ? *options.cache : no_cache_),
@@ -148,7 +151,9 @@ RunOutcome Run::execute() {
     writer_.record_provenance(provenance_of_fem());
   writer_.record_provenance(
       {{"steps computed", std::to_string(tally_.computed_steps)},
-       {"steps from the cache", std::to_string(tally_.kept_steps())}});
+       {"steps from the cache", std::to_string(tally_.kept_steps())},
+       {"steps computed again for what follows them",
+        std::to_string(tally_.repeated_steps)}});
   writer_.record_skipped(skipped());
   writer_.record_provenance(clock.facts());
   writer_.record_provenance(
@@ -157,6 +162,8 @@ RunOutcome Run::execute() {
   fmt::print("{} steps: {} computed, {} from the cache\n",
              tally_.computed_steps + tally_.kept_steps(),
              tally_.computed_steps.load(), tally_.kept_steps());
+  for (const std::string& problem : cache_.problems())
+    fmt::print(stderr, "{}\n", problem);
   return {was_interrupted, tally_.failed_steps, tally_.computed_steps,
           tally_.kept_steps()};
 }

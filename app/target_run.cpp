@@ -85,11 +85,11 @@ bool TargetRun::verify(const cases::Case& chosen,
 void TargetRun::record(const std::filesystem::path& folder) const {
   const results::Result result = results::read_result(folder);
   print_outcome(outcome_);
-  results::ResultWriter writer(folder,
-                               {result.case_name, result.case_title,
-                                result.case_text, result.case_hash,
-                                result.contact_modulus, result.reference},
-                               results::ResultWriter::Mode::resume);
+  results::ResultWriter writer(
+      folder,
+      {result.case_name, result.case_title, result.case_text, result.case_hash,
+       result.contact_modulus, result.reference, results::inputs_of(result)},
+      results::ResultWriter::Mode::resume);
   writer.record_provenance(facts_of(outcome_));
   writer.finish(result.status);
 }

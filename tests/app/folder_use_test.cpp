@@ -1,0 +1,238 @@
+// Claims about the folder of a run: one writer at a time, nothing of an earlier
+// run is taken for the new one's, and what a disk refuses is exit code 4 and
+// costs nothing that was done.
+#include "results/result_reader.hpp"
+
+#include <future>
+#include <set>
+#include <thread>
+#include <unistd.h>
+
+#include "tests/app/program.hpp"
+#include "tests/app/same_bits.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using results::Result;
+
+class FolderUse : public ProgramTest {
+protected:
+  FolderUse() { write("small.toml", small_case); }
+
+  Result result(const std::string& name) const {
+    return results::read_result(folder / name);
+  }
+
+  /// The program beside another one; its words go to a file of its own.
+  int run_beside(const std::string& arguments, const std::string& log) const {
+    const std::string command = "cd " + folder.string() +
+                                " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
+                                " " +
+                                arguments + " > " + log + " 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  std::size_t rows(const std::string& name) const {
+    std::size_t rows = 0;
+    for (const results::MethodRecord& method : result(name).methods)
+      for (const results::Curve& curve : method.realizations)
+        rows += curve.points.size();
+    return rows;
+  }
+};
+
+// Theory once, half-space and fem on two realisations, four loads each.
+constexpr std::size_t all_rows = 4 + 2 * 4 + 2 * 4;
+
+// Claim: of two runs that begin at once, with other heights, one refuses or
+// comes after the other; the file is always one run's.
+TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
+  int n_refused = 0;
+  for (int trial = 0; trial < 8; ++trial) {
+    auto other = std::async(std::launch::async, [&] {
+      return run_beside("run small.toml --no-cache --no-report --set "
+                        "surface.seed=4 --out one",
+                        "other.txt");
+    });
+    const int here = run_beside(
+        "run small.toml --no-cache --no-report --out one", "here.txt");
+    const int there = other.get();
+
+    EXPECT_TRUE(here == 0 || there == 0) << here << ' ' << there;
+    for (const auto& [end, log] :
+         {std::pair(here, "here.txt"), std::pair(there, "other.txt")})
+      if (end != 0) {
+        ++n_refused;
+        EXPECT_EQ(end, 2);
+        EXPECT_NE(text_of(folder / log)
+                      .find("one is in use by run small ("
+                            "process "),
+                  std::string::npos)
+            << text_of(folder / log);
+      }
+    EXPECT_EQ(rows("one"), all_rows);
+    EXPECT_EQ(result("one").status, "complete");
+  }
+  EXPECT_GT(n_refused, 4);
+}
+
+TEST_F(FolderUse, EveryCommandThatWritesIsRefused) {
+  ASSERT_EQ(run("run small.toml --out out/small").exit_code, 0);
+  fs::create_directories(folder / "out/small/bench");
+  auto holder = std::async(std::launch::async, [&] {
+    return std::system(("cd " + folder.string() +
+                        " && flock out/small/.lock flock "
+                        "out/small/bench/.lock sleep 5")
+                           .c_str());
+  });
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  for (const char* command :
+       {"run small.toml", "run small.toml --resume", "check small.toml",
+        "report out/small", "bench small.toml --quick"}) {
+    const Ended refused = run(command);
+    EXPECT_EQ(refused.exit_code, 2) << command << refused.output;
+    EXPECT_NE(refused.output.find("is in use by"), std::string::npos)
+        << command << refused.output;
+  }
+  EXPECT_EQ(run("report out/small --out elsewhere").exit_code, 0);
+  holder.get();
+  EXPECT_EQ(rows("out/small"), all_rows);
+}
+
+TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  fs::create_directories(folder / "one/fem-0");
+  std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
+  std::ofstream(folder / "one/notes.txt") << "the user's";
+  std::ofstream(folder / "one/figures/notes.txt") << "the user's";
+
+  ASSERT_EQ(
+      run("run small.toml --no-report --methods theory --out one").exit_code,
+      0);
+
+  std::set<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "one"))
+    if (entry.is_regular_file())
+      left.insert(entry.path().filename().string());
+  EXPECT_EQ(left, (std::set<std::string>{".lock", "notes.txt", "result.h5",
+                                         "result.previous.h5"}));
+  EXPECT_TRUE(fs::exists(folder / "one/figures/notes.txt"));
+}
+
+// Claim: a result that goes on after its map changed would be two maps' rows.
+TEST_F(FolderUse, ResumeRefusesAChangedMap) {
+  const auto write_map = [&](double last) {
+    std::string text;
+    for (int i = 0; i < 64; ++i)
+      text += std::to_string(i == 63 ? last : 1e-2 * (7 * i % 11)) +
+              (i % 8 == 7 ? "\n" : " ");
+    write("map.txt", text);
+  };
+  const std::string map_case = std::string(small_case)
+                                   .replace(0, small_case.find("[material]"),
+                                            "schema = 1\ntitle = \"map\"\n"
+                                            "[surface]\nkind = \"measured\"\n"
+                                            "file = \"map.txt\"\n"
+                                            "length = \"1 um\"\n"
+                                            "height_unit = \"1 um\"\n"
+                                            "level = \"none\"\n"
+                                            "edges = \"periodic\"\n");
+  write("map.toml", map_case);
+  write_map(0.02);
+  const Ended first = run("run map.toml --methods halfspace --out one");
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const Result before = result("one");
+
+  write_map(0.03);
+  const Ended refused = run("run map.toml --resume --out one");
+
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(refused.output.find("the file that surface.file names has other "
+                                "content (SHA-256 "),
+            std::string::npos)
+      << refused.output;
+  expect_same_bits(before, result("one"));
+  write_map(0.02);
+  EXPECT_EQ(run("run map.toml --resume --out one").exit_code, 0);
+}
+
+/// A shell that limits the size of files to so many KiB, as a full disk would.
+std::string with_limit(int kibibytes) {
+  return "bash -c 'ulimit -f " + std::to_string(kibibytes) +
+         "; exec \"$0\" \"$@\"'";
+}
+
+TEST_F(FolderUse, AFullDiskIsAnErrorAndCostsNothing) {
+  const std::string run_it = "run small.toml --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it).exit_code, 0);
+  const Result whole = result("one");
+
+  const Ended full = run(run_it + " --methods halfspace,fem", with_limit(60));
+
+  EXPECT_EQ(full.exit_code, 4) << full.output;
+  EXPECT_NE(full.output.find("asperity: "), std::string::npos) << full.output;
+  EXPECT_NE(full.output.find("one/"), std::string::npos) << full.output;
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+
+  const Ended done = run(run_it + " --resume");
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  expect_same_bits(whole, result("one"));
+}
+
+TEST_F(FolderUse, AFolderThatCannotBeMadeIsAnError) {
+  write("file", "no folder");
+
+  const Ended refused = run("run small.toml --out file/one");
+
+  EXPECT_EQ(refused.exit_code, 4) << refused.output;
+  EXPECT_NE(refused.output.find("file/one"), std::string::npos);
+}
+
+// As another user, because root may write everywhere.
+TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndCostsNothing) {
+  if (std::system("setpriv --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "setpriv is not installed (Debian package util-linux)";
+  ASSERT_EQ(run("run small.toml --no-report --out one").exit_code, 0);
+  const Result before = result("one");
+  fs::permissions(folder, fs::perms::owner_all | fs::perms::others_read |
+                              fs::perms::others_exec);
+  const std::string as_nobody =
+      ::geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups" : "";
+  if (::geteuid() != 0)
+    fs::permissions(folder / "one",
+                    fs::perms::owner_read | fs::perms::owner_exec);
+
+  const Ended refused = run("run small.toml --no-cache --out one", as_nobody);
+
+  fs::permissions(folder / "one", fs::perms::owner_all);
+  EXPECT_EQ(refused.exit_code, 4) << refused.output;
+  EXPECT_NE(refused.output.find("cannot write one/.lock"), std::string::npos)
+      << refused.output;
+  expect_same_bits(before, result("one"));
+}
+
+TEST_F(FolderUse, WordsThatCannotBeWrittenAreAnError) {
+  const std::string command = ASPERITY_PROGRAM " list > /dev/full 2>/dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+}
+
+TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
+  write("quick.toml",
+        std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
+  const Ended done =
+      run("check quick.toml small.toml --no-cache --junit verdicts.xml",
+          "timeout -s INT 0.2");
+
+  EXPECT_EQ(done.exit_code, 130) << done.output;
+  const std::string xml = text_of(folder / "verdicts.xml");
+  EXPECT_NE(xml.find("</testsuites>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("interrupted"), std::string::npos) << xml;
+}
+
+} // namespace
+} // namespace asperity::app

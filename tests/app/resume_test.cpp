@@ -1,0 +1,105 @@
+// Claim: a run that is killed at any moments and resumed ends with the result
+// of one that was not, bit for bit, with a cache and without.
+#include "base/child_process.hpp"
+#include "results/result_reader.hpp"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "tests/app/program.hpp"
+#include "tests/app/same_bits.hpp"
+
+namespace asperity::app {
+namespace {
+
+class Resume : public ProgramTest {
+protected:
+  Resume() { write("small.toml", small_case); }
+
+  ChildCommand command(const std::string& out, bool has_cache) const {
+    ChildCommand command{{ASPERITY_PROGRAM, "run", "small.toml", "--out", out,
+                          "--no-report", "--resume", "--threads", "2"},
+                         folder,
+                         folder / (out + ".log")};
+    command.environment.push_back("ASPERITY_CACHE=" +
+                                  (folder / ("cache-" + out)).string());
+    if (!has_cache)
+      command.words.emplace_back("--no-cache");
+    return command;
+  }
+
+  /// Runs until `n_kills` runs were killed; whenever one comes to its end its
+  /// result is compared, and the next begins anew.
+  /// @return  how many came to their end after a kill
+  int kill_and_resume(int n_kills, bool has_cache, double longest_life) {
+    std::mt19937 random(has_cache ? 5 : 6);
+    std::uniform_real_distribution<double> life(0.0, longest_life);
+    const std::string out = has_cache ? "cached" : "alone";
+    int n_ends = 0;
+    int n_killed = 0;
+    bool was_killed = false;
+    while (n_killed < n_kills) {
+      ChildProcess child(command(out, has_cache));
+      if (!child.has_ended(life(random))) {
+        child.kill();
+        child.wait();
+        ++n_killed;
+        was_killed = true;
+        continue;
+      }
+      EXPECT_EQ(child.end().exit_code, 0) << text_of(folder / (out + ".log"));
+      if (child.end().exit_code != 0)
+        return n_ends;
+      n_ends += was_killed;
+      was_killed = false;
+      expect_same_bits(whole_, results::read_result(folder / out));
+      std::filesystem::remove_all(folder / out);
+      std::filesystem::remove_all(folder / ("cache-" + out));
+    }
+    return n_ends;
+  }
+
+  results::Result whole_;
+};
+
+TEST_F(Resume, AHundredKillsChangeNoBit) {
+  const Ended whole = run("run small.toml --no-cache --no-report --out whole");
+  ASSERT_EQ(whole.exit_code, 0) << whole.output;
+  whole_ = results::read_result(folder / "whole");
+  const double longest_life =
+      2.0 * run_child(command("timed", false)).end.wall_time;
+
+  EXPECT_GT(kill_and_resume(50, true, longest_life), 0);
+  EXPECT_GT(kill_and_resume(50, false, longest_life), 0);
+}
+
+// Claim: where the state behind a step is lost, the steps before are computed
+// again; a cold start gives another answer in the last digits.
+TEST_F(Resume, ALostStateIsComputedAgain) {
+  namespace fs = std::filesystem;
+  const std::string run_it = "run small.toml --methods halfspace --no-report ";
+  ASSERT_EQ(run(run_it + "--no-cache --out whole").exit_code, 0);
+  ASSERT_EQ(run(run_it + "--out first").exit_code, 0);
+  std::vector<std::pair<fs::file_time_type, fs::path>> steps;
+  int n_states = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "cache"))
+    if (entry.path().extension() == ".step")
+      steps.emplace_back(entry.last_write_time(), entry.path());
+    else if (entry.path().extension() == ".state")
+      n_states += fs::remove(entry.path());
+  ASSERT_EQ(n_states, 2); // one a realisation
+  fs::remove(std::max_element(steps.begin(), steps.end())->second);
+
+  const Ended done = run(run_it + "--out second");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  EXPECT_NE(done.output.find("steps 0 to 2 are computed again"),
+            std::string::npos)
+      << done.output;
+  expect_same_bits(results::read_result(folder / "whole"),
+                   results::read_result(folder / "second"));
+}
+
+} // namespace
+} // namespace asperity::app
