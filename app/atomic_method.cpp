@@ -1,7 +1,7 @@
 #include "app/atomic_method.hpp"
 
+#include "app/curve_row.hpp"
 #include "cases/case_error.hpp"
-#include "results/pressure_fit.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -65,10 +65,9 @@ results::CurvePoint row_of(const md::AtomStep& step) {
   row.nominal_pressure = step.nominal_pressure;
   row.mean_gap = step.mean_gap;
   row.area_fraction = step.contact_count;
-  row.area_fraction_fit =
-      results::fit_pressure_distribution(step.pressure).area_fraction;
-  row.area_fraction_moment =
-      results::pressure_fit_by_moment(step.pressure).area_fraction;
+  row.note = step.note;
+  results::RowObserver observe(row);
+  observe_pressure_fits(observe, step.pressure);
   // The soft tail of weak pressures counts least in the second moment: on the
   // paper's surface it is within 4 % of a hard wall's area where least squares
   // are 20 % above it (docs/md.md).
@@ -81,7 +80,6 @@ results::CurvePoint row_of(const md::AtomStep& step) {
   row.residual = step.residual;
   row.status = step.converged ? results::StepStatus::converged
                               : results::StepStatus::not_converged;
-  row.note = step.note;
   return row;
 }
 

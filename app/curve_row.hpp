@@ -7,6 +7,7 @@
 #include "app/surfaces_of_case.hpp"
 #include "contact/solver.hpp"
 #include "results/area_estimate.hpp"
+#include "results/row_observer.hpp"
 
 #include <span>
 
@@ -19,11 +20,24 @@ struct Observation {
                                  ///< a hard wall
   results::AreaCoefficients area_coefficients; ///< of the operator
   double contact_modulus = 0.0; ///< E* that the rim of a contact feels [Pa]
+  bool has_rim = true; ///< false: the corrected area is left to the caller
 };
 
-/// The solution's maps are moved into the answer.
+/// Both areas of the theory's pressure distribution, of elastic methods and of
+/// atoms alike.
+/// @param weights  of the nodes, relative; empty if all are equal
+void observe_pressure_fits(results::RowObserver& observe,
+                           std::span<const double> pressure,
+                           std::span<const double> weights = {});
+
+/// The solution's maps are moved into the answer. No map ends the run: an
+/// observable that it does not have is NaN, and the row's note says why.
 StepAnswer observe(contact::ContactSolution solution,
                    const Observation& observation,
                    const SurfaceOfCase& surface);
+
+/// A step whose mean gap, nominal pressure or maps are not finite did not
+/// converge, whatever the method says, and its maps are not kept.
+void distrust_non_finite(StepAnswer& answer);
 
 } // namespace asperity::app

@@ -1,6 +1,7 @@
 #include "app/method_job.hpp"
 
 #include "app/chosen.hpp"
+#include "app/curve_row.hpp"
 #include "app/interrupt.hpp"
 #include "app/theory_method.hpp"
 #include "base/cpu_clock.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace asperity::app {
 namespace {
@@ -51,6 +53,18 @@ int Tally::kept_steps() const {
   for (const auto& [thing, work] : kept())
     steps += work.steps;
   return steps;
+}
+
+std::vector<results::Skipped> Tally::failures() const {
+  const std::lock_guard lock(mutex_);
+  return failures_;
+}
+
+void Tally::add_failure(const std::string& what, const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  failures_.push_back(
+      {what, "failed: " + why, results::not_given, results::not_given});
+  fmt::print(stderr, "not computed: {}: {}\n", what, why);
 }
 
 MethodJob::MethodJob(const RunScene& scene, const cases::MethodSpec& method,
@@ -137,7 +151,7 @@ void MethodJob::take(std::size_t step, KeptStep& kept,
 }
 
 void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
-  if (!needs_maps(step)) {
+  if (!needs_maps(step) || answer.pressure.empty()) {
     scene_.writer.append_step(method_.name, realization_, row);
     return;
   }
@@ -241,6 +255,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   const CpuClock clock(scene_.pool.threads_a_job());
   StepAnswer answer =
       solver.solve(target_of(scene_.rough_case.load, step, surface.scales));
+  distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_interrupted())
     return false;

@@ -12,9 +12,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,9 +42,27 @@ public:
   std::map<std::string, KeptWork> kept() const;
   int kept_steps() const;
 
+  /// The answer of `compute`, or nothing where it throws: a study of what was
+  /// solved ends no run, and is listed with what was not computed.
+  template <class Compute>
+  auto attempt(const std::string& what, Compute compute)
+      -> std::optional<decltype(compute())> {
+    try {
+      return compute();
+    } catch (const std::exception& error) {
+      add_failure(what, error.what());
+      return std::nullopt;
+    }
+  }
+
+  std::vector<results::Skipped> failures() const;
+
 private:
+  void add_failure(const std::string& what, const std::string& why);
+
   mutable std::mutex mutex_;
   std::map<std::string, KeptWork> kept_;
+  std::vector<results::Skipped> failures_;
 };
 
 /// Everything the jobs of one run share.

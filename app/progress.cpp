@@ -42,7 +42,10 @@ void Progress::step_done(const std::string& method, int realization,
              realization, point.step, point.nominal_pressure / contact_modulus_,
              point.mean_gap / rms_height, 100.0 * point.area_fraction,
              point.iterations, point.residual, point.cpu_time,
-             has_failed ? "  NOT CONVERGED: " : "", point.note);
+             has_failed           ? "  NOT CONVERGED: "
+             : point.note.empty() ? ""
+                                  : "  ",
+             point.note);
   std::fflush(stdout);
 }
 

@@ -135,6 +135,8 @@ std::vector<results::Skipped> Run::skipped() const {
                         ? thing
                         : fmt::format("{}: {} steps", thing, work.steps),
                     "in the cache", work.cpu_time, 0.0});
+  for (const results::Skipped& failure : tally_.failures())
+    list.push_back(failure);
   return list;
 }
 
@@ -146,7 +148,7 @@ RunOutcome Run::execute() {
   const bool was_interrupted = is_interrupted();
   if (!was_interrupted && !surfaces_.whole().empty())
     record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
-                         pool_.threads(), writer_);
+                         pool_.threads(), writer_, tally_);
   if (tally_.uses_fem)
     writer_.record_provenance(provenance_of_fem());
   writer_.record_provenance(

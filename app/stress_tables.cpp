@@ -101,7 +101,7 @@ results::Table own_stress_table(const results::Table& of_pressure,
 void record_stress_inside(const cases::Case& rough_case,
                           std::span<const cases::MethodSpec> methods,
                           const cases::Scales& scales, int threads,
-                          results::ResultWriter& writer) {
+                          results::ResultWriter& writer, Tally& tally) {
   if (!rough_case.report.stress_inside)
     return;
   const results::Result result = results::read_result(writer.path());
@@ -118,17 +118,24 @@ void record_stress_inside(const cases::Case& rough_case,
       continue;
     const contact::ElasticBlock block =
         continuum_of(*method, rough_case.material, scales);
-    const results::Table table =
-        stress_table(method->name, block, maps, threads);
+    const auto table = tally.attempt("stress inside, " + method->name, [&] {
+      return stress_table(method->name, block, maps, threads);
+    });
+    if (!table)
+      continue;
     writer.record_table(is_whole_block(*method)
-                            ? own_stress_table(table, maps, curve.points)
-                            : table);
+                            ? own_stress_table(*table, maps, curve.points)
+                            : *table);
     const bool has_own =
         is_whole_block(*method) &&
         result.table("stress-section-" + method->name) != nullptr;
-    if (!has_own)
-      writer.record_table(
-          heaviest_section(*method, block, maps, table, threads));
+    if (has_own)
+      continue;
+    const auto section = tally.attempt("stress section, " + method->name, [&] {
+      return heaviest_section(*method, block, maps, *table, threads);
+    });
+    if (section)
+      writer.record_table(*section);
   }
 }
 

@@ -3,6 +3,7 @@
 // The stress below the face of a case's blocks, as tables of its result: the
 // strongest point under each kept pressure map, and which has a section.
 
+#include "app/method_job.hpp"
 #include "cases/case.hpp"
 #include "contact/stress_inside.hpp"
 #include "results/result_writer.hpp"
@@ -30,10 +31,11 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// realisation 0, and "stress-section-<method>" of the heaviest load. The
 /// block is the method's as a continuum: half-space or slab, E* and nu of the
 /// case (atoms: the half-space). A whole block has its own strongest points in
-/// its rows, and its own section in the file since its step was solved.
+/// its rows, and its own section in the file since its step was solved. What
+/// cannot be computed is tallied and ends nothing.
 void record_stress_inside(const cases::Case& rough_case,
                           std::span<const cases::MethodSpec> methods,
                           const cases::Scales& scales, int threads,
-                          results::ResultWriter& writer);
+                          results::ResultWriter& writer, Tally& tally);
 
 } // namespace asperity::app

@@ -54,10 +54,13 @@ void StudyTables::record(const std::string& name,
                          const std::function<Table()>& make) {
   if (scene_.writer.has_table(name) || is_interrupted())
     return;
-  const Table table = make();
-  scene_.writer.record_table(table);
+  const std::optional<Table> table =
+      scene_.tally.attempt("table " + name, make);
+  if (!table)
+    return;
+  scene_.writer.record_table(*table);
   scene_.cache.write(scene_.keys.table(theory_, name), entry_kind::table,
-                     bytes_of(table));
+                     bytes_of(*table));
 }
 
 std::string seen_name(std::size_t load) {
@@ -80,27 +83,30 @@ std::vector<std::string> table_names(const cases::MagnificationStudy& study) {
 }
 
 void run_magnification(const cases::MagnificationStudy& study,
-                       const theory::PerssonContact& contact,
+                       const theory::PerssonContact& contact, Tally& tally,
                        StudyTables& tables) {
   if (tables.take(table_names(study)))
     return;
-  const std::vector<theory::MagnifiedContact> contacts =
-      magnified_contacts(contact, study);
-  tables.record("magnification", [&] { return loads_table(contacts); });
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  const auto contacts = tally.attempt(
+      "[magnification]", [&] { return magnified_contacts(contact, study); });
+  if (!contacts)
+    return;
+  tables.record("magnification", [&] { return loads_table(*contacts); });
+  for (std::size_t i = 0; i < contacts->size(); ++i) {
     tables.record(seen_name(i), [&] {
-      return magnification_table(seen_name(i), contacts[i], study);
+      return magnification_table(seen_name(i), (*contacts)[i], study);
     });
     tables.record(gaps_name(i), [&] {
-      return gap_distribution_table(gaps_name(i), contacts[i]);
+      return gap_distribution_table(gaps_name(i), (*contacts)[i]);
     });
   }
   if (study.leak)
-    tables.record("leak", [&] { return leak_table(contacts, *study.leak); });
+    tables.record("leak", [&] { return leak_table(*contacts, *study.leak); });
 }
 
 void run_adhesion(const cases::AdhesionStudy& study,
-                  const theory::PerssonContact& contact, StudyTables& tables) {
+                  const theory::PerssonContact& contact, Tally& tally,
+                  StudyTables& tables) {
   if (tables.take({"adhesion", "adhesion-flip"}))
     return;
   theory::AdhesivePair pair{.contact_modulus = contact.contact_modulus(),
@@ -109,11 +115,14 @@ void run_adhesion(const cases::AdhesionStudy& study,
   if (study.detachment_factor)
     pair.detachment_factor = *study.detachment_factor;
   const theory::RoughAdhesion adhesion(contact.spectrum(), pair, study.steps);
-  const Table rows =
-      adhesion_table(adhesion, study, contact.spectrum().rms_height());
-  tables.record(rows.name, [&] { return rows; });
+  const std::optional<Table> rows = tally.attempt("[adhesion]", [&] {
+    return adhesion_table(adhesion, study, contact.spectrum().rms_height());
+  });
+  if (!rows)
+    return;
+  tables.record(rows->name, [&] { return *rows; });
   tables.record("adhesion-flip",
-                [&] { return adhesion_flip_table(adhesion, study, rows); });
+                [&] { return adhesion_flip_table(adhesion, study, *rows); });
 }
 
 } // namespace
@@ -127,9 +136,10 @@ void run_studies(const RunScene& scene, const cases::MethodSpec& theory) {
       std::get<cases::TheorySettings>(theory.settings).gamma);
   StudyTables tables(scene, theory);
   if (rough_case.magnification_study)
-    run_magnification(*rough_case.magnification_study, contact, tables);
+    run_magnification(*rough_case.magnification_study, contact, scene.tally,
+                      tables);
   if (rough_case.adhesion_study)
-    run_adhesion(*rough_case.adhesion_study, contact, tables);
+    run_adhesion(*rough_case.adhesion_study, contact, scene.tally, tables);
 }
 
 } // namespace asperity::app

@@ -1,10 +1,13 @@
 #include "app/theory_method.hpp"
 
 #include "base/cpu_clock.hpp"
+#include "results/row_observer.hpp"
 #include "theory/persson.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <exception>
 #include <limits>
 
 namespace asperity::app {
@@ -16,16 +19,23 @@ results::CurvePoint row_at(const theory::PerssonContact& contact,
                            double nominal_pressure) {
   results::CurvePoint row;
   row.nominal_pressure = nominal_pressure;
-  row.mean_gap = contact.mean_gap(nominal_pressure);
-  row.area_fraction = contact.area_fraction(nominal_pressure);
+  results::RowObserver observe(row);
+  observe("mean_gap", [&] { return contact.mean_gap(nominal_pressure); });
+  observe("area_fraction",
+          [&] { return contact.area_fraction(nominal_pressure); });
   row.area_fraction_corrected = row.area_fraction;
   row.contact_perimeter = not_a_number;
-  row.elastic_energy = contact.elastic_energy(nominal_pressure);
-  row.contact_stiffness = contact.contact_stiffness(nominal_pressure);
+  observe("elastic_energy",
+          [&] { return contact.elastic_energy(nominal_pressure); });
+  observe("contact_stiffness",
+          [&] { return contact.contact_stiffness(nominal_pressure); });
+  if (std::isnan(row.mean_gap))
+    row.status = results::StepStatus::not_converged;
   return row;
 }
 
-results::CurvePoint row_without_pressure(double mean_gap) {
+results::CurvePoint row_without_pressure(double mean_gap,
+                                         const std::string& why) {
   results::CurvePoint row;
   row.nominal_pressure = not_a_number;
   row.mean_gap = mean_gap;
@@ -33,8 +43,20 @@ results::CurvePoint row_without_pressure(double mean_gap) {
   row.contact_perimeter = row.elastic_energy = not_a_number;
   row.contact_stiffness = not_a_number;
   row.status = results::StepStatus::not_converged;
-  row.note = "the theory has no pressure for a mean gap <= 0";
+  row.note = why;
   return row;
+}
+
+results::CurvePoint row_at_gap(const theory::PerssonContact& contact,
+                               double mean_gap) {
+  if (mean_gap <= 0.0)
+    return row_without_pressure(
+        mean_gap, "the theory has no pressure for a mean gap <= 0");
+  try {
+    return row_at(contact, contact.nominal_pressure(mean_gap));
+  } catch (const std::exception& error) {
+    return row_without_pressure(mean_gap, error.what());
+  }
 }
 
 } // namespace
@@ -60,9 +82,7 @@ std::vector<results::CurvePoint> theory_rows(
     const double target = load.targets[step].in_si(scales);
     const bool by_gap = load.control == cases::Control::mean_gap;
     results::CurvePoint row =
-        !by_gap         ? row_at(contact, target)
-        : target <= 0.0 ? row_without_pressure(target)
-                        : row_at(contact, contact.nominal_pressure(target));
+        by_gap ? row_at_gap(contact, target) : row_at(contact, target);
     row.step = static_cast<int>(step);
     row.is_unloading = load.is_unloading[step];
     row.cpu_time = clock.seconds();

@@ -78,10 +78,11 @@ public:
     const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
                                           ? 1.0 / contact_.penalty
                                           : 0.0;
-    StepAnswer answer = observe(as_contact(std::move(solution), surface_),
-                                {block_->nodal_weights(), penalty_compliance,
-                                 area_coefficients(settings_), rim_modulus_},
-                                surface_);
+    StepAnswer answer =
+        observe(as_contact(std::move(solution), surface_),
+                {block_->nodal_weights(), penalty_compliance,
+                 area_coefficients(settings_), rim_modulus_, has_rim},
+                surface_);
     answer.row.area_fraction = area;
     if (!has_rim) // a sample between nodes says nothing of the rim
       answer.row.area_fraction_corrected = area;

@@ -3,6 +3,8 @@
 #include "base/require.hpp"
 #include "results/map_size.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -130,11 +132,11 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
           std::lerp(measured[i].euler, measured[i + 1].euler, share)};
 }
 
-double corrected_area_fraction(const Grid& grid,
-                               std::span<const double> pressure,
-                               std::span<const double> gap,
-                               double contact_modulus,
-                               const AreaCoefficients& coefficients) {
+Observed corrected_area_fraction(const Grid& grid,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients) {
   const Contact contact(grid, pressure);
   require_size("gap", gap.size(), grid.size());
   const auto n = static_cast<double>(grid.size());
@@ -143,7 +145,14 @@ double corrected_area_fraction(const Grid& grid,
       line_share(contact, rim, n) -
       coefficients.perimeter * static_cast<double>(rim.pairs) / n +
       coefficients.euler * euler_number(grid, pressure) / n;
-  return std::clamp(share, 0.0, 1.0); // (A.5)
+  const double counted = static_cast<double>(contact.n_nodes()) / n;
+  if (share < least_corrected_share * counted)
+    return {Observed::none,
+            fmt::format("the contact's patches are too small for this grid: "
+                        "with their rim placed between nodes {:.2g} of the "
+                        "nodes in contact would be left, but at least {} must",
+                        share / counted, least_corrected_share)};
+  return std::min(share, 1.0); // (A.5)
 }
 
 } // namespace asperity::results

@@ -4,6 +4,7 @@
 // rim lies between nodes and what the grid still adds, operator by operator.
 
 #include "base/grid.hpp"
+#include "results/observables.hpp"
 
 #include <span>
 
@@ -82,6 +83,9 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth);
 /// Of second-order finite elements with cubic surface cells.
 constexpr AreaCoefficients q2_area_coefficients{0.051, 0.23};
 
+/// Of the counted nodes, which the estimate must leave to be one [1].
+constexpr double least_corrected_share = 0.25;
+
 /// The best estimate of the continuum's area fraction from one solution,
 ///
 ///     A/A_0 = A_l/A_0 - c S_d h + e chi h^2/A_0.                         (A.5)
@@ -93,14 +97,21 @@ constexpr AreaCoefficients q2_area_coefficients{0.051, 0.23};
 /// integral along the rims is 2 pi chi whatever their shape: that is e. Both
 /// are calibrated on finer grids of the same surfaces (docs/area.md).
 ///
+/// The rim must be resolved for that. Patches of a node or two, or a contact
+/// that alternates from node to node, leave (A.5) far below the count, down to
+/// negative areas: below least_corrected_share of it the estimate is not
+/// determined. The coarsest grids it was measured on, two nodes in the shortest
+/// wave, leave 0.45 of it (docs/area.md).
+///
 /// @param gap  [m], of the open nodes
-/// @return     [1] 0..1
+/// @return     [1] 0..1, not below that share of the count; NaN with the reason
+///             where it is not determined
 /// @par Accuracy  docs/area.md: within 1 % of the limit with eight nodes in
 ///                the shortest wave, for p/(E* h') from 0.01 to 1
-double corrected_area_fraction(const Grid& grid,
-                               std::span<const double> pressure,
-                               std::span<const double> gap,
-                               double contact_modulus,
-                               const AreaCoefficients& coefficients);
+Observed corrected_area_fraction(const Grid& grid,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients);
 
 } // namespace asperity::results

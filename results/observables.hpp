@@ -5,9 +5,23 @@
 
 #include "base/grid.hpp"
 
+#include <limits>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace asperity::results {
+
+/// A number read off a solution, which need not have a meaning for every one.
+struct Observed {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  Observed(double number, std::string why = {})
+      : value(number), reason(std::move(why)) {}
+
+  double value;       ///< NaN: not determined
+  std::string reason; ///< why not; empty if it is determined
+};
 
 /// Every map here is grid.size() values in the order of Grid. `weights` are
 /// the areas of the nodes relative to their mean (mean 1, as

@@ -43,9 +43,10 @@ struct PressureFit {
 ///
 /// @param pressure  [Pa], any sign; contact where > 0
 /// @param weights   relative nodal areas, empty if all are equal
-/// @return  without G also where the mean is not positive or is lost in rounding
-///          beside the pressures, fewer than 20 nodes are in contact, or no G
-///          within a factor of 50 of the second moment's is best
+/// @return  without G also where the mean is not positive, or is lost in
+///          rounding beside the pressures; where fewer than 20 nodes are in
+///          contact; where no G within a factor of 50 of the second moment's
+///          is best
 /// @throws std::domain_error  the map is empty or not finite, the sizes differ
 /// @par Accuracy  on samples of (20) itself that of counting them; how well
 ///                (20) describes a contact is the model's affair

@@ -48,7 +48,7 @@ struct CurvePoint {
   double von_mises_depth = not_given; ///< of its place [m]
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
-  std::string note; ///< why it did not converge; empty otherwise
+  std::string note; ///< why it did not converge, an observable is NaN; or ""
 };
 
 /// Maps of one load step, both grid.size() long. The grid is the method's own,

@@ -9,10 +9,12 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tests/results/shapes.hpp"
@@ -178,7 +180,8 @@ TEST(LineArea, IsTheCountWithoutARim) {
 
   EXPECT_EQ(line_area_fraction(grid, none, all, modulus), 0.0);
   EXPECT_EQ(line_area_fraction(grid, all, none, modulus), 1.0);
-  EXPECT_EQ(corrected_area_fraction(grid, all, none, modulus, {0.1, 0.5}), 1.0);
+  EXPECT_EQ(corrected_area_fraction(grid, all, none, modulus, {0.1, 0.5}).value,
+            1.0);
 }
 
 // Claim: patches less holes, wherever the periodic border cuts them.
@@ -234,8 +237,10 @@ TEST(CorrectedArea, TakesThePerimeterAndGivesThePatches) {
       line_area_fraction(grid, maps.pressure, maps.gap, modulus);
   const double spacing = grid.spacing_x();
 
-  const double corrected = corrected_area_fraction(
-      grid, maps.pressure, maps.gap, modulus, {0.1, 0.5});
+  const double corrected =
+      corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
+                              {0.1, 0.5})
+          .value;
 
   EXPECT_NEAR(corrected,
               lines - 0.1 * contact_perimeter(grid, maps.pressure) * spacing +
@@ -256,10 +261,54 @@ TEST(CorrectedArea, KnowsNoUnit) {
     for (double& gap : maps.gap)
       gap *= length_unit;
     return corrected_area_fraction(grid, maps.pressure, maps.gap,
-                                   modulus * pressure_unit, {0.1, 0.5});
+                                   modulus * pressure_unit, {0.1, 0.5})
+        .value;
   };
 
   EXPECT_EQ(area(0x1p-20, 0x1p-30), area(1.0, 1.0));
+}
+
+/// The corrected area of nodes at 1 MPa wherever is_in_contact(ix, iy), gap
+/// `gap` elsewhere, on 16 by 16 nodes.
+template <class IsInContact>
+Observed corrected_of(IsInContact is_in_contact, double gap,
+                      const AreaCoefficients& coefficients) {
+  const Grid grid{16, 16, 1e-6, 1e-6};
+  Maps maps{std::vector<double>(256, 0.0), std::vector<double>(256, gap)};
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 16; ++ix)
+      if (is_in_contact(ix, iy)) {
+        maps.pressure[grid.index(ix, iy)] = 1e6;
+        maps.gap[grid.index(ix, iy)] = 0.0;
+      }
+  return corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
+                                 coefficients);
+}
+
+// Claim: with nodes in contact the corrected area is never 0. One node and a
+// checkerboard beside wide gaps are below the grid: not determined, which
+// says by how much, for every operator; a patch of five by five is determined.
+TEST(CorrectedArea, IsNotDeterminedBelowTheGrid) {
+  const auto node = [](int ix, int iy) { return ix == 3 && iy == 5; };
+  const auto checkerboard = [](int ix, int iy) { return (ix + iy) % 2 == 0; };
+  const auto patch = [](int ix, int iy) { return ix < 5 && iy < 5; };
+  for (const AreaCoefficients& coefficients :
+       {halfspace_area_coefficients, q2_area_coefficients,
+        q1_area_coefficients(1.0), q1_area_coefficients(1.5)}) {
+    for (const auto& contact :
+         {std::function<bool(int, int)>(node), {checkerboard}}) {
+      const Observed area = corrected_of(contact, 1e-9, coefficients);
+      EXPECT_TRUE(std::isnan(area.value)) << area.value;
+      EXPECT_NE(area.reason.find("too small for this grid"), std::string::npos)
+          << area.reason;
+    }
+    EXPECT_GT(corrected_of(patch, 1e-9, coefficients).value, 10.0 / 256.0);
+    // all but one: the open node takes its area off, and nothing is above 1
+    EXPECT_LT(corrected_of([&](int ix, int iy) { return !node(ix, iy); }, 1e-12,
+                           coefficients)
+                  .value,
+              1.0);
+  }
 }
 
 // Claim: depths between the measured ones are between them, beyond them as the
