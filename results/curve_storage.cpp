@@ -25,16 +25,25 @@ void require_length(const Hdf5Group& curve, const std::string& name,
                     curve.place(name), found, expected, length_column));
 }
 
+bool is_integer_of(const CurveColumn& column, double number) {
+  return number <= std::numeric_limits<int>::max() &&
+         column.range.holds(number) && number == std::floor(number);
+}
+
 void read_column(const Hdf5Group& curve, const CurveColumn& column,
                  std::vector<CurvePoint>& points) {
   const std::string name(column.name);
   const std::vector<double> numbers = curve.numbers(name);
   require_length(curve, name, numbers.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (column.is_integer &&
-        !(std::abs(numbers[i]) <= std::numeric_limits<int>::max()))
-      throw cases::CaseError(fmt::format("{}[{}] = {}, but must be an integer",
-                                         curve.place(name), i, numbers[i]));
+    // A double is checked once the whole row is known (validity.hpp); what is
+    // no integer, or a word's number that there is no word for, would be lost.
+    if (column.is_integer && !is_integer_of(column, numbers[i]))
+      throw cases::CaseError(fmt::format(
+          "{}[{}] = {}, but must be an integer "
+          "{}",
+          curve.place(name), i, numbers[i],
+          column.range.highest == 1.0 ? "between 0 and 1" : ">= 0"));
     column.set(points[i], numbers[i]);
   }
 }

@@ -9,6 +9,7 @@
 #include "results/result_layout.hpp"
 #include "results/skipped_storage.hpp"
 #include "results/table_storage.hpp"
+#include "results/validity.hpp"
 
 #include <fmt/format.h>
 
@@ -193,6 +194,7 @@ Result read_result(const std::filesystem::path& path) {
     for (Curve& curve : method.realizations)
       fill_contact_stiffness(curve.points);
   complete_grids(result);
+  require_valid(result);
   return result;
 }
 

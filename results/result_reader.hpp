@@ -19,7 +19,8 @@ namespace asperity::results {
 ///          NaN contact stiffness is taken from the curve by differences; rows
 ///          come in the order of their steps.
 /// @throws cases::CaseError  "file: ..." naming the group, dataset or
-///          attribute that is missing or not of its kind
+///          attribute that is missing, not of its kind, or outside its range
+///          (validity.hpp)
 Result read_result(const std::filesystem::path& path);
 
 /// Which steps of which (method, realization) a result holds.

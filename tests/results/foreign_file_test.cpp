@@ -125,7 +125,7 @@ TEST_F(ForeignFile, IsAnsweredByTheNameOfWhatIsWrong) {
                 Hdf5Number::float64, "1");
   });
   EXPECT_EQ(complaint(),
-            curve + "/iterations[2] = nan, but must be an integer");
+            curve + "/iterations[2] = nan, but must be an integer >= 0");
   write([&](Hdf5File& file) {
     file.open(curve.substr(1))
         .append("residual", std::vector<std::string>{"a", "b", "c"});

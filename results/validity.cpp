@@ -1,0 +1,173 @@
+#include "results/validity.hpp"
+
+#include "cases/case_error.hpp"
+#include "results/curve_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::results {
+namespace {
+
+constexpr std::size_t most_lines = 10;
+constexpr ColumnRange finite{std::numeric_limits<double>::lowest(),
+                             std::numeric_limits<double>::max()};
+constexpr ColumnRange not_negative{0.0, std::numeric_limits<double>::max()};
+
+/// The mistakes of one file.
+class Findings {
+public:
+  explicit Findings(std::string file) : file_(std::move(file)) {}
+
+  void add(const std::string& place, const std::string& what) {
+    if (++count_ <= most_lines)
+      lines_.push_back(fmt::format("{}: {}{}", file_, place, what));
+  }
+
+  /// A number that is wrong, its range and unit.
+  void add(const std::string& place, double number, const ColumnRange& range,
+           std::string_view unit) {
+    add(place, fmt::format(" = {}, but {} [{}]", number, range.text(), unit));
+  }
+
+  void throw_if_any() const {
+    if (count_ == 0)
+      return;
+    std::string text = fmt::format("{}", fmt::join(lines_, "\n"));
+    if (count_ > most_lines)
+      text += fmt::format("\n{}: and {} more", file_, count_ - most_lines);
+    throw cases::CaseError(text);
+  }
+
+private:
+  std::string file_;
+  std::vector<std::string> lines_;
+  std::size_t count_ = 0;
+};
+
+/// NaN where a number is missing or not determined.
+void check_number(const std::string& place, double number,
+                  const ColumnRange& range, std::string_view unit,
+                  Findings& findings) {
+  if (!std::isnan(number) && !range.holds(number))
+    findings.add(place, number, range, unit);
+}
+
+/// The first number of a map that is not finite, and how many there are.
+void check_map(const std::string& place, std::span<const double> map,
+               const Grid& grid, std::string_view unit, Findings& findings) {
+  std::size_t bad = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < map.size(); ++i)
+    if (!std::isfinite(map[i]) && bad++ == 0)
+      first = i;
+  if (bad == 0)
+    return;
+  const auto columns =
+      static_cast<std::size_t>(std::max(1, grid.points_x)); // 0: not known
+  findings.add(
+      fmt::format("{}[{}, {}]", place, first / columns, first % columns),
+      fmt::format(" = {}, but must be finite [{}]; {} of {} values are "
+                  "not",
+                  map[first], unit, bad, map.size()));
+}
+
+void check_point(const std::string& curve, const CurvePoint& point,
+                 Findings& findings) {
+  const bool has_converged = point.status == StepStatus::converged;
+  for (const CurveColumn& column : curve_columns()) {
+    const double number = column.get(point);
+    const bool is_undetermined = std::isnan(number) && !column.range.is_needed;
+    const bool has_diverged = !has_converged && !std::isfinite(number);
+    if (!column.range.holds(number) && !is_undetermined && !has_diverged)
+      findings.add(
+          fmt::format("{}/{}, step {}", curve, column.name, point.step), number,
+          column.range, column.unit);
+  }
+}
+
+void check_curve(const std::string& place, const Curve& curve,
+                 Findings& findings) {
+  check_number(place + "/setup_cpu_time", curve.setup_cpu_time, not_negative,
+               "s", findings);
+  std::set<int> steps;
+  for (const CurvePoint& point : curve.points) {
+    if (!steps.insert(point.step).second)
+      findings.add(place + "/curve/step",
+                   fmt::format(": step {} stands in two rows", point.step));
+    check_point(place + "/curve", point, findings);
+  }
+  for (const Fields& fields : curve.fields) {
+    const std::string maps = fmt::format("{}/fields/{}", place, fields.step);
+    check_number(maps + "/nominal_pressure", fields.nominal_pressure, finite,
+                 "Pa", findings);
+    check_map(maps + "/pressure", fields.pressure, fields.grid, "Pa", findings);
+    check_map(maps + "/gap", fields.gap, fields.grid, "m", findings);
+  }
+}
+
+void check_surface(const std::string& place, const SurfaceRecord& surface,
+                   Findings& findings) {
+  const auto check = [&](const char* name, double number,
+                         const ColumnRange& range, const char* unit) {
+    check_number(place + "/" + name, number, range, unit, findings);
+  };
+  check("length_x", surface.grid.length_x, not_negative, "m");
+  check("length_y", surface.grid.length_y, not_negative, "m");
+  check("rms_height", surface.rms_height, not_negative, "m");
+  check("rms_slope", surface.rms_slope, not_negative, "1");
+  check("rms_curvature", surface.rms_curvature, not_negative, "1/m");
+  check("skewness", surface.skewness, finite, "1");
+  check("kurtosis", surface.kurtosis, not_negative, "1");
+  check("highest", surface.highest, finite, "m");
+  check_map(place + "/heights", surface.heights, surface.grid, "m", findings);
+  for (const SpectrumPoint& point : surface.spectrum) {
+    check("spectrum/wavevector", point.wavevector, not_negative, "rad/m");
+    check("spectrum/height_spectrum", point.spectrum, not_negative, "m^4");
+  }
+}
+
+/// The columns of a study may be infinite, as where a gap never opens.
+void check_table(const Table& table, Findings& findings) {
+  for (const Column& column : table.columns)
+    if (const CurveColumn* known = find_curve_column(column.name))
+      for (std::size_t row = 0; row < column.values.size(); ++row)
+        if (std::isfinite(column.values[row]))
+          check_number(
+              fmt::format("/tables/{}/{}[{}]", table.name, column.name, row),
+              column.values[row], known->range, column.unit, findings);
+}
+
+} // namespace
+
+void require_valid(const Result& result) {
+  Findings findings(result.path);
+  if (!(result.contact_modulus > 0.0 && std::isfinite(result.contact_modulus)))
+    findings.add("/contact_modulus",
+                 fmt::format(" = {}, but must be finite and > 0 [Pa]",
+                             result.contact_modulus));
+  for (std::size_t r = 0; r < result.surfaces.size(); ++r)
+    check_surface(fmt::format("/surfaces/{}", r), result.surfaces[r], findings);
+  for (const MethodRecord& method : result.methods)
+    for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+      const std::string place = fmt::format("/methods/{}/{}", method.name, r);
+      check_curve(place, method.realizations[r], findings);
+      if (method.realizations[r].own_surface)
+        check_surface(place + "/surface", *method.realizations[r].own_surface,
+                      findings);
+    }
+  for (const Table& table : result.tables)
+    check_table(table, findings);
+  findings.throw_if_any();
+}
+
+} // namespace asperity::results
