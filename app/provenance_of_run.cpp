@@ -1,10 +1,27 @@
 #include "app/provenance_of_run.hpp"
 
 #include "fem/plugin.hpp"
+#include "surfaces/measured_map.hpp"
+
+#include <fmt/format.h>
 
 #include <string>
 
 namespace asperity::app {
+namespace {
+
+/// What the window takes off a measured map, for the reader of the report.
+std::string effect_of_window(const cases::SurfaceSpec& surface) {
+  const auto [measured, pressed] = surfaces::edge_effect(surface);
+  return fmt::format(
+      "rms height {:.3g} nm of the measured map became {:.3g} nm ({:.2f} of "
+      "it), rms slope {:.3g} became {:.3g} ({:.2f})",
+      measured.rms_height * 1e9, pressed.rms_height * 1e9,
+      pressed.rms_height / measured.rms_height, measured.rms_slope,
+      pressed.rms_slope, pressed.rms_slope / measured.rms_slope);
+}
+
+} // namespace
 
 results::Provenance provenance_at_start(const cases::Case& rough_case,
                                         int threads) {
@@ -14,6 +31,9 @@ results::Provenance provenance_at_start(const cases::Case& rough_case,
   facts.emplace_back("realizations",
                      std::to_string(rough_case.surface.realizations));
   facts.emplace_back("started", results::utc_now());
+  if (rough_case.surface.kind == cases::SurfaceKind::measured &&
+      rough_case.surface.edges == cases::Edges::window)
+    facts.emplace_back("window", effect_of_window(rough_case.surface));
   return facts;
 }
 

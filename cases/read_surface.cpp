@@ -32,6 +32,7 @@ struct SurfaceReader {
                    const std::string& high, double q_high);
   void check_wavevectors();
   void read_map();
+  void read_window();
   void read_wave();
   const Node& node_of(const std::string& wavevector,
                       const std::string& wavelength) const;
@@ -182,10 +183,28 @@ void SurfaceReader::check_wavevectors() {
                              nyquist));
 }
 
+/// A windowed map is another surface than the measured one, so the case says
+/// twice that it is to be pressed.
+void SurfaceReader::read_window() {
+  const bool is_confirmed = table.boolean("press_windowed_map");
+  const Node* const edges = table.node().find("edges");
+  if (spec.edges == Edges::window && !is_confirmed)
+    table.refuse(
+        *edges,
+        "this needs press_windowed_map = true: a window is for spectra, "
+        "and the map that is pressed has 9/64 of the measured power, "
+        "an rms height and slope of about 3/8; edges = \"mirror\" "
+        "keeps both");
+  if (spec.edges != Edges::window && is_confirmed)
+    table.refuse(*table.node().find("press_windowed_map"),
+                 "this belongs to edges = \"window\"");
+}
+
 void SurfaceReader::read_map() {
   spec.format = table.choice("format", spec.format);
   spec.level = table.choice("level", spec.level);
   spec.edges = table.choice("edges", spec.edges);
+  read_window();
   if (table.has("height_unit"))
     spec.height_unit = table.number("height_unit");
   if (spec.format == MapFormat::plain) {

@@ -4,8 +4,7 @@
 #include "cases/case_error.hpp"
 #include "surfaces/edges.hpp"
 #include "surfaces/exact_shapes.hpp"
-#include "surfaces/levelling.hpp"
-#include "surfaces/map_file.hpp"
+#include "surfaces/measured_map.hpp"
 #include "surfaces/realization.hpp"
 #include "surfaces/resample.hpp"
 #include "surfaces/self_affine.hpp"
@@ -165,10 +164,7 @@ HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
 }
 
 HeightMap measured_surface(const SurfaceSpec& surface) {
-  HeightMap map = read_height_map(surface.file, surface.format,
-                                  {surface.length, surface.height_unit});
-  remove_trend(map, surface.level);
-  return with_edges(std::move(map), surface.edges);
+  return with_edges(levelled_map(surface), surface.edges);
 }
 
 HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,

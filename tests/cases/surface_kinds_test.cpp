@@ -55,7 +55,7 @@ TEST(SurfaceKinds, LeaveAnAbsolutePathAsItIs) {
 TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
   EXPECT_EQ(mistakes_of(shape_case(
                 "kind = \"measured\"\nfile = \"m\"\nlevel = \"none\"\n"
-                "edges = \"window\"\npoints = 8\nseed = 3\n")),
+                "edges = \"mirror\"\npoints = 8\nseed = 3\n")),
             "  case.toml:7: surface.points = 8 means nothing for kind = "
             "\"measured\" (the file fixes the points, and nothing in it is "
             "random); it belongs to self-affine, spectrum, sphere, wave-1d, "
@@ -82,11 +82,32 @@ TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
       "leave it out\n");
 }
 
-TEST(SurfaceKinds, AskAMapForItsLevellingAndEdges) {
+TEST(SurfaceKinds, AskAMapForItsLevelling) {
   EXPECT_EQ(mistakes_of(shape_case("kind = \"measured\"\nfile = \"m\"\n")),
-            "  case.toml:2: surface.level is missing: none | plane | bow\n"
-            "  case.toml:2: surface.edges is missing: periodic | window | "
-            "mirror\n");
+            "  case.toml:2: surface.level is missing: none | plane | bow\n");
+}
+
+// Claim: a map is mirrored unless the case says otherwise, and a windowed map,
+// whose power is another, is pressed only where the case confirms that.
+TEST(SurfaceKinds, MirrorAMapAndPressAWindowedOneOnlyIfConfirmed) {
+  const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
+                          "level = \"none\"\n";
+  const std::string window = map + "edges = \"window\"\n";
+
+  EXPECT_EQ(surface_of(map).edges, Edges::mirror);
+  EXPECT_EQ(surface_of(map + "edges = \"periodic\"\n").edges, Edges::periodic);
+  EXPECT_EQ(surface_of(window + "press_windowed_map = true\n").edges,
+            Edges::window);
+  EXPECT_EQ(
+      mistakes_of(shape_case(window)),
+      "  case.toml:6: surface.edges = \"window\", but this "
+      "needs press_windowed_map = true: a window is for spectra, and the map "
+      "that is pressed has 9/64 of the measured power, an rms height and "
+      "slope of about 3/8; edges = \"mirror\" keeps both\n");
+  EXPECT_EQ(
+      mistakes_of(shape_case(map + "press_windowed_map = true\n")),
+      "  case.toml:6: surface.press_windowed_map = true, but this belongs "
+      "to edges = \"window\"\n");
 }
 
 TEST(SurfaceKinds, FitAWholeNumberOfWaves) {

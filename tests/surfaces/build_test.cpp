@@ -1,6 +1,7 @@
 // Claims about surfaces/build.hpp: each kind of a case becomes its surface.
 #include "cases/case_error.hpp"
 #include "surfaces/build.hpp"
+#include "surfaces/measured_map.hpp"
 #include "surfaces/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -158,6 +160,72 @@ TEST(BuildSurface, ReadsLevelsAndMirrorsAMeasuredMap) {
   EXPECT_NEAR(statistics(map).rms_height, 0.5e-9, 5e-22);
   surface.level = cases::Levelling::none;
   EXPECT_GT(statistics(build_surface(surface, 0)).rms_height, 1e-8);
+}
+
+// Claim: a perfect tilt that is levelled away leaves nothing but the rounding
+// of its heights and is refused as flat; the same with 1 pm of roughness on
+// 100 nm is not, and nor is the tilt itself where it is left in.
+TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
+  const auto tilted = [](double roughness) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "# Width: 8 um\n# Height: 8 um\n# Value units: nm\n";
+    for (int iy = 0; iy < 16; ++iy)
+      for (int ix = 0; ix < 16; ++ix)
+        text << 100 + 0.3 * ix - 0.7 * iy + roughness * ((ix + iy) % 2)
+             << (ix == 15 ? "\n" : "\t");
+    SurfaceSpec surface =
+        with_file(SurfaceKind::measured, "tilt.txt", text.str());
+    surface.length.reset();
+    surface.points.reset();
+    surface.level = cases::Levelling::plane;
+    return surface;
+  };
+  const SurfaceSpec flat = tilted(0.0);
+  for (const cases::Edges edges :
+       {cases::Edges::periodic, cases::Edges::mirror, cases::Edges::window}) {
+    SurfaceSpec surface = flat;
+    surface.edges = edges;
+    const std::string message = message_of([&] { build_surface(surface, 0); });
+    EXPECT_TRUE(message.starts_with(flat.file + ": the surface is flat: once "
+                                                "it is levelled"))
+        << message;
+  }
+  SurfaceSpec left_in = flat;
+  left_in.level = cases::Levelling::none;
+  EXPECT_GT(statistics(build_surface(left_in, 0)).rms_height, 1e-9);
+  EXPECT_NEAR(statistics(build_surface(tilted(1e-3), 0)).rms_height / 0.5e-12,
+              1.0, 1e-3);
+}
+
+// Claim: the Hann window leaves 3/8 of the rms height and, at short waves, of
+// the slope of a map that is the same everywhere, a mirror all of both.
+// Tolerance: the checkerboard has no scatter; its slope by differences is
+// exact, and what the window's own slope adds is 4e-3 of it at 32 points.
+TEST(BuildSurface, SaysWhatItsEdgesTakeOff) {
+  std::string text = "# Width: 8 um\n# Height: 8 um\n# Value units: nm\n";
+  for (int iy = 0; iy < 32; ++iy)
+    for (int ix = 0; ix < 32; ++ix)
+      text += std::to_string((ix + iy) % 2) + (ix == 31 ? "\n" : "\t");
+  SurfaceSpec surface = with_file(SurfaceKind::measured, "edges.txt", text);
+  surface.length.reset();
+  surface.points.reset();
+
+  surface.edges = cases::Edges::window;
+  const EdgeEffect window = edge_effect(surface);
+  surface.edges = cases::Edges::mirror;
+  const EdgeEffect mirror = edge_effect(surface);
+
+  EXPECT_NEAR(window.measured.rms_height, 0.5e-9, 1e-21);
+  EXPECT_NEAR(window.measured.rms_slope, std::sqrt(2.0) * 1e-9 / 0.25e-6,
+              1e-12);
+  EXPECT_NEAR(window.pressed.rms_height / window.measured.rms_height, 0.375,
+              1e-12);
+  EXPECT_NEAR(window.pressed.rms_slope / window.measured.rms_slope, 0.375,
+              0.01);
+  EXPECT_NEAR(mirror.pressed.rms_height / mirror.measured.rms_height, 1.0,
+              1e-12);
+  EXPECT_NEAR(mirror.pressed.rms_slope / mirror.measured.rms_slope, 1.0, 0.02);
 }
 
 TEST(BuildSurface, SaysWhichKeyCannotBe) {

@@ -1,0 +1,69 @@
+#include "surfaces/assumptions.hpp"
+
+#include "surfaces/mode_power.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double rounding = 1e-9; // of a wave that ends at the limit itself
+
+/// s^2 of lines of these means [m^2].
+double mean_square_offset(const std::vector<double>& means, std::size_t step) {
+  if (means.size() <= 2 * step)
+    return none;
+  double sum = 0.0;
+  for (std::size_t i = step; i + step < means.size(); ++i)
+    sum += std::pow(means[i] - 0.5 * (means[i - step] + means[i + step]), 2);
+  return sum / static_cast<double>(means.size() - 2 * step);
+}
+
+std::size_t lines_within(double distance, double spacing) {
+  return static_cast<std::size_t>(
+      std::max(1.0, std::round(distance / spacing)));
+}
+
+} // namespace
+
+double unresolved_slope_share(const HeightMap& map) {
+  const double spacing = std::max(map.grid.spacing_x(), map.grid.spacing_y());
+  const double limit = 0.5 * std::numbers::pi / spacing * (1.0 + rounding);
+  double whole = 0.0;
+  double above = 0.0;
+  for_each_mode(map, [&](const ModePower& mode) {
+    const double square = mode.wavevector * mode.wavevector * mode.power;
+    whole += square;
+    if (mode.wavevector > limit)
+      above += square;
+  });
+  return whole > 0.0 ? above / whole : none;
+}
+
+double line_offset_ratio(const HeightMap& map) {
+  const Grid& grid = map.grid;
+  std::vector<double> along_x(static_cast<std::size_t>(grid.points_y), 0.0);
+  std::vector<double> along_y(static_cast<std::size_t>(grid.points_x), 0.0);
+  for (std::size_t y = 0; y < along_x.size(); ++y)
+    for (std::size_t x = 0; x < along_y.size(); ++x) {
+      const double height = map.heights[y * along_y.size() + x];
+      along_x[y] += height / grid.points_x;
+      along_y[x] += height / grid.points_y;
+    }
+  const double distance = std::max(grid.spacing_x(), grid.spacing_y());
+  const double square_x =
+      mean_square_offset(along_x, lines_within(distance, grid.spacing_y()));
+  const double square_y =
+      mean_square_offset(along_y, lines_within(distance, grid.spacing_x()));
+  const bool has_both = square_x > 0.0 && square_y > 0.0;
+  return has_both
+             ? std::sqrt(square_x * grid.length_x / (square_y * grid.length_y))
+             : none;
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,113 @@
+// Claims about surfaces/assumptions.hpp: known shares of known spectra, and an
+// indicator that sees shifted lines and nothing else.
+#include "surfaces/assumptions.hpp"
+#include "surfaces/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace asperity::surfaces {
+namespace {
+
+/// cos along x with n waves in 64 points, amplitude 1 nm.
+HeightMap wave(int n) {
+  HeightMap map{{64, 48, 1e-6, 0.75e-6}, {}};
+  for (int iy = 0; iy < 48; ++iy)
+    for (int ix = 0; ix < 64; ++ix)
+      map.heights.push_back(1e-9 *
+                            std::cos(2.0 * std::numbers::pi * n * ix / 64.0));
+  return map;
+}
+
+// Claim: a wave of four nodes is resolved, one of 64/17 is not, and of both at
+// equal height the share is that of q^2. Tolerance: rounding of a transform.
+TEST(UnresolvedSlope, CountsWavesOfFewerThanFourNodes) {
+  HeightMap both = wave(16);
+  const HeightMap shorter = wave(17);
+  for (std::size_t i = 0; i < both.heights.size(); ++i)
+    both.heights[i] += shorter.heights[i];
+
+  EXPECT_LT(unresolved_slope_share(wave(16)), 1e-20);
+  EXPECT_NEAR(unresolved_slope_share(shorter), 1.0, 1e-14);
+  EXPECT_NEAR(unresolved_slope_share(both),
+              17.0 * 17.0 / (16.0 * 16.0 + 17.0 * 17.0), 1e-14);
+  EXPECT_TRUE(std::isnan(unresolved_slope_share(wave(0))));
+}
+
+HeightMap white_noise(const Grid& grid, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> height(0.0, 1e-9);
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  for (double& one : map.heights)
+    one = height(random);
+  return map;
+}
+
+// Claim: of white noise the share is 1 - (pi/32)/(8/3), int q^2 over the disc
+// of half the Nyquist wavevector against that over the square of all
+// wavevectors. Tolerance: three standard errors of the 256^2 modes, and the
+// grid of modes on the circle's rim, 1 %.
+TEST(UnresolvedSlope, OfWhiteNoiseIsThatOfTheSquare) {
+  EXPECT_NEAR(unresolved_slope_share(white_noise({256, 256, 1.0, 1.0}, 1)),
+              1.0 - std::numbers::pi / 32.0 / (8.0 / 3.0), 0.01);
+}
+
+cases::SurfaceSpec self_affine(double hurst, int points) {
+  cases::SurfaceSpec surface;
+  surface.kind = cases::SurfaceKind::self_affine;
+  surface.length = 1e-5;
+  surface.points = points;
+  surface.seed = 3;
+  surface.rms_height = 2e-9;
+  surface.hurst = hurst;
+  surface.wavevector_low = 2.0 * std::numbers::pi / 1e-5;
+  surface.wavevector_roll_off = 4.0 * surface.wavevector_low;
+  surface.wavevector_high = (points / 2 - 1) * surface.wavevector_low;
+  surface.amplitudes = cases::Amplitudes::gaussian;
+  return surface;
+}
+
+// Claim: an isotropic Gaussian surface is within a factor of two of 1, draw by
+// draw and for any H.
+TEST(LineOffset, IsOneOfAnIsotropicSurface) {
+  for (const double hurst : {0.3, 0.8, 1.0})
+    for (int realization = 0; realization < 20; ++realization) {
+      const double ratio = line_offset_ratio(
+          build_surface(self_affine(hurst, 128), realization));
+      EXPECT_GT(ratio, 0.5) << hurst << ", " << realization;
+      EXPECT_LT(ratio, 2.0) << hurst << ", " << realization;
+    }
+}
+
+// Claim: offsets of the lines along x raise it above 1, along y below 1, by the
+// ratio of what they add: lines of 128 nodes with offsets of twice their own
+// scatter; and a tilt or a bow changes nothing.
+TEST(LineOffset, SeesShiftedLines) {
+  HeightMap map = build_surface(self_affine(0.8, 128), 0);
+  HeightMap turned = map;
+  std::mt19937 random(1);
+  std::normal_distribution<double> offset(0.0, 1e-9);
+  for (int iy = 0; iy < 128; ++iy) {
+    const double shift = offset(random);
+    for (int ix = 0; ix < 128; ++ix) {
+      map.heights[map.grid.index(ix, iy)] += shift;
+      turned.heights[map.grid.index(iy, ix)] += shift;
+    }
+  }
+  const double ratio = line_offset_ratio(map);
+  EXPECT_GT(ratio, 5.0);
+  EXPECT_LT(line_offset_ratio(turned), 0.2);
+
+  for (int iy = 0; iy < 128; ++iy)
+    for (int ix = 0; ix < 128; ++ix)
+      map.heights[map.grid.index(ix, iy)] += 1e-7 * iy + 3e-7 * ix;
+  EXPECT_NEAR(line_offset_ratio(map) / ratio, 1.0, 1e-6);
+  EXPECT_TRUE(std::isnan(line_offset_ratio({{2, 2, 1.0, 1.0}, {0, 1, 2, 3}})));
+  EXPECT_TRUE(std::isnan(line_offset_ratio(wave(3))));
+}
+
+} // namespace
+} // namespace asperity::surfaces
