@@ -17,6 +17,7 @@
 #include "reports/paper_report.hpp"
 #include "reports/report.hpp"
 #include "reports/verdict.hpp"
+#include "reports/warnings.hpp"
 #include "results/csv.hpp"
 #include "results/result_reader.hpp"
 
@@ -38,7 +39,9 @@ ExitCode worse(ExitCode one, ExitCode other) {
 }
 
 reports::Summary summary_of(const results::Result& result) {
-  return reports::summarize(result, reports::case_of(result));
+  const cases::Case rough_case = reports::case_of(result);
+  fmt::print("{}", reports::warning_lines(result, rough_case));
+  return reports::summarize(result, rough_case);
 }
 
 bool has_failed_steps(const reports::Summary& summary) {
@@ -73,6 +76,7 @@ reports::Summary write_outputs(const fs::path& folder) {
   results::write_curves_csv(result, folder / "curves.csv");
   for (const std::string& failure : reports::write_report({&entry, 1}, folder))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("{}", reports::warning_lines(result, rough_case));
   return entry.summary;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <iterator>
 
 namespace asperity::reports {
@@ -18,6 +19,20 @@ void append(std::vector<Figure>& figures, std::optional<Figure> figure) {
 
 void append(std::vector<Figure>& figures, std::vector<Figure> more) {
   std::move(more.begin(), more.end(), std::back_inserter(figures));
+}
+
+/// Adds what `draw` gives. A figure is no reason to end a run: what it throws
+/// becomes a figure without a name, whose caption says why it is not there.
+template <class Draw>
+void add(std::vector<Figure>& figures, const char* title, Draw draw) {
+  try {
+    append(figures, draw());
+  } catch (const std::exception& error) {
+    Figure missing;
+    missing.title = title;
+    missing.caption = error.what();
+    figures.push_back(std::move(missing));
+  }
 }
 
 // The case's name as a folder's: whatever is not a letter or digit is a dash.
@@ -35,13 +50,18 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
       std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
         return !is_exact_shape(*e.contact_case);
       });
-  if (has_rough) {
-    group.figures.push_back(pressure_gap_figure(entries, series));
-    append(group.figures, gap_deviation_figure(series));
-    group.figures.push_back(area_figure(series));
-    group.figures.push_back(area_coefficient_figure(series));
-    append(group.figures, area_theory_figure(series));
-  }
+  if (!has_rough)
+    return group;
+  add(group.figures, "Pressure and gap",
+      [&] { return std::optional(pressure_gap_figure(entries, series)); });
+  add(group.figures, "Gap against the theory's",
+      [&] { return gap_deviation_figure(series); });
+  add(group.figures, "Contact area",
+      [&] { return std::optional(area_figure(series)); });
+  add(group.figures, "Area-load coefficient",
+      [&] { return std::optional(area_coefficient_figure(series)); });
+  add(group.figures, "Contact area against the theory's",
+      [&] { return area_theory_figure(series); });
   return group;
 }
 
@@ -52,18 +72,23 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
-  if (is_exact_shape(*entry.contact_case))
-    group.figures = exact_figures(entry);
-  append(group.figures, surface_figure(entry));
-  append(group.figures, two_faces_figure(entry));
-  append(group.figures, spectrum_figure(entry));
-  append(group.figures, height_figure(entry));
-  if (!is_exact_shape(*entry.contact_case)) {
-    append(group.figures, pressure_distribution_figures(entry));
-    append(group.figures, gap_distribution_figures(entry));
+  const bool is_exact = is_exact_shape(*entry.contact_case);
+  std::vector<Figure>& figures = group.figures;
+  if (is_exact)
+    add(figures, "Against the exact solution",
+        [&] { return exact_figures(entry); });
+  add(figures, "Surface", [&] { return surface_figure(entry); });
+  add(figures, "Both surfaces", [&] { return two_faces_figure(entry); });
+  add(figures, "Height spectrum", [&] { return spectrum_figure(entry); });
+  add(figures, "Height distribution", [&] { return height_figure(entry); });
+  if (!is_exact) {
+    add(figures, "Distribution of the contact pressure",
+        [&] { return pressure_distribution_figures(entry); });
+    add(figures, "Distribution of the separation",
+        [&] { return gap_distribution_figures(entry); });
   }
-  append(group.figures, map_figures(entry));
-  append(group.figures, stress_figures(entry));
+  add(figures, "Maps of pressure and gap", [&] { return map_figures(entry); });
+  add(figures, "Stress inside", [&] { return stress_figures(entry); });
   return group;
 }
 
@@ -75,8 +100,9 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
-  append(group.figures, magnification_figures(entry));
-  append(group.figures, adhesion_figures(entry));
+  add(group.figures, "Magnification",
+      [&] { return magnification_figures(entry); });
+  add(group.figures, "Adhesion", [&] { return adhesion_figures(entry); });
   return group;
 }
 
@@ -92,7 +118,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
     groups.push_back(study_figures(entries[i], i, has_many));
   }
   FigureGroup cost{"Cost", "", {}};
-  append(cost.figures, cost_figure(series));
+  add(cost.figures, "Cost", [&] { return cost_figure(series); });
   groups.push_back(std::move(cost));
   std::erase_if(groups,
                 [](const FigureGroup& group) { return group.figures.empty(); });

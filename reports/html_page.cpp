@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -74,6 +77,39 @@ std::string data_uri(const std::string& svg) {
   return uri;
 }
 
+/// What a step's note says of observables, one by one.
+std::vector<std::string> undetermined_in(const std::string& note) {
+  std::vector<std::string> found;
+  for (std::size_t start = 0; start < note.size();) {
+    const std::size_t end = std::min(note.find("; ", start), note.size());
+    const std::string one = note.substr(start, end - start);
+    if (one.find(" is not determined: ") != std::string::npos)
+      found.push_back(one);
+    start = end + 2;
+  }
+  return found;
+}
+
+/// Observables that are NaN, with the reason and in how many steps.
+List undetermined_rows(std::span<const ReportEntry> entries) {
+  std::map<std::pair<std::string, std::string>, int> steps;
+  for (const ReportEntry& entry : entries)
+    for (const results::MethodRecord& method : entry.result->methods)
+      for (const results::Curve& curve : method.realizations)
+        for (const results::CurvePoint& point : curve.points)
+          for (const std::string& what : undetermined_in(point.note))
+            ++steps[{method.name, what}];
+  List rows;
+  for (const auto& [key, count] : steps) {
+    Value row;
+    row.set("method", key.first);
+    row.set("what", key.second);
+    row.set("steps", std::to_string(count));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 } // namespace
 
 List fit_rows(std::span<const Series> series) {
@@ -118,7 +154,11 @@ List group_data(std::span<const DrawnGroup> groups) {
       if (!drawn.svg.empty())
         figure.set("picture", data_uri(drawn.svg));
       else
-        figure.set("problem", drawn.problem);
+        figure.set("problem",
+                   drawn.name.empty()
+                       ? drawn.problem
+                       : drawn.problem +
+                             ". Its data and script are in figures/");
       figures.push_back(figure);
     }
     Value entry;
@@ -146,6 +186,9 @@ std::string html_page(std::span<const ReportEntry> entries,
   const List failed = failed_step_rows(entries);
   page.set("has_failed_steps", !failed.empty());
   page.set("failed_steps", failed);
+  const List undetermined = undetermined_rows(entries);
+  page.set("has_undetermined", !undetermined.empty());
+  page.set("undetermined", undetermined);
   kainjow::mustache::mustache view{std::string(report_template)};
   return view.render(page);
 }

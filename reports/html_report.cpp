@@ -1,6 +1,7 @@
 #include "cases/expectations.hpp"
 #include "reports/page_data.hpp"
 #include "reports/verdict.hpp"
+#include "reports/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -205,13 +206,16 @@ void set_banner(Value& entry, const Summary& summary) {
   }
 }
 
-List notices_of(const Summary& summary) {
+List notices_of(const ReportEntry& entry) {
+  const Summary& summary = entry.summary;
   List notices;
   const auto add = [&notices](const std::string& text) {
     Value value;
     value.set("text", text);
     notices.push_back(value);
   };
+  for (const Warning& warning : warnings_of(*entry.result, *entry.contact_case))
+    add(warning.headline + " " + warning.consequence);
   if (summary.status != "complete")
     add(fmt::format("The run is not complete (status: {}); this is what was "
                     "done.",
@@ -222,6 +226,9 @@ List notices_of(const Summary& summary) {
                       "below and in no fit.",
                       method.name, method.cost.failed_steps,
                       method.cost.steps));
+  for (const auto& [key, fact] : summary.provenance)
+    if (key.starts_with("not computed"))
+      add(fmt::format("A quantity was {}: {}.", key, fact));
   for (const auto& [key, fact] : summary.provenance)
     if (key.find("dirty") != std::string::npos &&
         (fact == "yes" || fact == "true" || fact == "1"))
@@ -258,7 +265,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
-  page.set("notices", notices_of(summary));
+  page.set("notices", notices_of(entry));
   set_banner(page, summary);
   const List heads = heads_of(columns);
   page.set("columns", heads);

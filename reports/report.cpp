@@ -5,6 +5,7 @@
 #include "reports/figures.hpp"
 #include "reports/html_report.hpp"
 #include "reports/verdict.hpp"
+#include "reports/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -46,16 +47,22 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
     DrawnGroup drawn{group.heading, {}};
     for (const Figure& figure : group.figures) {
       drawn.figures.push_back(
-          draw(figure, folder / "figures" / group.folder, gnuplot));
+          figure.name.empty() // it could not be computed
+              ? DrawnFigure{"", figure.title, "", "", figure.caption}
+              : draw(figure, folder / "figures" / group.folder, gnuplot));
       if (!drawn.figures.back().problem.empty())
-        problems.push_back(
-            fmt::format("{}: {}", figure.name, drawn.figures.back().problem));
+        problems.push_back(fmt::format(
+            "{}: {}", figure.name.empty() ? figure.title : figure.name,
+            drawn.figures.back().problem));
     }
     drawn_groups.push_back(std::move(drawn));
   }
   if (entries.size() == 1)
-    write_file_atomically(folder / "summary.json",
-                          summary_json(entries.front().summary));
+    write_file_atomically(
+        folder / "summary.json",
+        summary_json(entries.front().summary,
+                     warnings_of(*entries.front().result,
+                                 *entries.front().contact_case)));
   write_file_atomically(folder / "report.html",
                         html_page(entries, drawn_groups));
   return problems;

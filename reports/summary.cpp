@@ -7,8 +7,11 @@
 #include "reports/study_quantities.hpp"
 #include "reports/verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace asperity::reports {
 namespace {
@@ -70,20 +73,35 @@ Estimate penetration_of(const Result& result, const MethodRecord& method) {
   return estimate;
 }
 
-MethodSummary summarize_method(const Result& result,
-                               const cases::Case& rough_case,
-                               const MethodRecord& method,
-                               const MethodRecord* reference) {
-  MethodSummary summary;
+/// Quantities that could not be computed end no report: they are a fact of it.
+template <class Add>
+void add_or_say(Summary& summary, const std::string& what, Add add) {
+  try {
+    add();
+  } catch (const std::exception& error) {
+    summary.provenance.emplace_back("not computed: " + what, error.what());
+  }
+}
+
+void summarize_method(const Result& result, const cases::Case& rough_case,
+                      const MethodRecord& method, const MethodRecord* reference,
+                      const std::vector<std::string>& at_load, Summary& whole) {
+  MethodSummary& summary = whole.methods.emplace_back();
   summary.name = method.name;
   summary.kind = method.kind;
   summary.description = method.description;
   summary.cost = cost_of(method);
   if (is_exact_shape(rough_case))
-    add_exact_quantities(result, rough_case, method, summary);
+    add_or_say(whole, method.name + ", errors against the exact solution", [&] {
+      add_exact_quantities(result, rough_case, method, summary);
+    });
   else {
-    add_rough_quantities(result, rough_case, method, reference, summary);
-    add_claim_quantities(result, rough_case, method, reference, summary);
+    add_or_say(whole, method.name + ", fits", [&] {
+      add_rough_quantities(result, rough_case, method, reference, summary);
+    });
+    add_or_say(whole, method.name + ", comparison with the theory", [&] {
+      add_claim_quantities(result, rough_case, method, reference, summary);
+    });
   }
   if (method.kind != "theory") {
     Estimate iterations;
@@ -93,7 +111,13 @@ MethodSummary summarize_method(const Result& result,
     summary.quantities["iterations_max"] = iterations;
     summary.quantities["penetration"] = penetration_of(result, method);
   }
-  return summary;
+  add_or_say(whole, method.name + ", quantities at a load", [&] {
+    add_quantities_at_load(result, rough_case, method, reference, at_load,
+                           summary);
+  });
+  add_or_say(whole, method.name + ", studies of the theory", [&] {
+    add_study_quantities(result, rough_case, method, at_load, summary);
+  });
 }
 
 } // namespace
@@ -117,12 +141,7 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* reference =
         reference_theory(result, rough_case, method);
-    summary.methods.push_back(
-        summarize_method(result, rough_case, method, reference));
-    add_quantities_at_load(result, rough_case, method, reference, at_load,
-                           summary.methods.back());
-    add_study_quantities(result, rough_case, method, at_load,
-                         summary.methods.back());
+    summarize_method(result, rough_case, method, reference, at_load, summary);
   }
   summary.verdicts = judge(rough_case.expectations, summary.methods,
                            result.status == "complete");

@@ -1,4 +1,5 @@
 #include "reports/published_json.hpp"
+#include "reports/warnings.hpp"
 
 namespace asperity::reports {
 namespace {
@@ -93,6 +94,11 @@ Json to_json(const Verdict& verdict) {
 } // namespace
 
 std::string summary_json(const Summary& summary) {
+  return summary_json(summary, {});
+}
+
+std::string summary_json(const Summary& summary,
+                         std::span<const Warning> warnings) {
   Json json = {{"format", "asperity-summary"},
                {"format_version", 1},
                {"case", summary.case_name},
@@ -101,10 +107,15 @@ std::string summary_json(const Summary& summary) {
                {"status", summary.status},
                {"reference_theory", summary.reference_method},
                {"all_ok", summary.all_ok()},
+               {"warnings", Json::array()},
                {"expectations", Json::array()},
                {"published", Json::array()},
                {"methods", Json::array()},
                {"provenance", Json::object()}};
+  for (const Warning& warning : warnings)
+    json["warnings"].push_back({{"kind", warning.kind},
+                                {"headline", warning.headline},
+                                {"consequence", warning.consequence}});
   for (const Verdict& verdict : summary.verdicts)
     json["expectations"].push_back(to_json(verdict));
   for (const PublishedValue& published : summary.published)

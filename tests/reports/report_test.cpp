@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <pugixml.hpp>
 
 #include "report_folder.hpp"
@@ -122,6 +123,59 @@ TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   EXPECT_NE(html.find("fem: 1 of 16 steps did not converge"),
             std::string::npos);
   EXPECT_NE(html.find("residual stands at &lt;1e-4&gt;"), std::string::npos);
+}
+
+// Claim: what a step's note says is not determined stands in the page once,
+// with the number of steps, and what else it says does not.
+TEST_F(Report, ListsWhatIsNotDetermined) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  for (const std::size_t step : {0u, 1u, 2u})
+    result.methods[1].realizations[0].points[step].note =
+        "mean over 5 samples; area_fraction_fit is not determined: too few";
+
+  write(result, "no-such-gnuplot");
+
+  pugi::xml_document document;
+  document.load_string(text_of(folder / "report.html").c_str());
+  const auto row = document.select_node(
+      "//h2[text() = 'Observables that are not determined']"
+      "/following-sibling::div[1]//tbody/tr");
+  EXPECT_STREQ(row.node().child("td").text().get(), "fem");
+  EXPECT_STREQ(row.node().child("td").next_sibling().text().get(),
+               "area_fraction_fit is not determined: too few");
+  EXPECT_STREQ(row.node().last_child().text().get(), "3");
+}
+
+// Claim: a map that no histogram can be made of costs its figure, which says
+// why, and neither the report nor the other figures.
+TEST_F(Report, OutlivesAFigureThatCannotBeComputed) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  for (results::Fields& fields : result.methods[1].realizations[0].fields)
+    fields.pressure[5] = std::numeric_limits<double>::infinity();
+
+  const std::vector<std::string> problems = write(result);
+
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems.front(), "Distribution of the contact pressure: pressure "
+                              "= inf, but must be finite");
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("This figure could not be drawn: pressure = inf, but "
+                      "must be finite.</p>"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "figures" / "area-pressure.svg"));
+}
+
+// Claim: a curve whose fits cannot be computed is reported without them, with
+// the reason.
+TEST_F(Report, OutlivesQuantitiesThatCannotBeComputed) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.contact_modulus = -1.0;
+
+  write(result);
+
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("A quantity was not computed: fem, fits: "),
+            std::string::npos);
 }
 
 // Claim: the case comes back from the result's own text.

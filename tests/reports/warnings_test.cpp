@@ -1,0 +1,122 @@
+// Claims about reports/warnings.hpp: each assumption that a surface does not
+// meet is said at the top of the page with its number, once, and a surface that
+// meets them is left alone.
+#include "reports/warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+std::vector<std::string> kinds(const std::vector<Warning>& warnings) {
+  std::vector<std::string> names;
+  for (const Warning& warning : warnings)
+    names.push_back(warning.kind);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+class Warnings : public ReportFolder {
+protected:
+  results::Result result = synthetic::rough_result(rough, 2);
+};
+
+TEST_F(Warnings, AreNoneOfASurfaceThatMeetsTheAssumptions) {
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  rough.surface.kind = cases::SurfaceKind::measured;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+}
+
+TEST_F(Warnings, NameTheNumberAndTheLimit) {
+  for (results::SurfaceRecord& surface : result.surfaces) {
+    surface.skewness = -6.0;
+    surface.kurtosis = 59.0;
+    surface.rms_slope = 0.9;
+  }
+  const std::vector<Warning> warnings = warnings_of(result, rough);
+  ASSERT_EQ(kinds(warnings), (Names{"not_gaussian", "too_steep"}));
+  EXPECT_EQ(warnings[0].headline,
+            "The surface is not Gaussian: skewness -6 and kurtosis 59, but a "
+            "Gaussian surface has 0 and 3 (limits: -1 to 1, 2 to 5).");
+  EXPECT_EQ(warning_lines(result, rough),
+            "warning: " + rough.name + ": " + warnings[0].headline +
+                "\nwarning: " + rough.name + ": " + warnings[1].headline +
+                "\n");
+  EXPECT_NE(warnings[0].consequence.find("does not describe this surface"),
+            std::string::npos);
+  EXPECT_EQ(warnings[1].headline, "The surface is too steep for small strain: "
+                                  "rms slope 0.9 (limit: 0.5).");
+}
+
+// Claim: the moments are means over the realisations: one odd draw of two does
+// not warn, and a realisation without the number is not in the mean.
+TEST_F(Warnings, AreOfTheMeanOverRealizations) {
+  result.surfaces[0].skewness = 1.2;
+  result.surfaces[1].skewness = -1.2;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  result.surfaces[1].skewness = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"not_gaussian"});
+}
+
+// Claim: a checkerboard of nodes is not resolved, and pairs of shifted lines
+// are scan lines on a measured map, but not on a random surface.
+TEST_F(Warnings, SeeWhatIsNotResolvedAndScanLines) {
+  results::SurfaceRecord& surface = result.surfaces[0];
+  const Grid& grid = surface.grid;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      surface.heights[grid.index(ix, iy)] +=
+          (ix + iy) % 2 == 0 ? 3.0 * surface.rms_height : 0.0;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"not_resolved"});
+
+  surface = synthetic::rough_result(rough, 1).surfaces[0];
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      surface.heights[grid.index(ix, iy)] +=
+          (iy % 4 < 2 ? 0.3 : 0.0) * surface.rms_height;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  rough.surface.kind = cases::SurfaceKind::measured;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"scan_lines"});
+}
+
+TEST_F(Warnings, AreNoneOfExactShapesOrWithoutASurface) {
+  result.surfaces[0].kurtosis = result.surfaces[1].kurtosis = 1.5;
+  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  rough.surface.kind = cases::SurfaceKind::measured;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"not_gaussian"});
+  result.surfaces.clear();
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+}
+
+// Claim: page, summary.json and the run's own facts carry them.
+TEST_F(Warnings, StandAtTheTopOfThePageAndInTheSummary) {
+  result.provenance.emplace_back("window", "rms height 8 nm became 3 nm");
+  for (results::SurfaceRecord& surface : result.surfaces)
+    surface.kurtosis = 59.0;
+
+  write(result, "no-such-gnuplot");
+
+  const std::string html = text_of(folder / "report.html");
+  const std::size_t window = html.find(
+      "The map was windowed before it was pressed: rms height 8 nm became 3 "
+      "nm.");
+  const std::size_t moments = html.find("The surface is not Gaussian");
+  EXPECT_LT(window, moments);
+  EXPECT_LT(moments, html.find("expectations are"));
+  const std::string json = text_of(folder / "summary.json");
+  EXPECT_NE(json.find("\"kind\": \"windowed\""), std::string::npos);
+  EXPECT_NE(json.find("\"kind\": \"not_gaussian\""), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports
