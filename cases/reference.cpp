@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -15,8 +17,11 @@
 namespace asperity::cases {
 namespace {
 
+constexpr std::size_t needed_fields = 5;
 const std::string header = "quantity,value,unit,uncertainty,source";
-const std::string header_with_why = header + ",why";
+// With the columns that may stand behind the needed ones, all before it too.
+const std::array<std::string, 3> headers = {header, header + ",why",
+                                            header + ",why,input"};
 
 // The fields of a line; none if a quote is not closed.
 std::optional<std::vector<std::string>> fields_of(const std::string& line) {
@@ -52,17 +57,22 @@ double number_in(const std::string& field, const std::string& column,
   return number;
 }
 
-void read_line(const std::string& line, const Place& place, bool has_why,
+/// @param optional_columns  how many stand behind the needed ones
+void read_line(const std::string& line, const Place& place,
+               std::size_t optional_columns,
                std::vector<ReferenceValue>& values, Mistakes& mistakes) {
   const auto fields = fields_of(line);
-  if (!fields || fields->size() != (has_why ? 6U : 5U)) {
-    mistakes.add(
-        place, "must have the fields " + (has_why ? header_with_why : header) +
-                   (fields ? fmt::format(", but has {}", fields->size())
-                           : ", but a quote is not closed"));
+  if (!fields || fields->size() != needed_fields + optional_columns) {
+    mistakes.add(place,
+                 "must have the fields " + headers[optional_columns] +
+                     (fields ? fmt::format(", but has {}", fields->size())
+                             : ", but a quote is not closed"));
     return;
   }
   const std::vector<std::string>& field = *fields;
+  const auto optional = [&](std::size_t column) {
+    return column < optional_columns ? field[needed_fields + column] : "";
+  };
   for (const std::size_t column : {0U, 2U, 4U})
     if (field[column].empty())
       mistakes.add(place, "has no " + std::string(column == 0U   ? "quantity"
@@ -74,7 +84,7 @@ void read_line(const std::string& line, const Place& place, bool has_why,
   values.push_back({field[0], number_in(field[1], "value", place, mistakes),
                     field[2],
                     number_in(field[3], "uncertainty", place, mistakes),
-                    field[4], has_why ? field[5] : ""});
+                    field[4], optional(0), optional(1)});
 }
 
 } // namespace
@@ -91,7 +101,7 @@ std::vector<ReferenceValue> read_reference_text(const std::string& text,
   std::istringstream lines(text);
   int line_number = 0;
   bool has_header = false;
-  bool has_why = false;
+  std::size_t optional_columns = 0;
   for (std::string line; std::getline(lines, line);) {
     const Place place{fmt::format("{}:{}", path, ++line_number), line_number};
     if (!line.empty() && line.back() == '\r')
@@ -102,14 +112,17 @@ std::vector<ReferenceValue> read_reference_text(const std::string& text,
     }
     if (line.empty() || line.front() == '#')
       continue;
-    if (!has_header)
-      has_why = line == header_with_why;
-    if (!has_header && !has_why && line != header)
+    if (has_header) {
+      read_line(line, place, optional_columns, values, mistakes);
+      continue;
+    }
+    has_header = true;
+    const auto known = std::find(headers.begin(), headers.end(), line);
+    if (known == headers.end())
       mistakes.add(place, fmt::format("\"{}\", but the first line must be {}",
                                       line, header));
-    else if (has_header)
-      read_line(line, place, has_why, values, mistakes);
-    has_header = true;
+    else
+      optional_columns = static_cast<std::size_t>(known - headers.begin());
   }
   if (!has_header)
     mistakes.add({path + ":1", 1}, "is empty, but must begin with " + header);

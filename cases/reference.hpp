@@ -18,12 +18,15 @@ struct ReferenceValue {
   std::string source;       ///< paper and place, or the formula
   /// Why the number cannot follow from what its source states; empty: it can.
   std::string why = {};
+  /// What of the case was chosen to meet the number, so that meeting it is no
+  /// finding; empty: nothing.
+  std::string input = {};
 };
 
 /// Read a file whose first line is quantity,value,unit,uncertainty,source, with
-/// ",why" behind it if the lines have that sixth field, and whose fields may
-/// stand in double quotes ("" inside them is one quote). Empty lines and lines
-/// that begin with # are skipped.
+/// ",why" or ",why,input" behind it if the lines have those fields too, and
+/// whose fields may stand in double quotes ("" inside them is one quote). Empty
+/// lines and lines that begin with # are skipped.
 /// @throws CaseError  every mistake with its line
 std::vector<ReferenceValue> read_reference(const std::string& path);
 

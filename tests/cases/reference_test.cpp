@@ -35,6 +35,25 @@ TEST(Reference, ReadsQuotedFieldsAndSkipsComments) {
   EXPECT_EQ(values[0].source, "Yang, Persson: \"about\" 0.4");
 }
 
+// Claim: the columns behind the needed ones may be there or not.
+TEST(Reference, ReadsTheOptionalColumns) {
+  const std::string line = "height,1,m,0,s";
+  const auto plain = read_reference_text(head + line + "\n", "r");
+  const auto why = read_reference_text(
+      "quantity,value,unit,uncertainty,source,why\n" + line + ",lost\n", "r");
+  const auto input =
+      read_reference_text("quantity,value,unit,uncertainty,source,why,input\n" +
+                              line + ",,rms_height of [surface]\n",
+                          "r");
+
+  EXPECT_EQ(plain.at(0).why + plain.at(0).input, "");
+  EXPECT_EQ(why.at(0).why, "lost");
+  EXPECT_EQ(why.at(0).input, "");
+  EXPECT_EQ(input.at(0).why, "");
+  EXPECT_EQ(input.at(0).input, "rms_height of [surface]");
+  EXPECT_NE(mistakes_of("quantity,value,unit,uncertainty,source,input\n"), "");
+}
+
 TEST(Reference, SaysEveryMistakeWithItsLine) {
   EXPECT_EQ(mistakes_of(head + "a,x,1,0,s\nb,1,1,-1,s\nc,1\nd,1,,0,\n"
                                "e,1,1,0,\"s\n"),
