@@ -203,6 +203,9 @@ struct Expectation {
   double low = 0.0;
   double high = 0.0;
   std::vector<std::string> methods; ///< names of methods of this case
+  /// A value whose 95 % interval reaches over an end of the band counts as
+  /// passed; else as not passed.
+  bool passes_if_undecided = false;
 };
 
 struct Case {

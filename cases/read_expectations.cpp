@@ -158,6 +158,7 @@ Expectation read_band(const Node& node, const std::string& name,
   read_ends(band, expectation);
   check_scene(band, quantity, scene);
   read_method_names(band, quantity, scene, expectation);
+  expectation.passes_if_undecided = band.choice("if_undecided", 0) == 1;
   return expectation;
 }
 

@@ -124,6 +124,14 @@ Table band_table() {
                        "quantity",
                .example = "[\"fem\", \"theory\"]",
                .description = "Methods that must lie in the band."},
+              {.name = "if_undecided",
+               .type = ValueType::word,
+               .words = {"fail", "pass"},
+               .fallback = "\"fail\"",
+               .example = "\"fail\"",
+               .description =
+                   "What a value counts as whose 95 % interval reaches over an "
+                   "end of the band, so that it is undecided."},
           }};
 }
 

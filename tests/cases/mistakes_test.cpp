@@ -179,6 +179,9 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
       {"expect.penetration={ below = 1, methods = [\"theory\"] }",
        "expect.penetration.methods names \"theory\", but those of this case "
        "that answer penetration are: halfspace, fem; nearest: fem"},
+      {"expect.kappa={ above = 2, if_undecided = \"passed\" }",
+       "expect.kappa.if_undecided = \"passed\", but must be fail | pass; "
+       "nearest: pass"},
       {"expect.kappa={ above = 2, methods = \"fem\" }",
        "expect.kappa.methods = \"fem\", but must be a list of strings"},
       {"expect.mean_gap_error={ below = 1 }",
