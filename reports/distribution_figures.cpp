@@ -43,8 +43,8 @@ Load load_of(const Fields& fields, double theory_variance) {
       *std::max_element(fields.pressure.begin(), fields.pressure.end());
   load.histogram = results::pressure_histogram(
       fields.pressure,
-      static_cast<int>(std::clamp(std::ceil(highest / bin), 1.0,
-                                  static_cast<double>(most_bins))));
+      static_cast<int>(std::fmin(std::fmax(std::ceil(highest / bin), 1.0),
+                                 static_cast<double>(most_bins))));
   double counted = 0.0;
   for (const double density : load.histogram.density)
     counted += density * load.histogram.bin_width();

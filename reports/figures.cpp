@@ -8,9 +8,14 @@
 #include <cctype>
 #include <exception>
 #include <iterator>
+#include <new>
 
 namespace asperity::reports {
 namespace {
+
+void append(std::vector<Figure>& figures, Figure figure) {
+  figures.push_back(std::move(figure));
+}
 
 void append(std::vector<Figure>& figures, std::optional<Figure> figure) {
   if (figure)
@@ -21,17 +26,19 @@ void append(std::vector<Figure>& figures, std::vector<Figure> more) {
   std::move(more.begin(), more.end(), std::back_inserter(figures));
 }
 
-/// Adds what `draw` gives. A figure is no reason to end a run: what it throws
-/// becomes a figure without a name, whose caption says why it is not there.
-template <class Draw>
-void add(std::vector<Figure>& figures, const char* title, Draw draw) {
+// What a builder makes, or a figure that says why it makes none: whatever it
+// meets in the result, the report goes on.
+template <class Build>
+void add(std::vector<Figure>& figures, const char* name, const Build& build) {
   try {
-    append(figures, draw());
+    append(figures, build());
+  } catch (const std::bad_alloc&) {
+    throw; // of the machine, not of the numbers
   } catch (const std::exception& error) {
-    Figure missing;
-    missing.title = title;
-    missing.caption = error.what();
-    figures.push_back(std::move(missing));
+    Figure none;
+    none.name = none.title = name;
+    none.problem = error.what();
+    figures.push_back(std::move(none));
   }
 }
 
@@ -52,16 +59,14 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
       });
   if (!has_rough)
     return group;
-  add(group.figures, "Pressure and gap",
-      [&] { return std::optional(pressure_gap_figure(entries, series)); });
-  add(group.figures, "Gap against the theory's",
-      [&] { return gap_deviation_figure(series); });
-  add(group.figures, "Contact area",
-      [&] { return std::optional(area_figure(series)); });
-  add(group.figures, "Area-load coefficient",
-      [&] { return std::optional(area_coefficient_figure(series)); });
-  add(group.figures, "Contact area against the theory's",
-      [&] { return area_theory_figure(series); });
+  auto& figures = group.figures;
+  add(figures, "pressure-gap",
+      [&] { return pressure_gap_figure(entries, series); });
+  add(figures, "gap-deviation", [&] { return gap_deviation_figure(series); });
+  add(figures, "area-pressure", [&] { return area_figure(series); });
+  add(figures, "area-coefficient",
+      [&] { return area_coefficient_figure(series); });
+  add(figures, "area-theory", [&] { return area_theory_figure(series); });
   return group;
 }
 
@@ -72,23 +77,22 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
+  auto& figures = group.figures;
   const bool is_exact = is_exact_shape(*entry.contact_case);
-  std::vector<Figure>& figures = group.figures;
   if (is_exact)
-    add(figures, "Against the exact solution",
-        [&] { return exact_figures(entry); });
-  add(figures, "Surface", [&] { return surface_figure(entry); });
-  add(figures, "Both surfaces", [&] { return two_faces_figure(entry); });
-  add(figures, "Height spectrum", [&] { return spectrum_figure(entry); });
-  add(figures, "Height distribution", [&] { return height_figure(entry); });
+    add(figures, "exact", [&] { return exact_figures(entry); });
+  add(figures, "surface", [&] { return surface_figure(entry); });
+  add(figures, "two-faces", [&] { return two_faces_figure(entry); });
+  add(figures, "spectrum", [&] { return spectrum_figure(entry); });
+  add(figures, "height-distribution", [&] { return height_figure(entry); });
   if (!is_exact) {
-    add(figures, "Distribution of the contact pressure",
+    add(figures, "pressure-distribution",
         [&] { return pressure_distribution_figures(entry); });
-    add(figures, "Distribution of the separation",
+    add(figures, "gap-distribution",
         [&] { return gap_distribution_figures(entry); });
   }
-  add(figures, "Maps of pressure and gap", [&] { return map_figures(entry); });
-  add(figures, "Stress inside", [&] { return stress_figures(entry); });
+  add(figures, "maps", [&] { return map_figures(entry); });
+  add(figures, "stress-inside", [&] { return stress_figures(entry); });
   return group;
 }
 
@@ -100,9 +104,9 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
-  add(group.figures, "Magnification",
+  add(group.figures, "magnification",
       [&] { return magnification_figures(entry); });
-  add(group.figures, "Adhesion", [&] { return adhesion_figures(entry); });
+  add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
   return group;
 }
 
@@ -118,7 +122,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
     groups.push_back(study_figures(entries[i], i, has_many));
   }
   FigureGroup cost{"Cost", "", {}};
-  add(cost.figures, "Cost", [&] { return cost_figure(series); });
+  add(cost.figures, "cost", [&] { return cost_figure(series); });
   groups.push_back(std::move(cost));
   std::erase_if(groups,
                 [](const FigureGroup& group) { return group.figures.empty(); });

@@ -70,7 +70,10 @@ std::string run(const std::string& program, const std::string& script,
 
 DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program) {
-  DrawnFigure drawn{figure.name, figure.title, figure.caption, "", ""};
+  DrawnFigure drawn{figure.name, figure.title, figure.caption, "",
+                    figure.problem};
+  if (!drawn.problem.empty())
+    return drawn;
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / (figure.name + ".csv"), figure.data);
   for (const auto& [suffix, matrix] : figure.maps)

@@ -20,6 +20,7 @@ struct Figure {
   std::string script;                                    ///< after the style
   int width = 480;                                       ///< [px]
   int height = 420;                                      ///< [px]
+  std::string problem = {}; ///< why there is nothing to draw; empty: there is
 };
 
 struct DrawnFigure {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t most_curves = 4;
 constexpr double bin_width = 0.2;    // of h_rms
+constexpr double furthest_bin = 1e6; // of heights that rms_height is not of
 constexpr double gaussian_end = 4.0; // of h_rms
 constexpr int gaussian_points = 160;
 
@@ -23,8 +24,9 @@ std::map<int, double> densities(const results::SurfaceRecord& surface) {
   const double share =
       1.0 / (bin_width * static_cast<double>(surface.heights.size()));
   for (const double height : surface.heights)
-    density[static_cast<int>(
-        std::floor(height / surface.rms_height / bin_width))] += share;
+    if (const double bin = std::floor(height / surface.rms_height / bin_width);
+        std::abs(bin) <= furthest_bin)
+      density[static_cast<int>(bin)] += share;
   return density;
 }
 

@@ -2,7 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace asperity::reports {
+
+namespace {
+
+// All of them, of one length.
+bool has_columns(const results::Table* table,
+                 std::initializer_list<const char*> names) {
+  if (table == nullptr)
+    return false;
+  const std::size_t rows = table->values(*names.begin()).size();
+  return rows > 0 &&
+         std::all_of(names.begin(), names.end(), [&](const char* name) {
+           return table->values(name).size() == rows;
+         });
+}
+
+} // namespace
 
 MagnifiedStudy study_of(const results::Result& result) {
   MagnifiedStudy study;
@@ -20,7 +39,9 @@ MagnifiedStudy study_of(const results::Result& result) {
         i, pressures[i], weights[i],
         result.table(fmt::format("magnification-{}", i + 1)),
         result.table(fmt::format("gap-distribution-{}", i + 1))};
-    if (load.seen != nullptr && load.gaps != nullptr)
+    if (has_columns(load.seen, {"magnification", "area_fraction", "rms_height",
+                                "mean_gap", "opening_gap"}) &&
+        has_columns(load.gaps, {"gap", "density"}))
       study.loads.push_back(load);
   }
   return study;

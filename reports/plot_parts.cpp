@@ -22,6 +22,8 @@ std::string plot_of(const std::vector<std::string>& parts) {
 }
 
 double round_step(double step) {
+  if (!(step > 0.0) || !std::isfinite(step))
+    return 1.0; // of nothing: any will do
   const double power = std::pow(10.0, std::floor(std::log10(step)));
   for (const double digit : {1.0, 2.0, 5.0})
     if (digit * power >= step)
@@ -76,13 +78,23 @@ methods_with_maps(const results::Result& result) {
   return methods;
 }
 
+namespace {
+
+bool is_finite(const std::vector<double>& map) {
+  return std::all_of(map.begin(), map.end(),
+                     [](double number) { return std::isfinite(number); });
+}
+
+} // namespace
+
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method) {
   std::vector<const results::Fields*> whole;
   for (const results::Fields& fields : method.realizations.front().fields)
     if (const std::size_t size = fields.grid.size();
         size > 0 && fields.pressure.size() == size &&
-        fields.gap.size() == size && fields.grid.length_x > 0.0)
+        fields.gap.size() == size && fields.grid.length_x > 0.0 &&
+        is_finite(fields.pressure) && is_finite(fields.gap))
       whole.push_back(&fields);
   return whole;
 }

@@ -17,7 +17,8 @@ std::string of_series(std::size_t index, const std::string& columns);
 /// One plot command of its parts.
 std::string plot_of(const std::vector<std::string>& parts);
 
-/// The next of 1, 2, 5 times a power of ten at or above `step`: between tics.
+/// The next of 1, 2, 5 times a power of ten at or above `step`: between tics; 1
+/// if `step` is not above 0.
 double round_step(double step);
 
 /// What a caption says of variants that are not drawn; empty if all are.
@@ -38,7 +39,7 @@ std::vector<const results::MethodRecord*>
 methods_with_maps(const results::Result& result);
 
 /// The kept maps of realisation 0 that are whole: both of the size of their
-/// grid, whose sides are known.
+/// grid, whose sides are known, and finite everywhere.
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method);
 

@@ -19,6 +19,7 @@ struct Strength {
   bool is_beside = false; ///< the continuum's, of a block that knows its own
 };
 
+/// Those with a stress and a depth at each load.
 std::vector<Strength> strengths_of(const results::Table& table,
                                    const std::string& method) {
   std::vector<Strength> strengths{{method, table.values("von_mises"),
@@ -31,6 +32,13 @@ std::vector<Strength> strengths_of(const results::Table& table,
                          table.values("depth_from_pressure"),
                          {},
                          true});
+  const std::size_t loads = table.values("nominal_pressure").size();
+  std::erase_if(strengths, [&](const Strength& one) {
+    return one.von_mises.size() != loads || one.depth.size() != loads;
+  });
+  for (Strength& one : strengths)
+    if (one.largest_shear.size() != loads)
+      one.largest_shear.clear();
   return strengths;
 }
 

@@ -56,6 +56,8 @@ void add_stress_quantities(const results::Result& result,
   const std::vector<double> pressures = table->values("nominal_pressure");
   const std::vector<double> strengths = table->values("von_mises");
   const std::vector<double> depths = table->values("depth");
+  if (strengths.size() != pressures.size() || depths.size() != pressures.size())
+    return; // not a table of ours
   double strength_error = not_a_number;
   double depth_error = not_a_number;
   for (std::size_t i = 0; i < pressures.size(); ++i) {
