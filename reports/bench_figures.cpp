@@ -116,9 +116,10 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
     parts.push_back("'" + figure.name + ".csv' " + of_series(index, "$3:4") +
                     " with linespoints " + sign_of(index) + " title " +
                     gnuplot_text(series.method));
-    if (const PowerLaw law = what.law(series); law.is_known())
+    if (const double exponent = what.law(series).determined_exponent();
+        std::isfinite(exponent))
       exponents += fmt::format("{}{} {:.2f}", exponents.empty() ? "" : ", ",
-                               series.method, law.exponent);
+                               series.method, exponent);
     ++index;
   }
   figure.caption = what.caption + exponents + ".";

@@ -36,7 +36,7 @@ Json to_json(const BenchTime& time) {
 }
 
 Json to_json(const PowerLaw& law) {
-  return {{"exponent", number(law.exponent)},
+  return {{"exponent", number(law.determined_exponent())},
           {"standard_error", number(law.exponent_error)},
           {"factor", number(law.factor)},
           {"points", law.points}};

@@ -127,12 +127,14 @@ List series_rows(const Bench& bench) {
       row.set("source", is_first ? series.order_source : "");
       row.set("quantity", quantity);
       row.set("order", short_number(order->second.by_differences));
-      row.set("slope", short_number(order->second.error.exponent));
+      row.set("slope", short_number(order->second.error.determined_exponent()));
       row.set("theory",
               short_number(in(series.theoretical_orders, quantity), "{:g}"));
-      row.set("cost", is_first ? short_number(series.cost.exponent) : "");
+      row.set("cost",
+              is_first ? short_number(series.cost.determined_exponent()) : "");
       row.set("step_cost",
-              is_first ? short_number(series.step_cost.exponent) : "");
+              is_first ? short_number(series.step_cost.determined_exponent())
+                       : "");
       rows.push_back(row);
       is_first = false;
     }

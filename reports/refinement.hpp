@@ -21,6 +21,11 @@ struct PowerLaw {
 
   bool is_known() const { return exponent == exponent; }
 
+  /// The exponent as a result: NaN through two points, which any law meets.
+  double determined_exponent() const {
+    return exponent_error == exponent_error ? exponent : not_a_number;
+  }
+
   double at(double x) const; ///< y, NaN if not known
 };
 

@@ -11,6 +11,18 @@
 namespace asperity::reports {
 namespace {
 
+// Claim: any power law meets two points, so that they determine none.
+TEST(PowerLawThroughTwoPoints, IsNotDetermined) {
+  const std::vector<double> x{1.0, 2.0, 4.0};
+  const std::vector<double> y{3.0, 12.0, 48.0};
+
+  const PowerLaw two = fit_power_law({x.data(), 2}, {y.data(), 2});
+
+  EXPECT_NEAR(two.exponent, 2.0, 1e-14);
+  EXPECT_TRUE(std::isnan(two.determined_exponent()));
+  EXPECT_NEAR(fit_power_law(x, y).determined_exponent(), 2.0, 1e-14);
+}
+
 double between(double low, double high, int draw) {
   return low + (high - low) * draw / 1000.0;
 }
