@@ -24,6 +24,14 @@ const std::vector<ExpectationName>& expectation_names() {
       {.name = "area_excess",
        .description = "Counted area over theory's at light load, minus 1 [1].",
        .needs_theory = true},
+      {.name = "area_scale",
+       .description = "Least-squares factor from theory's A(p) to the counted "
+                      "one, over all loads [1].",
+       .needs_theory = true},
+      {.name = "area_scale_corrected",
+       .description = "Least-squares factor from theory's A(p) to the "
+                      "corrected one, over all loads [1].",
+       .needs_theory = true},
       {.name = "area_excess_fit",
        .description = "Area by (21) of the fitted pressure distribution over "
                       "theory's at light load, minus 1 [1].",

@@ -1,3 +1,4 @@
+#include "reports/area_scale.hpp"
 #include "reports/figures.hpp"
 #include "reports/html_report.hpp"
 #include "reports/plot_parts.hpp"
@@ -10,19 +11,43 @@
 namespace asperity::reports {
 namespace {
 
-std::string area_caption(const Series* fitted, double scale) {
+// "1.31; 1.5 over the lighter half of the loads, 1.3 over the heavier".
+std::string scale_words(const Series& fitted) {
+  const Estimate& all =
+      quantity(fitted, area_scale_name(false, LoadRange::all));
+  std::string words = fmt::format(
+      " Dashed: the theory times {}, the least-squares factor to {}'s counted "
+      "area {}.",
+      number_text(all), fitted.label, all.remark);
+  const Estimate& light =
+      quantity(fitted, area_scale_name(false, LoadRange::lower_half));
+  const Estimate& heavy =
+      quantity(fitted, area_scale_name(false, LoadRange::upper_half));
+  const Estimate& corrected =
+      quantity(fitted, area_scale_name(true, LoadRange::all));
+  if (light.has_value() && heavy.has_value())
+    words += fmt::format(" Over the lighter half of these loads it is {}, over "
+                         "the heavier {}.",
+                         number_text(light), number_text(heavy));
+  if (corrected.has_value())
+    words +=
+        fmt::format(" To the corrected area it is {}.", number_text(corrected));
+  return words;
+}
+
+std::string area_caption(const Series* fitted) {
   std::string caption =
       "Signs: contact counted node by node. Coloured lines: the "
       "same with the area at the contact's rim corrected.";
-  if (fitted != nullptr && quantity(*fitted, "area_excess").has_value())
+  if (fitted == nullptr)
+    return caption;
+  if (quantity(*fitted, "area_excess").has_value())
     caption += fmt::format(
         " Counted, {} has {:+.0f} % of contact against the theory at light "
         "load.",
         fitted->label, 100.0 * quantity(*fitted, "area_excess").value);
-  if (std::isfinite(scale))
-    caption +=
-        fmt::format(" Dashed: the theory scaled by {:.3g} to {}'s fitted κ.",
-                    scale, fitted->label);
+  if (quantity(*fitted, "area_scale").has_value())
+    caption += scale_words(*fitted);
   return caption;
 }
 
@@ -38,9 +63,8 @@ Figure area_figure(std::span<const Series> series) {
   const Series* fitted = first_numerical(series);
   const Series* theory =
       fitted == nullptr ? nullptr : theory_of(series, *fitted);
-  double scale = not_a_number;
-  if (theory != nullptr)
-    scale = quantity(*fitted, "kappa").value / quantity(*theory, "kappa").value;
+  const double scale =
+      theory != nullptr ? quantity(*fitted, "area_scale").value : not_a_number;
   std::vector<std::string> plots;
   const std::string file = "'area-pressure.csv' ";
   double furthest = 0.0;
@@ -72,7 +96,9 @@ Figure area_figure(std::span<const Series> series) {
     plots.push_back(file + of_series(i, "$3:5") + " with lines " +
                     line_style(one) + " notitle");
   }
-  figure.caption = area_caption(fitted, scale) + joined_words(series);
+  if (plots.empty())
+    figure.problem = "no load step converged";
+  figure.caption = area_caption(fitted) + joined_words(series);
   figure.script =
       fmt::format("set xlabel {}\nset ylabel {}\nset xrange "
                   "[0:{:.6g}]\nset yrange [0:{}]\n{}",

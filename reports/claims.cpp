@@ -2,6 +2,7 @@
 
 #include "cases/expectations.hpp"
 #include "reports/comparison.hpp"
+#include "reports/determined.hpp"
 #include "reports/rough.hpp"
 #include "reports/tail_of_surface.hpp"
 #include "reports/two_faces.hpp"
@@ -30,6 +31,19 @@ void add_mean(MethodSummary& summary, const std::string& name,
   estimate = mean_over_realizations(values);
   if (!estimate.has_value())
     estimate.remark = missing;
+}
+
+double log_linearity(std::span<const CurvePoint> points, double rms_height) {
+  std::vector<double> log_pressure;
+  std::vector<double> gap;
+  for (const CurvePoint& row : loading_rows(points))
+    if (const double reduced = row.mean_gap / rms_height;
+        reduced >= log_linear_from && reduced <= log_linear_to) {
+      log_pressure.push_back(std::log(row.nominal_pressure));
+      gap.push_back(reduced);
+    }
+  return gap.size() < 4 ? not_a_number
+                        : fit_line(log_pressure, gap).largest_residual;
 }
 
 double area_linearity(std::span<const CurvePoint> points) {
@@ -63,8 +77,8 @@ double gap_shortfall(std::span<const CurvePoint> points,
   return not_a_number;
 }
 
-double fractal_dimension(const SurfaceRecord& surface,
-                         const cases::SurfaceSpec& spec, double highest) {
+FittedValue fractal_dimension(const SurfaceRecord& surface,
+                              const cases::SurfaceSpec& spec, double highest) {
   std::vector<double> log_wavevector;
   std::vector<double> log_spectrum;
   for (const results::SpectrumPoint& point : surface.spectrum)
@@ -73,10 +87,9 @@ double fractal_dimension(const SurfaceRecord& surface,
       log_wavevector.push_back(std::log(point.wavevector));
       log_spectrum.push_back(std::log(point.spectrum));
     }
-  if (log_wavevector.size() < 3)
-    return not_a_number;
+  const LineFit line = fit_line(log_wavevector, log_spectrum);
   // C ~ q^(-2-2H), D = 3 - H
-  return 4.0 + 0.5 * fit_line(log_wavevector, log_spectrum).slope;
+  return {4.0 + 0.5 * line.slope, 0.5 * line.slope_error, line.points - 2};
 }
 
 void add_surface_quantities(const results::Result& result,
@@ -100,9 +113,12 @@ void add_surface_quantities(const results::Result& result,
   if (const auto zeta = magnification_of(contact_case, method))
     highest =
         std::min(highest, *zeta * contact_case.surface.wavevector_roll_off);
-  of_surface("fractal_dimension", [&](const SurfaceRecord& surface) {
-    return fractal_dimension(surface, contact_case.surface, highest);
-  });
+  std::vector<FittedValue> dimensions;
+  for (std::size_t r = 0; r < count; ++r)
+    dimensions.push_back(fractal_dimension(*surface_of(result, method, r),
+                                           contact_case.surface, highest));
+  summary.quantities["fractal_dimension"] =
+      determined(mean_over_realizations(dimensions), positive_range);
 }
 
 // Of one value: the two surfaces are one pair.
@@ -127,9 +143,10 @@ void add_sum_quantities(const results::Result& result,
 
 void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
   const std::size_t count = method.realizations.size();
-  add_mean(summary, "log_linearity", count, "no window of gamma_slope",
-           [&](std::size_t r) {
-             return summary.fits[r].slope.window.largest_deviation;
+  add_mean(summary, "log_linearity", count,
+           "fewer than 4 rows with 1 <= u / h_rms <= 2", [&](std::size_t r) {
+             return log_linearity(method.realizations[r].points,
+                                  summary.fits[r].scales.rms_height);
            });
   add_mean(summary, "area_linearity", count,
            "fewer than 2 rows at so light a load", [&](std::size_t r) {
@@ -143,9 +160,19 @@ void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
 
 const std::vector<std::pair<std::string, std::string>>& meanings() {
   static const std::vector<std::pair<std::string, std::string>> table = {
+      {"area_scale_lower_half", "area_scale over the lighter half of the "
+                                "loads [1]."},
+      {"area_scale_upper_half", "area_scale over the heavier half of the "
+                                "loads [1]."},
+      {"area_scale_corrected_lower_half",
+       "area_scale_corrected over the lighter half of the loads [1]."},
+      {"area_scale_corrected_upper_half",
+       "area_scale_corrected over the heavier half of the loads [1]."},
       {"epsilon", "eps of (16) at the case's gamma [1]."},
-      {"log_linearity", "Largest |u - fitted line| / h_rms in the window of "
-                        "gamma_slope [1]."},
+      {"log_linearity", "Largest |u - line| / h_rms of the least-squares line "
+                        "of u over ln p where 1 < u / h_rms < 2 [1]."},
+      {"gap_deviation_to_2", "Largest |u - u of theory| / h_rms where "
+                             "0.2 < u / h_rms < 2 [1]."},
       {"area_linearity", "Largest |(A/p) / mean - 1| up to 10 % contact [1]."},
       {"area_at_highest_load", "A/A_0 at the highest load of the case [1]."},
       {"pressure_offset",
@@ -197,6 +224,13 @@ void add_claim_quantities(const results::Result& result,
              return gap_shortfall(method.realizations[r].points,
                                   CurveFunction(curve_of(*reference, r).points),
                                   summary.fits[r].scales.rms_height);
+           });
+  add_mean(summary, "gap_deviation_to_2", method.realizations.size(),
+           "no such row that the theory also has", [&](std::size_t r) {
+             return largest_gap_deviation(
+                 deviations(method.realizations[r].points,
+                            CurveFunction(curve_of(*reference, r).points)),
+                 summary.fits[r].scales.rms_height, 0.2, 2.0);
            });
   const auto departure_part = [&](const char* name, const char* missing,
                                   double Departure::*part) {

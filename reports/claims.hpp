@@ -13,10 +13,17 @@ namespace asperity::reports {
 /// The area is held against a straight line up to here.
 inline constexpr double linear_area = 0.10;
 
+/// The separation is held against a straight line of ln p between these
+/// u/h_rms: light loads, short of where a small system has no asperities left.
+inline constexpr double log_linear_from = 1.0;
+inline constexpr double log_linear_to = 2.0;
+
 /// Adds, where they mean something for the method:
 ///  - epsilon: (16) at the case's gamma, of a theory
-///  - log_linearity: largest |u - fitted line|/h_rms in the window of
-///    gamma_slope, mean over realisations
+///  - log_linearity: largest |u - line|/h_rms of the least-squares line of u
+///    against ln p through the rows with 1 <= u/h_rms <= 2, at least 4. Not of
+///    the window of gamma_slope, which ends where the rows leave a line.
+///  - gap_deviation_to_2: as gap_deviation, where 0.2 < u/h_rms < 2
 ///  - area_linearity: largest |(A/p)/mean - 1| over the rows with
 ///    0 < A/A_0 <= linear_area, at least 2, by the best estimate of A
 ///  - area_at_highest_load: the best estimate of A/A_0 there

@@ -118,12 +118,12 @@ std::vector<Deviation> deviations(std::span<const CurvePoint> points,
   return rows;
 }
 
-double largest_gap_deviation(std::span<const Deviation> rows,
-                             double rms_height) {
+double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
+                             double low, double high) {
   double largest = not_a_number;
   for (const Deviation& row : rows) {
     const double reduced_gap = row.gap / rms_height;
-    if (reduced_gap < comparison_gap_low || reduced_gap > comparison_gap_high)
+    if (!(reduced_gap >= low && reduced_gap <= high))
       continue;
     // fmax takes the number where the other argument is NaN
     largest =

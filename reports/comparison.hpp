@@ -58,10 +58,11 @@ deviations(std::span<const results::CurvePoint> points,
 inline constexpr double comparison_gap_low = 0.3;
 inline constexpr double comparison_gap_high = 1.5;
 
-/// Largest |u - u_ref| / h_rms over the rows with u/h_rms in that range; NaN if
-/// no row is in it.
-double largest_gap_deviation(std::span<const Deviation> rows,
-                             double rms_height);
+/// Largest |u - u_ref| / h_rms over the rows with u/h_rms between `low` and
+/// `high`; NaN if no row is.
+double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
+                             double low = comparison_gap_low,
+                             double high = comparison_gap_high);
 
 /// Largest relative difference of the pressure at equal mean gap to another
 /// curve, to first order in it: |u - u_ref| over |du_ref/dln p| at the row's

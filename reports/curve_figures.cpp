@@ -91,7 +91,8 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
       "Each sign is a load step, the mean of the realisations; its "
       "bar spans them.";
   const Series* fitted = first_numerical(series);
-  if (fitted != nullptr && quantity(*fitted, "gamma_slope").has_value()) {
+  if (fitted != nullptr && quantity(*fitted, "gamma_slope").has_value() &&
+      quantity(*fitted, "beta").has_value()) {
     const std::size_t index = series.size();
     add_fit(table, index, *fitted);
     const Estimate& gamma = quantity(*fitted, "gamma_slope");
@@ -123,6 +124,8 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
         "border 7\nset x2label 'u [nm]'\n",
         height_nm, round_step(furthest * height_nm / 4.0));
   }
+  if (plots.empty())
+    figure.problem = "no load step converged";
   figure.script += plot_of(plots);
   figure.data = table.text();
   return figure;

@@ -1,7 +1,5 @@
 #include "reports/estimate.hpp"
 
-#include "base/require.hpp"
-
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
@@ -26,9 +24,10 @@ std::string left_out(std::size_t count) {
 } // namespace
 
 LineFit fit_line(std::span<const double> x, std::span<const double> y) {
+  LineFit fit;
+  fit.points = static_cast<int>(x.size());
   if (x.size() < 2 || x.size() != y.size())
-    refuse_argument("points", static_cast<double>(x.size()),
-                    ">= 2, with one y for each x");
+    return fit;
   const double n = static_cast<double>(x.size());
   const double centre_x = mean(x);
   const double centre_y = mean(y);
@@ -38,11 +37,9 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
     spread += (x[i] - centre_x) * (x[i] - centre_x);
     product += (x[i] - centre_x) * (y[i] - centre_y);
   }
-  if (!(spread > 0.0))
-    refuse_argument("spread of x", spread, "> 0");
+  if (!(spread > 0.0) || !std::isfinite(spread) || !std::isfinite(product))
+    return fit;
 
-  LineFit fit;
-  fit.points = static_cast<int>(x.size());
   fit.centre_x = centre_x;
   fit.centre_y = centre_y;
   fit.slope = product / spread;
@@ -81,7 +78,12 @@ Estimate mean_over_realizations(std::span<const FittedValue> fits) {
   estimate.realizations = static_cast<int>(values.size());
   const std::string omitted = left_out(fits.size() - values.size());
   if (values.empty()) {
-    estimate.remark = "no realisation gave an answer";
+    const auto told =
+        std::find_if(fits.begin(), fits.end(), [](const FittedValue& fit) {
+          return !fit.reason.empty();
+        });
+    estimate.remark =
+        told == fits.end() ? "no realisation gave an answer" : told->reason;
     return estimate;
   }
   estimate.value = mean(values);

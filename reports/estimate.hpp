@@ -26,8 +26,9 @@ struct LineFit {
   int points = 0;
 };
 
-/// @param x,y  of one length >= 2, x not all equal
-/// @throws std::domain_error  too few points or one abscissa only
+/// All NaN for fewer than two points, one abscissa only or numbers that are not
+/// finite: there is no such line.
+/// @param x,y  of one length
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
 /// What one fit to one realisation gives.
@@ -35,6 +36,7 @@ struct FittedValue {
   double value = not_a_number;          ///< NaN: there is no answer
   double standard_error = not_a_number; ///< of the fit itself
   int degrees_of_freedom = 0;           ///< of standard_error
+  std::string reason = {};              ///< why there is no answer
 };
 
 /// A number for the reader: value +- half_width at 95 % confidence.
@@ -56,7 +58,8 @@ double student_half_width(double standard_error, int degrees_of_freedom);
 
 /// Mean over realisations with the interval t_{0.975, n-1} s / sqrt(n). With
 /// one realisation the interval is that of its own fit, and the remark says
-/// so. Fits without an answer (NaN) are left out and counted in the remark.
+/// so. Fits without an answer (NaN) are left out and counted in the remark; if
+/// none has one the remark is the first reason given.
 ///
 /// @par Accuracy  The interval covers 95 % if the realisations are independent
 ///                and their scatter is normal.

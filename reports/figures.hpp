@@ -21,7 +21,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
 std::optional<Figure> gap_deviation_figure(std::span<const Series> series);
 
 /// A/A_0 against p/E* up to moderate area: counted, corrected, theory, and the
-/// theory scaled to the fitted kappa.
+/// theory times area_scale of the first numerical method.
 Figure area_figure(std::span<const Series> series);
 
 /// A E* h'/(A_0 p) against A/A_0: the constant of proportionality itself.

@@ -2,6 +2,8 @@
 
 #include "base/require.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,6 +20,7 @@ constexpr double first_tolerance = 0.005; // of h_rms
 constexpr double last_tolerance = 0.08;   // of h_rms
 constexpr std::size_t fewest_rows = 4;    // of the slope's window
 constexpr std::size_t fewest_area_rows = 3;
+constexpr std::size_t fewest_parameter_rows = 3;
 
 void require_scales(const SurfaceScales& scales) {
   require_positive("contact_modulus", scales.contact_modulus, "Pa");
@@ -58,6 +61,8 @@ std::optional<Stretch> stretch_from(const ReducedCurve& curve,
         fit_line(x.subspan(first, count), y.subspan(first, count));
     if (line.largest_residual > tolerance)
       break;
+    if (!std::isfinite(line.slope))
+      continue; // one load several times: no line yet
     if (y[first] - y[first + count - 1] >= smallest_width)
       longest = Stretch{first, count, line};
   }
@@ -100,7 +105,8 @@ std::vector<CurvePoint> loading_rows(std::span<const CurvePoint> points) {
   std::vector<CurvePoint> rows;
   for (const CurvePoint& point : points)
     if (point.status == results::StepStatus::converged && !point.is_unloading &&
-        point.nominal_pressure > 0.0 && std::isfinite(point.mean_gap))
+        point.nominal_pressure > 0.0 && std::isfinite(point.nominal_pressure) &&
+        std::isfinite(point.mean_gap))
       rows.push_back(point);
   std::stable_sort(rows.begin(), rows.end(),
                    [](const CurvePoint& a, const CurvePoint& b) {
@@ -148,8 +154,9 @@ ParameterFit fit_parameter(std::span<const CurvePoint> points,
            row.mean_gap <= 0.0;
   });
   ParameterFit fit;
-  if (rows.size() < 2) {
-    fit.reason = "fewer than 2 rows with 0 < u <= 2 h_rms";
+  if (rows.size() < fewest_parameter_rows) {
+    fit.reason = fmt::format("fewer than {} rows with 0 < u <= 2 h_rms",
+                             fewest_parameter_rows);
     return fit;
   }
   std::vector<double> lever;     // u(gamma = 1) - u(gamma = 0)
@@ -164,6 +171,10 @@ ParameterFit fit_parameter(std::span<const CurvePoint> points,
     squares += lever.back() * lever.back();
   }
   const double gamma = product / squares;
+  if (!std::isfinite(gamma)) {
+    fit.reason = "the theory's u at these loads does not depend on gamma";
+    return fit;
+  }
   double residuals = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -189,14 +200,16 @@ FittedValue kappa_of(std::span<const CurvePoint> rows,
   for (const CurvePoint& row : rows) {
     const double reduced_pressure =
         row.nominal_pressure / (scales.contact_modulus * scales.rms_slope);
-    if (!std::isfinite(row.*area_fraction) ||
+    if (!(row.*area_fraction > 0.0) || !std::isfinite(row.*area_fraction) ||
         (!area.empty() && row.*area_fraction <= area.back()))
       continue; // not known, or no further along the line
     area.push_back(row.*area_fraction);
     coefficient.push_back(row.*area_fraction / reduced_pressure);
   }
   if (area.size() < fewest_area_rows)
-    return {};
+    return {.reason = fmt::format("fewer than {} rows whose area is known and "
+                                  "grows with the load",
+                                  fewest_area_rows)};
   const LineFit line = fit_line(area, coefficient);
   return {line.intercept, line.intercept_error, line.points - 2};
 }
@@ -212,7 +225,9 @@ AreaFit fit_area(std::span<const CurvePoint> points,
   });
   AreaFit fit;
   if (rows.size() < fewest_area_rows) {
-    fit.reason = "fewer than 3 rows in contact with A/A_0 <= 15 %";
+    fit.reason =
+        fmt::format("fewer than {} rows in contact with A/A_0 <= {:.0f} %",
+                    fewest_area_rows, 100.0 * light_load_area);
     return fit;
   }
   fit.window = window_of(rows);

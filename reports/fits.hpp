@@ -20,8 +20,8 @@ struct SurfaceScales {
   double rms_slope = 0.0;       ///< h', both directions [1] > 0
 };
 
-/// The rows a loading fit may use: converged, loading, p > 0 and a finite gap,
-/// in ascending pressure.
+/// The rows a loading fit may use: converged, loading, p > 0 and both p and u
+/// finite, in ascending pressure.
 std::vector<results::CurvePoint>
 loading_rows(std::span<const results::CurvePoint> points);
 
@@ -69,7 +69,7 @@ struct GapSplit {
 using GapTheory = std::function<GapSplit(double nominal_pressure)>;
 
 /// gamma as the parameter of (10): closed-form least squares of u(p) over the
-/// rows with 0 < u <= 2 h_rms. Its error is that of the fit.
+/// at least 3 rows with 0 < u <= 2 h_rms. Its error is that of the fit.
 struct ParameterFit {
   FittedValue gamma_theory;
   Window window;

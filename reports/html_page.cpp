@@ -1,11 +1,14 @@
+#include "reports/determined.hpp"
 #include "reports/html_report.hpp"
 #include "reports/page_data.hpp"
 #include "reports/report_template.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -15,9 +18,16 @@ namespace {
 using Value = kainjow::mustache::data;
 using List = kainjow::mustache::list;
 
-std::string fitted_text(const FittedValue& fitted) {
-  return std::isfinite(fitted.value) ? fmt::format("{:.3g}", fitted.value)
-                                     : "–";
+// The cell of one fitted number; why there is none is added to `reasons`.
+void set_fitted(Value& row, const char* column, const char* name,
+                const FittedValue& fitted, const MeaningfulRange& range,
+                std::vector<std::string>& reasons) {
+  const FittedValue shown = determined(fitted, range);
+  const bool has_value = std::isfinite(shown.value);
+  row.set(column,
+          has_value ? fmt::format("{:.3g}", shown.value) : undetermined_word);
+  if (!has_value && !shown.reason.empty())
+    reasons.push_back(fmt::format("{}: {}", name, shown.reason));
 }
 
 Value fit_row(const Series& series, std::size_t realization,
@@ -26,14 +36,26 @@ Value fit_row(const Series& series, std::size_t realization,
   Value row;
   row.set("method", series.label);
   row.set("realization", std::to_string(realization));
-  row.set("slope", fitted_text(fits.slope.gamma_slope));
+  std::vector<std::string> reasons;
+  for (const std::string& reason :
+       {fits.slope.reason, fits.parameter.reason, fits.area.reason})
+    if (!reason.empty() &&
+        std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+      reasons.push_back(reason);
+  set_fitted(row, "slope", "u₀/h_rms", fits.slope.gamma_slope, gamma_range,
+             reasons);
+  set_fitted(row, "beta", "β", fits.slope.beta, positive_range, reasons);
+  set_fitted(row, "kappa", "κ", fits.area.kappa, positive_range, reasons);
+  set_fitted(row, "kappa_counted", "κ, counted", fits.area.kappa_counted,
+             positive_range, reasons);
+  if (series.is_theory())
+    row.set("gamma", "–"); // set in the case
+  else
+    set_fitted(row, "gamma", "γ", fits.parameter.gamma_theory, gamma_range,
+               reasons);
   row.set("asymptote", std::isfinite(fits.asymptotic_slope)
                            ? fmt::format("{:.3g}", fits.asymptotic_slope)
                            : "–");
-  row.set("beta", fitted_text(fits.slope.beta));
-  row.set("gamma", fitted_text(fits.parameter.gamma_theory));
-  row.set("kappa", fitted_text(fits.area.kappa));
-  row.set("kappa_counted", fitted_text(fits.area.kappa_counted));
   const bool has_window = window.points > 0;
   const double height = fits.scales.rms_height;
   row.set("window",
@@ -46,18 +68,15 @@ Value fit_row(const Series& series, std::size_t realization,
                                          100.0 * window.largest_deviation,
                                          100.0 * window.tolerance)
                            : "–");
-  std::string reason = fits.slope.reason;
-  for (const std::string& more : {fits.parameter.reason, fits.area.reason})
-    if (!more.empty() && reason.find(more) == std::string::npos)
-      reason += (reason.empty() ? "" : "; ") + more;
-  if (!reason.empty())
-    row.set("reason", reason);
+  if (!reasons.empty())
+    row.set("reason", fmt::format("{}", fmt::join(reasons, "; ")));
   return row;
 }
 
 bool is_wide(const std::string& svg) {
   const std::size_t at = svg.find("width=\"");
-  return at != std::string::npos && std::stoi(svg.substr(at + 7, 5)) > 700;
+  return at != std::string::npos &&
+         std::strtol(svg.c_str() + at + 7, nullptr, 10) > 700;
 }
 
 // The picture as a data URI. Percent-encoding leaves an embedded PNG's base64

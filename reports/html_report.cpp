@@ -1,5 +1,5 @@
-#include "cases/expectations.hpp"
 #include "reports/page_data.hpp"
+#include "reports/theory_agreement.hpp"
 #include "reports/verdict.hpp"
 #include "reports/warnings.hpp"
 
@@ -114,36 +114,6 @@ List heads_of(const std::vector<Column>& columns) {
   return heads;
 }
 
-// "0.35 … 0.45" and "≤ 0.05" for a page.
-std::string typeset(std::string band) {
-  for (const auto& [plain, sign] :
-       {std::pair("..", " … "), std::pair("<=", "≤"), std::pair(">=", "≥")})
-    if (const std::size_t at = band.find(plain); at != std::string::npos)
-      band.replace(at, 2, sign);
-  return band;
-}
-
-List verdict_rows(const Summary& summary) {
-  List rows;
-  for (const Verdict& verdict : summary.verdicts) {
-    Value row;
-    row.set("word", outcome_word(verdict.outcome));
-    row.set("sign", verdict.outcome == Outcome::ok        ? "✓"
-                    : verdict.outcome == Outcome::skipped ? "–"
-                                                          : "✗");
-    row.set("method", verdict.method);
-    row.set("quantity", verdict.quantity);
-    const cases::ExpectationName* known =
-        cases::expectation_called(verdict.quantity);
-    row.set("meaning", known == nullptr ? "" : known->description);
-    row.set("value", number_text(verdict.estimate));
-    row.set("band", typeset(band_text(verdict.low, verdict.high)));
-    row.set("remark", verdict.estimate.remark);
-    rows.push_back(row);
-  }
-  return rows;
-}
-
 // Published number, unit and "±" for a page.
 std::string typeset_published(const cases::ReferenceValue& reference) {
   std::string text = published_text(reference);
@@ -179,33 +149,6 @@ List published_rows(const Summary& summary) {
   return rows;
 }
 
-void set_banner(Value& entry, const Summary& summary) {
-  const auto count = [&summary](Outcome outcome) {
-    return std::count_if(summary.verdicts.begin(), summary.verdicts.end(),
-                         [outcome](const Verdict& verdict) {
-                           return verdict.outcome == outcome;
-                         });
-  };
-  const auto met = count(Outcome::ok);
-  const auto all = static_cast<std::ptrdiff_t>(summary.verdicts.size()) -
-                   count(Outcome::skipped);
-  if (all == 0) {
-    entry.set("banner_class", "none");
-    entry.set("banner", summary.verdicts.empty()
-                            ? "The case states no expectations."
-                            : "No expectation concerns a method that was run.");
-  } else if (summary.all_ok()) {
-    entry.set("banner_class", "good");
-    entry.set("banner", all == 1
-                            ? "The one expectation is met."
-                            : fmt::format("All {} expectations are met.", all));
-  } else {
-    entry.set("banner_class", "bad");
-    entry.set("banner", fmt::format("{} of {} expectations are not met.",
-                                    all - met, all));
-  }
-}
-
 List notices_of(const ReportEntry& entry) {
   const Summary& summary = entry.summary;
   List notices;
@@ -226,9 +169,12 @@ List notices_of(const ReportEntry& entry) {
                       "below and in no fit.",
                       method.name, method.cost.failed_steps,
                       method.cost.steps));
-  for (const auto& [key, fact] : summary.provenance)
-    if (key.starts_with("not computed"))
-      add(fmt::format("A quantity was {}: {}.", key, fact));
+  for (const std::string& sentence : theory_disagreements(entry))
+    add(sentence);
+  for (const MethodSummary& method : summary.methods)
+    for (const std::string& problem : method.problems)
+      add(fmt::format("{}: what could not be worked out: {}.", method.name,
+                      problem));
   for (const auto& [key, fact] : summary.provenance)
     if (key.find("dirty") != std::string::npos &&
         (fact == "yes" || fact == "true" || fact == "1"))
@@ -266,7 +212,8 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
   page.set("notices", notices_of(entry));
-  set_banner(page, summary);
+  page.set("banner_class", banner_class(summary));
+  page.set("banner", banner_words(summary));
   const List heads = heads_of(columns);
   page.set("columns", heads);
   page.set("method_columns", std::to_string(heads.size() + 1));

@@ -24,7 +24,7 @@ std::string html_page(std::span<const ReportEntry> entries,
                       std::span<const DrawnGroup> groups);
 
 /// "0.412 ± 0.021": as many decimals as the interval has meaning for, four
-/// digits without one, an en dash without a value.
+/// digits without one, "not determined" without a value.
 std::string number_text(const Estimate& estimate);
 
 /// The same in per cent: "+27.1 ± 0.9 %".

@@ -16,12 +16,11 @@ double up_to_two_digits(double number) {
 
 std::string distance_words(double value, double difference) {
   if (value == 0.0)
-    return fmt::format("off by {:.2g}", up_to_two_digits(difference));
-  return fmt::format("within {:.3g} %",
+    return fmt::format("differs by {:.2g}", up_to_two_digits(difference));
+  return fmt::format("differs by {:.3g} %",
                      up_to_two_digits(100.0 * difference / std::abs(value)));
 }
 
-// An interval that much else would lie in as well.
 bool is_wide(const cases::ReferenceValue& reference, double interval) {
   return interval > std::max(reference.uncertainty,
                              wide_interval * std::abs(reference.value));
@@ -33,8 +32,10 @@ const char* reproduction_word(Reproduction reproduction) {
   switch (reproduction) {
   case Reproduction::reproduced:
     return "reproduced";
-  case Reproduction::near:
-    return "near";
+  case Reproduction::inconclusive:
+    return "inconclusive";
+  case Reproduction::differs:
+    return "differs";
   case Reproduction::not_reproducible:
     return "not_reproducible";
   case Reproduction::input:
@@ -52,19 +53,26 @@ Judgement judge_published(const cases::ReferenceValue& reference,
     return {Reproduction::input, "set in the case"};
   if (!ours.has_value())
     return reference.why.empty()
-               ? Judgement{Reproduction::missing, "no number: " + ours.remark}
+               ? Judgement{Reproduction::missing,
+                           "not determined: " + ours.remark}
                : Judgement{Reproduction::not_reproducible, refusal};
   const double difference = std::abs(ours.value - reference.value);
   const double interval = ours.has_interval() ? ours.half_width : 0.0;
   // a number of as many digits as were printed is as near as it can be
   const double rounding = 1e-12 * std::abs(reference.value);
-  if (difference <= reference.uncertainty + interval + rounding)
-    return {Reproduction::reproduced, is_wide(reference, interval)
-                                          ? "reproduced, within a wide interval"
-                                          : "reproduced"};
+  if (difference <= reference.uncertainty + interval + rounding) {
+    if (!reference.input.empty())
+      return {Reproduction::input, "set in the case: " + reference.input};
+    if (is_wide(reference, interval))
+      return {Reproduction::inconclusive,
+              fmt::format("inconclusive: our interval, +- {:.2g}, would agree "
+                          "with much else",
+                          interval)};
+    return {Reproduction::reproduced, "reproduced"};
+  }
   if (!reference.why.empty())
     return {Reproduction::not_reproducible, refusal};
-  return {Reproduction::near, distance_words(reference.value, difference)};
+  return {Reproduction::differs, distance_words(reference.value, difference)};
 }
 
 } // namespace asperity::reports

@@ -14,6 +14,15 @@ kainjow::mustache::data entry_data(const ReportEntry& entry,
                                    std::span<const Series> series,
                                    bool is_one_of_many);
 
+/// A row an expectation and method.
+kainjow::mustache::list verdict_rows(const Summary& summary);
+
+/// "All 6 expectations are met.", and how many are undecided.
+std::string banner_words(const Summary& summary);
+
+/// "good", "bad", or "none": nothing was judged, or something is undecided.
+std::string banner_class(const Summary& summary);
+
 kainjow::mustache::list fit_rows(std::span<const Series> series);
 
 /// What the run did not compute, with what it would have cost.

@@ -9,8 +9,10 @@ using Json = nlohmann::ordered_json;
 Json to_json(const PaperCounts& counts) {
   return {{"numbers", counts.numbers},
           {"reproduced", counts.reproduced},
-          {"near", counts.near},
+          {"inconclusive", counts.inconclusive},
+          {"differs", counts.differs},
           {"not_reproducible", counts.not_reproducible},
+          {"input", counts.input},
           {"missing", counts.missing}};
 }
 

@@ -11,9 +11,9 @@
 namespace asperity::reports {
 namespace {
 
-std::string remark_of(const Estimate& estimate) {
-  if (!estimate.has_value())
-    return estimate.remark;
+std::string remark_of(const Estimate& estimate, Reproduction verdict) {
+  if (!estimate.has_value()) // a verdict on the paper's number hides it
+    return verdict == Reproduction::missing ? "" : estimate.remark;
   return estimate.realizations > 1
              ? fmt::format("{} realisations", estimate.realizations)
              : "";
@@ -54,26 +54,30 @@ PaperTable paper_table(std::span<const PaperPart> parts) {
 PaperCounts PaperTable::counts() const {
   PaperCounts counts;
   for (std::size_t i = 0; i < rows.size();) {
-    std::size_t end = i + 1;
-    while (end < rows.size() && !rows[end].is_first)
-      ++end;
-    const auto some = [&](Reproduction wanted) {
-      return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(i),
-                         rows.begin() + static_cast<std::ptrdiff_t>(end),
-                         [&](const PaperRow& row) {
-                           return row.judgement.reproduction == wanted;
-                         });
-    };
+    Reproduction best = rows[i].judgement.reproduction;
+    for (++i; i < rows.size() && !rows[i].is_first; ++i)
+      best = std::min(best, rows[i].judgement.reproduction);
     ++counts.numbers;
-    if (some(Reproduction::reproduced))
+    switch (best) {
+    case Reproduction::reproduced:
       ++counts.reproduced;
-    else if (some(Reproduction::near))
-      ++counts.near;
-    else if (some(Reproduction::not_reproducible))
+      break;
+    case Reproduction::inconclusive:
+      ++counts.inconclusive;
+      break;
+    case Reproduction::differs:
+      ++counts.differs;
+      break;
+    case Reproduction::not_reproducible:
       ++counts.not_reproducible;
-    else
+      break;
+    case Reproduction::input:
+      ++counts.input;
+      break;
+    case Reproduction::missing:
       ++counts.missing;
-    i = end;
+      break;
+    }
   }
   return counts;
 }
@@ -81,10 +85,13 @@ PaperCounts PaperTable::counts() const {
 std::string PaperTable::banner() const {
   const PaperCounts n = counts();
   return fmt::format(
-      "Of {} published numbers and claims {} are reproduced by one method at "
-      "least, {} are missed by the distance stated, {} cannot be reproduced "
-      "for the reason stated, and {} have no number of ours.",
-      n.numbers, n.reproduced, n.near, n.not_reproducible, n.missing);
+      "Of {} published numbers and claims, each taken by the method that comes "
+      "nearest: reproduced {}, inconclusive because our own interval is wide "
+      "{}, missed by the distance stated {}, not reproducible for the reason "
+      "stated {}, set by the case or fitted to it {}, without a number of ours "
+      "{}.",
+      n.numbers, n.reproduced, n.inconclusive, n.differs, n.not_reproducible,
+      n.input, n.missing);
 }
 
 kainjow::mustache::data row_data(const PaperRow& row) {
@@ -102,7 +109,9 @@ kainjow::mustache::data row_data(const PaperRow& row) {
   }
   value.set("method", row.ours ? row.ours->method : "–");
   value.set("value", row.ours ? number_text(row.ours->estimate) : "–");
-  value.set("remark", row.ours ? remark_of(row.ours->estimate) : "");
+  value.set("remark",
+            row.ours ? remark_of(row.ours->estimate, row.judgement.reproduction)
+                     : "");
   value.set("verdict_class", reproduction_word(row.judgement.reproduction));
   value.set("verdict", row.judgement.words);
   return value;

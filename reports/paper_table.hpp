@@ -27,9 +27,11 @@ struct PaperRow {
 struct PaperCounts {
   int numbers = 0;
   int reproduced = 0;
-  int near = 0;
+  int inconclusive = 0;
+  int differs = 0;
   int not_reproducible = 0;
-  int missing = 0; ///< no number of ours, or set in the case
+  int input = 0;   ///< set by the case, or fitted to
+  int missing = 0; ///< no number of ours
 };
 
 struct PaperTable {
@@ -37,7 +39,7 @@ struct PaperTable {
 
   PaperCounts counts() const;
 
-  /// "Of 9 published numbers 5 are reproduced by a method at least, ..."
+  /// "Of 9 published numbers and claims ...: reproduced 5, inconclusive ..."
   std::string banner() const;
 };
 

@@ -1,3 +1,4 @@
+#include "reports/determined.hpp"
 #include "reports/verdict.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,8 @@ namespace {
 std::string ours_text(const OurValue& ours) {
   return ours.estimate.has_value()
              ? fmt::format("{} {:.4g}", ours.method, ours.estimate.value)
-             : fmt::format("{} none ({})", ours.method, ours.estimate.remark);
+             : fmt::format("{} {} ({})", ours.method, undetermined_word,
+                           ours.estimate.remark);
 }
 
 } // namespace
@@ -38,7 +40,7 @@ std::string published_text(const cases::ReferenceValue& reference) {
 std::string published_line(const PublishedValue& published) {
   const cases::ReferenceValue& reference = published.reference;
   std::string line = fmt::format(
-      "{:<7}  {:<20} {}", reference.uncertainty > 0.0 ? "paper" : "exact",
+      "{:<9}  {:<20} {}", reference.uncertainty > 0.0 ? "paper" : "exact",
       reference.quantity, published_text(reference));
   for (std::size_t i = 0; i < published.ours.size(); ++i)
     line += (i == 0 ? ": " : ", ") + ours_text(published.ours[i]);

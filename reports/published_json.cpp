@@ -50,6 +50,7 @@ Json published_json(const PublishedValue& published) {
                {"uncertainty", json_number(reference.uncertainty)},
                {"source", reference.source},
                {"why", reference.why},
+               {"input", reference.input},
                {"line", published_line(published)},
                {"verdict", reproduction_word(best_of(published, judgements))},
                {"ours", Json::array()}};

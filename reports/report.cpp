@@ -47,13 +47,10 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
     DrawnGroup drawn{group.heading, {}};
     for (const Figure& figure : group.figures) {
       drawn.figures.push_back(
-          figure.name.empty() // it could not be computed
-              ? DrawnFigure{"", figure.title, "", "", figure.caption}
-              : draw(figure, folder / "figures" / group.folder, gnuplot));
+          draw(figure, folder / "figures" / group.folder, gnuplot));
       if (!drawn.figures.back().problem.empty())
-        problems.push_back(fmt::format(
-            "{}: {}", figure.name.empty() ? figure.title : figure.name,
-            drawn.figures.back().problem));
+        problems.push_back(
+            fmt::format("{}: {}", figure.name, drawn.figures.back().problem));
     }
     drawn_groups.push_back(std::move(drawn));
   }

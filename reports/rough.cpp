@@ -1,12 +1,15 @@
 #include "reports/rough.hpp"
 
+#include "reports/area_scale.hpp"
 #include "reports/comparison.hpp"
+#include "reports/determined.hpp"
 #include "reports/surface_theory.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace asperity::reports {
 namespace {
@@ -39,52 +42,70 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
                            result.contact_modulus);
 }
 
-RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
-                        const MethodRecord& method, std::size_t realization) {
-  RealizationFits fits;
-  fits.scales = scales_of(result, rough_case, method, realization);
+bool is_positive(double number) {
+  return number > 0.0 && std::isfinite(number);
+}
+
+// The fits that hold the curve against the theory of its own surface.
+void add_theory_fits(const Result& result, const cases::Case& rough_case,
+                     const MethodRecord& method, std::size_t realization,
+                     RealizationFits& fits) {
   const double height = fits.scales.rms_height;
-  if (!(height > 0.0) || !(fits.scales.rms_slope > 0.0)) {
-    fits.slope.reason = fits.parameter.reason = fits.area.reason =
-        "neither the surface nor its formula is in the result";
-    return fits;
-  }
-  const auto& points = method.realizations[realization].points;
-  fits.slope = fit_slope(points, fits.scales);
-  fits.area = fit_area(points, fits.scales);
   const SurfaceTheory theory =
       theory_for(result, rough_case, method, realization);
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
         set_gamma(rough_case, method) * theory.decay_length / height;
-    return fits;
+    return;
   }
   if (!theory.gap) {
     fits.parameter.reason = "the heights are not in the result";
+    return;
+  }
+  fits.parameter = fit_parameter(method.realizations[realization].points,
+                                 fits.scales, theory.gap);
+  const FittedValue& gamma = fits.parameter.gamma_theory;
+  if (why_undetermined(gamma, gamma_range).empty())
+    fits.asymptotic_slope = gamma.value * theory.decay_length / height;
+}
+
+RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
+                        const MethodRecord& method, std::size_t realization) {
+  RealizationFits fits;
+  fits.scales = scales_of(result, rough_case, method, realization);
+  if (!is_positive(fits.scales.rms_height) ||
+      !is_positive(fits.scales.rms_slope)) {
+    fits.slope.reason = fits.parameter.reason = fits.area.reason =
+        "h_rms or the rms slope of the surface is not known, or is 0";
     return fits;
   }
-  fits.parameter = fit_parameter(points, fits.scales, theory.gap);
-  fits.asymptotic_slope =
-      fits.parameter.gamma_theory.value * theory.decay_length / height;
+  const auto& points = method.realizations[realization].points;
+  fits.slope = fit_slope(points, fits.scales);
+  fits.area = fit_area(points, fits.scales);
+  try {
+    add_theory_fits(result, rough_case, method, realization, fits);
+  } catch (const std::domain_error& error) { // of heights that have no theory
+    fits.parameter = {};
+    fits.parameter.reason =
+        fmt::format("there is no theory of this surface: {}", error.what());
+  }
   return fits;
 }
 
-// Mean of one fitted value over realisations; the reason of the first fit that
-// has none stands in the remark if no fit has a value.
+// Mean of one fitted value over realisations, if it is a result. The mean is
+// judged and not each realisation: leaving out those outside the range would
+// pull the mean into it.
 template <class Fit>
 Estimate mean_of(const std::vector<RealizationFits>& fits,
-                 Fit RealizationFits::*fit, FittedValue Fit::*fitted) {
+                 Fit RealizationFits::*fit, FittedValue Fit::*fitted,
+                 const MeaningfulRange& range) {
   std::vector<FittedValue> values;
-  std::string reason;
   for (const RealizationFits& realization : fits) {
     values.push_back((realization.*fit).*fitted);
-    if (reason.empty())
-      reason = (realization.*fit).reason;
+    if (values.back().reason.empty())
+      values.back().reason = (realization.*fit).reason;
   }
-  Estimate estimate = mean_over_realizations(values);
-  if (!estimate.has_value() && !reason.empty())
-    estimate.remark = reason;
-  return estimate;
+  return determined(mean_over_realizations(values), range);
 }
 
 Estimate largest_of(const std::vector<double>& values,
@@ -168,26 +189,29 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
   for (std::size_t r = 0; r < method.realizations.size(); ++r)
     summary.fits.push_back(fits_of(result, rough_case, method, r));
   auto& quantities = summary.quantities;
-  quantities["gamma_slope"] =
-      mean_of(summary.fits, &RealizationFits::slope, &SlopeFit::gamma_slope);
-  quantities["beta"] =
-      mean_of(summary.fits, &RealizationFits::slope, &SlopeFit::beta);
-  quantities["kappa"] =
-      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa);
+  quantities["gamma_slope"] = mean_of(summary.fits, &RealizationFits::slope,
+                                      &SlopeFit::gamma_slope, gamma_range);
+  quantities["beta"] = mean_of(summary.fits, &RealizationFits::slope,
+                               &SlopeFit::beta, positive_range);
+  quantities["kappa"] = mean_of(summary.fits, &RealizationFits::area,
+                                &AreaFit::kappa, positive_range);
   quantities["kappa_counted"] =
-      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted);
+      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted,
+              positive_range);
   if (method.kind == "theory") {
     quantities["gamma_theory"] = set_parameter(rough_case, method);
     return;
   }
-  quantities["gamma_theory"] = mean_of(
-      summary.fits, &RealizationFits::parameter, &ParameterFit::gamma_theory);
+  quantities["gamma_theory"] =
+      mean_of(summary.fits, &RealizationFits::parameter,
+              &ParameterFit::gamma_theory, gamma_range);
   if (const MethodRecord* base = base_method(result, method))
     quantities["pressure_difference"] = pressure_difference_to(method, *base);
   if (reference == nullptr)
     return;
   quantities["gap_deviation"] =
       gap_deviation_of(method, *reference, summary.fits);
+  add_area_scales(method, *reference, result.contact_modulus, summary);
   quantities["area_excess"] =
       area_excess_of(method, *reference, &results::CurvePoint::area_fraction);
   quantities["area_excess_fit"] = area_excess_of(

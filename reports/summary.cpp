@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 
 namespace asperity::reports {
 namespace {
@@ -73,33 +74,37 @@ Estimate penetration_of(const Result& result, const MethodRecord& method) {
   return estimate;
 }
 
-/// Quantities that could not be computed end no report: they are a fact of it.
-template <class Add>
-void add_or_say(Summary& summary, const std::string& what, Add add) {
+// Whatever a quantity meets in a curve or a map, the other quantities and the
+// report do not depend on it.
+template <class Work>
+void attempt(MethodSummary& summary, const char* what, const Work& work) {
   try {
-    add();
+    work();
+  } catch (const std::bad_alloc&) {
+    throw; // of the machine, not of the numbers
   } catch (const std::exception& error) {
-    summary.provenance.emplace_back("not computed: " + what, error.what());
+    summary.problems.push_back(fmt::format("{}: {}", what, error.what()));
   }
 }
 
-void summarize_method(const Result& result, const cases::Case& rough_case,
-                      const MethodRecord& method, const MethodRecord* reference,
-                      const std::vector<std::string>& at_load, Summary& whole) {
-  MethodSummary& summary = whole.methods.emplace_back();
+MethodSummary summarize_method(const Result& result,
+                               const cases::Case& rough_case,
+                               const MethodRecord& method,
+                               const MethodRecord* reference) {
+  MethodSummary summary;
   summary.name = method.name;
   summary.kind = method.kind;
   summary.description = method.description;
   summary.cost = cost_of(method);
   if (is_exact_shape(rough_case))
-    add_or_say(whole, method.name + ", errors against the exact solution", [&] {
-      add_exact_quantities(result, rough_case, method, summary);
-    });
+    attempt(summary, "exact solution",
+            [&] { add_exact_quantities(result, rough_case, method, summary); });
   else {
-    add_or_say(whole, method.name + ", fits", [&] {
+    attempt(summary, "fits", [&] {
       add_rough_quantities(result, rough_case, method, reference, summary);
     });
-    add_or_say(whole, method.name + ", comparison with the theory", [&] {
+    summary.fits.resize(method.realizations.size());
+    attempt(summary, "claims", [&] {
       add_claim_quantities(result, rough_case, method, reference, summary);
     });
   }
@@ -141,7 +146,16 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* reference =
         reference_theory(result, rough_case, method);
-    summarize_method(result, rough_case, method, reference, at_load, summary);
+    summary.methods.push_back(
+        summarize_method(result, rough_case, method, reference));
+    MethodSummary& mine = summary.methods.back();
+    attempt(mine, "quantities at a load", [&] {
+      add_quantities_at_load(result, rough_case, method, reference, at_load,
+                             mine);
+    });
+    attempt(mine, "studies", [&] {
+      add_study_quantities(result, rough_case, method, at_load, mine);
+    });
   }
   summary.verdicts = judge(rough_case.expectations, summary.methods,
                            result.status == "complete");

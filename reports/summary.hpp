@@ -45,14 +45,18 @@ struct MethodSummary {
   std::string description;
   std::map<std::string, Estimate> quantities;
   std::vector<RealizationFits> fits; ///< one a realisation; rough cases only
+  /// What could not be worked out at all and why: "claims: ..."; the quantities
+  /// concerned are missing, everything else is there.
+  std::vector<std::string> problems;
   Cost cost;
 };
 
 enum class Outcome {
   ok,
   failed,
-  missing, ///< not to be had: counts as failed
-  skipped, ///< of a method that was left out of a complete run on purpose
+  undecided, ///< the 95 % interval reaches over an end of the band
+  missing,   ///< not to be had: counts as failed
+  skipped,   ///< of a method that was left out of a complete run on purpose
 };
 
 /// One expectation held against one method.
@@ -63,6 +67,10 @@ struct Verdict {
   double low = 0.0;
   double high = 0.0;
   Outcome outcome = Outcome::missing;
+  bool passes_if_undecided = false; ///< as the case has it
+
+  /// ok, or undecided where the case lets that pass.
+  bool is_passed() const;
 };
 
 /// Our number for a published quantity.
@@ -89,7 +97,9 @@ struct Summary {
   std::vector<Verdict> verdicts;
   std::vector<PublishedValue> published; ///< in the order of reference.csv
 
-  bool all_ok() const; ///< no verdict is failed or missing
+  bool all_ok() const; ///< every verdict is passed or skipped
+  /// How many expectations were held against a method: those not skipped.
+  int n_judged() const;
 };
 
 /// True for shapes with an exact solution, where gamma and kappa mean nothing,

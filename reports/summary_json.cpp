@@ -1,5 +1,9 @@
+#include "reports/determined.hpp"
 #include "reports/published_json.hpp"
 #include "reports/warnings.hpp"
+
+#include <cmath>
+#include <initializer_list>
 
 namespace asperity::reports {
 namespace {
@@ -23,19 +27,30 @@ Json to_json(const Window& window) {
           {"points", window.points}};
 }
 
-Json to_json(const FittedValue& fitted) {
-  return {{"value", json_number(fitted.value)},
-          {"standard_error", json_number(fitted.standard_error)},
-          {"degrees_of_freedom", fitted.degrees_of_freedom}};
+// A number that is no result is its reason and nothing else, as a fit is.
+Json to_json(const FittedValue& fitted, const MeaningfulRange& range) {
+  const FittedValue shown = determined(fitted, range);
+  if (!std::isfinite(shown.value))
+    return {{"value", nullptr}, {"reason", shown.reason}};
+  return {{"value", json_number(shown.value)},
+          {"standard_error", json_number(shown.standard_error)},
+          {"degrees_of_freedom", shown.degrees_of_freedom}};
 }
 
+struct Named {
+  const char* name;
+  const FittedValue& fitted;
+  MeaningfulRange range;
+};
+
 // A fit without an answer is its reason and nothing else.
-template <class Fit, class... Named>
-Json fit_json(const Fit& fit, const Named&... named) {
+template <class Fit>
+Json fit_json(const Fit& fit, std::initializer_list<Named> numbers) {
   if (!fit.reason.empty())
     return {{"reason", fit.reason}};
   Json json;
-  ((json[named.first] = to_json(named.second)), ...);
+  for (const Named& one : numbers)
+    json[one.name] = to_json(one.fitted, one.range);
   json["window"] = to_json(fit.window);
   return json;
 }
@@ -45,14 +60,16 @@ Json to_json(const RealizationFits& fits, bool is_theory) {
       {"rms_height [m]", json_number(fits.scales.rms_height)},
       {"rms_slope [1]", json_number(fits.scales.rms_slope)},
       {"asymptotic_slope (18)", json_number(fits.asymptotic_slope)},
-      {"slope",
-       fit_json(fits.slope, std::pair("gamma_slope", fits.slope.gamma_slope),
-                std::pair("beta", fits.slope.beta))},
-      {"area", fit_json(fits.area, std::pair("kappa", fits.area.kappa),
-                        std::pair("kappa_counted", fits.area.kappa_counted))}};
+      {"slope", fit_json(fits.slope,
+                         {{"gamma_slope", fits.slope.gamma_slope, gamma_range},
+                          {"beta", fits.slope.beta, positive_range}})},
+      {"area", fit_json(fits.area, {{"kappa", fits.area.kappa, positive_range},
+                                    {"kappa_counted", fits.area.kappa_counted,
+                                     positive_range}})}};
   if (!is_theory)
-    json["parameter"] = fit_json(
-        fits.parameter, std::pair("gamma_theory", fits.parameter.gamma_theory));
+    json["parameter"] =
+        fit_json(fits.parameter,
+                 {{"gamma_theory", fits.parameter.gamma_theory, gamma_range}});
   return json;
 }
 
@@ -76,6 +93,8 @@ Json to_json(const MethodSummary& method) {
     json["quantities"][name] = to_json(estimate);
   for (const RealizationFits& fits : method.fits)
     json["fits"].push_back(to_json(fits, method.kind == "theory"));
+  if (!method.problems.empty())
+    json["problems"] = method.problems;
   return json;
 }
 

@@ -1,3 +1,4 @@
+#include "reports/determined.hpp"
 #include "reports/html_report.hpp"
 
 #include <fmt/format.h>
@@ -82,7 +83,7 @@ std::string load_words(const results::Result& result) {
 
 std::string number_text(const Estimate& estimate) {
   if (!estimate.has_value())
-    return "–";
+    return undetermined_word;
   if (!estimate.has_interval())
     return fmt::format("{:.4g}", estimate.value);
   const double size = std::abs(estimate.value);
@@ -98,7 +99,7 @@ std::string number_text(const Estimate& estimate) {
 
 std::string percent_text(const Estimate& estimate) {
   if (!estimate.has_value())
-    return "–";
+    return undetermined_word;
   if (!estimate.has_interval())
     return fmt::format("{:.2g} %", 100.0 * estimate.value);
   const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));

@@ -158,6 +158,20 @@ TEST(FitSlope, SaysWhyThereIsNoFit) {
   EXPECT_TRUE(std::isnan(fit_slope(staircase, scales).gamma_slope.value));
 }
 
+// Claim: a load that was solved several times is a point several times: the
+// line is through the others too, and there is none through it alone.
+TEST(FitSlope, TakesALoadThatIsThereSeveralTimes) {
+  std::vector<CurvePoint> points(4, row(1.1e-3, 2.0));
+  EXPECT_NE(fit_slope(points, scales).reason, "");
+
+  for (const CurvePoint& point : exponential(2e-3, 0.1, 10))
+    points.push_back(point);
+  points.front().mean_gap = points[1].mean_gap = points[2].mean_gap =
+      points[3].mean_gap =
+          exponential_gap(1.1e-3, 0.4, 0.15) * scales.rms_height;
+  EXPECT_NEAR(fit_slope(points, scales).gamma_slope.value, 0.4, 1e-12);
+}
+
 TEST(LoadingRows, LeavesOutUnloadingFailedAndEmptyRows) {
   std::vector<CurvePoint> points = exponential(2e-3, 0.1, 5);
   points[0].is_unloading = true;
@@ -191,6 +205,37 @@ TEST(FitParameter, RecoversTheParameterACurveWasMadeWith) {
 
   EXPECT_NEAR(fit.gamma_theory.value, 0.37, 1e-12);
   EXPECT_NEAR(fit.window.largest_deviation, 0.0, 1e-12);
+}
+
+// Claim: two rows are no fit, nor is a theory in which gamma changes nothing.
+TEST(FitParameter, SaysWhyThereIsNoFit) {
+  const GapTheory theory = [](double) { return GapSplit{20e-9, 10e-9}; };
+  const GapTheory blind = [](double) { return GapSplit{20e-9, 20e-9}; };
+  const std::vector<CurvePoint> points = exponential(2e-3, 0.1, 3);
+
+  EXPECT_EQ(fit_parameter({points.data(), 2}, scales, theory).reason,
+            "fewer than 3 rows with 0 < u <= 2 h_rms");
+  EXPECT_EQ(fit_parameter(points, scales, theory).reason, "");
+  EXPECT_NE(fit_parameter(points, scales, blind).reason, "");
+  EXPECT_TRUE(
+      std::isnan(fit_parameter(points, scales, blind).gamma_theory.value));
+}
+
+// Claim: rows whose area is not known to be above 0 bend no line: with them the
+// intercept would be 0.
+TEST(FitArea, LeavesOutAnAreaOfZero) {
+  std::vector<CurvePoint> points;
+  for (const double x : log_spaced(1e-3, 0.06, 6)) {
+    CurvePoint point = row(x * scales.rms_slope, 1.0);
+    point.area_fraction = point.area_fraction_corrected = 2.2 * x;
+    points.push_back(point);
+  }
+  points.front().area_fraction_corrected = 0.0;
+
+  EXPECT_NEAR(fit_area(points, scales).kappa.value, 2.2, 1e-12);
+  points.resize(3);
+  EXPECT_EQ(fit_area(points, scales).kappa.reason,
+            "fewer than 3 rows whose area is known and grows with the load");
 }
 
 // Claim: for Persson's own area, erf(sqrt2 x), the limit is sqrt(8/pi), to the

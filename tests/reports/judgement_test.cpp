@@ -27,27 +27,33 @@ const cases::ReferenceValue nothing{"u", 0.0, "1", 0.01, "paper", ""};
 // The digit printed and our interval are added up, no less and no more.
 TEST(Judgement, AddsTheTwoUncertainties) {
   EXPECT_EQ(words(printed, ours(0.4499)), "reproduced");
-  EXPECT_EQ(words(printed, ours(0.4501)), "within 13 %");
+  EXPECT_EQ(words(printed, ours(0.4501)), "differs by 13 %");
   EXPECT_EQ(words(printed, ours(0.4501, 0.01)), "reproduced");
-  EXPECT_EQ(words(printed, ours(0.3399, 0.01)), "within 16 %");
+  EXPECT_EQ(words(printed, ours(0.3399, 0.01)), "differs by 16 %");
 }
 
 // Claim: what is said is never less than the difference: 0.0501/4 is 1.2525 %.
 TEST(Judgement, RoundsTheDistanceUp) {
   EXPECT_EQ(words(exact, ours(4.0)), "reproduced");
-  EXPECT_EQ(words(exact, ours(4.0501)), "within 1.3 %");
-  EXPECT_EQ(words(exact, ours(-4.0)), "within 200 %");
-  EXPECT_EQ(words(nothing, ours(0.0234)), "off by 0.024");
+  EXPECT_EQ(words(exact, ours(4.0501)), "differs by 1.3 %");
+  EXPECT_EQ(words(exact, ours(17.2)), "differs by 330 %");
+  EXPECT_EQ(words(exact, ours(-4.0)), "differs by 200 %");
+  EXPECT_EQ(words(nothing, ours(0.0234)), "differs by 0.024");
 }
 
-// A wide interval meets anything: it is met, and said to be wide.
-TEST(Judgement, SaysThatAnIntervalIsWide) {
+// A wide interval agrees with anything, so that agreeing says nothing; one that
+// is wide and still does not agree says that the numbers differ.
+TEST(Judgement, IsInconclusiveWithinAWideInterval) {
   EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
   EXPECT_EQ(words(printed, ours(0.5, 0.081)),
-            "reproduced, within a wide interval");
+            "inconclusive: our interval, +- 0.081, would agree with much else");
+  EXPECT_EQ(judge_published(printed, ours(0.4, 0.3)).reproduction,
+            Reproduction::inconclusive);
+  EXPECT_EQ(judge_published(printed, ours(0.9, 0.3)).reproduction,
+            Reproduction::differs);
   EXPECT_EQ(words(nothing, ours(0.015, 0.009)), "reproduced");
-  EXPECT_EQ(words(nothing, ours(0.015, 0.011)),
-            "reproduced, within a wide interval");
+  EXPECT_EQ(judge_published(nothing, ours(0.015, 0.011)).reproduction,
+            Reproduction::inconclusive);
 }
 
 TEST(Judgement, SaysWhyOnlyOfWhatIsNotMet) {
@@ -66,6 +72,19 @@ TEST(Judgement, TakesNoCreditForAnInput) {
   EXPECT_EQ(judge_published(printed, set).reproduction, Reproduction::input);
 }
 
+// Nor for a number to which the case was fitted; one that is missed all the
+// same is missed.
+TEST(Judgement, TakesNoCreditForWhatTheCaseWasFittedTo) {
+  cases::ReferenceValue fitted = printed;
+  fitted.input = "q_0 of [surface]";
+
+  EXPECT_EQ(judge_published(fitted, ours(0.41)).reproduction,
+            Reproduction::input);
+  EXPECT_EQ(words(fitted, ours(0.41)), "set in the case: q_0 of [surface]");
+  EXPECT_EQ(judge_published(fitted, ours(0.5)).reproduction,
+            Reproduction::differs);
+}
+
 TEST(Judgement, HasNoneWithoutANumber) {
   Estimate none;
   none.remark = "too few rows";
@@ -73,7 +92,7 @@ TEST(Judgement, HasNoneWithoutANumber) {
   const Judgement judgement = judge_published(printed, none);
 
   EXPECT_EQ(judgement.reproduction, Reproduction::missing);
-  EXPECT_EQ(judgement.words, "no number: too few rows");
+  EXPECT_EQ(judgement.words, "not determined: too few rows");
 }
 
 } // namespace

@@ -72,16 +72,36 @@ TEST_F(PaperReport, JudgesEveryPublishedNumber) {
   // theory's epsilon, and the slope by both methods on one number
   EXPECT_EQ(count(page, ">reproduced</td>"), 3);
   EXPECT_EQ(count(page, "<td rowspan=\"2\">gamma_slope<"), 1);
-  EXPECT_EQ(count(page, ">within "), 1); // the synthetic 25 %
+  EXPECT_EQ(count(page, ">differs by "), 1); // the synthetic 25 %
   EXPECT_EQ(count(page, ">not reproducible: never stated</td>"), 1);
-  EXPECT_EQ(count(page, ">no number: no method here answers this</td>"), 1);
-  EXPECT_NE(page.find("Of 5 published numbers and claims 2 are reproduced by "
-                      "one method at least, 1 are missed by the distance "
-                      "stated, 1 cannot be reproduced for the reason stated, "
-                      "and 1 have no number of ours."),
+  EXPECT_EQ(count(page, ">not determined: no method here answers this</td>"),
+            1);
+  EXPECT_NE(page.find("Of 5 published numbers and claims, each taken by the "
+                      "method that comes nearest: reproduced 2, inconclusive "
+                      "because our own interval is wide 0, missed by the "
+                      "distance stated 1, not reproducible for the reason "
+                      "stated 1, set by the case or fitted to it 0, without a "
+                      "number of ours 1."),
             std::string::npos);
   EXPECT_NE(page.find("<h1>Someone &lt;paper&gt;</h1>"), std::string::npos);
   EXPECT_NE(page.find("The gap &amp; the load."), std::string::npos);
+}
+
+// Claim: a number that a wide interval of ours agrees with is not counted as
+// reproduced. Two realisations whose areas are 10 % apart have a wide one.
+TEST_F(PaperReport, CountsNoAgreementByAWideInterval) {
+  one.reference = "quantity,value,unit,uncertainty,source\n"
+                  "area_excess,0.25,1,0.005,Sec. 7\n";
+  for (results::CurvePoint& point : one.methods[1].realizations[1].points)
+    point.area_fraction *= 1.1;
+
+  const std::string page = page_of({"polymer"});
+
+  EXPECT_EQ(count(page, ">reproduced</td>"), 0);
+  EXPECT_EQ(count(page, "<td class=\"inconclusive\">inconclusive: "), 1);
+  EXPECT_NE(page.find("reproduced 0, inconclusive because our own interval is "
+                      "wide 1,"),
+            std::string::npos);
 }
 
 // Claim: paper.json has what the page has: each number once with its verdicts,
@@ -96,7 +116,9 @@ TEST_F(PaperReport, IsThereForPrograms) {
   EXPECT_NE(page.find(json["banner"].get<std::string>()), std::string::npos);
   EXPECT_EQ(json["counts"]["numbers"], 5);
   EXPECT_EQ(json["counts"]["reproduced"], 2);
-  EXPECT_EQ(json["counts"]["near"], 1);
+  EXPECT_EQ(json["counts"]["differs"], 1);
+  EXPECT_EQ(json["counts"]["inconclusive"], 0);
+  EXPECT_EQ(json["counts"]["input"], 0);
   EXPECT_EQ(json["counts"]["not_reproducible"], 1);
   EXPECT_EQ(json["counts"]["missing"], 1);
   EXPECT_EQ(json["parts"][1]["name"], "atoms");

@@ -80,13 +80,14 @@ OurValue ours(const std::string& method, double number) {
 TEST(PublishedLine, ReadsAsPromised) {
   EXPECT_EQ(published_line({{"gamma_slope", 0.4, "1", 0.05, "A"},
                             {ours("fem", 0.4461), ours("theory", 0.448)}}),
-            "paper    gamma_slope          0.4 +- 0.05: fem 0.4461, theory "
+            "paper      gamma_slope          0.4 +- 0.05: fem 0.4461, theory "
             "0.448");
   EXPECT_EQ(published_line({{"approach", 2.5e-7, "m", 0.0, "A"},
                             {ours("fem", not_a_number)}}),
-            "exact    approach             2.5e-07 m: fem none (no row)");
+            "exact      approach             2.5e-07 m: fem not determined (no "
+            "row)");
   EXPECT_EQ(published_line({{"height", 14e-9, "m", 5e-10, "A"}, {}}),
-            "paper    height               1.4e-08 +- 5e-10 m: not computed");
+            "paper      height               1.4e-08 +- 5e-10 m: not computed");
 }
 
 TEST_F(Published, AreInTheSummaryForPrograms) {
@@ -123,8 +124,8 @@ TEST_F(Published, AreJudgedForPrograms) {
   EXPECT_EQ(json[0]["why"], "");
   EXPECT_EQ(json[0]["line"], published_line(summary.published[0]));
   // the synthetic 0.25 misses 0.5 by half of it
-  EXPECT_EQ(json[1]["verdict"], "near");
-  EXPECT_EQ(json[1]["ours"][0]["words"], "within 50 %");
+  EXPECT_EQ(json[1]["verdict"], "differs");
+  EXPECT_EQ(json[1]["ours"][0]["words"], "differs by 50 %");
   EXPECT_EQ(json[2]["verdict"], "not_reproducible");
   EXPECT_EQ(json[2]["why"], "never stated");
   EXPECT_EQ(json[3]["ours"][0]["verdict"], "input");

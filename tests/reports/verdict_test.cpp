@@ -33,19 +33,82 @@ cases::Expectation expect(const std::string& quantity, double low,
   return {quantity, low, high, {"fem"}};
 }
 
-Verdict verdict_of(double gamma, double low, double high) {
+Verdict verdict_on(const cases::Expectation& expectation, double gamma) {
   const std::vector<MethodSummary> methods{method_with("fem", gamma)};
-  const std::vector<cases::Expectation> expectations{
-      expect("gamma_slope", low, high)};
-  return judge(expectations, methods).front();
+  return judge({&expectation, 1}, methods).front();
+}
+
+Verdict verdict_of(double gamma, double low, double high) {
+  return verdict_on(expect("gamma_slope", low, high), gamma);
+}
+
+/// The band 0.35..0.45 for a number without an interval.
+Outcome outcome_without_interval(double number) {
+  MethodSummary method = method_with("fem", number);
+  method.quantities["gamma_slope"].half_width = not_a_number;
+  const cases::Expectation expectation = expect("gamma_slope", 0.35, 0.45);
+  return judge({&expectation, 1}, {&method, 1}).front().outcome;
 }
 
 TEST(Judge, TakesTheEndsOfTheBandAndNothingBeyond) {
-  EXPECT_EQ(verdict_of(0.35, 0.35, 0.45).outcome, Outcome::ok);
-  EXPECT_EQ(verdict_of(0.45, 0.35, 0.45).outcome, Outcome::ok);
-  EXPECT_EQ(verdict_of(0.4501, 0.35, 0.45).outcome, Outcome::failed);
-  EXPECT_EQ(verdict_of(0.3499, 0.35, 0.45).outcome, Outcome::failed);
+  EXPECT_EQ(outcome_without_interval(0.35), Outcome::ok);
+  EXPECT_EQ(outcome_without_interval(0.45), Outcome::ok);
+  EXPECT_EQ(outcome_without_interval(0.4501), Outcome::failed);
+  EXPECT_EQ(outcome_without_interval(0.3499), Outcome::failed);
   EXPECT_EQ(verdict_of(0.5, -infinity, 0.6).outcome, Outcome::ok);
+}
+
+// Claim: what the interval of +- 0.02 leaves open is undecided, on either side
+// of either end of 0.35..0.45.
+TEST(Judge, LeavesUndecidedWhatReachesOverAnEnd) {
+  EXPECT_EQ(verdict_of(0.431, 0.35, 0.45).outcome, Outcome::undecided);
+  EXPECT_EQ(verdict_of(0.469, 0.35, 0.45).outcome, Outcome::undecided);
+  EXPECT_EQ(verdict_of(0.369, 0.35, 0.45).outcome, Outcome::undecided);
+  EXPECT_EQ(verdict_of(0.331, 0.35, 0.45).outcome, Outcome::undecided);
+  EXPECT_EQ(verdict_of(0.429, 0.35, 0.45).outcome, Outcome::ok);
+  EXPECT_EQ(verdict_of(0.471, 0.35, 0.45).outcome, Outcome::failed);
+  EXPECT_EQ(verdict_of(0.461, -infinity, 0.45).outcome, Outcome::undecided);
+  EXPECT_EQ(verdict_of(0.4, 0.39, 0.41).outcome, Outcome::undecided);
+}
+
+// Claim: undecided is not passed unless the case says so.
+TEST(Judge, PassesTheUndecidedOnlyWhereTheCaseDoes) {
+  cases::Expectation strict = expect("gamma_slope", 0.35, 0.45);
+  cases::Expectation lenient = strict;
+  lenient.passes_if_undecided = true;
+  Summary summary;
+
+  summary.verdicts = {verdict_on(strict, 0.44)};
+  EXPECT_FALSE(summary.all_ok());
+  EXPECT_NE(junit_xml({&summary, 1}).find("failures=\"1\""), std::string::npos);
+  EXPECT_EQ(check_line(summary.verdicts[0]),
+            "undecided  fem            gamma_slope          0.44 +- 0.02 in "
+            "0.35..0.45; its interval reaches over an end: not passed");
+
+  summary.verdicts = {verdict_on(lenient, 0.44)};
+  EXPECT_TRUE(summary.all_ok());
+  EXPECT_NE(junit_xml({&summary, 1}).find("failures=\"0\""), std::string::npos);
+  EXPECT_NE(junit_xml({&summary, 1}).find("undecided"), std::string::npos);
+
+  summary.verdicts = {verdict_on(lenient, 0.5)};
+  EXPECT_FALSE(summary.all_ok());
+}
+
+// Claim: no expectation, or none that was judged, is nothing checked.
+TEST(Judge, SaysThatNothingWasChecked) {
+  Summary summary;
+  EXPECT_NE(why_nothing_checked(summary).find("states no expectation"),
+            std::string::npos);
+  EXPECT_NE(junit_xml({&summary, 1}).find("skipped=\"1\""), std::string::npos);
+
+  summary.verdicts = {verdict_of(0.4, 0.35, 0.45)};
+  EXPECT_EQ(why_nothing_checked(summary), "");
+  EXPECT_EQ(summary.n_judged(), 1);
+
+  summary.verdicts[0].outcome = Outcome::skipped;
+  EXPECT_NE(why_nothing_checked(summary).find("concern fem, which the result "
+                                              "does not have"),
+            std::string::npos);
 }
 
 // A run told to leave a method out is not at fault for lacking it; a run that
@@ -84,10 +147,11 @@ TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
 
 TEST(CheckLine, ReadsAsPromised) {
   EXPECT_EQ(check_line(verdict_of(0.4123, 0.35, 0.45)),
-            "ok       fem            gamma_slope          0.4123 +- 0.02 in "
+            "ok         fem            gamma_slope          0.4123 +- 0.02 in "
             "0.35..0.45");
   EXPECT_EQ(check_line(verdict_of(0.5, -infinity, 0.45)),
-            "failed   fem            gamma_slope          0.5 +- 0.02 <= 0.45");
+            "failed     fem            gamma_slope          0.5 +- 0.02 <= "
+            "0.45");
 }
 
 Summary nasty_summary() {
