@@ -4,6 +4,7 @@
 #include "app/bench.hpp"
 #include "app/cache.hpp"
 #include "app/case_library.hpp"
+#include "app/checks.hpp"
 #include "app/chosen.hpp"
 #include "app/collection.hpp"
 #include "app/interrupt.hpp"
@@ -16,7 +17,6 @@
 #include "cases/case_error.hpp"
 #include "reports/paper_report.hpp"
 #include "reports/report.hpp"
-#include "reports/verdict.hpp"
 #include "reports/warnings.hpp"
 #include "results/csv.hpp"
 #include "results/result_reader.hpp"
@@ -33,39 +33,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The worse of two ends: what cannot be trusted before what is out of band.
-ExitCode worse(ExitCode one, ExitCode other) {
-  return std::max(one, other);
-}
-
 reports::Summary summary_of(const results::Result& result) {
   const cases::Case rough_case = reports::case_of(result);
   fmt::print("{}", reports::warning_lines(result, rough_case));
   return reports::summarize(result, rough_case);
-}
-
-bool has_failed_steps(const reports::Summary& summary) {
-  return std::any_of(
-      summary.methods.begin(), summary.methods.end(),
-      [](const auto& method) { return method.cost.failed_steps > 0; });
-}
-
-ExitCode exit_code_of(const reports::Summary& summary) {
-  if (has_failed_steps(summary))
-    return exit_numerics_gave_up;
-  return summary.all_ok() ? exit_good : exit_expectation_failed;
-}
-
-void print_verdicts(const reports::Summary& summary) {
-  for (const reports::Verdict& verdict : summary.verdicts)
-    fmt::print("{}\n", reports::check_line(verdict));
-  for (const reports::PublishedValue& published : summary.published)
-    if (!published.ours.empty())
-      fmt::print("{}\n", reports::published_line(published));
-  for (const auto& method : summary.methods)
-    if (method.cost.failed_steps > 0)
-      fmt::print("{}: {} of {} steps did not converge\n", method.name,
-                 method.cost.failed_steps, method.cost.steps);
 }
 
 /// Everything beside result.h5: table, summary, report.
@@ -224,48 +195,17 @@ ExitCode report_results(const std::vector<std::string>& paths,
 
 namespace {
 
-/// What a check has found so far.
-struct Verdicts {
-  std::vector<reports::Summary> summaries;
-  ExitCode end = exit_good;
-
-  void take(reports::Summary summary) {
-    fmt::print("{}\n", summary.case_name);
-    print_verdicts(summary);
-    end = worse(end, exit_code_of(summary));
-    summaries.push_back(std::move(summary));
-  }
-
-  /// Of a case that has no result to be judged.
-  void take_problem(const std::string& case_name, const std::string& problem,
-                    ExitCode exit_code) {
-    reports::Summary summary;
-    summary.case_name = case_name;
-    reports::Verdict verdict;
-    verdict.quantity = "run";
-    verdict.estimate.remark = problem;
-    summary.verdicts.push_back(std::move(verdict));
-    summaries.push_back(std::move(summary));
-    end = worse(end, exit_code);
-  }
-
-  void write(const std::string& junit) const {
-    if (!junit.empty())
-      write_file_atomically(junit, reports::junit_xml(summaries));
-  }
-};
-
-void check_cases(const Asked& asked, Cache& cache, Verdicts& verdicts) {
+void check_cases(const Asked& asked, Cache& cache, Checks& checks) {
   catch_interrupts();
   for (const auto& [found, rough_case, reference, overrides] : asked.cases) {
     const fs::path folder = fs::path("out") / found.name;
     const FolderLock lock(folder, "check " + found.name);
     if (run_case(rough_case, {folder, {}, false, 0, reference, &cache})
             .is_interrupted) {
-      verdicts.take_problem(found.name, "interrupted", exit_interrupted);
+      checks.add_problem(found.name, "interrupted", exit_interrupted);
       return;
     }
-    verdicts.take(write_outputs(folder));
+    checks.add(write_outputs(folder));
   }
 }
 
@@ -278,24 +218,24 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   for (const std::string& target : targets)
     if (!is_result(target))
       to_run.emplace(target, read_asked(target));
-  Verdicts verdicts;
+  Checks checks;
   try {
     for (const std::string& target : targets) {
       const auto asked = to_run.find(target);
       if (asked == to_run.end())
-        verdicts.take(summary_of(results::read_result(target)));
+        checks.add(summary_of(results::read_result(target)));
       else
-        check_cases(asked->second, cache, verdicts);
+        check_cases(asked->second, cache, checks);
       if (is_interrupted())
         break;
+      checks.end_target(target);
     }
   } catch (const std::exception& error) { // what was found is still told
-    verdicts.take_problem("check", error.what(), exit_internal);
-    verdicts.write(junit);
+    checks.add_problem("check", error.what(), exit_internal);
+    checks.end(junit);
     throw;
   }
-  verdicts.write(junit);
-  return verdicts.end;
+  return checks.end(junit);
 }
 
 } // namespace asperity::app

@@ -53,7 +53,9 @@ TEST_F(Messages, RefuseABadTableOfReferencesBeforeAnythingRuns) {
 // Claim: published values are printed beside ours and never change the end:
 // here no number of ours is anywhere near.
 TEST_F(Messages, CheckPrintsPublishedValuesAndJudgesNothingByThem) {
-  write("small.toml", small_case);
+  write("small.toml",
+        small_case + "[expect]\nbeta = { above = 0, methods = [\"theory\"] "
+                     "}\n");
   write("reference.csv", "quantity,value,unit,uncertainty,source\n"
                          "gamma_theory,-70,1,0.5,A\nanother,1,1,0,A\n");
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
@@ -122,6 +124,30 @@ TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
   EXPECT_TRUE(says(checked, "failed")) << checked.output;
   EXPECT_NE(text_of(folder / "junit.xml").find("<failure"), std::string::npos);
   EXPECT_EQ(run("check out/strict").exit_code, 1);
+}
+
+// Claim: what was not checked does not pass: neither a case without an
+// expectation nor one whose expectations are all of methods that were left out.
+TEST_F(Messages, CheckDoesNotPassWhereNothingWasChecked) {
+  write("bare.toml", small_case);
+  write("partial.toml",
+        small_case + "[expect]\niterations_max = { below = 100, methods = "
+                     "[\"halfspace\"] }\n");
+  ASSERT_EQ(run("run bare.toml --methods theory").exit_code, 0);
+  ASSERT_EQ(run("run partial.toml --methods theory").exit_code, 0);
+
+  const Ended bare = run("check out/bare --junit junit.xml");
+  const Ended partial = run("check out/partial");
+
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_TRUE(says(bare, "out/bare: nothing was checked: the case states no "
+                         "expectation; put one under [expect]"))
+      << bare.output;
+  EXPECT_NE(text_of(folder / "junit.xml").find("<skipped"), std::string::npos);
+  EXPECT_EQ(partial.exit_code, 2);
+  EXPECT_TRUE(says(partial, "concern halfspace, which the result does not "
+                            "have; run the case with them"))
+      << partial.output;
 }
 
 TEST_F(Messages, AFlatMapIsNamed) {
