@@ -107,7 +107,9 @@ TEST(ShippedCases, ReadThePaperPartByPart) {
 
     EXPECT_EQ(read_case(folder + "/case.toml").name, part);
     EXPECT_EQ(read_case(folder + "/case.toml", quick).name, part);
-    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    if (part != "finite-size-2" && part != "finite-size-4") { // none printed
+      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    }
     for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
       EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
   }
