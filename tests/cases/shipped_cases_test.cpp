@@ -153,6 +153,13 @@ TEST(ShippedCases, ReadTheWholeBlocksInFullAndQuickly) {
   }
 }
 
+// Claim: undecided passes where a case says so and nowhere else.
+TEST(ShippedCases, SayWhatUndecidedCountsAs) {
+  EXPECT_TRUE(shipped_case("polymer").expectations.front().passes_if_undecided);
+  EXPECT_FALSE(
+      shipped_case("layered").expectations.front().passes_if_undecided);
+}
+
 // Claim: the polymer's cut-offs are 2, 4.5 and 128 times 2 pi / 10 um, the
 // nominal one's 1, 5.88 and 128. Tolerance: the 16 digits written.
 TEST(ShippedCases, HaveThePolymersSpectra) {
@@ -245,14 +252,15 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
           block.find(key.name) == std::string::npos)
         beyond.insert(table.name + "." + key.name);
 
-  EXPECT_EQ(beyond,
-            (std::set<std::string>{
-                ".base", "expect.band.above", "expect.band.below",
-                "halfspace.max_iterations", "fem.max_iterations", "fem.mesh",
-                "fem.sides", "fem.linear_solver", "fem.contact_at",
-                "fem.bodies", "material.layers", "report.fields",
-                "report.stress_inside", "report.vtu", "surface.amplitudes",
-                "surface.height_unit", "surface.rescale"}));
+  EXPECT_EQ(
+      beyond,
+      (std::set<std::string>{
+          ".base", "expect.band.above", "expect.band.below",
+          "expect.band.if_undecided", "halfspace.max_iterations",
+          "fem.max_iterations", "fem.mesh", "fem.sides", "fem.linear_solver",
+          "fem.contact_at", "fem.bodies", "material.layers", "report.fields",
+          "report.stress_inside", "report.vtu", "surface.amplitudes",
+          "surface.height_unit", "surface.rescale"}));
 }
 
 } // namespace
