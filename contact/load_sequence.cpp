@@ -1,6 +1,7 @@
 #include "contact/load_sequence.hpp"
 
 #include "base/require.hpp"
+#include "base/rms_height.hpp"
 #include "contact/chunked_sum.hpp"
 
 #include <algorithm>
@@ -17,17 +18,6 @@ constexpr double coarse_accuracy = 1e-3;
 
 /// How far, in steps between the last two loads, their line is trusted.
 constexpr double longest_extrapolation = 2.5;
-
-double rms(std::span<const double> heights) {
-  double mean = 0.0;
-  for (const double height : heights)
-    mean += height;
-  mean /= static_cast<double>(heights.size());
-  double sum = 0.0;
-  for (const double height : heights)
-    sum += (height - mean) * (height - mean);
-  return std::sqrt(sum / static_cast<double>(heights.size()));
-}
 
 /// A soft spring is pressed in far deeper than the heights are high, and the
 /// gap is then known to the rounding of that depth only, and of a sum over N
@@ -142,9 +132,9 @@ std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
   }
   const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
                                max_iterations_};
-  std::vector<double> start =
-      coarse_start(*elasticity_, problem, target,
-                   std::max(gap_tolerance_, coarse_accuracy * rms(heights_)));
+  std::vector<double> start = coarse_start(
+      *elasticity_, problem, target,
+      std::max(gap_tolerance_, coarse_accuracy * rms_height(heights_)));
   if (start.empty() && !history_.empty())
     start = history_.back().pressure;
   return start;

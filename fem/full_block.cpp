@@ -1,6 +1,8 @@
 #include "fem/full_block.hpp"
 
+#include "base/maximum.hpp"
 #include "base/require.hpp"
+#include "base/rms_height.hpp"
 #include "fem/block_output.hpp"
 #include "fem/block_problem.hpp"
 #include "fem/block_section.hpp"
@@ -17,13 +19,12 @@
 namespace asperity::fem {
 namespace {
 
-/// rms height [m], or the spacing for a flat surface: what a gap's tolerance
-/// is a share of.
+/// rms height [m], or the spacing for a surface that is flat to rounding: what
+/// a gap's tolerance is a share of.
 double height_scale_of(std::span<const double> heights, double spacing) {
-  const double square =
-      std::inner_product(heights.begin(), heights.end(), heights.begin(), 0.0) /
-      static_cast<double>(heights.size());
-  return square > 0.0 ? std::sqrt(square) : spacing;
+  constexpr double rounding = 1e-12;
+  const double rms = rms_height(heights);
+  return rms > rounding * largest_magnitude(heights) ? rms : spacing;
 }
 
 /// Refused before anything is built.

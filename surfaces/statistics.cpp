@@ -1,6 +1,7 @@
 #include "surfaces/statistics.hpp"
 
 #include "base/require.hpp"
+#include "base/rms_height.hpp"
 #include "surfaces/mode_power.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ void add_heights(const HeightMap& map, Statistics& result) {
   }
   const auto count = static_cast<double>(map.heights.size());
   square /= count;
-  result.rms_height = std::sqrt(square);
+  result.rms_height = rms_height(map.heights);
   result.skewness = cube / count / (square * result.rms_height);
   result.kurtosis = fourth / count / (square * square);
   const auto [lowest, highest] =

@@ -240,6 +240,33 @@ TEST(WholeBlock, ConvergesInRandomScenes) {
   }
 }
 
+// Claim: heights that all lie a thousand times their rms height higher are the
+// same surface: a gap's tolerance is a share of the rms height about the mean,
+// so as many steps lead to the same pressures. Tolerance: 1e-13 of a gap of
+// 1 um are lost to rounding, times the stiffness of a cell.
+TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
+  const Grid grid{8, 8, 1e-6, 1e-6};
+  const std::vector<double> heights = rough_heights(grid);
+  std::vector<double> raised = heights;
+  for (double& height : raised)
+    height += 1e-6;
+  const BlockContact contact{ContactLaw::hard, 0.0, 1e-3, 50};
+  const auto solve = [&](const std::vector<double>& surface) {
+    return make_full_block(grid, 1,
+                           layered_block(grid.spacing_x(), 1e-6,
+                                         TopFace::clamped))
+        ->solve(surface, {Control::nominal_pressure, 4e6}, contact);
+  };
+
+  const BlockSolution plain = solve(heights);
+  const BlockSolution high = solve(raised);
+
+  ASSERT_TRUE(plain.converged && high.converged) << plain.note << high.note;
+  EXPECT_EQ(high.iterations, plain.iterations);
+  EXPECT_LT(largest_difference(high.pressure, plain.pressure),
+            1e-8 * largest_magnitude(plain.pressure));
+}
+
 TEST(WholeBlock, WithoutContactBearsNothing) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const auto whole = make_full_block(

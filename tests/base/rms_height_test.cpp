@@ -1,0 +1,25 @@
+// Claims about base/rms_height.hpp.
+#include "base/rms_height.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+TEST(RmsHeight, IsThatAboutTheMean) {
+  EXPECT_DOUBLE_EQ(rms_height(std::vector{1.0, -1.0}), 1.0);
+  EXPECT_DOUBLE_EQ(rms_height(std::vector{1001.0, 999.0}), 1.0);
+  EXPECT_EQ(rms_height(std::vector{5.0, 5.0, 5.0}), 0.0);
+}
+
+TEST(RmsHeight, IsNoNumberWithoutNumbers) {
+  EXPECT_TRUE(std::isnan(rms_height({})));
+  EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, std::nan("")})));
+  EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, INFINITY})));
+}
+
+} // namespace
+} // namespace asperity
