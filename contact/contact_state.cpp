@@ -224,9 +224,7 @@ void ContactState::advance(float step, std::span<const float> direction,
 
 void ContactState::correct_cuts(std::span<float> change, double pressure_sum) {
   const double scale =
-      by_pressure()
-          ? target.amount * static_cast<double>(pressure.size()) / pressure_sum
-          : 1.0;
+      by_pressure() ? load_scale(target, pressure.size(), pressure_sum) : 1.0;
   double* const p = pressure.data();
   double* const u = raw_gap.data();
   float* const field = change.data();

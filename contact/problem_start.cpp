@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace asperity::contact {
@@ -83,12 +84,20 @@ starting_pressure(const SurfaceOperator& elasticity,
   return pressure;
 }
 
+double load_scale(const LoadTarget& target, std::size_t nodes,
+                  double pressure_sum) {
+  const double scale =
+      target.amount * static_cast<double>(nodes) / pressure_sum;
+  return std::isnormal(scale) ? scale
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
 void scale_to_target(const LoadTarget& target, std::span<const double> weights,
                      std::span<double> pressure, int threads) {
   if (target.kind != LoadTarget::Kind::nominal_pressure)
     return;
-  const double scale = target.amount * static_cast<double>(pressure.size()) /
-                       weighted_sum(weights, pressure, threads);
+  const double scale = load_scale(target, pressure.size(),
+                                  weighted_sum(weights, pressure, threads));
   double* const p = pressure.data();
   chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

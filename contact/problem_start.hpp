@@ -18,6 +18,12 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const LoadTarget& target,
                                       std::span<const double> initial_pressure);
 
+/// What a pressure with this (weighted) sum over the nodes is multiplied by to
+/// bear the prescribed load. NaN where that is no number of full precision:
+/// the sum is 0, not finite or out of all proportion to the load.
+double load_scale(const LoadTarget& target, std::size_t nodes,
+                  double pressure_sum);
+
 /// Scales to the mean pressure of the target, if that is what it asks. Where no
 /// node carries a load, the pressure is NaN afterwards, and so is its residual.
 /// @param threads  >= 1; their number changes no bit

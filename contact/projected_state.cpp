@@ -97,7 +97,7 @@ void ProjectedState::advance(double step, std::span<const double> direction,
   }
   double scale = 1.0;
   if (target.kind == LoadTarget::Kind::nominal_pressure) {
-    scale = target.amount * static_cast<double>(nodes) / sum;
+    scale = load_scale(target, nodes, sum);
     for (double& value : pressure)
       value *= scale;
   }

@@ -1,0 +1,240 @@
+// Claim: every answer to a contact problem, however hostile, is converged and
+// verified apart from the solver, or says why it is not; only arguments that
+// are outside their range are refused. Units from picometres and millipascals
+// to megametres and terapascals, flat and spiked and huge heights, numbers that
+// are not finite, loads to 10 E*, from one node on, one to three threads.
+// ASPERITY_INSTANCES sets how many are tried.
+#include "contact/active_set.hpp"
+#include "contact/load_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::contact {
+namespace {
+
+using Kind = LoadTarget::Kind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Solve = ContactSolution (*)(SurfaceOperator&, const ContactProblem&,
+                                  const LoadTarget&, std::span<const double>);
+constexpr std::array solvers{solve_contact, solve_contact, active_set,
+                             polonsky_keer, solve_augmented};
+
+struct Instance {
+  Grid grid;
+  ElasticBlock block;
+  int threads = 1;
+  std::vector<double> heights;
+  std::vector<double> start;
+  double local_compliance = 0.0;
+  double gap_tolerance = 0.0;
+  int max_iterations = 1000;
+  LoadTarget target;
+  Solve solve = solve_contact;
+  bool may_be_refused = false; ///< an argument is outside its range
+
+  ContactProblem problem() const {
+    return {heights, local_compliance, gap_tolerance, max_iterations};
+  }
+};
+
+/// Draws the parts of an instance.
+class Dice {
+public:
+  explicit Dice(unsigned number) : random_(number) {}
+
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  double power_of_ten(double low, double high) {
+    return std::pow(10.0, uniform(low, high));
+  }
+
+  bool is_one_in(int n) { return pick(n) == 0; }
+
+  int pick(int n) {
+    return std::uniform_int_distribution<int>(0, n - 1)(random_);
+  }
+
+private:
+  std::mt19937_64 random_;
+};
+
+/// Heights of order one, of one of several kinds.
+std::vector<double> heights_of(const Grid& grid, Dice& dice) {
+  const int kind = dice.pick(7);
+  std::vector<double> heights(grid.size(), kind == 0 ? 0.0 : 1.0);
+  if (kind == 2) // a spike
+    heights[static_cast<std::size_t>(
+        dice.pick(static_cast<int>(heights.size())))] = 3.0;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      double& height = heights[grid.index(ix, iy)];
+      if (kind == 3) // many ties
+        height = (ix + iy) % 2;
+      if (kind == 4) // a long wave
+        height = std::cos(2.0 * std::numbers::pi * ix / grid.points_x);
+      if (kind == 5)
+        height = dice.uniform(-1.0, 1.0);
+      if (kind == 6) // heights far from 0
+        height = 1e5 + dice.uniform(-1.0, 1.0);
+    }
+  return heights;
+}
+
+ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
+  ElasticBlock block{modulus, dice.uniform(0.0, 0.5), infinity,
+                     FarFace::clamped};
+  if (dice.is_one_in(2)) {
+    block.far_face =
+        std::array{FarFace::clamped, FarFace::sliding,
+                   FarFace::pressure}[static_cast<std::size_t>(dice.pick(3))];
+    block.thickness = grid.length_x * dice.power_of_ten(-1.7, 0.5);
+  }
+  return block;
+}
+
+/// A number that is not finite or a scale that overflows, somewhere.
+void spoil(Instance& instance, Dice& dice) {
+  const double bad = std::array{nan, infinity, -infinity, 1e300, -1e300, 1e-310}
+      [static_cast<std::size_t>(dice.pick(6))];
+  std::vector<double>& field =
+      dice.is_one_in(2) ? instance.heights : instance.start;
+  if (field.empty())
+    field.assign(instance.grid.size(), 0.0);
+  if (dice.is_one_in(2))
+    std::fill(field.begin(), field.end(), bad);
+  else
+    field[static_cast<std::size_t>(dice.pick(static_cast<int>(field.size())))] =
+        bad;
+  instance.may_be_refused = true;
+}
+
+Instance instance_number(unsigned number) {
+  Dice dice(number);
+  constexpr std::array sizes{1, 2, 3, 4, 5, 8, 12, 16, 24};
+  const auto size = [&] {
+    return sizes[static_cast<std::size_t>(dice.pick(9))];
+  };
+  Instance instance;
+  const double length = dice.power_of_ten(-12.0, 6.0);
+  const double modulus = dice.power_of_ten(-3.0, 13.0);
+  const int points_x = size();
+  const int points_y = size();
+  instance.grid = {points_x, points_y, length, length * points_y / points_x};
+  instance.block = block_of(instance.grid, modulus, dice);
+  instance.threads = 1 + dice.pick(3);
+  const double amplitude =
+      instance.grid.spacing_x() * dice.power_of_ten(-6.0, 1.0);
+  instance.heights = heights_of(instance.grid, dice);
+  for (double& height : instance.heights)
+    height *= amplitude;
+  instance.gap_tolerance = amplitude * dice.power_of_ten(-12.0, -4.0);
+  if (dice.is_one_in(2))
+    instance.local_compliance =
+        instance.grid.spacing_x() / modulus * dice.power_of_ten(-8.0, 4.0);
+  instance.target = {Kind::nominal_pressure,
+                     modulus * dice.power_of_ten(-12.0, 1.0)};
+  if (dice.is_one_in(3))
+    instance.target = {Kind::mean_gap,
+                       amplitude * dice.power_of_ten(-6.0, 1.0)};
+  instance.solve = solvers[static_cast<std::size_t>(dice.pick(5))];
+  if (instance.solve == solve_augmented && instance.local_compliance == 0.0)
+    instance.local_compliance = instance.grid.spacing_x() / modulus;
+  if (dice.is_one_in(4)) {
+    instance.start.resize(instance.grid.size());
+    for (double& pressure : instance.start)
+      pressure = modulus * std::max(0.0, dice.uniform(-1.0, 1.0));
+    const bool has_load =
+        *std::max_element(instance.start.begin(), instance.start.end()) > 0.0;
+    instance.may_be_refused = !has_load;
+  }
+  if (dice.is_one_in(10))
+    instance.max_iterations = 1 + dice.pick(5);
+  if (dice.is_one_in(6))
+    spoil(instance, dice);
+  return instance;
+}
+
+/// What rounding leaves of a gap [m].
+double gap_rounding(const Instance& instance, const FourierOperator& elasticity,
+                    const ContactSolution& answer) {
+  const std::span<const double> compliance = elasticity.compliance();
+  return 64.0 * std::numeric_limits<double>::epsilon() *
+         (2.0 * largest_magnitude(instance.heights) +
+          largest_magnitude(answer.gap) +
+          largest_magnitude(answer.pressure) *
+              (*std::max_element(compliance.begin(), compliance.end()) +
+               instance.local_compliance));
+}
+
+void expect_verified(const Instance& instance, FourierOperator& elasticity,
+                     const ContactSolution& answer) {
+  ContactProblem problem = instance.problem();
+  if (instance.solve == solve_augmented)
+    problem.local_compliance = 0.0;
+  const double rounding = gap_rounding(instance, elasticity, answer);
+  EXPECT_LE(scenes::complementarity_error(elasticity, problem, answer),
+            1.01 * instance.gap_tolerance + rounding);
+  EXPECT_LE(answer.gap_error, instance.gap_tolerance + rounding);
+  if (instance.target.kind == Kind::nominal_pressure)
+    EXPECT_NEAR(answer.nominal_pressure / instance.target.amount, 1.0, 1e-12);
+  else
+    EXPECT_NEAR(answer.mean_gap, instance.target.amount,
+                instance.gap_tolerance + rounding);
+}
+
+/// Verifies the answer, and says what came of the instance.
+std::string outcome_of(const Instance& instance) {
+  FourierOperator elasticity =
+      halfspace_operator(instance.grid, instance.block, instance.threads);
+  try {
+    const ContactSolution answer = instance.solve(
+        elasticity, instance.problem(), instance.target, instance.start);
+    if (answer.converged) {
+      expect_verified(instance, elasticity, answer);
+      return answer.note.empty() ? "verified" : "verified, with a note";
+    }
+    EXPECT_FALSE(answer.note.empty());
+    if (answer.note.find("not finite") != std::string::npos)
+      return "not converged: not finite";
+    return instance.max_iterations < 10 ? "not converged: few iterations"
+                                        : "not converged";
+  } catch (const std::domain_error& error) {
+    EXPECT_TRUE(instance.may_be_refused) << error.what();
+    return "refused";
+  }
+}
+
+TEST(HostileInstances, AreVerifiedOrSayWhyNot) {
+  const char* const asked = std::getenv("ASPERITY_INSTANCES");
+  const unsigned n_instances =
+      asked ? static_cast<unsigned>(std::atoi(asked)) : 3000;
+  std::map<std::string, int> outcomes;
+  for (unsigned number = 1; number <= n_instances; ++number) {
+    SCOPED_TRACE(number);
+    ++outcomes[outcome_of(instance_number(number))];
+  }
+  for (const auto& [outcome, count] : outcomes)
+    RecordProperty(outcome, count);
+  for (const auto& [outcome, count] : outcomes)
+    std::printf("%6d %s\n", count, outcome.c_str());
+  EXPECT_GT(outcomes["verified"], static_cast<int>(n_instances / 2));
+}
+
+} // namespace
+} // namespace asperity::contact
