@@ -1,265 +1,93 @@
 #include "meshes/mesh_file.hpp"
 
+#include "base/child_process.hpp"
 #include "base/require.hpp"
-#include "meshes/facets.hpp"
-#include "meshes/gmsh_cells.hpp"
-#include "meshes/gmsh_session.hpp"
-#include "meshes/matching_sides.hpp"
-#include "meshes/sound_mesh.hpp"
+#include "meshes/mesh_bytes.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
-#include <limits>
-#include <map>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 namespace asperity::meshes {
 namespace {
 
-using FacetKey = std::array<unsigned int, 4>;
+namespace fs = std::filesystem;
 
-struct GroupName {
-  FaceGroup group;
-  const char* name;
+/// asperity_mesh from the folder of the running program, from ../meshes beside
+/// it (the build tree), or from ../lib/asperity beside it (an installation).
+fs::path mesh_program() {
+  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const char* folder :
+       {".", "../meshes", "../../meshes", "../lib/asperity"}) {
+    const fs::path program =
+        (here / folder / "asperity_mesh").lexically_normal();
+    if (fs::exists(program))
+      return program;
+  }
+  throw std::runtime_error("The program asperity_mesh, which meshes with gmsh, "
+                           "is not beside " +
+                           here.string());
+}
+
+/// A folder of its own, removed with all that is in it.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    std::string name =
+        (fs::temp_directory_path() / "asperity-mesh-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), name);
+    path = name;
+  }
+
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+
+  fs::path path;
 };
 
-constexpr std::array<GroupName, 3> group_names = {
-    {{FaceGroup::contact, "contact"},
-     {FaceGroup::fixed, "fixed"},
-     {FaceGroup::sides, "sides"}}};
-
-struct Bounds {
-  Place low{}, high{};
-};
-
-/// What the file says: cells, and the groups of facets it names.
-struct FileMesh {
-  GmshMesh cells;
-  std::map<FacetKey, FaceGroup> groups;
-  std::vector<std::string> surface_names;
-};
-
-bool has_cells() {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> numbers;
-  std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, numbers, nodes, 3);
-  return !types.empty();
-}
-
-void open_file(const std::filesystem::path& path) {
-  gmsh::open(path.string());
-  if (path.extension() == ".geo" && !has_cells())
-    gmsh::model::mesh::generate(3);
-  if (!has_cells())
-    throw std::domain_error("mesh: there are no cells; gmsh writes those of "
-                            "physical volumes only, and only when it meshes "
-                            "in three dimensions");
-}
-
-/// Enters the elements of one surface under the group.
-void add_surface(FileMesh& file, int surface, const GroupName& of) {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> numbers;
-  std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, numbers, nodes, 2, surface);
-  const CellShape shape = file.cells.mesh.shape;
-  const std::size_t n_corners = vertices_a_facet(shape);
-  for (std::size_t kind = 0; kind < types.size(); ++kind)
-    for (std::size_t i = 0; i < numbers[kind].size(); ++i) {
-      FacetKey facet{};
-      for (std::size_t corner = 0; corner < n_corners; ++corner) {
-        const auto vertex = file.cells.vertex_of_node.find(
-            nodes[kind].at(i * n_corners + corner));
-        if (vertex == file.cells.vertex_of_node.end())
-          throw std::domain_error(fmt::format(
-              "mesh: element {} of the physical surface {} touches no cell",
-              numbers[kind][i], of.name));
-        facet[corner] = vertex->second;
-      }
-      const auto [found, is_new] =
-          file.groups.emplace(facet_key(shape, facet), of.group);
-      if (!is_new && found->second != of.group)
-        throw std::domain_error(
-            fmt::format("mesh: element {} of the physical surface {} is in "
-                        "another of contact, fixed and sides too",
-                        numbers[kind][i], of.name));
-    }
-}
-
-void add_groups(FileMesh& file) {
-  gmsh::vectorpair physical;
-  gmsh::model::getPhysicalGroups(physical, 2);
-  for (const auto& [dimension, tag] : physical) {
-    std::string name;
-    gmsh::model::getPhysicalName(2, tag, name);
-    file.surface_names.push_back(name.empty() ? std::to_string(tag) : name);
-    const auto found = std::find_if(
-        group_names.begin(), group_names.end(),
-        [&](const GroupName& group) { return group.name == name; });
-    if (found == group_names.end())
-      continue;
-    std::vector<int> surfaces;
-    gmsh::model::getEntitiesForPhysicalGroup(2, tag, surfaces);
-    for (const int surface : surfaces)
-      add_surface(file, surface, *found);
-  }
-  for (const GroupName& group : {group_names[0], group_names[1]})
-    if (std::none_of(
-            file.groups.begin(), file.groups.end(),
-            [&](const auto& entry) { return entry.second == group.group; }))
-      throw std::domain_error(fmt::format(
-          "mesh: no physical surface is named {}; there are: {}", group.name,
-          file.surface_names.empty()
-              ? "none"
-              : fmt::format("{}", fmt::join(file.surface_names, ", "))));
-}
-
-FileMesh file_mesh(const std::filesystem::path& path) {
-  FileMesh file;
-  in_gmsh([&] {
-    open_file(path);
-    file.cells = cells_of_gmsh();
-    add_groups(file);
-  });
-  return file;
-}
-
-void widen(Bounds& bounds, const Place& place) {
-  for (std::size_t d = 0; d < 3; ++d) {
-    bounds.low[d] = std::min(bounds.low[d], place[d]);
-    bounds.high[d] = std::max(bounds.high[d], place[d]);
-  }
-}
-
-Bounds nothing() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
-
-Bounds bounds_of_contact(const FileMesh& file) {
-  Bounds bounds = nothing();
-  const BlockMesh& mesh = file.cells.mesh;
-  for (const auto& [key, group] : file.groups)
-    if (group == FaceGroup::contact)
-      for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
-        widen(bounds, mesh.vertices[key[i]]);
-  return bounds;
-}
-
-/// A mirrored cell, numbered so that it is right-handed again.
-void turn_cells(BlockMesh& mesh) {
-  for (auto& cell : mesh.cells)
-    if (mesh.shape == CellShape::tetrahedron)
-      std::swap(cell[0], cell[1]);
-    else
-      for (std::size_t i = 0; i < 4; ++i)
-        std::swap(cell[i], cell[i + 4]);
-}
-
-/// Moves the contact face to z = 0 and its bounds to x = y = 0. A face that is
-/// not flat keeps its heights above its lowest vertex.
-void place(BlockMesh& mesh, const Bounds& contact, double unit) {
-  Bounds all = nothing();
-  for (const Place& vertex : mesh.vertices)
-    widen(all, vertex);
-  const bool is_above =
-      contact.high[2] - all.low[2] <= all.high[2] - contact.low[2];
-  const double tolerance = 1e-9 * (all.high[2] - all.low[2]);
-  for (Place& vertex : mesh.vertices) {
-    double z =
-        is_above ? vertex[2] - contact.low[2] : contact.high[2] - vertex[2];
-    if (std::abs(z) <= tolerance)
-      z = 0.0;
-    vertex = {(vertex[0] - contact.low[0]) * unit,
-              (vertex[1] - contact.low[1]) * unit, z * unit};
-    mesh.depth = std::max(mesh.depth, vertex[2]);
-  }
-  if (!is_above)
-    turn_cells(mesh);
-  mesh.length_x = (contact.high[0] - contact.low[0]) * unit;
-  mesh.length_y = (contact.high[1] - contact.low[1]) * unit;
-}
-
-/// The plane of the box a facet lies on to 1e-9, or sides.
-FaceGroup side_of(const BlockMesh& mesh, const Facet& facet) {
-  const double tolerance =
-      1e-9 * std::max({mesh.length_x, mesh.length_y, mesh.depth});
-  const auto all_have = [&](std::size_t d, double value) {
-    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
-      if (std::abs(mesh.vertices[facet.vertices[i]][d] - value) > tolerance)
-        return false;
-    return true;
-  };
-  if (all_have(0, 0.0))
-    return FaceGroup::left;
-  if (all_have(0, mesh.length_x))
-    return FaceGroup::right;
-  if (all_have(1, 0.0))
-    return FaceGroup::front;
-  return all_have(1, mesh.length_y) ? FaceGroup::back : FaceGroup::sides;
-}
-
-void add_faces(BlockMesh& mesh, const std::map<FacetKey, FaceGroup>& groups) {
-  bool is_box = true;
-  for (const Facet& facet : boundary_facets(mesh)) {
-    const auto named = groups.find(facet_key(mesh.shape, facet.vertices));
-    const bool is_side =
-        named == groups.end() || named->second == FaceGroup::sides;
-    mesh.faces.push_back(
-        {facet.vertices, is_side ? side_of(mesh, facet) : named->second});
-    is_box = is_box && mesh.faces.back().group != FaceGroup::sides;
-  }
-  if (is_box)
-    return;
-  for (BoundaryFace& face : mesh.faces)
-    if (face.group != FaceGroup::contact && face.group != FaceGroup::fixed)
-      face.group = FaceGroup::sides;
-}
-
-/// Every named facet is on the boundary: inside, nothing is pressed or held.
-void require_named_on_boundary(const BlockMesh& mesh,
-                               std::map<FacetKey, FaceGroup> groups) {
-  for (const BoundaryFace& face : mesh.faces)
-    groups.erase(facet_key(mesh.shape, face.vertices));
-  if (groups.empty())
-    return;
-  const auto& [key, group] = *groups.begin();
-  const auto named =
-      std::find_if(group_names.begin(), group_names.end(),
-                   [&](const GroupName& name) { return name.group == group; });
+[[noreturn]] void refuse(const std::string& path, const ChildAnswer& answer,
+                         const MeshFileLimits& limits) {
+  if (answer.end.exit_code == 2) // in words that begin with the path
+    throw std::domain_error(answer.output);
   throw std::domain_error(fmt::format(
-      "mesh: the physical surface {} has a face at {} inside the block",
-      named->name, place_text(centre_of_facet(mesh, key))));
+      "{}: gmsh ended without a mesh: {}{}{}. It may take {:.6g} s and {:.6g} "
+      "GiB of memory; a larger mesh can be made beforehand (gmsh -3) and named "
+      "as a .msh",
+      path, answer.end.failure, answer.output.empty() ? "" : ", ",
+      answer.output, limits.wall_time,
+      static_cast<double>(limits.memory) / 1073741824.0));
 }
 
 } // namespace
 
 BlockMesh read_mesh_file(const std::string& path, double unit,
-                         cases::BlockSides sides) {
+                         cases::BlockSides sides,
+                         const MeshFileLimits& limits) {
   require_positive("unit", unit, "m");
-  const std::filesystem::path file_path = path;
-  try {
-    if (!std::filesystem::is_regular_file(file_path))
-      throw std::domain_error("there is no such file");
-    if (file_path.extension() != ".msh" && file_path.extension() != ".geo")
-      throw std::domain_error("a mesh is read from a .msh or a .geo");
-    const FileMesh file = file_mesh(file_path);
-    BlockMesh mesh = file.cells.mesh;
-    place(mesh, bounds_of_contact(file), unit);
-    add_faces(mesh, file.groups);
-    require_named_on_boundary(mesh, file.groups);
-    if (sides == cases::BlockSides::periodic)
-      align_sides(mesh);
-    require_sound(mesh, sides);
-    return mesh;
-  } catch (const std::domain_error& error) {
-    throw std::domain_error(path + ": " + error.what());
-  }
+  const ScratchFolder scratch;
+  const fs::path output = scratch.path / "mesh";
+  const ChildAnswer answer = run_child(
+      {.words = {mesh_program().string(), path, fmt::format("{}", unit),
+                 sides == cases::BlockSides::periodic ? "periodic" : "free",
+                 output.string()},
+       .limits = {.wall_time = limits.wall_time, .memory = limits.memory}});
+  if (!answer.end.failure.empty())
+    refuse(path, answer, limits);
+  std::ifstream file(output, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return mesh_of_bytes(bytes);
 }
 
 } // namespace asperity::meshes

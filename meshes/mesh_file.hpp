@@ -5,9 +5,16 @@
 #include "cases/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace asperity::meshes {
+
+/// What gmsh may take of the machine for one file.
+struct MeshFileLimits {
+  double wall_time = 600.0;                        ///< [s]
+  std::uintmax_t memory = std::uintmax_t{8} << 30; ///< of address space [B]
+};
 
 /// Reads a .msh (2.2 or 4.1, ASCII or binary) or meshes a .geo with gmsh.
 ///
@@ -23,7 +30,9 @@ namespace asperity::meshes {
 /// planes through the bounds of the contact face, sides are left, right, front
 /// and back, and the block may be periodic.
 ///
-/// A .geo is a program of gmsh's: read only those of people you trust.
+/// A .geo is a program of gmsh's: read only those of people you trust. gmsh
+/// runs in a process of its own (asperity_mesh), so a file that keeps it busy,
+/// takes all memory or makes it crash is refused like any other bad file.
 ///
 /// @param path   its ending says which it is
 /// @param unit   metres a unit of the file                          [m]  > 0
@@ -34,8 +43,11 @@ namespace asperity::meshes {
 /// @throws std::domain_error  beginning with the path: no such file, another
 ///                            ending, gmsh's own words, a missing group (with
 ///                            the names there are), a contact face that is not
-///                            flat (the vertex), and all of require_sound
+///                            flat (the vertex), all of require_sound, and a
+///                            limit that gmsh exceeded
+/// @throws std::runtime_error asperity_mesh is not there or cannot be started
 BlockMesh read_mesh_file(const std::string& path, double unit,
-                         cases::BlockSides sides);
+                         cases::BlockSides sides,
+                         const MeshFileLimits& limits = {});
 
 } // namespace asperity::meshes

@@ -1,0 +1,52 @@
+// asperity_mesh: has gmsh read or mesh a user's file, apart from the program
+// that needs the mesh, which limits what this one may take.
+//
+//     asperity_mesh FILE UNIT periodic|free OUTPUT
+//
+// OUTPUT gets mesh_bytes.hpp's bytes. Exit codes as asperity's.
+#include "meshes/gmsh_file.hpp"
+#include "meshes/mesh_bytes.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::meshes {
+namespace {
+
+int mesh_as_asked(char** words) {
+  const cases::BlockSides sides = std::string(words[3]) == "periodic"
+                                      ? cases::BlockSides::periodic
+                                      : cases::BlockSides::free;
+  const std::string bytes =
+      bytes_of(gmsh_file(words[1], std::stod(words[2]), sides));
+  std::ofstream output(words[4], std::ios::binary);
+  output.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  output.close();
+  if (!output)
+    throw std::runtime_error(std::string("cannot write ") + words[4]);
+  return 0;
+}
+
+} // namespace
+} // namespace asperity::meshes
+
+int main(int n_words, char** words) {
+  if (n_words != 5) {
+    std::fputs("usage: asperity_mesh FILE UNIT periodic|free OUTPUT\n", stderr);
+    return 2;
+  }
+  try {
+    return asperity::meshes::mesh_as_asked(words);
+  } catch (const std::domain_error& error) {
+    std::fputs(error.what(), stderr);
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("out of memory", stderr);
+  } catch (const std::exception& error) {
+    std::fputs(error.what(), stderr);
+  }
+  return 4;
+}

@@ -1,0 +1,83 @@
+// Claims about what a mesh file may take of the machine (meshes/mesh_file.hpp),
+// and about meshes that go from one process to another (meshes/mesh_bytes.hpp).
+#include "meshes/gmsh_file.hpp"
+#include "meshes/mesh_bytes.hpp"
+#include "meshes/mesh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::meshes {
+namespace {
+
+using cases::BlockSides;
+
+constexpr const char* coated = "tests/meshes/data/coated.geo";
+
+std::string answer_to(const std::string& ending, const std::string& text,
+                      const MeshFileLimits& limits) {
+  const std::string path = testing::TempDir() + "asperity_limits" + ending;
+  std::ofstream(path) << text;
+  try {
+    read_mesh_file(path, 1.0, BlockSides::free, limits);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Claim: what comes from the other process is the mesh to the last bit.
+TEST(ReadMeshFile, IsWhatGmshMadeInAnotherProcess) {
+  const std::string here =
+      bytes_of(gmsh_file(coated, 1e-3, BlockSides::periodic));
+  const std::string there =
+      bytes_of(read_mesh_file(coated, 1e-3, BlockSides::periodic));
+
+  EXPECT_EQ(here, there);
+  EXPECT_GT(here.size(), 1000U);
+}
+
+// Claim: a file that would keep gmsh busy for ever is refused, and the limit is
+// named.
+TEST(ReadMeshFile, EndsAnEndlessFile) {
+  const std::string words =
+      answer_to(".geo", "For i In {1:1e15}\n  x = i;\nEndFor\n",
+                {.wall_time = 1.0, .memory = std::uintmax_t{8} << 30});
+
+  EXPECT_NE(words.find("asperity_limits.geo: gmsh ended without a mesh"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(words.find("It may take 1 s and 8 GiB"), std::string::npos)
+      << words;
+}
+
+// Claim: so is one with more cells than the memory has room for.
+TEST(ReadMeshFile, EndsAFileThatTakesAllMemory) {
+  const std::string words =
+      answer_to(".geo",
+                "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
+                "Transfinite Curve {:} = 400;\nTransfinite Surface {:};\n"
+                "Transfinite Volume {1};\n",
+                {.wall_time = 300.0, .memory = std::uintmax_t{5} << 27});
+
+  EXPECT_NE(words.find("gmsh ended without a mesh"), std::string::npos)
+      << words;
+  EXPECT_NE(words.find("out of memory"), std::string::npos) << words;
+  EXPECT_NE(words.find("0.625 GiB"), std::string::npos) << words;
+}
+
+TEST(MeshBytes, AreRefusedWhereTheyAreCutOffOrGoOn) {
+  const std::string bytes = bytes_of(gmsh_file(coated, 1.0, BlockSides::free));
+
+  EXPECT_EQ(bytes_of(mesh_of_bytes(bytes)), bytes);
+  EXPECT_THROW(mesh_of_bytes(bytes + "x"), std::runtime_error);
+  EXPECT_THROW(mesh_of_bytes(bytes.substr(0, bytes.size() - 1)),
+               std::runtime_error);
+  EXPECT_THROW(mesh_of_bytes(""), std::runtime_error);
+}
+
+} // namespace
+} // namespace asperity::meshes
