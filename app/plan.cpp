@@ -7,6 +7,7 @@
 #include "app/step_chain.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "app/worker_pool.hpp"
+#include "fem/plugin.hpp"
 
 #include <algorithm>
 
@@ -104,6 +105,9 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   const std::vector<MethodSpec> methods =
       chosen_methods(rough_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(rough_case, methods);
+  if (const auto& variation = rough_case.material.variation;
+      variation && variation->kind == cases::VariationKind::table)
+    fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
   MachineRates rates(largest_probe);
   const CaseKeys keys(rough_case, program_identity());
   Cache none;

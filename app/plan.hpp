@@ -40,7 +40,8 @@ struct Plan {
 };
 
 /// @param largest_probe  see MachineRates
-/// @throws cases::CaseError  an unknown method name; a map that cannot be read
+/// @throws cases::CaseError  an unknown method name; a map or a table of
+///                           factors that cannot be read
 Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe = 1024);
 

@@ -1,9 +1,11 @@
 // [material]'s layers, inclusion and variation, [mesh], and what [fem] says of
 // the whole block.
+#include "cases/expression.hpp"
 #include "cases/read_parts.hpp"
 #include "cases/table_reader.hpp"
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace asperity::cases {
 namespace {
@@ -49,6 +51,20 @@ MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
   return inclusion;
 }
 
+/// The text of a formula that can be parsed.
+std::string read_expression(TableReader& table, const std::string& key) {
+  const std::string text = table.text(key);
+  try {
+    if (!text.empty())
+      Expression{text};
+  } catch (const std::domain_error& error) {
+    table.refuse(*table.node().find(key),
+                 std::string("must be an expression of x, y and z: ") +
+                     error.what());
+  }
+  return text;
+}
+
 MaterialVariation read_variation(const Node& node, const std::string& folder,
                                  Mistakes& mistakes) {
   TableReader table(node, vocabulary_table("material.variation"), mistakes);
@@ -57,7 +73,7 @@ MaterialVariation read_variation(const Node& node, const std::string& folder,
   variation.kind = table.choice("kind", variation.kind);
   switch (variation.kind) {
   case VariationKind::function:
-    variation.factor = table.text("factor");
+    variation.factor = read_expression(table, "factor");
     break;
   case VariationKind::random:
     variation.spread = table.number("spread");

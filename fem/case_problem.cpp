@@ -131,12 +131,12 @@ BlockProblem problem_of_case(const FullRequest& request) {
   const bool is_layered = !settings.uses_case_mesh ||
                           rough_case.mesh.kind == cases::MeshKind::layers;
 
-  BlockProblem problem{grid,
-                       {},
-                       degree_of(settings),
-                       moduli_field(rough_case.material, request.scales, own,
-                                    grid,
-                                    settings.depth.in_si(request.scales))};
+  // Before the aggregate that it goes into: where a later member's initialiser
+  // throws, GCC 12 destroys earlier members that were never made.
+  ModuliField moduli =
+      moduli_field(rough_case.material, request.scales, own, grid,
+                   settings.depth.in_si(request.scales));
+  BlockProblem problem{grid, {}, degree_of(settings), std::move(moduli)};
   if (is_layered) {
     const LayeredBlock layers = layered_block(
         settings, rough_case.material.layers, own, grid, request.scales);

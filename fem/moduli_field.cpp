@@ -1,10 +1,10 @@
 #include "fem/moduli_field.hpp"
 
 #include "base/require.hpp"
-#include "surfaces/number_table.hpp"
+#include "meshes/facets.hpp"
 
 #include <cmath>
-#include <sstream>
+#include <string>
 
 namespace asperity::fem {
 
@@ -49,36 +49,13 @@ Moduli ModuliField::at(const meshes::Place& place) const {
   if (!factor_)
     return found;
   const double factor = factor_(place);
-  require_positive("factor of the modulus", factor, "1");
+  if (!std::isfinite(factor) || factor <= 0.0)
+    refuse_argument("material.variation: factor of the modulus at " +
+                        meshes::place_text(place),
+                    factor, "finite and > 0 [1]");
   found.lame_modulus *= factor;
   found.shear_modulus *= factor;
   return found;
-}
-
-FactorTable read_factor_table(const std::string& path,
-                              const std::array<double, 3>& lengths) {
-  const surfaces::NumberTable rows = surfaces::read_number_file(path);
-  FactorTable table;
-  table.lengths = lengths;
-  for (const surfaces::CommentLine& comment : rows.comments) {
-    std::istringstream words(comment.text);
-    std::string word;
-    if (words >> word && word == "boxes")
-      for (int& count : table.boxes)
-        words >> count;
-  }
-  const auto columns = static_cast<std::size_t>(table.boxes[0]);
-  const auto n_rows = static_cast<std::size_t>(table.boxes[1]) *
-                      static_cast<std::size_t>(table.boxes[2]);
-  if (columns == 0 || rows.columns != columns || rows.rows() != n_rows)
-    surfaces::refuse_line(
-        path, rows.lines.front(),
-        "expected a line \"# boxes nx ny nz\" and ny nz rows of nx factors; "
-        "there are " +
-            std::to_string(rows.rows()) + " rows of " +
-            std::to_string(rows.columns));
-  table.factors = rows.numbers;
-  return table;
 }
 
 ModuliField moduli_field(const cases::MaterialSpec& material,

@@ -33,8 +33,7 @@ using ModulusFactor = std::function<double(const meshes::Place&)>;
 /// The factor of a muParser expression in x, y, z, each over `length`; `pi` is
 /// known too. Copies share one parser: not for several threads at once.
 /// @param length  what one unit of x, y, z stands for [m] > 0
-/// @throws std::domain_error  the parser's own message and the column; by the
-///                            factor itself where its value is not finite
+/// @throws std::domain_error  the parser's own message and the column
 ModulusFactor expression_factor(const std::string& expression, double length);
 
 /// 1 - spread..1 + spread, uniform and independent from cell to cell: Philox
@@ -57,7 +56,8 @@ ModulusFactor table_factor(FactorTable table);
 /// Reads a text of numbers: a comment "# boxes nx ny nz", then ny nz rows of
 /// nx factors, those of the contact face first.
 /// @param lengths  of the block [m]
-/// @throws cases::CaseError  as surfaces::read_number_file, and another count
+/// @throws cases::CaseError  as surfaces::read_number_file, another count, and
+///                           a factor that is not positive, by its line
 FactorTable read_factor_table(const std::string& path,
                               const std::array<double, 3>& lengths);
 
@@ -81,7 +81,7 @@ public:
 
   void set_factor(ModulusFactor factor) { factor_ = std::move(factor); }
 
-  /// @throws std::domain_error  a factor that is not positive there
+  /// @throws std::domain_error  a factor that is not positive and finite there
   Moduli at(const meshes::Place& place) const;
 
 private:

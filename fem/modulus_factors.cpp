@@ -1,4 +1,5 @@
 #include "base/require.hpp"
+#include "cases/expression.hpp"
 #include "fem/moduli_field.hpp"
 
 #include <Random123/philox.h>
@@ -6,27 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <muParser.h>
-#include <numbers>
-#include <stdexcept>
 #include <utility>
 
 namespace asperity::fem {
 namespace {
-
-/// A parser and the variables it is bound to.
-struct BoundExpression {
-  std::array<double, 3> place{};
-  mu::Parser parser;
-};
-
-[[noreturn]] void refuse_expression(const std::string& expression,
-                                    const mu::Parser::exception_type& error) {
-  throw std::domain_error("factor = \"" + expression + "\": " + error.GetMsg() +
-                          " (column " + std::to_string(error.GetPos() + 1) +
-                          ")");
-}
 
 /// The counter's word of a length: its place in eighths of the spacing.
 std::uint32_t eighths(double place, double spacing) {
@@ -38,27 +22,9 @@ std::uint32_t eighths(double place, double spacing) {
 
 ModulusFactor expression_factor(const std::string& expression, double length) {
   require_positive("length", length, "m");
-  const auto bound = std::make_shared<BoundExpression>();
-  try {
-    bound->parser.DefineConst("pi", std::numbers::pi);
-    bound->parser.DefineVar("x", &bound->place[0]);
-    bound->parser.DefineVar("y", &bound->place[1]);
-    bound->parser.DefineVar("z", &bound->place[2]);
-    bound->parser.SetExpr(expression);
-    bound->parser.Eval();
-  } catch (const mu::Parser::exception_type& error) {
-    refuse_expression(expression, error);
-  }
-  return [bound, expression, length](const meshes::Place& place) {
-    for (std::size_t i = 0; i < 3; ++i)
-      bound->place[i] = place[i] / length;
-    double factor = 0.0;
-    try {
-      factor = bound->parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-      refuse_expression(expression, error);
-    }
-    return factor;
+  return [factor = cases::Expression(expression),
+          length](const meshes::Place& place) {
+    return factor.at({place[0] / length, place[1] / length, place[2] / length});
   };
 }
 

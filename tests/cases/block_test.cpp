@@ -236,6 +236,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[material.variation]\nkind = \"random\"\nspread = "
                 "0.5\nseed = 1\n",
                 "fem.growth=1.2", "[material.variation] is not laterally"},
+        Refused{"[material.variation]\nkind = \"function\"\nfactor = "
+                "\"1 + * x\"\n[fem.whole]\nsolver = \"full\"\n",
+                "fem.growth=1.2",
+                "material.variation.factor = \"1 + * x\", but must be an "
+                "expression of x, y and z: "},
+        Refused{"[material.variation]\nkind = \"function\"\nfactor = "
+                "\"1 + depth\"\n[fem.whole]\nsolver = \"full\"\n",
+                "fem.growth=1.2", "\"depth\" found at position 4. (column 5)"},
         Refused{"[fem.whole]\nsolver = \"full\"\nlinear_solver = "
                 "\"fourier\"\n" +
                     gmsh + "\"indentation\"\n",

@@ -187,6 +187,15 @@ TEST(ModuliField, ReadsATableOfBoxes) {
   EXPECT_EQ(factor({3e-6, 1e-6, 2.5e-6}), 6.0);
   std::ofstream(path) << "# boxes 2 2 3\n1 2\n3 4\n5 6\n";
   EXPECT_THROW(read_factor_table(path, {1.0, 1.0, 1.0}), std::runtime_error);
+  std::ofstream(path) << "# boxes 2 1 2\n1 2\n3 0\n";
+  try {
+    read_factor_table(path, {1.0, 1.0, 1.0});
+    FAIL() << "a factor of 0 was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(path + ":3: factor 0.0"),
+              std::string::npos)
+        << error.what();
+  }
   std::remove(path.c_str());
 }
 
