@@ -89,6 +89,13 @@ meshes::BlockMesh mesh_of(const cases::Case& rough_case,
       gmsh_parameters(rough_case, settings, grid, scales));
 }
 
+std::vector<double> thicknesses_of(const LayeredBlock& block) {
+  std::vector<double> thicknesses;
+  for (const ElasticLayer& layer : block.layers)
+    thicknesses.push_back(layer.thickness);
+  return thicknesses;
+}
+
 /// The body that is meshed: the first of two, or the one that stands for both.
 cases::BodyModuli own_moduli(const cases::MaterialSpec& material, int bodies) {
   return bodies == 2 ? material.first_body()
@@ -117,7 +124,8 @@ LayeredBlock layered_block(const cases::FemSettings& settings,
                       interfaces, moduli, settings.top);
 }
 
-BlockProblem problem_of_case(const FullRequest& request) {
+BlockProblem problem_of_case(const FullRequest& request,
+                             std::optional<meshes::BlockMesh> mesh) {
   const cases::Case rough_case =
       cases::read_case_text(request.case_text, request.case_path);
   const auto method = std::ranges::find(rough_case.methods, request.method,
@@ -133,23 +141,21 @@ BlockProblem problem_of_case(const FullRequest& request) {
 
   // Before the aggregate that it goes into: where a later member's initialiser
   // throws, GCC 12 destroys earlier members that were never made.
-  ModuliField moduli =
-      moduli_field(rough_case.material, request.scales, own, grid,
-                   settings.depth.in_si(request.scales));
+  ModuliField moduli = moduli_field(rough_case.material, request.scales, own,
+                                    grid, settings.depth.in_si(request.scales));
   BlockProblem problem{grid, {}, degree_of(settings), std::move(moduli)};
   if (is_layered) {
     const LayeredBlock layers = layered_block(
         settings, rough_case.material.layers, own, grid, request.scales);
-    std::vector<double> thickness;
-    for (const ElasticLayer& layer : layers.layers)
-      thickness.push_back(layer.thickness);
-    problem.mesh =
-        meshes::layered_mesh(cells_of(grid, problem.degree), thickness);
+    if (!mesh)
+      mesh = meshes::layered_mesh(cells_of(grid, problem.degree),
+                                  thicknesses_of(layers));
     if (settings.sides == cases::BlockSides::periodic && settings.bodies == 1)
       problem.lattice = layers;
-  } else {
-    problem.mesh = mesh_of(rough_case, settings, grid, request.scales);
   }
+  if (!mesh)
+    mesh = mesh_of(rough_case, settings, grid, request.scales);
+  problem.mesh = std::move(*mesh);
   meshes::require_sound(problem.mesh, settings.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
   problem.top = settings.top;

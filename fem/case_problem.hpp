@@ -6,6 +6,7 @@
 #include "cases/case.hpp"
 #include "fem/block_problem.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,12 @@ struct FullRequest {
 
 /// The block of a method: graded layers, hanging cubes or gmsh's mesh as the
 /// case has it, sound or refused.
+/// @param mesh  the mesh, where another process has made it
 /// @throws std::domain_error  the mesh cannot be made or is refused, in words;
 ///                            a parameter is outside its range
 /// @throws cases::CaseError   the text or a file it names is no good
-BlockProblem problem_of_case(const FullRequest& request);
+BlockProblem problem_of_case(const FullRequest& request,
+                             std::optional<meshes::BlockMesh> mesh = {});
 
 /// The layers of cells of a laterally uniform block with [fem]'s growth, a face
 /// on each interface of the material's layers.

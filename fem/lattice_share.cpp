@@ -19,6 +19,8 @@ LatticeShare::LatticeShare(const KindSpectra& spectra, std::size_t fields,
     return;
   n_ranks_ = static_cast<std::size_t>(fem::n_ranks());
   own_rank_ = static_cast<std::size_t>(fem::own_rank());
+  mpi_count((fields / n_ranks_ + 1) * spectra.size(),
+            "modes of the lattice on a rank");
 }
 
 std::size_t LatticeShare::owner_of(std::size_t field) const {
@@ -45,12 +47,13 @@ void LatticeShare::exchange(std::span<std::complex<double>> modes,
                             const Sent& sent, const Received& received) {
   if (n_ranks_ == 1)
     return;
+  constexpr const char* exchanged = "modes that a rank exchanges";
   std::vector<int> out_starts, in_starts, out_counts, in_counts;
   out_.clear();
   std::size_t n_in = 0;
   for (std::size_t rank = 0; rank < n_ranks_; ++rank) {
-    out_starts.push_back(static_cast<int>(out_.size()));
-    in_starts.push_back(static_cast<int>(n_in));
+    out_starts.push_back(mpi_count(out_.size(), exchanged));
+    in_starts.push_back(mpi_count(n_in, exchanged));
     if (rank != own_rank_) {
       each_stretch(sent(rank), [&](std::size_t first, std::size_t count) {
         const auto from = modes.begin() + static_cast<std::ptrdiff_t>(first);
@@ -60,8 +63,8 @@ void LatticeShare::exchange(std::span<std::complex<double>> modes,
       each_stretch(received(rank),
                    [&](std::size_t, std::size_t count) { n_in += count; });
     }
-    out_counts.push_back(static_cast<int>(out_.size()) - out_starts.back());
-    in_counts.push_back(static_cast<int>(n_in) - in_starts.back());
+    out_counts.push_back(mpi_count(out_.size(), exchanged) - out_starts.back());
+    in_counts.push_back(mpi_count(n_in, exchanged) - in_starts.back());
   }
   in_.resize(n_in);
   MPI_Alltoallv(out_.data(), out_counts.data(), out_starts.data(),
@@ -114,11 +117,12 @@ void LatticeShare::rows_to_all(std::span<std::complex<double>> field_modes) {
 void LatticeShare::rows_to_all(std::span<double> values) const {
   if (n_ranks_ == 1)
     return;
+  constexpr const char* of_face = "entries of the face's compliance";
   const std::size_t row_size = values.size() / spectra_.rows();
   std::vector<int> starts, counts;
   for (std::size_t rank = 0; rank < n_ranks_; ++rank) {
-    starts.push_back(static_cast<int>(rows_of(rank).begin * row_size));
-    counts.push_back(static_cast<int>(rows_of(rank).size() * row_size));
+    starts.push_back(mpi_count(rows_of(rank).begin * row_size, of_face));
+    counts.push_back(mpi_count(rows_of(rank).size() * row_size, of_face));
   }
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(),
                  counts.data(), starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
@@ -126,8 +130,9 @@ void LatticeShare::rows_to_all(std::span<double> values) const {
 
 void LatticeShare::add_up(std::span<double> values) const {
   if (n_ranks_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()),
-                  MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, values.data(),
+                  mpi_count(values.size(), "values to add up"), MPI_DOUBLE,
+                  MPI_SUM, MPI_COMM_WORLD);
 }
 
 } // namespace asperity::fem

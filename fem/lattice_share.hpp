@@ -35,6 +35,7 @@ class LatticeShare {
 public:
   /// @param spectra  of one field; outlives this
   /// @param fields   of the lattice
+  /// @throws std::domain_error  more modes on a rank than MPI counts, 2^31 - 1
   LatticeShare(const KindSpectra& spectra, std::size_t fields, Among among);
 
   Range fields() const { return fields_of(own_rank_); }

@@ -1,7 +1,7 @@
 #include "fem/led_blocks.hpp"
 
-#include "cases/case_error.hpp"
 #include "fem/ranks.hpp"
+#include "meshes/mesh_bytes.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,22 +13,27 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string packed(const FullRequest& request) {
+/// As CBOR: the mesh is bytes.
+std::string packed(const FullRequest& request, const meshes::BlockMesh& mesh) {
   const Grid& grid = request.grid;
   const cases::Scales& scales = request.scales;
-  return Json{{"text", request.case_text},
-              {"path", request.case_path},
-              {"method", request.method},
-              {"points", {grid.points_x, grid.points_y}},
-              {"lengths", {grid.length_x, grid.length_y}},
-              {"scales",
-               {scales.contact_modulus, scales.length, scales.spacing,
-                scales.rms_height}}}
-      .dump();
+  const std::string bytes = meshes::bytes_of(mesh);
+  const Json json{{"text", request.case_text},
+                  {"path", request.case_path},
+                  {"method", request.method},
+                  {"points", {grid.points_x, grid.points_y}},
+                  {"lengths", {grid.length_x, grid.length_y}},
+                  {"scales",
+                   {scales.contact_modulus, scales.length, scales.spacing,
+                    scales.rms_height}},
+                  {"mesh", Json::binary({bytes.begin(), bytes.end()})}};
+  std::string text;
+  Json::to_cbor(json, text);
+  return text;
 }
 
-FullRequest unpacked(const std::string& text) {
-  const Json json = Json::parse(text);
+BlockProblem problem_in(const std::string& text) {
+  const Json json = Json::from_cbor(text);
   FullRequest request{
       json.at("text"), json.at("path"), json.at("method"), {}, {}};
   request.grid.points_x = json.at("points").at(0);
@@ -37,7 +42,11 @@ FullRequest unpacked(const std::string& text) {
   request.grid.length_y = json.at("lengths").at(1);
   const Json& scales = json.at("scales");
   request.scales = {scales.at(0), scales.at(1), scales.at(2), scales.at(3)};
-  return request;
+  const auto& bytes = json.at("mesh").get_binary();
+  return problem_of_case(
+      request,
+      meshes::mesh_of_bytes(
+          {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
 }
 
 /// A step's arguments as numbers: the heights, then these six.
@@ -82,6 +91,12 @@ SectionPlane plane_in(const std::vector<double>& numbers) {
           {first_depth, numbers.end()}};
 }
 
+/// Rank 0: passes an order on, then does its own share.
+void lead(const Order& order, const std::function<void()>& share) {
+  pass_on(order);
+  do_share(share);
+}
+
 class LedBlock final : public FullBlock {
 public:
   LedBlock(int number, std::unique_ptr<FullBlock> own)
@@ -100,32 +115,40 @@ public:
   std::string report() const override { return own_->report(); }
 
   std::vector<double> displacement(std::span<const double> pressure) override {
-    pass_on({OrderKind::displacement,
-             number_,
-             {},
-             {pressure.begin(), pressure.end()}});
-    return own_->displacement(pressure);
+    std::vector<double> found;
+    lead({OrderKind::displacement,
+          number_,
+          {},
+          {pressure.begin(), pressure.end()}},
+         [&] { found = own_->displacement(pressure); });
+    return found;
   }
 
   BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
                       const BlockContact& contact) override {
-    pass_on({OrderKind::solve, number_, {}, packed(heights, load, contact)});
-    return own_->solve(heights, load, contact);
+    BlockSolution found;
+    lead({OrderKind::solve, number_, {}, packed(heights, load, contact)},
+         [&] { found = own_->solve(heights, load, contact); });
+    return found;
   }
 
   StressPeak strongest_stress() const override {
-    pass_on({OrderKind::strongest_stress, number_});
-    return own_->strongest_stress();
+    StressPeak found;
+    lead({OrderKind::strongest_stress, number_},
+         [&] { found = own_->strongest_stress(); });
+    return found;
   }
 
   std::vector<double> section(const SectionPlane& plane) const override {
-    pass_on({OrderKind::section, number_, {}, packed(plane)});
-    return own_->section(plane);
+    std::vector<double> found;
+    lead({OrderKind::section, number_, {}, packed(plane)},
+         [&] { found = own_->section(plane); });
+    return found;
   }
 
   void write(const std::string& folder_and_stem) override {
-    pass_on({OrderKind::write, number_, folder_and_stem});
-    own_->write(folder_and_stem);
+    lead({OrderKind::write, number_, folder_and_stem},
+         [&] { own_->write(folder_and_stem); });
   }
 
 private:
@@ -136,21 +159,48 @@ private:
 /// How many blocks rank 0 has asked for, refused ones too.
 int built = 0;
 
-/// What rank 0 refuses in words, this rank refuses too and stays silent.
-std::unique_ptr<FullBlock> built_as_told(const std::string& text) {
-  try {
-    return make_full_block(problem_of_case(unpacked(text)));
-  } catch (const std::domain_error&) {
-  } catch (const cases::CaseError&) {
+/// The share of a rank that follows.
+void do_as_told(const Order& order, const BlockMaker& make_block,
+                std::unique_ptr<FullBlock>& block) {
+  if (order.kind == OrderKind::build) {
+    block = make_block(problem_in(order.text));
+    return;
   }
-  return nullptr;
+  if (!block)
+    throw std::logic_error("an order for a block that was never built");
+  switch (order.kind) {
+  case OrderKind::displacement:
+    static_cast<void>(block->displacement(order.numbers));
+    break;
+  case OrderKind::solve:
+    solve_as_told(*block, order.numbers);
+    break;
+  case OrderKind::strongest_stress:
+    static_cast<void>(block->strongest_stress());
+    break;
+  case OrderKind::section:
+    static_cast<void>(block->section(plane_in(order.numbers)));
+    break;
+  case OrderKind::write:
+    block->write(order.text);
+    break;
+  case OrderKind::build:
+  case OrderKind::drop:
+  case OrderKind::quit:
+    break;
+  }
 }
 
-/// What cannot be written is rank 0's to say.
-void write_as_told(FullBlock& block, const std::string& folder_and_stem) {
-  try {
-    block.write(folder_and_stem);
-  } catch (const std::runtime_error&) {
+/// Orders of rank 0, until the last.
+void follow(const BlockMaker& make_block) {
+  std::map<int, std::unique_ptr<FullBlock>> blocks;
+  for (Order order = next_order(); order.kind != OrderKind::quit;
+       order = next_order()) {
+    std::unique_ptr<FullBlock>& block = blocks[order.block];
+    if (order.kind == OrderKind::drop)
+      block.reset();
+    else
+      do_share([&] { do_as_told(order, make_block, block); });
   }
 }
 
@@ -160,45 +210,23 @@ struct EndOfFollowers {
 
 } // namespace
 
-std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request) {
+std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request,
+                                           const BlockMaker& make_block) {
+  const BlockProblem problem = problem_of_case(request);
   if (n_ranks() == 1)
-    return make_full_block(problem_of_case(request));
-  pass_on({OrderKind::build, built, packed(request)});
+    return make_block(problem);
   const int number = built++;
-  return std::make_unique<LedBlock>(number,
-                                    make_full_block(problem_of_case(request)));
+  std::unique_ptr<FullBlock> own;
+  lead({OrderKind::build, number, packed(request, problem.mesh)},
+       [&] { own = make_block(problem); });
+  return std::make_unique<LedBlock>(number, std::move(own));
 }
 
-void follow_rank_0() {
-  std::map<int, std::unique_ptr<FullBlock>> blocks;
-  for (Order order = next_order(); order.kind != OrderKind::quit;
-       order = next_order()) {
-    std::unique_ptr<FullBlock>& block = blocks[order.block];
-    switch (order.kind) {
-    case OrderKind::build:
-      block = built_as_told(order.text);
-      break;
-    case OrderKind::displacement:
-      static_cast<void>(block->displacement(order.numbers));
-      break;
-    case OrderKind::solve:
-      solve_as_told(*block, order.numbers);
-      break;
-    case OrderKind::strongest_stress:
-      static_cast<void>(block->strongest_stress());
-      break;
-    case OrderKind::section:
-      static_cast<void>(block->section(plane_in(order.numbers)));
-      break;
-    case OrderKind::write:
-      write_as_told(*block, order.text);
-      break;
-    case OrderKind::drop:
-      block.reset();
-      break;
-    case OrderKind::quit:
-      break;
-    }
+void follow_rank_0(const BlockMaker& make_block) {
+  try {
+    follow(make_block);
+  } catch (...) {
+    end_all_ranks(std::current_exception());
   }
 }
 

@@ -54,6 +54,10 @@ Q2Compliance kept_or_built(const BlockRequest& request,
   return compliance;
 }
 
+std::unique_ptr<FullBlock> make_block(const BlockProblem& problem) {
+  return make_full_block(problem);
+}
+
 class DealiiRoom final : public FemRoom {
 public:
   std::unique_ptr<contact::SurfaceOperator>
@@ -69,7 +73,7 @@ public:
   }
 
   std::unique_ptr<FullBlock> full(const FullRequest& request) const override {
-    return lead_full_block(request);
+    return lead_full_block(request, make_block);
   }
 
   std::unique_ptr<FullBlock>
@@ -82,7 +86,7 @@ public:
       end_followers_at_exit();
       return false;
     }
-    follow_rank_0();
+    follow_rank_0(make_block);
     return true;
   }
 

@@ -1,0 +1,128 @@
+// A whole block of a case that all ranks solve, with a failure injected on one
+// rank or on all: what ranks_failures_test.py runs under mpirun. Ends as the
+// program does: the failure's words on standard error and its exit code.
+//
+//     ranks_failures case.toml none
+//     ranks_failures case.toml build|solve|write before|after rank|all
+#include "cases/case_error.hpp"
+#include "cases/read_case.hpp"
+#include "fem/led_blocks.hpp"
+#include "fem/ranks.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace asperity;
+using namespace asperity::fem;
+
+/// Where to fail, and whether before or after the others are needed.
+struct Injection {
+  std::string stage = "none", when = "before", rank = "all";
+
+  void at(const std::string& here, const std::string& now) const {
+    if (stage == here && when == now &&
+        (rank == "all" || std::stoi(rank) == own_rank()))
+      throw std::runtime_error("injected into " + stage + " on rank " +
+                               std::to_string(own_rank()));
+  }
+};
+
+class FailingBlock final : public FullBlock {
+public:
+  FailingBlock(const BlockProblem& problem, const Injection& injection)
+      : own_(make_full_block(problem)), injection_(injection) {}
+
+  const Grid& grid() const override { return own_->grid(); }
+
+  std::size_t unknowns() const override { return own_->unknowns(); }
+
+  std::span<const double> nodal_weights() const override {
+    return own_->nodal_weights();
+  }
+
+  std::string report() const override { return own_->report(); }
+
+  std::vector<double> displacement(std::span<const double> p) override {
+    return own_->displacement(p);
+  }
+
+  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
+                      const BlockContact& contact) override {
+    injection_.at("solve", "before");
+    BlockSolution found = own_->solve(heights, load, contact);
+    injection_.at("solve", "after");
+    return found;
+  }
+
+  StressPeak strongest_stress() const override {
+    return own_->strongest_stress();
+  }
+
+  std::vector<double> section(const SectionPlane& plane) const override {
+    return own_->section(plane);
+  }
+
+  void write(const std::string& folder_and_stem) override {
+    injection_.at("write", "before");
+    own_->write(folder_and_stem);
+    injection_.at("write", "after");
+  }
+
+private:
+  std::unique_ptr<FullBlock> own_;
+  Injection injection_;
+};
+
+void lead(const std::string& path, const BlockMaker& make_block) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  const Grid grid{8, 8, 1e-6, 1e-6};
+  const auto block = lead_full_block(
+      {text.str(), path, "fem", grid, {2e9, 1e-6, 1.25e-7, 1e-9}}, make_block);
+  std::vector<double> heights(grid.size(), 0.0);
+  heights[9] = 1e-9;
+  const BlockSolution found =
+      block->solve(heights, {cases::Control::nominal_pressure, 1e6},
+                   {cases::ContactLaw::penalty, 1e18, 1e-8, 50});
+  block->write("files/block");
+  std::printf("done %d\n", found.converged);
+}
+
+} // namespace
+
+int main(int n_arguments, char** arguments) {
+  const std::vector<std::string> words(arguments + 1, arguments + n_arguments);
+  Injection injection;
+  if (words.size() == 4)
+    injection = {words[1], words[2], words[3]};
+  const BlockMaker make_block = [&](const BlockProblem& problem) {
+    injection.at("build", "before");
+    auto block = std::make_unique<FailingBlock>(problem, injection);
+    injection.at("build", "after");
+    return block;
+  };
+  if (own_rank() != 0) {
+    follow_rank_0(make_block);
+    return 0;
+  }
+  end_followers_at_exit();
+  try {
+    lead(words.at(0), make_block);
+    return 0;
+  } catch (const cases::CaseError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  } catch (const std::domain_error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "asperity: %s\n", error.what());
+    return 4;
+  }
+  return 2;
+}
