@@ -137,6 +137,11 @@ std::string BlockSolver::name() const {
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
 }
 
+std::string BlockSolver::failure() const {
+  const std::string own = own_ ? own_->failure() : "";
+  return "the linear solver gave up" + (own.empty() ? "" : ": " + own);
+}
+
 double BlockSolver::memory() const {
   std::size_t bytes = system_.stiffness().memory_consumption();
   if (own_) {

@@ -31,6 +31,9 @@ public:
 
   virtual std::string name() const = 0;
 
+  /// What went wrong in it since the last prepare(); empty: nothing.
+  virtual std::string failure() const { return {}; }
+
   virtual std::size_t bytes() const = 0; ///< of memory, on this rank
 };
 
@@ -81,6 +84,9 @@ public:
   int setups() const { return setups_; } ///< factorisations or hierarchies
 
   std::string name() const;
+
+  /// Why the last solve failed.
+  std::string failure() const;
 
   /// Matrix and preconditioner of all ranks [bytes]; of the direct solver's
   /// factors nothing is known.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity::fem {
 namespace {
@@ -29,6 +30,12 @@ std::vector<bool> contact_set(const std::vector<double>& pressure) {
 }
 
 } // namespace
+
+double larger_residual(double largest, double residual) {
+  if (std::isnan(residual))
+    return std::numeric_limits<double>::infinity();
+  return std::max(largest, residual);
+}
 
 ContactNewton::ContactNewton(const BlockSystem& system,
                              LinearSolver linear_solver,
@@ -143,7 +150,7 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
       springs[i] =
           before[i] ? contact.penalty * system_.contact()[i].area : 0.0;
     if (!step(load, springs, nothing, contact.tolerance, refinements)) {
-      answer.note = "the linear solver gave up";
+      answer.note = solver_.failure();
       return false;
     }
     update_pressure(contact.penalty);
@@ -171,10 +178,10 @@ double ContactNewton::own_spring(const BlockContact& contact) const {
 double ContactNewton::violation(double compliance) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
-    largest =
-        std::max(largest, pressure_[i] > 0.0
-                              ? std::abs(gap(i) + compliance * pressure_[i])
-                              : std::max(0.0, -gap(i)));
+    largest = larger_residual(largest,
+                              pressure_[i] > 0.0
+                                  ? std::abs(gap(i) + compliance * pressure_[i])
+                                  : -gap(i));
   return max(largest, MPI_COMM_WORLD);
 }
 
@@ -229,7 +236,14 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   answer.area_by_points = sum(touching, MPI_COMM_WORLD) / area();
   answer.mean_gap = mean_gap();
   answer.nominal_pressure = borne() / area();
-  answer.residual = std::max(answer.residual, unbalanced());
+  answer.residual = larger_residual(answer.residual, unbalanced());
+  // Sums keep a NaN or an infinity of any point.
+  if (!std::isfinite(answer.mean_gap) ||
+      !std::isfinite(answer.nominal_pressure)) {
+    answer.residual = std::numeric_limits<double>::infinity();
+    answer.converged = false;
+    answer.note = "a gap or a pressure is not a finite number";
+  }
   answer.linear_iterations = solver_.iterations() - iterations;
   answer.preconditioner_setups = solver_.setups() - setups;
   answer.linear_solver = solver_.name();

@@ -16,6 +16,10 @@ namespace asperity::fem {
 /// Steps on a standing contact set after which no more precision is had.
 constexpr int most_refinements = 8;
 
+/// The larger of two residuals, infinite where the second is NaN: std::max
+/// would drop it, and MPI's maximum may.
+double larger_residual(double largest, double residual);
+
 /// (F.1) of full_block.hpp over the points of all ranks. contact_newton.cpp has
 /// springs (penalty, augmented), contact_active_set.cpp the wall and
 /// contact_step.cpp the linear step that both take.
@@ -85,6 +89,8 @@ private:
               BlockSolution& answer);
   void solve_wall(const BlockLoad& load, const BlockContact& contact,
                   double height_scale, BlockSolution& answer);
+  bool active_set(const BlockLoad& load, const BlockContact& contact,
+                  double gap_tolerance, BlockSolution& answer);
   std::vector<bool> next_active(const std::vector<bool>& active,
                                 double gap_tolerance) const;
   void take_wall_pressure(const std::vector<bool>& active);

@@ -56,8 +56,8 @@ void ContactNewton::find_imbalance() {
 double ContactNewton::largest_force() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
-    largest =
-        std::max(largest, system_.contact()[i].area * std::abs(pressure_[i]));
+    largest = larger_residual(largest, system_.contact()[i].area *
+                                           std::abs(pressure_[i]));
   return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
 }
 
@@ -65,6 +65,9 @@ double ContactNewton::largest_force() const {
 double ContactNewton::unbalanced() {
   find_imbalance();
   const double largest = largest_force();
+  // A sum keeps a NaN, the largest entry need not.
+  if (!std::isfinite(imbalance_.l2_norm()))
+    return std::numeric_limits<double>::infinity();
   return largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
 }
 

@@ -110,6 +110,8 @@ private:
            static_cast<double>(field.size());
   }
 
+  void require_field(const char* name, std::span<const double> field,
+                     const char* unit) const;
   void require_arguments(std::span<const double> heights, const BlockLoad& load,
                          const BlockContact& contact) const;
 
@@ -124,6 +126,7 @@ private:
 
 std::vector<double>
 MeshedBlock::displacement(std::span<const double> pressure) {
+  require_field("pressure", pressure, "Pa");
   auto whole = system_.space().make_vector();
   if (!newton_.solve_linear(maps_.at_points(pressure), whole))
     return {};
@@ -134,6 +137,19 @@ MeshedBlock::displacement(std::span<const double> pressure) {
   return face;
 }
 
+/// One finite value a node of the grid.
+void MeshedBlock::require_field(const char* name, std::span<const double> field,
+                                const char* unit) const {
+  if (field.size() != grid().size())
+    refuse_argument(std::string("number of values of ") + name,
+                    static_cast<double>(field.size()),
+                    std::to_string(grid().size()));
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (!std::isfinite(field[i]))
+      refuse_argument(std::string(name) + " of node " + std::to_string(i),
+                      field[i], std::string("finite [") + unit + "]");
+}
+
 void MeshedBlock::require_arguments(std::span<const double> heights,
                                     const BlockLoad& load,
                                     const BlockContact& contact) const {
@@ -141,9 +157,9 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
   require_positive("tolerance", contact.tolerance, "1");
   if (load.control == cases::Control::nominal_pressure)
     require_positive("nominal pressure", load.target, "Pa");
-  if (heights.size() != grid().size())
-    refuse_argument("number of heights", static_cast<double>(heights.size()),
-                    std::to_string(grid().size()));
+  else if (!std::isfinite(load.target))
+    refuse_argument("mean gap", load.target, "finite [m]");
+  require_field("height", heights, "m");
   if (contact.law == cases::ContactLaw::hard && !system_.contact().is_nodal())
     throw std::domain_error("law = hard with contact_at = gauss: Gauss points "
                             "cannot be held one by one; choose augmented");

@@ -61,7 +61,8 @@ struct BlockSolution {
                                   ///< [bytes]
   std::string linear_solver;      ///< "direct (MUMPS)", ...
   bool converged = false;
-  std::string note; ///< why it did not converge; empty otherwise
+  std::string note; ///< why it did not converge, or that the wall's own method
+                    ///< did not and what found the answer; else empty
 };
 
 /// Where a block is strained most: the largest von Mises stress sqrt(3 J_2) at
@@ -99,8 +100,10 @@ struct SectionPlane {
 ///
 /// hard: the primal-dual active set, node-wise. Active nodes are held at
 /// u_z = h - d and p is what holds them; a node joins where it overlaps and
-/// leaves where it would be pulled. Gauss points cannot be held one by one and
-/// are refused: they have the augmented law.
+/// leaves where it would be pulled. Second-order elements let this method cycle
+/// (a force on one node may lift another): where 30 steps find no set that
+/// stands, the augmented law goes on, which has the same answer. Gauss points
+/// cannot be held one by one and are refused: they have the augmented law.
 ///
 /// A spring acts on the primal unknowns: beyond some 1e7 E/h the rounding of
 /// the gap would exceed 1e-8 of the pressure. So k is bounded by 1e5 mu/h, and
@@ -131,6 +134,7 @@ public:
   /// The displacement under a given pressure, without its mean.
   /// @param pressure  grid().size() values [Pa]
   /// @return          grid().size() values [m]; empty if CG gave up
+  /// @throws std::domain_error  another number of values, or one not finite
   virtual std::vector<double>
   displacement(std::span<const double> pressure) = 0;
 
@@ -140,7 +144,7 @@ public:
   /// @param heights  grid().size() values [m]: exact at points that are nodes
   ///                 of the grid, by periodic bicubic convolution between
   /// A call starts from the displacement the last one ended with.
-  /// @throws std::domain_error  an argument is outside its range
+  /// @throws std::domain_error  an argument is outside its range or not finite
   virtual BlockSolution solve(std::span<const double> heights,
                               const BlockLoad& load,
                               const BlockContact& contact) = 0;

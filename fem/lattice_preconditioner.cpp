@@ -1,6 +1,7 @@
 #include "fem/lattice_preconditioner.hpp"
 
 #include "base/require.hpp"
+#include "fem/ranks.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -134,8 +135,9 @@ void LatticePreconditioner::agree_on_numbers() {
   auto from_ranks =
       dealii::Utilities::MPI::some_to_some(MPI_COMM_WORLD, to_ranks);
   const auto add = [](Mail& mail, const std::vector<std::size_t>& at) {
-    mail.starts.push_back(static_cast<int>(mail.at.size()));
-    mail.counts.push_back(static_cast<int>(at.size()));
+    constexpr const char* what = "unknowns that a rank exchanges";
+    mail.starts.push_back(mpi_count(mail.at.size(), what));
+    mail.counts.push_back(mpi_count(at.size(), what));
     mail.at.insert(mail.at.end(), at.begin(), at.end());
     mail.values.resize(mail.at.size());
   };
@@ -170,6 +172,7 @@ void LatticePreconditioner::prepare(std::span<const double> springs,
     spring = std::max(spring, 0.0); // quadratic shape values may be negative
   has_springs_ = std::ranges::any_of(at_nodes, [](double s) { return s > 0; });
   solver_.set_springs(at_nodes);
+  has_converged_ = true;
 }
 
 void LatticePreconditioner::send(const Vector& from) {
@@ -237,13 +240,25 @@ void LatticePreconditioner::rest() {
 void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
   send(from);
   balance();
+  // What CG calls its residual is one whatever this operator does, so a surface
+  // problem that did not converge costs iterations alone. It is said if CG then
+  // gives up.
   if (has_springs_)
-    static_cast<void>(solver_.solve_with_springs(
-        lattice_values_, lattice_values_, face_tolerance));
+    has_converged_ = solver_
+                         .solve_with_springs(lattice_values_, lattice_values_,
+                                             face_tolerance)
+                         .converged &&
+                     has_converged_;
   else
     solver_.solve(lattice_values_, lattice_values_);
   rest();
   send_back(to);
+}
+
+std::string LatticePreconditioner::failure() const {
+  return has_converged_ ? ""
+                        : "the contact face of its preconditioner did not "
+                          "converge";
 }
 
 std::string LatticePreconditioner::name() const {

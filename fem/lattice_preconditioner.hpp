@@ -35,6 +35,8 @@ public:
 
   std::string name() const override;
 
+  std::string failure() const override;
+
   std::size_t bytes() const override { return solver_.bytes(); }
 
 private:
@@ -65,6 +67,7 @@ private:
   Mail lattice_;  ///< to and from the fields of this rank
   std::array<std::optional<std::size_t>, 3> pins_; ///< a component
   bool has_springs_ = false;
+  bool has_converged_ = true; ///< each surface problem since prepare()
   std::vector<double> lattice_values_;
 };
 

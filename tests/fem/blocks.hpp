@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <span>
 #include <vector>
@@ -38,19 +39,27 @@ inline std::vector<double> random_field(std::size_t size, unsigned int seed) {
   return field;
 }
 
+/// NaN for no numbers or one that is not finite, so that every comparison with
+/// it fails.
 inline double largest_magnitude(std::span<const double> field) {
-  double largest = 0.0;
-  for (const double value : field)
+  double largest = field.empty() ? std::nan("") : 0.0;
+  for (const double value : field) {
+    if (!std::isfinite(value))
+      return std::nan("");
     largest = std::max(largest, std::abs(value));
+  }
   return largest;
 }
 
+/// The same, and NaN for fields of two sizes.
 inline double largest_difference(std::span<const double> a,
                                  std::span<const double> b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+  if (a.size() != b.size())
+    return std::nan("");
+  std::vector<double> differences(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), differences.begin(),
+                 std::minus<>());
+  return largest_magnitude(differences);
 }
 
 } // namespace asperity::fem

@@ -1,0 +1,181 @@
+// Claims about numbers that are not finite: a whole block refuses them by name,
+// none of its answers passes with one, and the tests' own comparisons fail on
+// them.
+#include "fem/contact_newton.hpp"
+#include "fem/full_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+
+namespace asperity::fem {
+namespace {
+
+using cases::ContactLaw;
+using cases::Control;
+using cases::TopFace;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const Grid grid{4, 4, 1e-6, 1e-6};
+
+std::unique_ptr<FullBlock> small_block() {
+  return make_full_block(
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+}
+
+BlockContact contact_of(ContactLaw law) {
+  return {law, 100.0 * soft_modulus / grid.spacing_x(), 1e-8, 50};
+}
+
+std::string refusal(std::vector<double> heights, const BlockLoad& load,
+                    const BlockContact& contact) {
+  try {
+    static_cast<void>(small_block()->solve(heights, load, contact));
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ComparisonsOfFields, FailOnNumbersThatAreNotFinite) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    EXPECT_FALSE(largest_magnitude(std::vector{bad, 1.0}) < 2.0);
+    EXPECT_FALSE(largest_magnitude(std::vector{1.0, bad}) < 2.0);
+    EXPECT_FALSE(
+        largest_difference(std::vector{1.0, bad}, std::vector{1.0, bad}) < 2.0);
+    EXPECT_FALSE(
+        largest_difference(std::vector{bad, 1.0}, std::vector{1.0, 1.0}) < 2.0);
+  }
+}
+
+TEST(ComparisonsOfFields, FailOnFieldsThatAreEmptyOrOfTwoSizes) {
+  EXPECT_FALSE(largest_magnitude({}) < 1.0);
+  EXPECT_FALSE(largest_difference({}, {}) < 1.0);
+  EXPECT_FALSE(largest_difference(std::vector{1.0}, {}) < 1.0);
+  EXPECT_FALSE(largest_difference(std::vector{1.0}, std::vector{1.0, 1.0}) <
+               1.0);
+}
+
+TEST(ComparisonsOfFields, FindTheLargest) {
+  EXPECT_EQ(largest_magnitude(std::vector{1.0, -3.0, 2.0}), 3.0);
+  EXPECT_EQ(largest_difference(std::vector{1.0, -3.0}, std::vector{2.0, 1.0}),
+            4.0);
+}
+
+TEST(WholeBlock, RefusesHeightsThatAreNotFinite) {
+  for (const double bad : {not_a_number, infinity, -infinity})
+    for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::hard})
+      for (const Control control :
+           {Control::nominal_pressure, Control::mean_gap}) {
+        std::vector<double> heights(grid.size(), 0.0);
+        heights[5] = bad;
+
+        const std::string words =
+            refusal(heights, {control, 1e-9}, contact_of(law));
+
+        EXPECT_NE(words.find("height of node 5"), std::string::npos) << words;
+      }
+}
+
+TEST(WholeBlock, RefusesSettingsThatAreNotFinite) {
+  const std::vector<double> heights(grid.size(), 0.0);
+  const BlockContact good = contact_of(ContactLaw::penalty);
+  for (const double bad : {not_a_number, infinity}) {
+    EXPECT_NE(refusal(heights, {Control::mean_gap, bad}, good).find("mean gap"),
+              std::string::npos);
+    EXPECT_NE(refusal(heights, {Control::nominal_pressure, bad}, good)
+                  .find("nominal pressure"),
+              std::string::npos);
+    BlockContact contact = good;
+    contact.penalty = bad;
+    EXPECT_NE(
+        refusal(heights, {Control::mean_gap, 1e-9}, contact).find("penalty"),
+        std::string::npos);
+    contact = good;
+    contact.tolerance = bad;
+    EXPECT_NE(
+        refusal(heights, {Control::mean_gap, 1e-9}, contact).find("tolerance"),
+        std::string::npos);
+  }
+}
+
+TEST(WholeBlock, RefusesPressuresThatAreNotFinite) {
+  std::vector<double> pressure(grid.size(), 1e6);
+  pressure[3] = not_a_number;
+  const auto block = small_block();
+
+  EXPECT_THROW(static_cast<void>(block->displacement(pressure)),
+               std::domain_error);
+  EXPECT_THROW(static_cast<void>(block->displacement(
+                   std::span<const double>(pressure).first(3))),
+               std::domain_error);
+}
+
+// Claim: a state that is not finite has not converged, whatever the law and the
+// control. A maximum of residuals drops NaN, and a pressure of max(0, NaN) is
+// 0.
+TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
+  const BlockSystem system(boxes_problem(grid, 1, {soft_modulus, 0.3}, 1e-6));
+  for (const double bad : {not_a_number, infinity, -infinity})
+    for (const ContactLaw law :
+         {ContactLaw::penalty, ContactLaw::augmented, ContactLaw::hard})
+      for (const BlockLoad& load : {BlockLoad{Control::nominal_pressure, 1e6},
+                                    BlockLoad{Control::mean_gap, 1e-9}}) {
+        ContactNewton newton(system, LinearSolver::direct);
+        std::vector<double> heights(system.contact().size(), 0.0);
+        heights[5] = bad;
+        BlockSolution found;
+
+        newton.solve(heights, 0.0, 1e-9, load, contact_of(law), found);
+
+        EXPECT_FALSE(found.converged)
+            << "law " << static_cast<int>(law) << ", control "
+            << static_cast<int>(load.control) << ", height " << bad
+            << ": residual " << found.residual << ", gap " << found.mean_gap;
+        EXPECT_NE(found.note, "");
+      }
+}
+
+/// Answers with what is not a number, and knows of it.
+class BrokenPreconditioner final : public BlockPreconditioner {
+public:
+  void prepare(std::span<const double>, const std::vector<bool>&) override {}
+
+  void vmult(dealii::TrilinosWrappers::MPI::Vector& to,
+             const dealii::TrilinosWrappers::MPI::Vector& from) override {
+    to = from;
+    to *= not_a_number;
+  }
+
+  std::string name() const override { return "broken"; }
+
+  std::string failure() const override { return "it is broken"; }
+
+  std::size_t bytes() const override { return 0; }
+};
+
+// Claim: a preconditioner that fails ends the solve, and its words are the
+// note's.
+TEST(ContactNewton, SaysWhatWentWrongInThePreconditioner) {
+  const BlockSystem system(boxes_problem(grid, 1, {soft_modulus, 0.3}, 1e-6));
+  ContactNewton newton(system, LinearSolver::multigrid,
+                       std::make_unique<BrokenPreconditioner>());
+  BlockSolution found;
+
+  newton.solve(std::vector<double>(system.contact().size(), 0.0), 0.0, 1e-9,
+               {Control::mean_gap, -1e-9}, contact_of(ContactLaw::penalty),
+               found);
+
+  EXPECT_FALSE(found.converged);
+  EXPECT_EQ(found.note, "the linear solver gave up: it is broken");
+}
+
+} // namespace
+} // namespace asperity::fem
