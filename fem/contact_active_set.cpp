@@ -16,6 +16,9 @@ constexpr double first_spring = 1e3;
 /// Share of the tolerance below which an overlap or a pull is rounding.
 constexpr double slack = 0.1;
 
+/// A set that comes to rest does so within some ten steps; others cycle.
+constexpr int most_steps = 30;
+
 } // namespace
 
 /// p of held points from what holds them; 0 elsewhere.
@@ -44,19 +47,18 @@ std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
 }
 
 /// The primal-dual active set: hold, balance, look who pulls and who overlaps.
-void ContactNewton::solve_wall(const BlockLoad& load,
-                               const BlockContact& contact, double height_scale,
-                               BlockSolution& answer) {
+/// @return  whether the set came to rest; where it did not, the note says why
+bool ContactNewton::active_set(const BlockLoad& load,
+                               const BlockContact& contact,
+                               double gap_tolerance, BlockSolution& answer) {
   const double spring = first_spring * stiffness_scale_;
-  const double gap_tolerance = contact.tolerance * height_scale;
   const std::vector<double> no_springs(pressure_.size(), 0.0);
-  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
   std::vector<bool> active(pressure_.size());
   std::transform(pressure_.begin(), pressure_.end(), active.begin(),
                  [](double pressure) { return pressure > 0.0; });
   int refinements = 0;
-  answer.note = "the contact set did not come to rest";
-  while (answer.iterations < contact.max_iterations) {
+  const int last = std::min(contact.max_iterations, most_steps);
+  while (answer.iterations < last) {
     ++answer.iterations;
     if (load.control == cases::Control::nominal_pressure && !any(active)) {
       rigid_gap_ = touching_gap(load.target, spring);
@@ -66,8 +68,8 @@ void ContactNewton::solve_wall(const BlockLoad& load,
     for (std::size_t i = 0; i < active.size(); ++i)
       pressure_[i] = active[i] ? pressure_[i] : 0.0;
     if (!step(load, no_springs, active, contact.tolerance, refinements)) {
-      answer.note = "the linear solver gave up";
-      break;
+      answer.note = solver_.failure();
+      return false;
     }
     take_wall_pressure(active);
     const std::vector<bool> next = next_active(active, gap_tolerance);
@@ -75,16 +77,34 @@ void ContactNewton::solve_wall(const BlockLoad& load,
       refinements = 0;
     } else if (unbalanced() <= contact.tolerance ||
                refinements++ == most_refinements) {
-      answer.converged = true;
-      answer.note.clear();
-      break;
+      return true;
     }
     active = next;
   }
-  // A pull of the size of rounding is no contact.
+  answer.note = "the active set did not come to rest";
+  return false;
+}
+
+/// The wall by the active set, else by springs and multipliers, which have the
+/// same answer.
+void ContactNewton::solve_wall(const BlockLoad& load,
+                               const BlockContact& contact, double height_scale,
+                               BlockSolution& answer) {
+  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
+  answer.converged =
+      active_set(load, contact, contact.tolerance * height_scale, answer);
+  // A pull is no contact, be it of the size of rounding or of a set that did
+  // not come to rest.
   for (double& pressure : pressure_)
     pressure = std::max(0.0, pressure);
   answer.residual = violation(0.0) / height_scale;
+  if (answer.converged || answer.iterations >= contact.max_iterations)
+    return;
+  const std::string why = answer.note;
+  answer.note.clear();
+  solve_springs(load, contact, height_scale, answer);
+  answer.note = why + "; solved by the augmented Lagrangian" +
+                (answer.note.empty() ? "" : ": " + answer.note);
 }
 
 } // namespace asperity::fem

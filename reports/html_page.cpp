@@ -139,13 +139,17 @@ List fit_rows(std::span<const Series> series) {
   return rows;
 }
 
-List failed_step_rows(std::span<const ReportEntry> entries) {
+/// Steps that did not converge, or those that did but have a note: another way
+/// than the method's own led to the answer.
+List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
   List rows;
   for (const ReportEntry& entry : entries)
     for (const results::MethodRecord& method : entry.result->methods)
       for (std::size_t r = 0; r < method.realizations.size(); ++r)
         for (const results::CurvePoint& point : method.realizations[r].points) {
-          if (point.status == results::StepStatus::converged)
+          const bool has_converged =
+              point.status == results::StepStatus::converged;
+          if (has_converged != converged || (converged && point.note.empty()))
             continue;
           Value row;
           row.set("method", method.name);
@@ -202,12 +206,15 @@ std::string html_page(std::span<const ReportEntry> entries,
   page.set("entries", list);
   page.set("groups", group_data(groups));
   page.set("fits", fit_rows(series));
-  const List failed = failed_step_rows(entries);
+  const List failed = noted_step_rows(entries, false);
   page.set("has_failed_steps", !failed.empty());
   page.set("failed_steps", failed);
   const List undetermined = undetermined_rows(entries);
   page.set("has_undetermined", !undetermined.empty());
   page.set("undetermined", undetermined);
+  const List noted = noted_step_rows(entries, true);
+  page.set("has_noted_steps", !noted.empty());
+  page.set("noted_steps", noted);
   kainjow::mustache::mustache view{std::string(report_template)};
   return view.render(page);
 }

@@ -113,6 +113,7 @@ TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   results::CurvePoint& failed = result.methods[1].realizations[0].points[3];
   failed.status = results::StepStatus::not_converged;
   failed.note = "residual stands at <1e-4>";
+  result.methods[1].realizations[0].points[4].note = "finished another way";
 
   write(result);
 
@@ -123,6 +124,10 @@ TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   EXPECT_NE(html.find("fem: 1 of 16 steps did not converge"),
             std::string::npos);
   EXPECT_NE(html.find("residual stands at &lt;1e-4&gt;"), std::string::npos);
+  const std::size_t remarks = html.find("Steps with remarks");
+  ASSERT_NE(remarks, std::string::npos);
+  EXPECT_NE(html.find("finished another way", remarks), std::string::npos);
+  EXPECT_EQ(html.find("residual stands", remarks), std::string::npos);
 }
 
 // Claim: what a step's note says is not determined stands in the page once,

@@ -1,0 +1,113 @@
+// Claims about second-order blocks under a coating ten times stiffer, on a
+// wall: a force on one node may lift another there, and the active set cycles.
+#include "contact/solver.hpp"
+#include "fem/condensed_q2.hpp"
+#include "fem/full_block.hpp"
+#include "fem/q2_operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "tests/fem/blocks.hpp"
+
+namespace asperity::fem {
+namespace {
+
+using cases::ContactLaw;
+using cases::Control;
+using cases::TopFace;
+
+const Grid grid{32, 32, 1e-5, 1e-5};
+constexpr double coating_modulus = 10.0 * soft_modulus;
+constexpr double coating = 0.05 * 1e-5; // m
+constexpr double contact_modulus = soft_modulus / (1.0 - 0.4 * 0.4);
+
+/// Waves down to 8 spacings with random phases, rms slope 0.1.
+std::vector<double> rough_heights(unsigned int seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> phase(0.0, 2.0 * std::numbers::pi);
+  std::vector<double> heights(grid.size(), 0.0);
+  double square_of_slope = 0.0;
+  for (int kx = 0; kx <= 4; ++kx)
+    for (int ky = -4; ky <= 4; ++ky) {
+      const int square = kx * kx + ky * ky;
+      if (square == 0 || square > 16 || (kx == 0 && ky < 0))
+        continue;
+      const double shift = phase(engine);
+      const double unit = 2.0 * std::numbers::pi / grid.points_x;
+      for (int iy = 0; iy < grid.points_y; ++iy)
+        for (int ix = 0; ix < grid.points_x; ++ix)
+          heights[grid.index(ix, iy)] +=
+              std::cos(unit * (kx * ix + ky * iy) + shift);
+      square_of_slope += 0.5 * square * std::pow(unit / grid.spacing_x(), 2);
+    }
+  for (double& height : heights)
+    height *= 0.1 / std::sqrt(square_of_slope);
+  return heights;
+}
+
+LayeredBlock coated_block() {
+  return bonded_block(
+      meshes::graded_layers_with_interfaces(2.0 * grid.spacing_x(), 1.2,
+                                            std::vector{coating}, 1e-5),
+      std::vector{coating},
+      std::vector<cases::BodyModuli>{{coating_modulus, 0.2},
+                                     {soft_modulus, 0.4}},
+      TopFace::clamped);
+}
+
+double rms(const std::vector<double>& heights) {
+  double square = 0.0;
+  for (const double height : heights)
+    square += height * height;
+  return std::sqrt(square / static_cast<double>(heights.size()));
+}
+
+// Claim: the wall is solved to the case's tolerance at every load, and the
+// answer is the condensed block's, which another solver finds. Tolerances: both
+// gaps are exact to 1e-8 h_rms, and the coating's stiffness makes of that a
+// ten-millionth of the largest pressure; a hundred times as much is allowed.
+// Without the augmented law to fall back to, the second step ends after its 200
+// iterations with an overlap of tenths of h_rms.
+TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
+  const LayeredBlock block = coated_block();
+  const std::vector<double> heights = rough_heights(1);
+  const double scale = rms(heights);
+  Q2Operator condensed(condensed_compliance_q2(grid, block));
+  const auto whole = make_full_block(grid, 2, block);
+  const double spring = 100.0 * contact_modulus / grid.spacing_x();
+  std::string notes;
+  for (const double load : {0.02, 0.05, 0.08}) {
+    const double pressure = load * contact_modulus;
+    const contact::ContactSolution expected = contact::solve_contact(
+        condensed, {heights, 0.0, 1e-8 * scale, 2000},
+        {contact::LoadTarget::Kind::nominal_pressure, pressure});
+
+    const BlockSolution found =
+        whole->solve(heights, {Control::nominal_pressure, pressure},
+                     {ContactLaw::hard, spring, 1e-8, 200});
+
+    ASSERT_TRUE(expected.converged) << expected.note;
+    ASSERT_TRUE(found.converged) << found.note;
+    notes += found.note;
+    EXPECT_NEAR(found.nominal_pressure / pressure, 1.0, 1e-8);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      EXPECT_GE(found.pressure[i], 0.0);
+      EXPECT_GE(found.gap[i], -1e-8 * scale);
+      if (found.pressure[i] > 0.0) {
+        EXPECT_LE(found.gap[i], 1e-8 * scale);
+      }
+    }
+    EXPECT_NEAR(found.mean_gap, expected.mean_gap, 1e-6 * scale);
+    EXPECT_LT(largest_difference(found.gap, expected.gap), 1e-6 * scale);
+    EXPECT_LT(largest_difference(found.pressure, expected.pressure),
+              1e-5 * largest_magnitude(expected.pressure));
+  }
+  EXPECT_NE(notes.find("solved by the augmented Lagrangian"), std::string::npos)
+      << "no active set cycled: the scene does not show what it is here for";
+}
+
+} // namespace
+} // namespace asperity::fem
