@@ -3,6 +3,7 @@
 #include "app/chosen.hpp"
 #include "app/theory_method.hpp"
 #include "app/whole_block_method.hpp"
+#include "cases/locking.hpp"
 
 namespace asperity::app {
 
@@ -13,6 +14,9 @@ MethodDescription describe(const cases::MethodSpec& method,
   if (const std::string words = material_words(method, material);
       !words.empty())
     description.text += ", " + words;
+  for (const std::string& warning :
+       cases::locking_warnings(material, {&method, 1}))
+    description.text += "; warning: " + warning;
   return description;
 }
 

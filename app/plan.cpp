@@ -7,6 +7,7 @@
 #include "app/step_chain.hpp"
 #include "app/surfaces_of_case.hpp"
 #include "app/worker_pool.hpp"
+#include "cases/locking.hpp"
 #include "fem/plugin.hpp"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
   Cache none;
   Cache& cache = options.cache != nullptr ? *options.cache : none;
   Plan plan;
+  plan.warnings = cases::locking_warnings(rough_case.material, methods);
   plan.threads = WorkerPool(options.threads).threads();
   bool uses_fem = false;
   bool uses_block = false;

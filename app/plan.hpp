@@ -29,6 +29,7 @@ struct PlannedMethod {
 struct Plan {
   std::vector<PlannedMethod> methods;
   std::vector<results::Skipped> skipped;
+  std::vector<std::string> warnings; ///< about the methods' answers
   int threads = 1;
   double base_time = 0.0;  ///< of the program itself, CPU [s]
   double study_time = 0.0; ///< of tables, CPU [s]
@@ -49,7 +50,7 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
 /// of threads: methods share the threads, those that run alone one by one.
 void add_up_times(Plan& plan);
 
-/// As a table for people, with what is skipped below.
+/// As a table for people, with what is skipped and the warnings below.
 std::string plan_text(const Plan& plan, const cases::Case& rough_case);
 
 } // namespace asperity::app

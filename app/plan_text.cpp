@@ -60,6 +60,8 @@ std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
   for (const results::Skipped& one : plan.skipped)
     text += fmt::format("  {}: {} (CPU {}, {})\n", one.what, one.why,
                         time_text(one.cpu_time), size_text(one.bytes));
+  for (const std::string& warning : plan.warnings)
+    text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "app/stress_tables.hpp"
 #include "app/studies.hpp"
 #include "cases/case_hash.hpp"
+#include "cases/locking.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
@@ -94,6 +95,9 @@ int Run::n_steps() const {
 }
 
 void Run::begin() {
+  for (const std::string& warning :
+       cases::locking_warnings(case_.material, methods_))
+    fmt::print(stderr, "warning: {}\n", warning);
   for (std::size_t r = 0; r < surfaces_.whole().size(); ++r)
     writer_.record_surface(static_cast<int>(r), surfaces_.whole()[r].record);
   for (const MethodSpec& method : methods_) {
