@@ -42,6 +42,7 @@ const Edges lengths{{1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3}};
 const Edges moduli{{1.0, 1e3, 1e6, 1e9}};
 const Edges thicknesses{{0.01, 0.05, 0.3, 1.0, 3.0}};
 const Edges growths{{1.0, 1.5, 2.0, 2.5}};
+const std::vector<std::string> coatings{"softer", "none", "stiffer"};
 
 template <class Enum>
 std::vector<std::string> names(Enum first, Enum last) {
@@ -58,6 +59,11 @@ std::string plain(double value) {
 bool is_elements(Family family) {
   return family == Family::condensed_q1 || family == Family::condensed_q2 ||
          family == Family::full_block;
+}
+
+std::string coating_of(const Scene& scene) {
+  const double stiffness = scene.coating_stiffness;
+  return coatings[stiffness < 1.0 ? 0 : stiffness > 1.0 ? 2 : 1];
 }
 
 /// A number where the axis means something, else nothing.
@@ -90,6 +96,8 @@ const std::vector<Axis>& axes() {
       {"top", names(TopFace::clamped, TopFace::pressure)},
       {"thickness", thicknesses.labels()},
       {"growth", growths.labels()},
+      {"element", {"Q1", "Q2"}},
+      {"coating", coatings},
       {"twin", names(Twin::none, Twin::threads)},
       {"flaw", names(Flaw::nan_height, Flaw::zero_tolerance)}};
   return all;
@@ -126,6 +134,8 @@ std::vector<std::string> labels_of(const Scene& scene) {
           where(is_thick, name_of(scene.top)),
           where(is_thick, thicknesses.label_of(scene.thickness)),
           where(is_elements(family), growths.label_of(scene.growth)),
+          where(family == Family::full_block, scene.degree == 1 ? "Q1" : "Q2"),
+          where(is_elements(family), coating_of(scene)),
           where(is_continuum, name_of(scene.twin)),
           where(!is_sound, name_of(scene.flaw))};
 }

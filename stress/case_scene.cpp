@@ -48,6 +48,7 @@ void take_method(const cases::FemSettings& block, const cases::Scales& scales,
                                                      : Family::condensed_q2;
   if (block.solver == cases::FemSolver::full)
     scene.family = Family::full_block;
+  scene.degree = block.element == cases::Element::q1 ? 1 : 2;
   scene.thickness = block.depth.in_si(scales) / scales.length;
   scene.growth = block.growth;
   scene.top = block.top;

@@ -167,6 +167,11 @@ fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
       scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
   request.poisson_ratio = scene.poisson_ratio;
   request.threads = threads;
+  if (scene.coating_stiffness != 1.0)
+    request.layers = {
+        {{scene.coating_thickness * scene.thickness, cases::Yardstick::length},
+         {scene.coating_stiffness * request.youngs_modulus,
+          scene.poisson_ratio}}};
   return request;
 }
 

@@ -35,8 +35,9 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
 void run_full_block(const Scene& scene, SceneReport& report) {
   const Grid grid = grid_of(scene);
   const SceneSurface surface = surface_of(scene, grid);
-  const std::unique_ptr<fem::FullBlock> block = fem::load_fem_room().uncondensed(
-      block_request(scene, grid, scene.index % 2 == 0 ? 1 : 2, 1));
+  const std::unique_ptr<fem::FullBlock> block =
+      fem::load_fem_room().uncondensed(
+          block_request(scene, grid, scene.degree, 1));
   const Displace displace = [&](auto pressure, auto displacement) {
     const std::vector<double> answer = block->displacement(pressure);
     if (answer.size() != displacement.size())

@@ -34,6 +34,9 @@ enum class Axis {
   penalty,
   load,
   gamma,
+  degree,
+  coating_stiffness,
+  coating_thickness,
 };
 
 /// Of a block of atoms, the paper's (Sec. 4) [m].
@@ -147,6 +150,12 @@ void draw_block(const Draw& draw, Scene& scene) {
       draw.pick<double>(Axis::poisson_ratio, {0.0, 0.3, 0.49, 0.4999});
   scene.thickness = draw.log_uniform(Axis::thickness, 0.01, 10.0);
   scene.growth = std::max(1.0, draw.uniform(Axis::growth, 0.8, 3.0));
+  scene.degree = draw.pick<int>(Axis::degree, {1, 2});
+  scene.coating_stiffness =
+      draw.coin(Axis::coating_stiffness)
+          ? draw.log_uniform(Axis::coating_stiffness, 0.05, 20.0)
+          : 1.0;
+  scene.coating_thickness = draw.uniform(Axis::coating_thickness, 0.02, 0.5);
   scene.top = draw.pick<cases::TopFace>(Axis::top, {cases::TopFace::clamped,
                                                     cases::TopFace::sliding,
                                                     cases::TopFace::pressure});

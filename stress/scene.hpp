@@ -97,6 +97,11 @@ struct Scene {
   double poisson_ratio = 0.3;   ///< [1]
   double thickness = 1.0;       ///< of the block, in lengths [1] > 0
   double growth = 1.2;          ///< of finite-element layers [1] 1..10
+  int degree = 1;               ///< of a full block's elements, 1 or 2
+  /// E of a coating over that of the block below it [1] > 0; 1 is no coating.
+  /// Of finite elements alone.
+  double coating_stiffness = 1.0;
+  double coating_thickness = 0.1; ///< in thicknesses of the block [1] 0..1
 
   double penalty = 100.0; ///< k, in E*/h [1] > 0; not read by the hard wall
   /// Nominal pressure in E* h' [1], or mean gap in h_rms [1].

@@ -69,6 +69,11 @@ std::string in_words(const Scene& scene) {
       scene.points, scene.length, scene.hurst, scene.roll_off,
       scene.shortest_wave, scene.rms_slope, scene.contact_modulus,
       scene.poisson_ratio, scene.thickness, name_of(scene.top), scene.growth);
+  if (scene.family == Family::full_block)
+    words += fmt::format("Q{}, ", scene.degree);
+  if (scene.coating_stiffness != 1.0)
+    words += fmt::format("a coating of {:.17g} thicknesses and {:.17g} E, ",
+                         scene.coating_thickness, scene.coating_stiffness);
   words += name_of(scene.law);
   if (scene.law != cases::ContactLaw::hard)
     words += fmt::format(" of {:.17g} E*/h", scene.penalty);
