@@ -27,15 +27,6 @@ std::string sign_of(std::size_t method) {
                      method_color(method), 4 + 2 * (method % 5));
 }
 
-std::string file_name(const std::string& quantity) {
-  std::string name;
-  for (const char c : quantity)
-    name += std::isalnum(static_cast<unsigned char>(c)) != 0
-                ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
-                : '-';
-  return name;
-}
-
 double error_of(const BenchPoint& point, const std::string& quantity) {
   const auto found = point.errors.find(quantity);
   return found == point.errors.end() ? not_a_number : found->second;
@@ -55,7 +46,7 @@ std::string front_words(const Bench& bench,
 Figure front_figure(const Bench& bench, const std::string& quantity,
                     const std::vector<std::size_t>& front) {
   Figure figure;
-  figure.name = "front-" + file_name(quantity);
+  figure.name = "front-" + file_word(quantity);
   figure.title = "Cost against error: " + quantity;
   figure.caption = error_words(quantity) +
                    ". The line joins the settings that no other one beats in "
@@ -133,7 +124,7 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
 Figure convergence_figure(const Bench& bench, const std::string& quantity) {
   return against_points(
       bench,
-      {"convergence-" + file_name(quantity),
+      {"convergence-" + file_word(quantity),
        "Error against points: " + quantity,
        error_words(quantity) + ", against the truth. Slopes, in the spacing: ",
        "error",

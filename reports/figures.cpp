@@ -1,11 +1,11 @@
 #include "reports/figures.hpp"
 
 #include "reports/height_figure.hpp"
+#include "reports/plot_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -42,12 +42,9 @@ void add(std::vector<Figure>& figures, const char* name, const Build& build) {
   }
 }
 
-// The case's name as a folder's: whatever is not a letter or digit is a dash.
-std::string folder_name(std::size_t index, std::string name) {
-  std::replace_if(
-      name.begin(), name.end(),
-      [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
-  return fmt::format("{}-{}", index + 1, name);
+// The case's name as a folder's, behind its number, which no other has.
+std::string folder_name(std::size_t index, const std::string& name) {
+  return fmt::format("{}-{}", index + 1, file_word(name));
 }
 
 FigureGroup shared_curves(std::span<const ReportEntry> entries,

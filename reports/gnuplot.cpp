@@ -2,13 +2,14 @@
 
 #include "base/atomic_file.hpp"
 #include "base/child_process.hpp"
+#include "base/plain_text.hpp"
+#include "base/read_file.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 namespace asperity::reports {
@@ -40,11 +41,6 @@ std::string in_quotes(const std::string& text) {
   return quoted + "'";
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 void replace_all(std::string& text, const std::string& from,
                  const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
@@ -52,11 +48,28 @@ void replace_all(std::string& text, const std::string& from,
     text.replace(at, from.size(), to);
 }
 
+// These names go into scripts, between quotes.
+void require_file_word(const char* what, const std::string& name) {
+  if (name.empty() || name.find_first_not_of(
+                          "abcdefghijklmnopqrstuvwxyz0123456789-") != name.npos)
+    throw std::domain_error(fmt::format(
+        "{} = \"{}\", but must be of the letters a-z, digits and hyphens", what,
+        printable(name)));
+}
+
+// Far beyond what a figure takes.
+constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+constexpr ChildLimits limits{
+    .wall_time = 600.0,
+    .memory = static_cast<std::uintmax_t>(8 * gibibyte),
+    .file_size = static_cast<std::uintmax_t>(gibibyte)};
+
 // Runs `program script` inside `folder`; returns what went wrong, or "".
 std::string run(const std::string& program, const std::string& script,
                 const std::filesystem::path& folder) {
   try {
-    const ChildAnswer answer = run_child({{program, script}, folder});
+    const ChildAnswer answer = run_child(
+        {.words = {program, script}, .folder = folder, .limits = limits});
     return answer.end.failure.empty()
                ? ""
                : fmt::format("{} ended with {}: {}", program,
@@ -70,6 +83,9 @@ std::string run(const std::string& program, const std::string& script,
 
 DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program) {
+  require_file_word("figure.name", figure.name);
+  for (const auto& [suffix, matrix] : figure.maps)
+    require_file_word("figure.maps", suffix);
   DrawnFigure drawn{figure.name, figure.title, figure.caption, "",
                     figure.problem};
   if (!drawn.problem.empty())
@@ -95,7 +111,9 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
   drawn.problem = run(program, script_name, folder);
   if (!drawn.problem.empty())
     return drawn;
-  drawn.svg = read_text(svg_path);
+  drawn.svg = std::filesystem::exists(svg_path)
+                  ? read_file(svg_path, limits.file_size)
+                  : "";
   if (drawn.svg.find("</svg>") == std::string::npos) {
     drawn.svg.clear();
     drawn.problem = program + " drew nothing";

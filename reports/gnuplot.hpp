@@ -33,7 +33,9 @@ struct DrawnFigure {
 
 /// Writes the three files into `folder` and draws. gnuplot is started without
 /// a shell, in that folder; a missing or failing gnuplot is said, not thrown.
+/// It is ended after ten minutes, 8 GiB of memory or 1 GiB of output.
 /// @param program  name or path of gnuplot
+/// @throws std::domain_error  a name is not of the letters [a-z0-9-]
 DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program = "gnuplot");
 

@@ -99,9 +99,15 @@ whole_maps(const results::MethodRecord& method) {
   return whole;
 }
 
-std::string file_word(std::string method_name) {
-  std::replace(method_name.begin(), method_name.end(), '.', '-');
-  return method_name;
+std::string file_word(std::string name) {
+  for (char& letter : name) {
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter - 'A' + 'a');
+    const bool is_good =
+        (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    letter = is_good ? letter : '-';
+  }
+  return name.substr(0, 60);
 }
 
 std::string load_color(std::size_t load) {

@@ -43,8 +43,9 @@ methods_with_maps(const results::Result& result);
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method);
 
-/// A method's name as a file's: "fem-hard".
-std::string file_word(std::string method_name);
+/// A name as a file's, of the letters [a-z0-9-] and 60 of them at most:
+/// "fem-hard" for "fem.hard".
+std::string file_word(std::string name);
 
 /// Colour and sign of the first, second and third load of a figure.
 std::string load_color(std::size_t load);

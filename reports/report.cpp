@@ -9,7 +9,35 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace asperity::reports {
+namespace {
+
+/// What a result without a case text says of its case: no formula, no
+/// expectations, a surface that is known by its map alone.
+cases::Case case_without_text(const results::Result& result) {
+  cases::Case contact_case;
+  contact_case.path = result.path;
+  contact_case.name = result.case_name;
+  contact_case.title = result.case_title;
+  contact_case.surface.kind = cases::SurfaceKind::measured;
+  contact_case.material.contact_modulus = result.contact_modulus;
+  return contact_case;
+}
+
+/// A folder in which no figure of `taken` has that name: the names of two
+/// methods can become the same word.
+std::filesystem::path own_folder(const std::filesystem::path& folder,
+                                 const std::string& name,
+                                 std::set<std::filesystem::path>& taken) {
+  std::filesystem::path own = folder;
+  for (int i = 2; !taken.insert(own / name).second; ++i)
+    own = folder / std::to_string(i);
+  return own;
+}
+
+} // namespace
 
 ReportEntry entry_of(const results::Result& result,
                      const cases::Case& contact_case) {
@@ -17,6 +45,8 @@ ReportEntry entry_of(const results::Result& result,
 }
 
 cases::Case case_of(const results::Result& result) {
+  if (result.case_text.empty())
+    return case_without_text(result);
   cases::Case contact_case =
       cases::read_case_text(result.case_text, result.path);
   contact_case.name = result.case_name;
@@ -43,11 +73,14 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   std::filesystem::create_directories(folder);
   std::vector<std::string> problems;
   std::vector<DrawnGroup> drawn_groups;
+  std::set<std::filesystem::path> taken;
   for (const FigureGroup& group : figures_of(entries)) {
     DrawnGroup drawn{group.heading, {}};
     for (const Figure& figure : group.figures) {
-      drawn.figures.push_back(
-          draw(figure, folder / "figures" / group.folder, gnuplot));
+      drawn.figures.push_back(draw(
+          figure,
+          own_folder(folder / "figures" / group.folder, figure.name, taken),
+          gnuplot));
       if (!drawn.figures.back().problem.empty())
         problems.push_back(
             fmt::format("{}: {}", figure.name, drawn.figures.back().problem));

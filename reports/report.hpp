@@ -30,7 +30,8 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
                                       const std::string& gnuplot = "gnuplot");
 
 /// The case a result was made from, read from its own text. `path` of the
-/// messages is that of the result.
+/// messages is that of the result. A result without a text, as other codes
+/// write it, is of a measured surface, without expectations.
 cases::Case case_of(const results::Result& result);
 
 /// A result with its case and its summary. Both arguments must outlive it.

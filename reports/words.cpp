@@ -111,7 +111,9 @@ std::string case_sentence(const ReportEntry& entry) {
   return fmt::format("An elastic block, E* = {:.4g} GPa, pressed on a rigid {}"
                      "{}{}.",
                      entry.result->contact_modulus * 1e-9,
-                     surface_words(entry.contact_case->surface),
+                     entry.result->case_text.empty()
+                         ? "surface"
+                         : surface_words(entry.contact_case->surface),
                      grid_words(*entry.result), load_words(*entry.result));
 }
 

@@ -33,7 +33,7 @@ bool is_integer_of(const CurveColumn& column, double number) {
 void read_column(const Hdf5Group& curve, const CurveColumn& column,
                  std::vector<CurvePoint>& points) {
   const std::string name(column.name);
-  const std::vector<double> numbers = curve.numbers(name);
+  const std::vector<double> numbers = curve.column(name);
   require_length(curve, name, numbers.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     // A double is checked once the whole row is known (validity.hpp); what is
@@ -85,7 +85,7 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
       throw cases::CaseError(fmt::format("{} is missing", curve.place(needed)));
 
   std::vector<CurvePoint> points;
-  const std::size_t length = curve.numbers(length_column).size();
+  const std::size_t length = curve.column(length_column).size();
   for (std::size_t i = 0; i < length; ++i)
     points.push_back(blank_point(static_cast<int>(i)));
   for (const CurveColumn& column : curve_columns())

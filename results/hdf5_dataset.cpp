@@ -25,9 +25,11 @@ hid_t file_type(Hdf5Number number) {
 
 Hdf5Handle dataset_of(hid_t group, const std::string& name,
                       const std::string& place) {
-  return {checked(H5Dopen2(group, name.c_str(), H5P_DEFAULT), place,
-                  "find this dataset"),
-          H5Dclose};
+  Hdf5Handle dataset(checked(H5Dopen2(group, name.c_str(), H5P_DEFAULT), place,
+                             "find this dataset"),
+                     H5Dclose);
+  require_own_storage(dataset.id(), place);
+  return dataset;
 }
 
 void set_unit(hid_t dataset, const std::string& unit,
@@ -157,12 +159,19 @@ std::vector<double> Hdf5Group::numbers(const std::string& name) const {
   const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::vector<double> values(
-      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space.id()),
-                                       place(name), "measure this dataset")));
+      element_count(space.id(), sizeof(double), place(name)));
   checked(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
                   H5P_DEFAULT, values.data()),
           place(name), "read this dataset as numbers");
   return values;
+}
+
+std::vector<double> Hdf5Group::column(const std::string& name) const {
+  if (const std::size_t rank = extents(name).size(); rank != 1)
+    throw Hdf5Error(
+        fmt::format("{}: has {} dimensions, but must have one: it is a column",
+                    place(name), rank));
+  return numbers(name);
 }
 
 std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
@@ -171,11 +180,22 @@ std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
   if (H5Tget_class(type.id()) != H5T_STRING)
     refuse_hdf5(place(name), "read this dataset as text");
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  return read_texts(type.id(), space.id(), [&](hid_t memory, void* buffer) {
-    checked(
-        H5Dread(dataset.id(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer),
-        place(name), "read this dataset");
-  });
+  const bool is_variable = H5Tis_variable_str(type.id()) > 0;
+  hsize_t bytes = 0;
+  if (is_variable && H5Sget_simple_extent_npoints(space.id()) <=
+                         static_cast<hssize_t>(most_texts))
+    checked(H5Dvlen_get_buf_size(dataset.id(), type.id(), space.id(), &bytes),
+            place(name), "measure this dataset");
+  if (bytes > largest_text)
+    throw Hdf5Error(
+        fmt::format("{}: has {} bytes of text, but must have at most {}",
+                    place(name), bytes, largest_text));
+  return read_texts(type.id(), space.id(), place(name),
+                    [&](hid_t memory, void* buffer) {
+                      checked(H5Dread(dataset.id(), memory, H5S_ALL, H5S_ALL,
+                                      H5P_DEFAULT, buffer),
+                              place(name), "read this dataset");
+                    });
 }
 
 } // namespace asperity::results

@@ -1,10 +1,10 @@
 #include "results/hdf5_file.hpp"
 
+#include "base/read_file.hpp"
 #include "results/hdf5_call.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <limits>
 
 namespace asperity::results {
 namespace {
@@ -21,14 +21,21 @@ Hdf5Handle ordered(hid_t kind, SetAttributes set_attributes) {
 
 std::int64_t open_file(const std::filesystem::path& path, Hdf5File::Mode mode) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // complaints become exceptions
+  forbid_other_files();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG);
-  if (mode != Hdf5File::Mode::create)
+  if (mode != Hdf5File::Mode::create) {
+    try {
+      require_regular_file(path, std::numeric_limits<std::uintmax_t>::max());
+    } catch (const FileError& error) {
+      throw Hdf5Error(error.what());
+    }
     return checked(
         H5Fopen(path.c_str(),
                 mode == Hdf5File::Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR,
                 access.id()),
         path.string(), "open this HDF5 file");
+  }
   const Hdf5Handle creation =
       ordered(H5P_FILE_CREATE, H5Pset_attr_creation_order);
   return checked(
@@ -43,16 +50,21 @@ extern "C" herr_t keep_innermost(unsigned depth, const H5E_error2_t* error,
   return 0;
 }
 
+/// -1, which ends the listing as an error, where there are too many.
+herr_t append_name(const char* name, void* names) {
+  auto& list = *static_cast<std::vector<std::string>*>(names);
+  list.emplace_back(name);
+  return list.size() <= most_children ? 0 : -1;
+}
+
 extern "C" herr_t append_link_name(hid_t, const char* name, const H5L_info_t*,
                                    void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+  return append_name(name, names);
 }
 
 extern "C" herr_t append_attribute_name(hid_t, const char* name,
                                         const H5A_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+  return append_name(name, names);
 }
 
 /// The index by which a group's links or attributes are to be listed.
@@ -183,8 +195,10 @@ std::string Hdf5Group::text_attribute(const std::string& name) const {
   if (H5Tget_class(type.id()) != H5T_STRING)
     return fmt::format("{}", number_attribute(name));
   const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  const auto texts =
-      read_texts(type.id(), space.id(), [&](hid_t memory, void* buffer) {
+  if (H5Sget_simple_extent_npoints(space.id()) > 1)
+    refuse_hdf5(place(name), "read this attribute as one text");
+  const auto texts = read_texts(
+      type.id(), space.id(), place(name), [&](hid_t memory, void* buffer) {
         checked(H5Aread(attribute.id(), memory, buffer), place(name),
                 "read this attribute");
       });

@@ -65,7 +65,8 @@ struct Hdf5Shape {
 enum class Hdf5Number { float64, float32_packed, int32 };
 
 /// A group of a file with its attributes and datasets. Names are those of
-/// direct children. Every function throws Hdf5Error when the library refuses.
+/// direct children. Every function throws Hdf5Error when the library refuses,
+/// and when what it finds breaks a limit of hdf5_limits.hpp.
 class Hdf5Group {
 public:
   Hdf5Group() = default;
@@ -105,6 +106,8 @@ public:
   std::vector<std::size_t> extents(const std::string& name) const;
   /// All values of a dataset, the last index fastest.
   std::vector<double> numbers(const std::string& name) const;
+  /// The values of a dataset, which has to have one dimension.
+  std::vector<double> column(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
 
   /// "file.h5: /methods/fem/name", for messages.

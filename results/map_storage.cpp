@@ -5,6 +5,7 @@
 #include "results/result_layout.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace asperity::results {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr int most_points = 1'000'000; ///< a side
 
 /// A number of a SurfaceRecord as an attribute, with "<name>_unit" beside it.
 struct SurfaceNumber {
@@ -38,6 +40,21 @@ Hdf5Shape shape_of(const Grid& grid) {
           static_cast<std::size_t>(grid.points_x)};
 }
 
+/// A number of points that a file gives; 0 says that it is not known.
+int points_in(double points, const std::string& place) {
+  if (!(points >= 0.0 && points <= most_points && points == std::floor(points)))
+    throw cases::CaseError(
+        fmt::format("{} = {} points, but must be an integer between 0 and {}",
+                    place, points, most_points));
+  return static_cast<int>(points);
+}
+
+void set_points(Grid& grid, const std::vector<std::size_t>& extents,
+                const std::string& place) {
+  grid.points_y = points_in(static_cast<double>(extents[0]), place);
+  grid.points_x = points_in(static_cast<double>(extents[1]), place);
+}
+
 Grid read_grid(const Hdf5Group& surface) {
   Grid grid;
   if (surface.has("heights")) {
@@ -45,11 +62,11 @@ Grid read_grid(const Hdf5Group& surface) {
     if (extents.size() != 2)
       throw cases::CaseError(surface.place("heights") +
                              " must have two dimensions: points_y, points_x");
-    grid.points_y = static_cast<int>(extents[0]);
-    grid.points_x = static_cast<int>(extents[1]);
+    set_points(grid, extents, surface.place("heights"));
   } else {
-    grid.points_x = static_cast<int>(number_or(surface, "points_x", 0));
-    grid.points_y = static_cast<int>(number_or(surface, "points_y", 0));
+    for (const auto& [name, points] : {std::pair("points_x", &grid.points_x),
+                                       std::pair("points_y", &grid.points_y)})
+      *points = points_in(number_or(surface, name, 0.0), surface.place(name));
   }
   grid.length_x = number_or(surface, "length_x", 0.0);
   grid.length_y = number_or(surface, "length_y", grid.length_x);
@@ -59,10 +76,14 @@ Grid read_grid(const Hdf5Group& surface) {
 /// Points by the shape of the map, sides by its attributes; 0 where unknown.
 Grid grid_of_map(const Hdf5Group& maps) {
   Grid grid;
-  if (const auto extents = maps.extents("pressure"); extents.size() == 2) {
-    grid.points_y = static_cast<int>(extents[0]);
-    grid.points_x = static_cast<int>(extents[1]);
-  }
+  const std::vector<std::size_t> extents = maps.extents("pressure");
+  if (maps.extents("gap") != extents)
+    throw cases::CaseError(
+        fmt::format("{} has [{}] values, but must have [{}], as pressure",
+                    maps.place("gap"), fmt::join(maps.extents("gap"), ", "),
+                    fmt::join(extents, ", ")));
+  if (extents.size() == 2)
+    set_points(grid, extents, maps.place("pressure"));
   grid.length_x = number_or(maps, "length_x", 0.0);
   grid.length_y = number_or(maps, "length_y", grid.length_x);
   return grid;
@@ -77,8 +98,8 @@ double rms_of(std::span<const double> heights) {
 }
 
 std::vector<SpectrumPoint> read_spectrum(const Hdf5Group& group) {
-  const std::vector<double> wavevector = group.numbers("wavevector");
-  const std::vector<double> spectrum = group.numbers("height_spectrum");
+  const std::vector<double> wavevector = group.column("wavevector");
+  const std::vector<double> spectrum = group.column("height_spectrum");
   if (spectrum.size() != wavevector.size())
     throw cases::CaseError(fmt::format(
         "{} has {} values, but must have {}, as wavevector",
@@ -120,7 +141,7 @@ std::optional<int> index_of(const std::string& name) {
       std::from_chars(name.data(), name.data() + name.size(), index);
   const bool is_index = error == std::errc() &&
                         end == name.data() + name.size() && index >= 0 &&
-                        index < layout::most_realizations;
+                        index < layout::highest_index;
   return is_index ? std::optional(index) : std::nullopt;
 }
 
@@ -175,13 +196,9 @@ std::vector<Fields> read_fields(const Hdf5Group& group) {
       Fields fields;
       fields.step = *step;
       fields.nominal_pressure = number_or(maps, "nominal_pressure", none);
+      fields.grid = grid_of_map(maps);
       fields.pressure = maps.numbers("pressure");
       fields.gap = maps.numbers("gap");
-      if (fields.gap.size() != fields.pressure.size())
-        throw cases::CaseError(fmt::format(
-            "{} has {} values, but must have {}, as pressure",
-            maps.place("gap"), fields.gap.size(), fields.pressure.size()));
-      fields.grid = grid_of_map(maps);
       all.push_back(std::move(fields));
     }
   std::sort(all.begin(), all.end(),

@@ -20,7 +20,7 @@ SurfaceRecord read_surface(const Hdf5Group& group);
 void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
 /// Of every step, in their order; the sides of a grid are 0 where the file does
 /// not say them, its points where the map is not two-dimensional.
-/// @throws cases::CaseError  pressure and gap differ in size
+/// @throws cases::CaseError  pressure and gap differ in shape
 std::vector<Fields> read_fields(const Hdf5Group& group);
 
 /// The attributes `name` and `name`_unit.

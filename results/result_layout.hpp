@@ -18,7 +18,10 @@ constexpr const char* journal = "journal"; ///< which journal is this file's
 constexpr const char* journal_folded = "journal_folded"; ///< changes in it
 constexpr const char* column_place = "order"; ///< of a column, 0, 1, ...
 
-/// Realisations and steps beyond this are taken for another file's groups.
-constexpr int most_realizations = 1'000'000;
+/// A case has as many realisations at most.
+constexpr int most_realizations = 1000;
+
+/// Groups whose number is beyond this are taken for something else.
+constexpr int highest_index = 1'000'000;
 
 } // namespace asperity::results::layout

@@ -1,9 +1,11 @@
 #include "results/result_reader.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/case_error.hpp"
 #include "results/contact_stiffness.hpp"
 #include "results/curve_storage.hpp"
 #include "results/hdf5_file.hpp"
+#include "results/hdf5_limits.hpp"
 #include "results/map_storage.hpp"
 #include "results/result_file.hpp"
 #include "results/result_layout.hpp"
@@ -33,11 +35,24 @@ std::vector<Item> read_indexed(const Hdf5Group& group, Read read) {
   std::vector<Item> items;
   for (const std::string& name : group.children())
     if (const std::optional<int> index = index_of(name)) {
+      if (*index >= layout::most_realizations)
+        throw cases::CaseError(
+            fmt::format("{} is realisation {}, but must be below {}",
+                        group.place(name), *index, layout::most_realizations));
       const auto place = static_cast<std::size_t>(*index);
       items.resize(std::max(items.size(), place + 1));
       items[place] = read(group.open(name), *index);
     }
   return items;
+}
+
+/// Names that go into figures, tables and file names.
+/// @throws Hdf5Error  one is not good
+std::vector<std::string> good_names(std::vector<std::string> names,
+                                    const std::string& place) {
+  for (const std::string& name : names)
+    require_good_name(name, place);
+  return names;
 }
 
 void require_format(const Hdf5Group& file) {
@@ -102,7 +117,7 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   require_format(file);
   Result result;
   result.path = path.string();
-  result.case_name = text_or(file, "name", path.stem().string());
+  result.case_name = text_or(file, "name", printable(path.stem().string()));
   result.case_title = text_or(file, "title", result.case_name);
   result.case_text = text_or(file, "case_text", "");
   result.case_hash = text_or(file, "case_hash", "");
@@ -117,21 +132,25 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
 
   if (file.has("provenance")) {
     const Hdf5Group provenance = file.open("provenance");
-    for (const std::string& name : provenance.attributes())
+    for (const std::string& name : provenance.attributes()) {
+      require_plain(name, provenance.place());
       result.provenance.emplace_back(name, provenance.text_attribute(name));
+    }
   }
   if (file.has("surfaces"))
     result.surfaces = read_indexed<SurfaceRecord>(
         file.open("surfaces"),
         [](const Hdf5Group& group, int) { return read_surface(group); });
   const Hdf5Group methods = file.open("methods");
-  for (const std::string& name : methods.children())
+  for (const std::string& name :
+       good_names(methods.children(), methods.place()))
     result.methods.push_back(read_method(methods.open(name), name));
   if (file.has(layout::skipped))
     result.skipped = read_skipped(file.open(layout::skipped));
   if (file.has(layout::tables)) {
     const Hdf5Group tables = file.open(layout::tables);
-    for (const std::string& name : tables.children())
+    for (const std::string& name :
+         good_names(tables.children(), tables.place()))
       result.tables.push_back(read_table(tables.open(name), name));
   }
   return result;

@@ -19,7 +19,7 @@ namespace asperity::results {
 namespace {
 
 void require_index(const char* name, int index) {
-  require_between(name, index, 0, layout::most_realizations - 1, "1");
+  require_between(name, index, 0, layout::highest_index - 1, "1");
 }
 
 void require_maps(const Grid& grid, const Fields& fields) {

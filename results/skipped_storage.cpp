@@ -38,8 +38,8 @@ std::vector<Skipped> read_skipped(const Hdf5Group& group) {
     return {};
   const std::vector<std::string> things = group.texts(what);
   const std::vector<std::string> reasons = group.texts(why);
-  const std::vector<double> times = group.numbers(cpu_time);
-  const std::vector<double> sizes = group.numbers(bytes);
+  const std::vector<double> times = group.column(cpu_time);
+  const std::vector<double> sizes = group.column(bytes);
   for (const std::size_t length : {reasons.size(), times.size(), sizes.size()})
     if (length != things.size())
       throw cases::CaseError(

@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
+#include "results/hdf5_limits.hpp"
 #include "results/map_size.hpp"
 #include "results/result_layout.hpp"
 
@@ -31,7 +32,7 @@ PlacedColumn read_column(const Hdf5Group& group, const std::string& name,
                          double otherwise) {
   PlacedColumn read;
   read.column.name = name;
-  read.column.values = group.numbers(name);
+  read.column.values = group.column(name);
   const Hdf5Group dataset = group.open_dataset(name);
   read.column.unit =
       dataset.has_attribute("unit") ? dataset.text_attribute("unit") : "";
@@ -72,8 +73,10 @@ Table read_table(const Hdf5Group& group, const std::string& name) {
   if (group.has_attribute(title))
     table.title = group.text_attribute(title);
   std::vector<PlacedColumn> read;
-  for (const std::string& child : group.children())
+  for (const std::string& child : group.children()) {
+    require_good_name(child, group.place());
     read.push_back(read_column(group, child, static_cast<double>(read.size())));
+  }
   std::stable_sort(read.begin(), read.end(),
                    [](const PlacedColumn& a, const PlacedColumn& b) {
                      return a.place < b.place;

@@ -48,6 +48,21 @@ TEST_F(Drawing, ShowsHostileTitlesAsTheyAre) {
   }
 }
 
+// Claim: a name that could end the quotes it stands in is an error, whoever
+// made it.
+TEST_F(Drawing, RefusesNamesThatAreNoFileWords) {
+  for (const std::string& name :
+       {"", "a.b", "a'; system('touch owned'); '", "a/../b", "A", "a b"}) {
+    Figure figure;
+    figure.name = name;
+    EXPECT_THROW(draw(figure, folder), std::domain_error) << name;
+    figure.name = "good";
+    figure.maps = {{name, ""}};
+    EXPECT_THROW(draw(figure, folder), std::domain_error) << name;
+  }
+  EXPECT_FALSE(fs::exists(folder));
+}
+
 TEST_F(Drawing, SaysWhatGnuplotRefused) {
   const DrawnFigure figure = drawn("plot no_such_function(x)\n");
 
