@@ -102,7 +102,7 @@ std::string reference_text_of(const cases::Case& read) {
 
 std::string text_of_file(const fs::path& file) {
   return fs::exists(file)
-             ? cases::read_input_file(file, cases::largest_case_file)
+             ? cases::read_input_file(file, cases::largest_number_file)
              : "";
 }
 

@@ -17,10 +17,20 @@ namespace {
 
 using cases::MethodSpec;
 
+/// Looked up in the cache for a method at most: a plan of ten million steps
+/// would take hours.
+constexpr int most_lookups = 20000;
+
+/// Of the first realisations where there are too many to look all up.
 int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
                const CaseKeys& keys, Cache& cache) {
+  if (!cache.is_on())
+    return 0;
+  const int n_steps = static_cast<int>(rough_case.load.targets.size());
+  const int realizations = std::min(n_realizations(rough_case, method),
+                                    std::max(1, most_lookups / n_steps));
   int kept = 0;
-  for (int r = 0; r < n_realizations(rough_case, method); ++r) {
+  for (int r = 0; r < realizations; ++r) {
     const StepChain chain(cache, keys.steps(method, r));
     for (std::size_t step = 0; step < rough_case.load.targets.size(); ++step)
       kept += chain.has(step) ? 1 : 0;

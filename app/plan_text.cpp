@@ -1,4 +1,5 @@
 // A plan as people read it.
+#include "app/memory_check.hpp"
 #include "app/plan.hpp"
 
 #include <fmt/format.h>
@@ -55,6 +56,8 @@ std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
                   time_text(plan.cpu_time), time_text(plan.wall_time),
                   plan.threads, plan.threads == 1 ? "" : "s",
                   size_text(plan.memory), size_text(plan.disk), plan.factor);
+  if (const std::string refusal = refusal_of(plan); !refusal.empty())
+    text += "the run would be refused: it " + refusal + "\n";
   if (!plan.skipped.empty())
     text += "skipped, with what it would have cost:\n";
   for (const results::Skipped& one : plan.skipped)

@@ -4,6 +4,7 @@
 #include "app/chosen.hpp"
 #include "app/interrupt.hpp"
 #include "app/last_run.hpp"
+#include "app/memory_check.hpp"
 #include "app/method_job.hpp"
 #include "app/provenance_of_run.hpp"
 #include "app/skipped.hpp"
@@ -182,6 +183,7 @@ RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
   for (const MethodSpec& method : methods)
     if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
       md::require_engine(*md);
+  require_memory(rough_case, options);
   return Run(rough_case, options, std::move(methods)).execute();
 }
 

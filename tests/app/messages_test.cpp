@@ -35,6 +35,44 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+// Claim: what does not fit into the memory there is is refused with both
+// numbers, by the run and by its plan, and nothing is written.
+TEST_F(Messages, RefuseWhatDoesNotFitIntoMemory) {
+  write("small.toml", small_case);
+  const std::string huge =
+      "run small.toml --methods halfspace --set surface.points=65536 "
+      "--set surface.realizations=100";
+
+  const Ended refused = run(huge);
+  const Ended planned = run(huge + " --dry-run");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "small.toml: surface.points = 65536 with 100 "
+                            "realisation(s) needs "))
+      << refused.output;
+  EXPECT_TRUE(says(refused, " TiB of memory, but ")) << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(planned.exit_code, 0) << planned.output;
+  EXPECT_TRUE(says(planned, "the run would be refused: it needs "))
+      << planned.output;
+}
+
+// Claim: the plan of ten million steps takes no time to speak of: it would
+// have looked each of them up in the cache. (The processor time is limited by
+// the shell: the plan once took more than ten minutes of it.)
+TEST_F(Messages, PlanMillionsOfStepsAtOnce) {
+  write("small.toml", small_case);
+
+  const Ended planned =
+      run("run small.toml --methods theory,halfspace --dry-run "
+          "--set load.nominal_pressure.steps=10000 "
+          "--set surface.realizations=1000",
+          "ulimit -t 60;");
+
+  EXPECT_EQ(planned.exit_code, 0) << planned.output;
+  EXPECT_TRUE(says(planned, " 10000000 ")) << planned.output;
+}
+
 TEST_F(Messages, RefuseABadTableOfReferencesBeforeAnythingRuns) {
   write("small.toml", small_case);
   write("reference.csv", "quantity,value,unit,uncertainty,source\n"
