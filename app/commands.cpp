@@ -20,6 +20,7 @@
 #include "reports/warnings.hpp"
 #include "results/csv.hpp"
 #include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
 
 #include <fmt/format.h>
 
@@ -180,6 +181,8 @@ ExitCode report_results(const std::vector<std::string>& paths,
                         const std::string& out) {
   std::vector<results::Result> read;
   for (const std::string& path : paths)
+    results::require_readable(path);
+  for (const std::string& path : paths)
     read.push_back(results::read_result(path));
   const fs::path first = paths.front();
   const fs::path folder = !out.empty()              ? fs::path(out)
@@ -216,7 +219,9 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   Cache cache(cache_folder(), uses_cache ? cache_size() : 0);
   std::map<std::string, Asked> to_run;
   for (const std::string& target : targets)
-    if (!is_result(target))
+    if (is_result(target))
+      results::require_readable(target);
+    else
       to_run.emplace(target, read_asked(target));
   Checks checks;
   try {

@@ -1,0 +1,34 @@
+#include "results/trial_read.hpp"
+
+#include "base/child_process.hpp"
+#include "cases/case_error.hpp"
+#include "results/result_reader.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::results {
+namespace {
+
+constexpr double longest_read = 600.0; // of processor time [s]
+
+} // namespace
+
+void require_readable(const std::filesystem::path& path) {
+  ChildProcess child = ChildProcess::forked(
+      [&](int) {
+        try {
+          read_result(path);
+        } catch (const std::exception&) {
+          // The caller reads again and says what it is.
+        }
+      },
+      {.cpu_time = longest_read});
+  const ChildEnd& end = child.wait();
+  if (!end.failure.empty())
+    throw cases::CaseError(
+        fmt::format("{}: is damaged, or made to do harm: the HDF5 library "
+                    "cannot read it to its end ({})",
+                    path.string(), end.failure));
+}
+
+} // namespace asperity::results
