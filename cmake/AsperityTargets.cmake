@@ -1,5 +1,6 @@
 # The three ways to add code to this project. Everything else is a plain list.
 option(ASPERITY_WERROR "Treat warnings in our own code as errors" OFF)
+option(ASPERITY_FUZZ "Build the fuzz targets for libFuzzer (preset fuzz)" OFF)
 
 add_library(asperity_flags INTERFACE)
 target_compile_features(asperity_flags INTERFACE cxx_std_20)

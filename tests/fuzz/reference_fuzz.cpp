@@ -1,0 +1,25 @@
+// Any bytes as reference.csv: lines with a quantity and a source, or a
+// CaseError.
+#include "cases/case_error.hpp"
+#include "cases/reference.hpp"
+
+#include <cmath>
+
+#include "tests/fuzz/fuzz_target.hpp"
+
+namespace asperity::fuzz {
+
+void read_input(const std::string& bytes) {
+  try {
+    for (const cases::ReferenceValue& value :
+         cases::read_reference_text(bytes, "reference.csv")) {
+      require(!value.quantity.empty() && !value.source.empty(),
+              "each line has a quantity and a source");
+      require(std::isfinite(value.value) && value.uncertainty >= 0.0,
+              "values are finite, uncertainties not negative");
+    }
+  } catch (const cases::CaseError&) {
+  }
+}
+
+} // namespace asperity::fuzz

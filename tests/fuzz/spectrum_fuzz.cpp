@@ -1,0 +1,19 @@
+// Any bytes as a tabulated spectrum: one that can be evaluated, or a CaseError.
+#include "cases/case_error.hpp"
+#include "surfaces/tabulated_spectrum.hpp"
+
+#include "tests/fuzz/fuzz_target.hpp"
+
+namespace asperity::fuzz {
+
+void read_input(const std::string& bytes) {
+  try {
+    const surfaces::TabulatedSpectrum spectrum =
+        surfaces::read_tabulated_spectrum_text(bytes, "spectrum.csv");
+    for (const double wavevector : spectrum.isotropic().kinks)
+      require(spectrum(wavevector) >= 0.0, "the density is not negative");
+  } catch (const cases::CaseError&) {
+  }
+}
+
+} // namespace asperity::fuzz
