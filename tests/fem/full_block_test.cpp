@@ -250,11 +250,11 @@ TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
   std::vector<double> raised = heights;
   for (double& height : raised)
     height += 1e-6;
-  const BlockContact contact{ContactLaw::hard, 0.0, 1e-3, 50};
+  const BlockContact contact{ContactLaw::hard,
+                             100.0 * soft_modulus / grid.spacing_x(), 1e-3, 50};
   const auto solve = [&](const std::vector<double>& surface) {
-    return make_full_block(grid, 1,
-                           layered_block(grid.spacing_x(), 1e-6,
-                                         TopFace::clamped))
+    return make_full_block(
+               grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped))
         ->solve(surface, {Control::nominal_pressure, 4e6}, contact);
   };
 
