@@ -116,13 +116,7 @@ MethodSummary summarize_method(const Result& result,
     summary.quantities["iterations_max"] = iterations;
     summary.quantities["penetration"] = penetration_of(result, method);
   }
-  add_or_say(whole, method.name + ", quantities at a load", [&] {
-    add_quantities_at_load(result, rough_case, method, reference, at_load,
-                           summary);
-  });
-  add_or_say(whole, method.name + ", studies of the theory", [&] {
-    add_study_quantities(result, rough_case, method, at_load, summary);
-  });
+  return summary;
 }
 
 } // namespace
