@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace asperity::reports {
 namespace {
@@ -96,17 +98,20 @@ std::string data_uri(const std::string& svg) {
   return uri;
 }
 
-/// What a step's note says of observables, one by one.
-std::vector<std::string> undetermined_in(const std::string& note) {
-  std::vector<std::string> found;
+/// The parts of a step's note.
+std::vector<std::string> parts_of(const std::string& note) {
+  std::vector<std::string> parts;
   for (std::size_t start = 0; start < note.size();) {
     const std::size_t end = std::min(note.find("; ", start), note.size());
-    const std::string one = note.substr(start, end - start);
-    if (one.find(" is not determined: ") != std::string::npos)
-      found.push_back(one);
+    parts.push_back(note.substr(start, end - start));
     start = end + 2;
   }
-  return found;
+  return parts;
+}
+
+/// A part that is in the table of what is not determined.
+bool is_of_observable(const std::string& part) {
+  return part.find(" is not determined: ") != std::string::npos;
 }
 
 /// Observables that are NaN, with the reason and in how many steps.
@@ -116,8 +121,9 @@ List undetermined_rows(std::span<const ReportEntry> entries) {
     for (const results::MethodRecord& method : entry.result->methods)
       for (const results::Curve& curve : method.realizations)
         for (const results::CurvePoint& point : curve.points)
-          for (const std::string& what : undetermined_in(point.note))
-            ++steps[{method.name, what}];
+          for (const std::string& part : parts_of(point.note))
+            if (is_of_observable(part))
+              ++steps[{method.name, part}];
   List rows;
   for (const auto& [key, count] : steps) {
     Value row;
@@ -149,7 +155,10 @@ List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
         for (const results::CurvePoint& point : method.realizations[r].points) {
           const bool has_converged =
               point.status == results::StepStatus::converged;
-          if (has_converged != converged || (converged && point.note.empty()))
+          const std::vector<std::string> parts = parts_of(point.note);
+          const bool says_more =
+              !std::all_of(parts.begin(), parts.end(), is_of_observable);
+          if (has_converged != converged || (converged && !says_more))
             continue;
           Value row;
           row.set("method", method.name);
@@ -177,11 +186,7 @@ List group_data(std::span<const DrawnGroup> groups) {
       if (!drawn.svg.empty())
         figure.set("picture", data_uri(drawn.svg));
       else
-        figure.set("problem",
-                   drawn.name.empty()
-                       ? drawn.problem
-                       : drawn.problem +
-                             ". Its data and script are in figures/");
+        figure.set("problem", drawn.problem);
       figures.push_back(figure);
     }
     Value entry;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <limits>
 #include <pugixml.hpp>
 
 #include "report_folder.hpp"
@@ -151,12 +150,29 @@ TEST_F(Report, ListsWhatIsNotDetermined) {
   EXPECT_STREQ(row.node().last_child().text().get(), "3");
 }
 
-// Claim: a map that no histogram can be made of costs its figure, which says
-// why, and neither the report nor the other figures.
+// Claim: a converged step whose note speaks of observables alone is no step
+// with a note: it is counted in that table and not listed.
+TEST_F(Report, ListsNoStepForItsObservablesAlone) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.methods[1].realizations[0].points[1].note =
+      "area_fraction_fit is not determined: too few";
+
+  write(result, "no-such-gnuplot");
+
+  const std::string html = text_of(folder / "report.html");
+  const std::size_t first = html.find("is not determined: too few");
+  EXPECT_NE(first, std::string::npos);
+  EXPECT_EQ(html.find("is not determined: too few", first + 1),
+            std::string::npos);
+}
+
+// Claim: a map that no histogram can be made of, pressures whose sum is beyond
+// a double, costs its figure, which says why, and neither the report nor the
+// other figures.
 TEST_F(Report, OutlivesAFigureThatCannotBeComputed) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (results::Fields& fields : result.methods[1].realizations[0].fields)
-    fields.pressure[5] = std::numeric_limits<double>::infinity();
+    fields.pressure.assign(fields.pressure.size(), 1e308);
 
   const std::vector<std::string> problems = write(result);
 
@@ -165,7 +181,7 @@ TEST_F(Report, OutlivesAFigureThatCannotBeComputed) {
                               "be finite");
   const std::string html = text_of(folder / "report.html");
   EXPECT_NE(html.find("This figure could not be drawn: pressure = inf, but "
-                      "must be finite."),
+                      "must be finite. "),
             std::string::npos);
   EXPECT_TRUE(fs::exists(folder / "figures" / "area-pressure.svg"));
 }
