@@ -9,6 +9,7 @@
 #include <sys/file.h>
 #include <sys/utsname.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace asperity {
@@ -23,12 +24,18 @@ std::string description_of(const std::string& purpose) {
                      purpose, getpid(), host.nodename, fmt::gmtime(now));
 }
 
-/// Empty between the moment of locking and that of writing.
+/// A holder writes its name just after it has locked the file, so an empty file
+/// is read again for a second.
 std::string holder_in(int file) {
-  char text[1024];
-  const ssize_t length = pread(file, text, sizeof text, 0);
-  return length > 0 ? std::string(text, static_cast<std::size_t>(length))
-                    : "another process";
+  constexpr int tries = 50;
+  for (int i = 0; i < tries; ++i) {
+    char text[1024];
+    const ssize_t length = pread(file, text, sizeof text, 0);
+    if (length > 0)
+      return {text, static_cast<std::size_t>(length)};
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return "another process";
 }
 
 } // namespace

@@ -201,7 +201,8 @@ TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndCostsNothing) {
   fs::permissions(folder, fs::perms::owner_all | fs::perms::others_read |
                               fs::perms::others_exec);
   const std::string as_nobody =
-      ::geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups" : "";
+      ::geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups"
+                       : "";
   if (::geteuid() != 0)
     fs::permissions(folder / "one",
                     fs::perms::owner_read | fs::perms::owner_exec);
@@ -226,7 +227,7 @@ TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
         std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
   const Ended done =
       run("check quick.toml small.toml --no-cache --junit verdicts.xml",
-          "timeout -s INT 0.2");
+          "timeout --preserve-status -s INT 0.2");
 
   EXPECT_EQ(done.exit_code, 130) << done.output;
   const std::string xml = text_of(folder / "verdicts.xml");
