@@ -197,14 +197,14 @@ TEST_F(ResultJournal, AStepCostsItsOwnSizeAlone) {
 // Claim: with maps in every step, all copies together write each byte a few
 // times, however many steps there are.
 TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
-  const Grid square{128, 128, 1e-6, 1e-6};
+  const Grid square{64, 64, 1e-6, 1e-6};
   Fields fields;
   for (std::size_t i = 0; i < square.size(); ++i) // does not compress well
     fields.pressure.push_back(std::fmod(1e9 * std::sin(1.0 + double(i)), 1e6));
   fields.gap = fields.pressure;
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem", "fem", "");
-  constexpr int steps = 100; // 13 MB
+  constexpr int steps = 300; // 10 MB
   const double before = bytes_written();
   for (int step = 0; step < steps; ++step) {
     fields.step = step;
