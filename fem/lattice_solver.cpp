@@ -109,9 +109,10 @@ double LatticeSolver::Parts::total_force(std::span<const double> force) const {
   for (std::size_t plane = 0; plane < lattice.planes; ++plane)
     if (const std::size_t field = 3 * plane + 2;
         share.fields().contains(field)) {
-      const auto values =
+      const auto force_of_plane =
           force.subspan(field * lattice.grid.size(), lattice.grid.size());
-      of_planes[plane] = std::accumulate(values.begin(), values.end(), 0.0);
+      of_planes[plane] =
+          std::accumulate(force_of_plane.begin(), force_of_plane.end(), 0.0);
     }
   share.add_up(of_planes);
   return std::accumulate(of_planes.begin(), of_planes.end(), 0.0);
