@@ -49,6 +49,19 @@ double weighted_sum(std::span<const double> weights,
   });
 }
 
+/// Without a pressure no node overlaps at the mean gap that is asked: that is
+/// the answer. A flat face has no other start, since a uniform pressure moves
+/// nothing there that could tell how large it is.
+bool is_apart(std::span<const double> heights, std::span<const double> weights,
+              const LoadTarget& target) {
+  if (target.kind != LoadTarget::Kind::mean_gap)
+    return false;
+  const double highest = *std::max_element(heights.begin(), heights.end());
+  const double mean =
+      weighted_sum(weights, heights, 1) / static_cast<double>(heights.size());
+  return target.amount >= highest - mean;
+}
+
 } // namespace
 
 std::vector<double>
@@ -57,6 +70,8 @@ starting_pressure(const SurfaceOperator& elasticity,
                   std::span<const double> initial_pressure) {
   const std::size_t nodes = elasticity.grid().size();
   require_problem(problem, target, nodes);
+  if (is_apart(problem.heights, elasticity.nodal_weights(), target))
+    return std::vector<double>(nodes, 0.0);
   std::vector<double> pressure;
   if (initial_pressure.empty()) {
     // Under gap control any positive scale will do: the first step corrects.
