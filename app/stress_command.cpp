@@ -93,7 +93,7 @@ std::map<int, stress::SceneResult> results_of(const std::vector<Scene>& scenes,
         if (results.size() % 500 == 0)
           fmt::print("{} of {} scenes\n", results.size(), scenes.size());
       },
-      stress::run_scene);
+      [](const Scene& scene) { return stress::run_scene(scene); });
   return results;
 }
 

@@ -99,7 +99,9 @@ const std::vector<Axis>& axes() {
       {"element", {"Q1", "Q2"}},
       {"coating", coatings},
       {"twin", names(Twin::none, Twin::threads)},
-      {"flaw", names(Flaw::nan_height, Flaw::zero_tolerance)}};
+      {"flaw", names(Flaw::nan_height, Flaw::infinite_modulus)},
+      {"path", names(Path::library, Path::two_ranks)},
+      {"threads", {"1", "2", "3"}}};
   return all;
 }
 
@@ -137,7 +139,10 @@ std::vector<std::string> labels_of(const Scene& scene) {
           where(family == Family::full_block, scene.degree == 1 ? "Q1" : "Q2"),
           where(is_elements(family), coating_of(scene)),
           where(is_continuum, name_of(scene.twin)),
-          where(!is_sound, name_of(scene.flaw))};
+          where(!is_sound, name_of(scene.flaw)),
+          name_of(scene.path),
+          where(scene.twin == Twin::threads || scene.path != Path::library,
+                plain(scene.threads))};
 }
 
 SceneFilter::SceneFilter(const std::string& words) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "stress/kinds.hpp"
+#include "stress/verify_observables.hpp"
 
 namespace asperity::stress {
 namespace {
@@ -18,7 +19,6 @@ constexpr double binary_length = 0x1p+20;
 constexpr double binary_pressure = 0x1p-17;
 constexpr double decimal_length = 1e-3;
 constexpr double decimal_pressure = 1e6;
-constexpr int twin_threads = 3;
 
 /// Answers of one pass through the program.
 struct Pass {
@@ -86,12 +86,18 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
       fail(report, *failure);
       return {};
     }
+    if (const auto failure =
+            verify_observables(grid, asked, solution, scene.contact_modulus)) {
+      fail(report, *failure);
+      return {};
+    }
     pass.summaries.push_back(summary_of(asked, solution));
     pass.solutions.push_back(std::move(solution));
   }
   const StepSummary& at_load = pass.summaries[load_step(scene)];
   report.area = at_load.area;
   report.reduced_gap = at_load.mean_gap / surface.height_scale;
+  report.reduced_tolerance = at_load.tolerance / surface.height_scale;
   return pass;
 }
 
@@ -124,6 +130,8 @@ void compare(const Scene& scene, const Pass& first, const Pass& second,
   }
   if (scene.twin == Twin::binary_units && !report.has_same_bits)
     fail(report, {"twin", "other bits in units larger by powers of two"});
+  if (scene.twin == Twin::threads && !report.has_same_bits)
+    fail(report, {"twin", "other bits on several threads"});
 }
 
 void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
@@ -140,7 +148,7 @@ void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
   twin.length *= length_ratio;
   twin.contact_modulus *= pressure_ratio;
   const Pass second =
-      run_pass(twin, scene.twin == Twin::threads ? twin_threads : 1, report);
+      run_pass(twin, scene.twin == Twin::threads ? scene.threads : 1, report);
   if (second.solutions.empty()) {
     report.reason = "the twin: " + report.reason;
     return;

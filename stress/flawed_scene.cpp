@@ -12,10 +12,33 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// What a half-space or a slab is built of; a half-space has no thickness.
+void spoil_block(Scene& scene) {
+  switch (scene.flaw) {
+  case Flaw::zero_modulus:
+    scene.contact_modulus = 0.0;
+    break;
+  case Flaw::nan_modulus:
+    scene.contact_modulus = nan;
+    break;
+  case Flaw::infinite_modulus:
+    scene.contact_modulus = infinity;
+    break;
+  case Flaw::nan_thickness:
+    scene.family = Family::slab;
+    scene.thickness = nan;
+    break;
+  case Flaw::nan_poisson_ratio:
+    scene.family = Family::slab;
+    scene.poisson_ratio = nan;
+    break;
+  default:
+    break;
+  }
+}
+
 /// A contact in the scene's numbers with one of them spoilt.
 void solve_spoilt(Scene scene) {
-  if (scene.flaw == Flaw::zero_modulus)
-    scene.contact_modulus = 0.0;
   scene.family = scene.index % 2 == 0 ? Family::halfspace : Family::slab;
   const Grid grid = grid_of(scene);
   SceneSurface surface = surface_of(scene, grid);
@@ -57,9 +80,19 @@ void solve_spoilt(Scene scene) {
   case Flaw::zero_tolerance:
     tolerance = 0.0;
     break;
-  default: // zero_modulus: already in the scene
+  case Flaw::nan_load:
+    target.amount = nan;
+    break;
+  case Flaw::nan_penalty:
+    interface.penalty = nan;
+    break;
+  case Flaw::nan_tolerance:
+    tolerance = nan;
+    break;
+  default: // of the block: already in the scene
     break;
   }
+  spoil_block(scene);
   contact::LoadSequence(operator_of(scene, grid, 1), surface.map.heights,
                         interface, tolerance, 100)
       .solve(target);

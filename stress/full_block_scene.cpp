@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "stress/kinds.hpp"
+#include "stress/verify_observables.hpp"
 
 namespace asperity::stress {
 namespace {
@@ -83,11 +84,16 @@ void run_full_block(const Scene& scene, SceneReport& report) {
                                                 solution.pressure.end());
     if (const auto failure = verify_step(asked, target, solution, displace))
       return fail(report, *failure);
+    if (const auto failure =
+            verify_observables(grid, asked, solution, scene.contact_modulus))
+      return fail(report, *failure);
     summaries.push_back(summary_of(asked, solution));
   }
   report.area = summaries[load_step(scene)].area;
   report.reduced_gap =
       summaries[load_step(scene)].mean_gap / surface.height_scale;
+  report.reduced_tolerance =
+      summaries[load_step(scene)].tolerance / surface.height_scale;
   if (const auto failure = verify_program(scene, summaries))
     fail(report, *failure);
 }

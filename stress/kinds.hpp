@@ -5,6 +5,7 @@
 
 #include "fem/plugin.hpp"
 
+#include <filesystem>
 #include <vector>
 
 #include "stress/scene_report.hpp"
@@ -23,6 +24,12 @@ void run_full_block(const Scene& scene, SceneReport& report);
 void run_theory(const Scene& scene, SceneReport& report);
 void run_atoms(const Scene& scene, SceneReport& report);
 void run_flawed(const Scene& scene, SceneReport& report);
+
+/// The scene as a case file through the program, after its family has answered
+/// it: the result file holds rows in their ranges, and the same mean gap. What
+/// the program refuses (exit code 2) is thrown as std::domain_error.
+void run_program(const Scene& scene, const std::filesystem::path& program,
+                 SceneReport& report);
 
 /// The load program, in SI. The scene's own load is at index load_step().
 /// @param height_scale  [m], see SceneSurface

@@ -2,6 +2,8 @@
 
 // A scene from its numbers to its outcome.
 
+#include <filesystem>
+
 #include "stress/scene.hpp"
 #include "stress/scene_report.hpp"
 
@@ -11,6 +13,9 @@ namespace asperity::stress {
 /// or cases::CaseError is a refusal, any other exception is reported as such. A
 /// refusal must say a reason with what is allowed, and a flawed scene that is
 /// not refused has failed the check "refusal".
-SceneReport run_scene(const Scene& scene);
+/// @param program  `asperity`, for the scenes that go through it; empty: this
+///                 process' own
+SceneReport run_scene(const Scene& scene,
+                      const std::filesystem::path& program = {});
 
 } // namespace asperity::stress

@@ -37,6 +37,9 @@ enum class Axis {
   degree,
   coating_stiffness,
   coating_thickness,
+  path,
+  threads,
+  later_flaw,
 };
 
 /// Of a block of atoms, the paper's (Sec. 4) [m].
@@ -112,10 +115,35 @@ Shape draw_shape(const Draw& draw) {
                                          {Shape::flat, 1.0}});
 }
 
+/// The first seventeen have an axis of their own, which those added later leave
+/// as it was.
 Flaw draw_flaw(const Draw& draw) {
+  constexpr int first_later = static_cast<int>(Flaw::nan_load);
+  constexpr int n_flaws = static_cast<int>(Flaw::infinite_modulus);
+  const int later =
+      static_cast<int>(draw.uniform(Axis::later_flaw, 0, n_flaws));
+  if (first_later + later <= n_flaws)
+    return static_cast<Flaw>(first_later + later);
   constexpr int first = static_cast<int>(Flaw::nan_height);
-  constexpr int last = static_cast<int>(Flaw::zero_tolerance);
-  return static_cast<Flaw>(draw.uniform(Axis::flaw, first, last + 1));
+  return static_cast<Flaw>(draw.uniform(Axis::flaw, first, first_later));
+}
+
+/// A process and a result file cost as much as some hundred scenes.
+Path draw_path(const Draw& draw, Family family) {
+  const double place = draw.uniform(Axis::path, 0.0, 1.0);
+  switch (family) {
+  case Family::full_block:
+    return place < 0.1 ? Path::two_ranks : Path::library;
+  case Family::flawed:
+    return place < 0.1 ? Path::program : Path::library;
+  case Family::atoms:
+  case Family::theory:
+    return Path::library;
+  default:
+    return place < 0.01   ? Path::program
+           : place < 0.02 ? Path::report
+                          : Path::library;
+  }
 }
 
 /// Pressures fill the decades evenly, half of the draws where contact changes
@@ -161,6 +189,15 @@ void draw_block(const Draw& draw, Scene& scene) {
                                                     cases::TopFace::pressure});
 }
 
+/// A case presses surfaces that are not flat, to positive mean gaps.
+Scene within_reach_of_a_case(Scene scene) {
+  if (scene.shape == Shape::flat)
+    scene.shape = Shape::wave;
+  if (scene.control == cases::Control::mean_gap)
+    scene.load = std::max(scene.load, 1e-3);
+  return scene;
+}
+
 } // namespace
 
 Scene draw_scene(std::uint64_t seed, int index) {
@@ -187,6 +224,11 @@ Scene draw_scene(std::uint64_t seed, int index) {
       draw.pick<Twin>(Axis::twin, {Twin::none, Twin::binary_units,
                                    Twin::decimal_units, Twin::threads});
   scene.gamma = draw.log_uniform(Axis::gamma, 0.01, 1.0);
+  scene.path = draw_path(draw, scene.family);
+  // Up to here a scene had three threads wherever it had a twin of that kind.
+  scene.threads = draw.pick<int>(Axis::threads, {1, 2, 3});
+  if (scene.twin == Twin::threads && scene.threads == 1)
+    scene.threads = 3;
   if (scene.family == Family::flawed)
     scene.flaw = draw_flaw(draw);
   return within_reach(scene);
@@ -244,6 +286,10 @@ Scene within_reach(Scene scene) {
     scene.shape = Shape::rough;
     scene.shortest_wave = std::max(scene.shortest_wave, 4.0);
   }
+  if (scene.path == Path::two_ranks && !is_full)
+    scene.path = Path::library;
+  if (scene.path != Path::library)
+    scene = within_reach_of_a_case(scene);
   // At least two waves of the spectrum lie between its ends.
   scene.roll_off =
       std::min(scene.roll_off, 0.5 * scene.points / scene.shortest_wave);

@@ -49,6 +49,15 @@ enum class Twin {
   threads,       ///< transforms on several threads: the solver's tolerance
 };
 
+/// Which way a scene takes. All but the first also go through the program: a
+/// case file, `asperity run`, the result read back and compared.
+enum class Path {
+  library,
+  program,   ///< without a report
+  report,    ///< with every table and figure
+  two_ranks, ///< under mpirun, without a report; full blocks
+};
+
 /// What a flawed scene has wrong.
 enum class Flaw {
   none,
@@ -69,6 +78,13 @@ enum class Flaw {
   sliver, ///< between one and one and a half surface layers
   odd_q2_grid,
   zero_tolerance,
+  nan_load,
+  nan_modulus,
+  nan_penalty,
+  nan_tolerance,
+  nan_thickness,
+  nan_poisson_ratio,
+  infinite_modulus,
 };
 
 struct Scene {
@@ -83,6 +99,8 @@ struct Scene {
   Program program = Program::increments;
   Twin twin = Twin::none;
   Flaw flaw = Flaw::none;
+  Path path = Path::library;
+  int threads = 3; ///< of the twin and of the program [1] 1..3
 
   int points = 32;            ///< nodes a side, even
   double length = 1.0;        ///< [m] > 0
@@ -137,5 +155,6 @@ std::string name_of(cases::TopFace top);
 std::string name_of(Program program);
 std::string name_of(Twin twin);
 std::string name_of(Flaw flaw);
+std::string name_of(Path path);
 
 } // namespace asperity::stress

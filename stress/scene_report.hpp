@@ -31,6 +31,7 @@ struct SceneReport {
   int iterations = 0; ///< of all steps together
   double area = 0.0;  ///< counted, at the scene's load [1]
   double reduced_gap = 0.0; ///< mean gap at the scene's load over h_rms [1]
+  double reduced_tolerance = 0.0; ///< of that; in this process alone [1]
   bool has_twin = false;
   bool has_same_bits = false;   ///< the twin's fields, scaled, to the bit
   double twin_difference = 0.0; ///< of the mean gaps, over the tolerance [1]

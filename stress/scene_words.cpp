@@ -50,13 +50,36 @@ std::string name_of(Twin twin) {
 }
 
 std::string name_of(Flaw flaw) {
-  return nth(std::array{"none", "nan-height", "infinite-height", "nan-in-file",
-                        "infinity-in-file", "nan-in-case", "zero-load",
-                        "negative-load", "infinite-load", "closed-wall-gap",
-                        "zero-penalty", "infinite-penalty", "zero-modulus",
-                        "incompressible", "shrinking-layers", "sliver",
-                        "odd-q2-grid", "zero-tolerance"},
+  return nth(std::array{"none",
+                        "nan-height",
+                        "infinite-height",
+                        "nan-in-file",
+                        "infinity-in-file",
+                        "nan-in-case",
+                        "zero-load",
+                        "negative-load",
+                        "infinite-load",
+                        "closed-wall-gap",
+                        "zero-penalty",
+                        "infinite-penalty",
+                        "zero-modulus",
+                        "incompressible",
+                        "shrinking-layers",
+                        "sliver",
+                        "odd-q2-grid",
+                        "zero-tolerance",
+                        "nan-load",
+                        "nan-modulus",
+                        "nan-penalty",
+                        "nan-tolerance",
+                        "nan-thickness",
+                        "nan-poisson-ratio",
+                        "infinite-modulus"},
              flaw);
+}
+
+std::string name_of(Path path) {
+  return nth(std::array{"library", "program", "report", "two-ranks"}, path);
 }
 
 std::string in_words(const Scene& scene) {
@@ -86,7 +109,10 @@ std::string in_words(const Scene& scene) {
     words += fmt::format(", gamma {:.17g}", scene.gamma);
   if (scene.flaw != Flaw::none)
     words += ", flaw " + name_of(scene.flaw);
-  return words + ", twin " + name_of(scene.twin);
+  if (scene.path != Path::library)
+    words += ", path " + name_of(scene.path);
+  return words + fmt::format(", twin {}, {} threads", name_of(scene.twin),
+                             scene.threads);
 }
 
 } // namespace asperity::stress

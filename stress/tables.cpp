@@ -34,7 +34,7 @@ std::string csv_header() {
          "h_rms],program,points,shortest wave [h],hurst,roll-off [waves],"
          "rms slope,length [m],contact modulus [Pa],nu,thickness [length],top,"
          "growth,gamma,twin,flaw,degree,coating stiffness [E],"
-         "coating thickness [thickness]\n";
+         "coating thickness [thickness],path,threads\n";
 }
 
 std::string csv_line(const SceneResult& result) {
@@ -50,13 +50,13 @@ std::string csv_line(const SceneResult& result) {
                       name_of(scene.shape), name_of(scene.law), scene.penalty,
                       name_of(scene.control), scene.load,
                       name_of(scene.program), scene.points);
-  line += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                      scene.shortest_wave, scene.hurst, scene.roll_off,
-                      scene.rms_slope, scene.length, scene.contact_modulus,
-                      scene.poisson_ratio, scene.thickness, name_of(scene.top),
-                      scene.growth, scene.gamma, name_of(scene.twin),
-                      name_of(scene.flaw), scene.degree,
-                      scene.coating_stiffness, scene.coating_thickness);
+  line += fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      scene.shortest_wave, scene.hurst, scene.roll_off, scene.rms_slope,
+      scene.length, scene.contact_modulus, scene.poisson_ratio, scene.thickness,
+      name_of(scene.top), scene.growth, scene.gamma, name_of(scene.twin),
+      name_of(scene.flaw), scene.degree, scene.coating_stiffness,
+      scene.coating_thickness, name_of(scene.path), scene.threads);
   return line;
 }
 

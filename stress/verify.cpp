@@ -88,6 +88,24 @@ std::optional<Failure> verify_gap_field(const AskedContact& asked,
   return {};
 }
 
+/// What is kept apart carries nothing. (With a pressure that runs away the
+/// rounding of a gap, which grows with it, would hide everything else.)
+std::optional<Failure> verify_apart(const AskedContact& asked,
+                                    const LoadTarget& target,
+                                    const ContactSolution& solution) {
+  const double clearance =
+      target.amount + results::weighted_mean(asked.heights, asked.weights) -
+      *std::max_element(asked.heights.begin(), asked.heights.end());
+  const double rounding = rounding_of_a_field * largest(asked.heights);
+  const double highest = largest(solution.pressure);
+  if (target.kind == LoadTarget::Kind::mean_gap && clearance > rounding &&
+      highest > 0.0)
+    return Failure{"apart", fmt::format("p = {:.3g} Pa at {:.3g} m from the "
+                                        "highest node",
+                                        highest, clearance)};
+  return {};
+}
+
 std::optional<Failure> verify_contact(const AskedContact& asked,
                                       const ContactSolution& solution) {
   double overlap = 0.0;
@@ -138,6 +156,8 @@ std::optional<Failure> verify_step(const AskedContact& asked,
   if (auto failure = verify_finite(solution))
     return failure;
   if (auto failure = verify_sign(solution))
+    return failure;
+  if (auto failure = verify_apart(asked, target, solution))
     return failure;
   if (auto failure = verify_balance(asked, target, solution))
     return failure;

@@ -42,6 +42,7 @@ double gap_rounding(const AskedContact& asked,
 
 /// finite            no field holds NaN or infinity
 /// pressure sign     p >= 0
+/// apart             p = 0 at a mean gap above the highest node
 /// balance           the mean pressure is the load (or the mean gap the gap)
 /// gap field         gap = mean gap + C p - h about its mean, C p taken anew
 /// overlap           gap + c p >= -tolerance everywhere

@@ -36,7 +36,8 @@ TEST(Scene, KeepsItsMeaning) {
 }
 
 TEST(Scene, ReachesTheEndsOfItsAxes) {
-  std::set<std::string> families, shapes, flaws, twins;
+  std::set<std::string> families, shapes, flaws, twins, paths;
+  std::set<int> threads;
   Scene least = draw_scene(3, 0);
   Scene most = least;
   for (int index = 0; index < 4000; ++index) {
@@ -45,6 +46,8 @@ TEST(Scene, ReachesTheEndsOfItsAxes) {
     shapes.insert(name_of(scene.shape));
     flaws.insert(name_of(scene.flaw));
     twins.insert(name_of(scene.twin));
+    paths.insert(name_of(scene.path));
+    threads.insert(scene.threads);
     for (const auto member :
          {&Scene::length, &Scene::hurst, &Scene::rms_slope, &Scene::penalty,
           &Scene::contact_modulus, &Scene::growth, &Scene::thickness}) {
@@ -54,7 +57,9 @@ TEST(Scene, ReachesTheEndsOfItsAxes) {
   }
   EXPECT_EQ(families.size(), 8u);
   EXPECT_EQ(shapes.size(), 9u);
-  EXPECT_EQ(flaws.size(), 18u);
+  EXPECT_EQ(flaws.size(), 25u);
+  EXPECT_EQ(paths.size(), 4u);
+  EXPECT_EQ(threads.size(), 3u);
   EXPECT_EQ(twins.size(), 4u);
   // 4000 even draws miss the last hundredth of a range with e^-40.
   EXPECT_LT(least.length, 1.6e-12);

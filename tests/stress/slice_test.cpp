@@ -18,6 +18,7 @@ TEST(Slice, HoldsNothingElse) {
     if (scene.family == Family::full_block)
       continue;
     scene.points = std::min(scene.points, 32);
+    scene.path = Path::library; // the program's: stress/program_scene
     const SceneReport report = run_scene(within_reach(scene));
     EXPECT_TRUE(is_good(report.outcome))
         << name_of(report.outcome) << " " << report.check << ": "
@@ -32,7 +33,7 @@ TEST(Slice, HoldsNothingElse) {
 }
 
 TEST(Slice, RefusesEveryFlaw) {
-  for (int flaw = 1; flaw <= static_cast<int>(Flaw::zero_tolerance); ++flaw)
+  for (int flaw = 1; flaw <= static_cast<int>(Flaw::infinite_modulus); ++flaw)
     for (const int index : {0, 1}) {
       Scene scene;
       scene.index = index;
@@ -54,6 +55,18 @@ TEST(Slice, HoldsPlates) {
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << index << " " << report.check << ": " << report.reason;
+  }
+}
+
+// Flat faces of second order held apart from a hard wall, which the solver
+// once pressed with 1e13 Pa: its own rounding hid the error.
+TEST(Slice, LeavesAFlatFaceApart) {
+  for (const int index : {739, 928}) {
+    const SceneReport report = run_scene(draw_scene(101, index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << " " << report.check << ": " << report.reason;
+    EXPECT_EQ(report.area, 0.0) << index;
   }
 }
 

@@ -90,6 +90,18 @@ TEST_F(Verify, SeesATensilePressure) {
   EXPECT_EQ(failing_check(), "pressure sign");
 }
 
+TEST_F(Verify, SeesAPressureOnWhatIsKeptApart) {
+  contact::FourierOperator elasticity = half_space();
+  const double above_the_crest = 0.0101;
+  const auto failure =
+      verify_step(asked_, {LoadTarget::Kind::mean_gap, above_the_crest},
+                  answer_, [&](auto pressure, auto displacement) {
+                    elasticity.displacement(pressure, displacement);
+                  });
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->check, "apart");
+}
+
 TEST_F(Verify, SeesALoadThatIsNotBorne) {
   for (double& pressure : answer_.pressure)
     pressure *= 1.0 + 1e-9;
