@@ -62,7 +62,7 @@ function(asperity_test path)
   # a busy machine does not change; a sanitizer makes it some times longer.
   set(launch "")
   if(arg_TIER STREQUAL unit)
-    set(launch sh -c "ulimit -t ${ASPERITY_UNIT_SECONDS} && exec \"$0\" \"$@\"")
+    set(launch sh -c "ulimit -S -t ${ASPERITY_UNIT_SECONDS} && exec \"$0\" \"$@\"")
   endif()
   if(arg_RANKS)
     set(launch ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${arg_RANKS})
