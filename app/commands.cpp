@@ -219,18 +219,18 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   Cache cache(cache_folder(), uses_cache ? cache_size() : 0);
   std::map<std::string, Asked> to_run;
   for (const std::string& target : targets)
-    if (is_result(target))
-      results::require_readable(target);
-    else
+    if (!is_result(target))
       to_run.emplace(target, read_asked(target));
   Checks checks;
   try {
     for (const std::string& target : targets) {
       const auto asked = to_run.find(target);
-      if (asked == to_run.end())
+      if (asked == to_run.end()) {
+        results::require_readable(target);
         checks.add(summary_of(results::read_result(target)));
-      else
+      } else {
         check_cases(asked->second, cache, checks);
+      }
       if (is_interrupted())
         break;
       checks.end_target(target);

@@ -190,6 +190,19 @@ bool merge_journal(FileContent& content, const std::filesystem::path& path) {
   return is_whole;
 }
 
+/// Also of the journal's records, which no group of the file has.
+/// @throws cases::CaseError  a name of a method or table is not good
+void require_good_names(const Result& result) {
+  try {
+    for (const MethodRecord& method : result.methods)
+      require_good_name(method.name, result.path + ": /methods");
+    for (const Table& table : result.tables)
+      require_good_name(table.name, result.path + ": /tables");
+  } catch (const Hdf5Error& error) {
+    throw cases::CaseError(error.what());
+  }
+}
+
 FileContent read_file_and_journal(const std::filesystem::path& path) {
   constexpr int tries = 100; // a writer renames its file rarely
   for (int i = 0; i < tries; ++i) {
@@ -209,6 +222,7 @@ Result read_result(const std::filesystem::path& path) {
   if (!std::filesystem::exists(file_path))
     throw cases::CaseError(file_path.string() + ": there is no such file");
   Result result = std::move(read_file_and_journal(file_path).result);
+  require_good_names(result);
   for (MethodRecord& method : result.methods)
     for (Curve& curve : method.realizations)
       fill_contact_stiffness(curve.points);

@@ -8,7 +8,7 @@
 namespace asperity::results {
 
 /// Returns if read_result() of `path` comes to an end, with a result or with an
-/// error of its own. This process must have one thread.
+/// error of its own. No other thread of this process may be at work.
 /// @throws cases::CaseError  it does not: a signal ended the child, or it took
 ///         more than ten minutes of processor time
 void require_readable(const std::filesystem::path& path);
