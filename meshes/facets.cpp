@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -64,9 +65,13 @@ std::size_t vertices_a_cell(CellShape shape) {
 
 std::array<unsigned int, 4> facet_key(CellShape shape,
                                       std::array<unsigned int, 4> vertices) {
-  const auto used = static_cast<std::ptrdiff_t>(vertices_a_facet(shape));
-  std::sort(vertices.begin(), vertices.begin() + used);
-  std::fill(vertices.begin() + used, vertices.end(), 0U);
+  // The place that a triangle leaves free is sorted to the end, then zero.
+  const bool is_triangle = vertices_a_facet(shape) == 3;
+  if (is_triangle)
+    vertices.back() = std::numeric_limits<unsigned int>::max();
+  std::sort(vertices.begin(), vertices.end());
+  if (is_triangle)
+    vertices.back() = 0U;
   return vertices;
 }
 

@@ -119,10 +119,11 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     for (const Series& one : series)
       for (const SeriesRow& row : one.rows)
         furthest = std::max(furthest, row.gap);
-    figure.script += fmt::format(
-        "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\nset "
-        "border 7\nset x2label 'u [nm]'\n",
-        height_nm, round_step(furthest * height_nm / 4.0));
+    if (furthest > 0.0) // an axis in nm needs a length
+      figure.script += fmt::format(
+          "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\n"
+          "set border 7\nset x2label 'u [nm]'\n",
+          height_nm, round_step(furthest * height_nm / 4.0));
   }
   if (plots.empty())
     figure.problem = "no load step converged";
