@@ -18,7 +18,7 @@ TEST(RmsHeight, IsThatAboutTheMean) {
 TEST(RmsHeight, IsNoNumberWithoutNumbers) {
   EXPECT_TRUE(std::isnan(rms_height({})));
   EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, std::nan("")})));
-  EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, INFINITY})));
+  EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, HUGE_VAL})));
 }
 
 } // namespace

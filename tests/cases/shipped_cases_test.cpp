@@ -260,7 +260,8 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
           "fem.max_iterations", "fem.mesh", "fem.sides", "fem.linear_solver",
           "fem.contact_at", "fem.bodies", "material.layers", "report.fields",
           "report.stress_inside", "report.vtu", "surface.amplitudes",
-          "surface.height_unit", "surface.rescale"}));
+          "surface.height_unit", "surface.press_windowed_map",
+          "surface.rescale"}));
 }
 
 } // namespace
