@@ -20,7 +20,7 @@ TEST(PlainText, IsUtf8OfAnyLength) {
 // Claim: cut, overlong, surrogate, beyond U+10FFFF, stray: each is found where
 // it begins.
 TEST(PlainText, IsNoOtherByte) {
-  for (const std::string& bad :
+  for (const std::string bad :
        {"\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
         "\xF8\x88\x80\x80\x80", "\x80", "\xFF"})
     EXPECT_EQ(find_not_plain("ab" + bad + "c"), 2U) << bad;

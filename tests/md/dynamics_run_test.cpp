@@ -122,7 +122,11 @@ TEST_F(Runs, KilledAndTakenUpAgainAreUninterrupted) {
 // changed in its head are left alone and the run begins anew.
 TEST_F(Runs, ForeignCheckpointsAreNotTakenUp) {
   const std::string mine(40, 'a');
-  const Checkpoint written{{7, {1.0, 2.0}, {3.0, 4.0}}, {5.0}};
+  Checkpoint written;
+  written.motion.step = 7;
+  written.motion.state = {1.0, 2.0};
+  written.motion.velocities = {3.0, 4.0};
+  written.sums = {5.0};
   const std::filesystem::path path = folder / "checkpoint";
   write_checkpoint(path, mine, written);
 

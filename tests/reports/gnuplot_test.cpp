@@ -51,7 +51,7 @@ TEST_F(Drawing, ShowsHostileTitlesAsTheyAre) {
 // Claim: a name that could end the quotes it stands in is an error, whoever
 // made it.
 TEST_F(Drawing, RefusesNamesThatAreNoFileWords) {
-  for (const std::string& name :
+  for (const std::string name :
        {"", "a.b", "a'; system('touch owned'); '", "a/../b", "A", "a b"}) {
     Figure figure;
     figure.name = name;
