@@ -93,6 +93,7 @@ TEST_F(OwnSurface, LendsItsSidesToAMapWithoutThem) {
                                    flat_fields(0, grid));
   }
   writer.record_own_surface("md", 0, own);
+  writer.finish("complete"); // all is in the file
   {
     const std::lock_guard lock(hdf5_mutex());
     Hdf5File file(writer.path(), Hdf5File::Mode::read_write);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <poll.h>
 #include <random>
 #include <sys/wait.h>
 #include <thread>
@@ -49,8 +50,17 @@ Fields sample_fields(int step) {
   }
 }
 
-/// Starts a run and kills it `delay` after its `n_steps`-th step is reported, 0
-/// for its start; the last step it reported, -1 if there was none.
+/// Until the run copies its file, or has a step to report.
+void wait_for_copy(const std::filesystem::path& folder, int report) {
+  pollfd watched{report, POLLIN, 0};
+  while (!std::filesystem::exists(folder / ".result.h5.part") &&
+         ::poll(&watched, 1, 0) == 0) {
+  }
+}
+
+/// Starts a run and kills it `delay` after its `n_steps`-th step is reported;
+/// 0 is the copy that it begins with, and has no delay.
+/// @return  the last step it reported, -1 if there was none
 int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
                             std::chrono::microseconds delay) {
   int ends[2];
@@ -69,7 +79,10 @@ int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
   };
   for (int i = 0; i < n_steps && read_report(); ++i)
     last = step;
-  std::this_thread::sleep_for(delay);
+  if (n_steps == 0)
+    wait_for_copy(folder, ends[0]);
+  else
+    std::this_thread::sleep_for(delay);
   ::kill(child, SIGKILL);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -82,10 +95,10 @@ int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
 
 // Each run resumes what the one before left, so a file that a kill had spoilt
 // would show in the next. A step may be in the file and not yet reported. A
-// third of the kills come early, when the journal is put into the file.
+// third of the kills come when the journal is put into the file.
 TEST_F(ResultKill, AtAnyMomentKeepsEveryStepThatWasDone) {
   std::mt19937 random(11);
-  std::uniform_int_distribution<int> delay_us(0, 10'000);
+  std::uniform_int_distribution<int> delay_us(0, 3'000);
   { const ResultWriter first(folder_, sample_case()); }
   int n_before = 0;
   int n_kills_in_a_copy = 0;
