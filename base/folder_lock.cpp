@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/utsname.h>
 #include <system_error>
 #include <thread>
@@ -38,26 +39,49 @@ std::string holder_in(int file) {
   return "another process";
 }
 
+/// The folder and those above it that do not exist yet, the deepest first.
+std::vector<std::filesystem::path>
+missing_folders(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> missing;
+  for (auto at = std::filesystem::absolute(folder);
+       !std::filesystem::exists(at); at = at.parent_path())
+    missing.push_back(at);
+  return missing;
+}
+
+/// Whether the file that is open is still the one of that name: a former
+/// holder removes it at its end.
+bool is_still_at(const std::filesystem::path& path, int file) {
+  struct stat opened {};
+
+  struct stat named {};
+
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
 } // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder,
-                       const std::string& purpose) {
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path path = folder / ".lock";
+                       const std::string& purpose)
+    : path_(folder / ".lock"), made_(missing_folders(folder)) {
   const auto check = [&](bool is_good, const char* what) {
     if (!is_good)
       throw std::system_error(errno, std::generic_category(),
-                              what + path.string());
+                              what + path_.string());
   };
-  file_ = FileDescriptor(
-      open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
-  check(file_.get() >= 0, "cannot write ");
-  const bool is_ours = flock(file_.get(), LOCK_EX | LOCK_NB) == 0;
-  if (!is_ours && errno == EWOULDBLOCK)
-    throw FolderInUse(fmt::format(
-        "{} is in use by {}; wait for its end, or name another --out",
-        folder.string(), holder_in(file_.get())));
-  check(is_ours, "cannot lock ");
+  do {
+    std::filesystem::create_directories(folder);
+    file_ = FileDescriptor(
+        open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    check(file_.get() >= 0, "cannot write ");
+    const bool is_ours = flock(file_.get(), LOCK_EX | LOCK_NB) == 0;
+    if (!is_ours && errno == EWOULDBLOCK)
+      throw FolderInUse(fmt::format(
+          "{} is in use by {}; wait for its end, or name another --out",
+          folder.string(), holder_in(file_.get())));
+    check(is_ours, "cannot lock ");
+  } while (!is_still_at(path_, file_.get()));
   const std::string text = description_of(purpose);
   check(ftruncate(file_.get(), 0) == 0 &&
             pwrite(file_.get(), text.data(), text.size(), 0) ==
@@ -66,9 +90,13 @@ FolderLock::FolderLock(const std::filesystem::path& folder,
 }
 
 FolderLock::~FolderLock() {
-  if (file_.get() >= 0 && ftruncate(file_.get(), 0) != 0) {
-    // The name of a former holder stays in a file that locks nothing.
-  }
+  if (file_.get() < 0)
+    return;
+  std::error_code ignored; // a folder with something in it stays
+  std::filesystem::remove(path_, ignored);
+  for (const std::filesystem::path& folder : made_)
+    if (!std::filesystem::remove(folder, ignored))
+      break;
 }
 
 } // namespace asperity

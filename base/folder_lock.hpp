@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -17,7 +18,8 @@ struct FolderInUse : std::runtime_error {
 
 /// Holds a folder for as long as it lives, by flock on the file ".lock" in it.
 /// The kernel releases the lock when the process ends, however it ends, so a
-/// file that a killed process left locks nothing. The file stays, empty.
+/// file that a killed process left locks nothing. At the end the file goes, and
+/// so do folders that the lock had made and that are still empty.
 class FolderLock {
 public:
   /// Makes the folder if need be; does not wait.
@@ -31,6 +33,8 @@ public:
   FolderLock& operator=(FolderLock&&) = delete;
 
 private:
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_; ///< the deepest first
   FileDescriptor file_;
 };
 

@@ -100,6 +100,8 @@ void solve_spoilt(Scene scene) {
 
 void build_spoilt_block(Scene scene) {
   scene.thickness = 1.0;
+  if (scene.flaw == Flaw::sliver)
+    scene.coating_stiffness = 1.0; // its interface would divide the layers
   int degree = scene.index % 2 == 0 ? 1 : 2;
   Grid grid = grid_of(scene);
   if (scene.flaw == Flaw::odd_q2_grid) {
