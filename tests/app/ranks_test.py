@@ -15,6 +15,8 @@ NUMBERS = ["nominal_pressure [Pa]", "mean_gap [m]", "area_fraction [1]",
            "area_fraction_corrected [1]", "area_fraction_fit [1]",
            "area_fraction_moment [1]", "contact_perimeter [1/m]",
            "elastic_energy [J/m^2]"]
+# A least-squares minimum is known to half the digits of a double.
+TOLERANCES = {"area_fraction_fit [1]": 3e-8}
 
 
 def run(command, folder):
@@ -31,13 +33,16 @@ def rows_of(folder):
 
 
 def differences(one, two):
-    """What differs by more than 1e-9 of itself. A column that is missing, a
-    number that is not finite and a table without rows are errors."""
+    """What differs by more than 1e-9 of itself. A column that is missing and a
+    table without rows are errors, and so is a number that is not finite, but
+    for a fit that has too few nodes in contact in both."""
     assert one and len(one) == len(two), (len(one), len(two))
     for a, b in zip(one, two):
         for name in NUMBERS:
             x, y = float(a[name]), float(b[name])
-            if not (math.isfinite(x) and abs(x - y) <= 1e-9 * abs(x)):
+            if math.isnan(x) and math.isnan(y) and name.startswith("area_fraction_fit"):
+                continue  # too few nodes in contact for a histogram
+            if not (math.isfinite(x) and abs(x - y) <= TOLERANCES.get(name, 1e-9) * abs(x)):
                 yield a["method"], name, x, y
 
 
@@ -86,7 +91,7 @@ if __name__ == "__main__":
     sample = [{"method": "fem"} | dict.fromkeys(NUMBERS, "1.0")]
     assert not list(differences(sample, sample)), "cannot pass"
     for name in NUMBERS:
-        for other in ("1.00000001", "nan", "inf"):
+        for other in ("1.0000001", "nan", "inf"):
             changed = [sample[0] | {name: other}]
             assert list(differences(sample, changed)), "cannot fail"
             assert list(differences(changed, sample)), "cannot fail"
