@@ -39,6 +39,17 @@ std::string holder_in(int file) {
   return "another process";
 }
 
+/// Half a second is granted to a holder that was killed and is still ending.
+bool lock_soon(int file) {
+  constexpr int tries = 10;
+  for (int i = 1; i < tries; ++i) {
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+      return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
 /// The folder and those above it that do not exist yet, the deepest first.
 std::vector<std::filesystem::path>
 missing_folders(const std::filesystem::path& folder) {
@@ -75,7 +86,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder,
     file_ = FileDescriptor(
         open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
     check(file_.get() >= 0, "cannot write ");
-    const bool is_ours = flock(file_.get(), LOCK_EX | LOCK_NB) == 0;
+    const bool is_ours = lock_soon(file_.get());
     if (!is_ours && errno == EWOULDBLOCK)
       throw FolderInUse(fmt::format(
           "{} is in use by {}; wait for its end, or name another --out",
