@@ -22,7 +22,7 @@ struct FolderInUse : std::runtime_error {
 /// so do folders that the lock had made and that are still empty.
 class FolderLock {
 public:
-  /// Makes the folder if need be; does not wait.
+  /// Makes the folder if need be; waits half a second for a holder to end.
   /// @param purpose  what the folder is held for, "run polymer"
   /// @throws FolderInUse        naming who holds it
   /// @throws std::system_error  the folder cannot be made or written to, or its
