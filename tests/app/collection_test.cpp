@@ -91,7 +91,7 @@ TEST_F(Collection, RunsQuickly) {
 TEST_F(Collection, GoesOnAfterAnInterruption) {
   const std::string long_run =
       "run mine --methods halfspace --set surface.points=512 ";
-  const Ended stopped = run(long_run, "timeout -s INT --preserve-status 0.8");
+  const Ended stopped = interrupt(long_run, "out/mine/light/result.journal");
 
   ASSERT_EQ(stopped.exit_code, 130) << stopped.output;
   EXPECT_TRUE(has("out/mine/report.html"));

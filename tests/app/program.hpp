@@ -29,7 +29,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 
 class ProgramTest : public FolderTest {
 protected:
-  /// `before` goes before the program: environment, or "timeout -s INT 1".
+  /// `before` goes before the program: environment, or "timeout -s KILL 1".
   Ended run(const std::string& arguments,
             const std::string& before = "") const {
     const std::filesystem::path log = folder / "log.txt";
@@ -39,6 +39,19 @@ protected:
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
             text_of(log)};
+  }
+
+  /// The same, with one SIGINT as from Ctrl-C as soon as `file` exists. In a
+  /// background of its own, because timeout(1) may send the signal twice.
+  Ended interrupt(const std::string& arguments, const std::string& file) const {
+    write("interrupt.sh", "\"$@\" &\n"
+                          "until test -e " +
+                              file +
+                              " || ! kill -0 $! 2>&-; do\n"
+                              "  sleep 0.01\n"
+                              "done\n"
+                              "kill -INT $! && wait $!\n");
+    return run(arguments, "sh interrupt.sh");
   }
 
   void write(const std::string& name, const std::string& text) const {

@@ -199,10 +199,8 @@ TEST_F(RunCommand, SurvivesAKillAndResumes) {
 TEST_F(RunCommand, StopsInOrderOnCtrlC) {
   const std::string long_run =
       "run small.toml --set surface.points=512 --methods halfspace ";
-  // In the foreground it sends one signal; else the group's would be a second.
   const Ended stopped =
-      run(long_run + "--out result",
-          "timeout --foreground -s INT --preserve-status 0.8");
+      interrupt(long_run + "--out result", "result/result.journal");
 
   EXPECT_EQ(stopped.exit_code, 130) << stopped.output;
   EXPECT_EQ(result("result").status, "interrupted");
