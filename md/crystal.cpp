@@ -7,7 +7,7 @@
 namespace asperity::md {
 namespace {
 
-using Vector = std::array<double, 3>;
+using LatticeVector = std::array<double, 3>;
 
 constexpr std::size_t corners = 8;
 constexpr std::size_t unknowns = 3 * corners;
@@ -34,7 +34,7 @@ void require(const Crystal& crystal) {
 
 /// Adds (1/2) stiffness (direction . (u_second - u_first))^2.
 void add_spring(CellStiffness& matrix, std::size_t first, std::size_t second,
-                const Vector& direction, double stiffness) {
+                const LatticeVector& direction, double stiffness) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double term = stiffness * direction[i] * direction[j];
@@ -53,7 +53,7 @@ void add_edges(CellStiffness& matrix, double normal, double tangential) {
       if ((corner >> along) & 1U)
         continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        Vector direction{};
+        LatticeVector direction{};
         direction[axis] = 1.0;
         add_spring(matrix, corner, corner | (1U << along), direction,
                    0.25 * (axis == along ? normal : tangential));
@@ -69,7 +69,7 @@ void add_face_diagonals(CellStiffness& matrix, double stiffness) {
     const std::size_t across = (normal + 2) % 3;
     for (std::size_t side = 0; side < 2; ++side) {
       const std::size_t origin = side << normal;
-      Vector direction{};
+      LatticeVector direction{};
       direction[along] = std::sqrt(0.5);
       direction[across] = std::sqrt(0.5);
       add_spring(matrix, origin, origin | (1U << along) | (1U << across),

@@ -13,7 +13,8 @@ constexpr std::size_t block = 2048;
 /// Sums that a processor may run side by side, in a fixed order.
 constexpr std::size_t lanes = 8;
 
-double dot(const float* left, const double* right, std::size_t count) {
+double dot_of_floats(const float* left, const double* right,
+                     std::size_t count) {
   std::array<double, lanes> sums{};
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes)
@@ -34,7 +35,7 @@ std::vector<double> products(const std::vector<const float*>& columns,
   for (std::size_t begin = 0; begin < x.size(); begin += block) {
     const std::size_t count = std::min(block, x.size() - begin);
     for (std::size_t k = 0; k < columns.size(); ++k)
-      sums[k] += dot(columns[k] + begin, x.data() + begin, count);
+      sums[k] += dot_of_floats(columns[k] + begin, x.data() + begin, count);
   }
   return sums;
 }
@@ -96,7 +97,8 @@ void CurvatureMemory::learn(std::span<const double> direction, double length,
     step_square += step[i] * step[i];
     fall_square += fall[i] * fall[i];
   }
-  const double curvature = dot(pair.step.data(), fall.data(), unknowns_);
+  const double curvature =
+      dot_of_floats(pair.step.data(), fall.data(), unknowns_);
   // Below this the curvature is the rounding of single precision.
   if (!(curvature > 1e-7 * std::sqrt(step_square * fall_square)))
     return;

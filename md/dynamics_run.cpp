@@ -1,5 +1,6 @@
 #include "md/dynamics_run.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "md/checkpoint.hpp"
@@ -17,11 +18,6 @@ namespace {
 
 constexpr std::int64_t sampling_interval = 10; // steps
 constexpr std::int64_t watch_interval = 10;
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(values.size());
-}
 
 void add(std::span<double> sums, std::span<const double> values) {
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -1,7 +1,7 @@
 #include "md/fire.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/maximum.hpp"
-#include "md/vector_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

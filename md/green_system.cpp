@@ -1,5 +1,6 @@
 #include "md/green_system.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/require.hpp"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace {
 
 /// Of the contact's normal stiffness, what it has laterally.
 constexpr double lateral_share = 0.1;
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(values.size());
-}
 
 double mean_size(std::span<const double> values) {
   double sum = 0.0;

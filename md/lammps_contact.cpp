@@ -7,6 +7,7 @@
 #include "md/lammps_block.hpp"
 #include "md/lammps_input.hpp"
 #include "md/lammps_run.hpp"
+#include "md/load_step_driver.hpp"
 #include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
 
@@ -23,9 +24,6 @@ namespace asperity::md {
 namespace {
 
 using cases::Control;
-
-/// The first step starts this far over the highest substrate atom [m].
-constexpr double start_clearance = 4e-10;
 
 double height_above(const LammpsBlock& block) {
   return *std::max_element(block.heights.begin(), block.heights.end()) +

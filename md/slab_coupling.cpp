@@ -9,7 +9,7 @@
 namespace asperity::md {
 namespace {
 
-constexpr std::size_t unknowns = 24;
+constexpr std::size_t cell_unknowns = 24;
 
 bool is_odd(std::size_t axis, std::size_t i, std::size_t j) {
   return (i == axis) != (j == axis);
@@ -51,15 +51,15 @@ void require_mirror_planes(const CellStiffness& cell) {
         return std::abs(a) < std::abs(b);
       }));
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    for (std::size_t row = 0; row < unknowns; ++row) {
-      for (std::size_t column = 0; column < unknowns; ++column) {
+    for (std::size_t row = 0; row < cell_unknowns; ++row) {
+      for (std::size_t column = 0; column < cell_unknowns; ++column) {
         const auto mirrored = [&](std::size_t unknown) {
           return 3 * ((unknown / 3) ^ (std::size_t{1} << axis)) + unknown % 3;
         };
         const double sign = is_odd(axis, row % 3, column % 3) ? -1.0 : 1.0;
         const double difference =
-            cell[row * unknowns + column] -
-            sign * cell[mirrored(row) * unknowns + mirrored(column)];
+            cell[row * cell_unknowns + column] -
+            sign * cell[mirrored(row) * cell_unknowns + mirrored(column)];
         if (!(std::abs(difference) <= 1e-12 * largest))
           refuse_argument("asymmetry of the cell's stiffness", difference,
                           "0: mirror planes across x and y [N/m]");
@@ -92,7 +92,7 @@ void LayerCoupling::add(const CellStiffness& cell, int to, int from,
           if ((is_odd(0, i, j) && !is_aside) || (is_odd(1, i, j) && !is_behind))
             continue;
           entries_[i][j][is_behind ? 1 : 0][is_aside ? 1 : 0] +=
-              sign * share * cell[(row + i) * unknowns + column + j];
+              sign * share * cell[(row + i) * cell_unknowns + column + j];
         }
       }
     }

@@ -1,16 +1,11 @@
 #include "md/step_reading.hpp"
 
+#include "base/field_sums.hpp"
+
 #include <numeric>
 
 namespace asperity::md {
-namespace {
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(values.size());
-}
-
-} // namespace
+namespace {} // namespace
 
 void read_step(const System& system, std::span<const double> state,
                std::span<const double> normal_forces,

@@ -48,7 +48,7 @@ private:
   double reach_ = 0.0;
   double spacing_ = 0.0;
   double reach_square_ = 0.0; ///< in spacings^2
-  int margin_ = 0; ///< rows and columns of images on each side
+  int margin_ = 0;            ///< rows and columns of images on each side
   std::int64_t stride_ = 0;
   std::vector<double> padded_;
 

@@ -1,5 +1,6 @@
 #include "md/surface_stiffness.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/require.hpp"
 
 #include <algorithm>
@@ -81,13 +82,6 @@ void multiply(const SymmetricBlock& block, Complex& x, Complex& y, Complex& z) {
   z = block.zz * z - turned(block.xz, x) - turned(block.yz, y);
   x = new_x;
   y = new_y;
-}
-
-double dot(std::span<const double> left, std::span<const double> right) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    sum += left[i] * right[i];
-  return sum;
 }
 
 } // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+// Sums over all values of a field, in a fixed order.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace asperity {
+
+/// sum_i left_i right_i; both of one size.
+inline double dot(std::span<const double> left, std::span<const double> right) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    sum += left[i] * right[i];
+  return sum;
+}
+
+/// The arithmetic mean; NaN of no values.
+inline double mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// Whether no value is NaN or infinite; true of no values.
+inline bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values,
+                             [](double value) { return std::isfinite(value); });
+}
+
+} // namespace asperity
