@@ -1,8 +1,7 @@
 #include "app/study_tables.hpp"
+#include "base/special_numbers.hpp"
 
 #include <fmt/format.h>
-
-#include <limits>
 
 namespace asperity::app {
 namespace {
@@ -12,8 +11,6 @@ using results::Table;
 using theory::AdhesiveState;
 using theory::RoughAdhesion;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// gamma_eff/Dgamma and A/A_0 of one state.
 struct StateColumns {
   explicit StateColumns(const std::string& state)
@@ -22,8 +19,8 @@ struct StateColumns {
 
   void add(bool exists, const AdhesiveState& state, double work_of_adhesion) {
     binding.values.push_back(exists ? state.effective_work / work_of_adhesion
-                                    : none);
-    area.values.push_back(exists ? state.area_fraction : none);
+                                    : not_a_number);
+    area.values.push_back(exists ? state.area_fraction : not_a_number);
   }
 
   Column binding;
@@ -86,8 +83,8 @@ Table adhesion_table(const RoughAdhesion& adhesion,
 Table adhesion_flip_table(const RoughAdhesion& adhesion,
                           const cases::AdhesionStudy& study,
                           const Table& rows) {
-  double ratio = none;
-  double area = none;
+  double ratio = not_a_number;
+  double area = not_a_number;
   if (const int row = row_before_flip(rows); row >= 0) {
     ratio = adhesion.flip(ratio_at(study, row), ratio_at(study, row + 1));
     area = adhesion.partial_contact(ratio).area_fraction;

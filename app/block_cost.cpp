@@ -22,10 +22,10 @@ constexpr double smooth_newton_steps = 5.0;
 /// Multigrid's iterations a Newton step, at 32 nodes a side: 36 in
 /// `heterogeneous` (24 at 16), 16 in `step42`, 49 in `two-blocks`.
 constexpr double iterations_at_32 = 36.0;
-constexpr double iterations_exponent = 0.6; ///< of the nodes a side
-constexpr double smooth_factor = 0.45;
+constexpr double block_iterations_exponent = 0.6; ///< of the nodes a side
+constexpr double block_smooth_factor = 0.45;
 constexpr double two_bodies_factor = 1.35;
-constexpr double q2_factor = 1.3;
+constexpr double block_q2_factor = 1.3;
 /// Hierarchies a Newton step; between two bodies each needs its own.
 constexpr double hierarchies = 0.2;
 constexpr double hierarchies_between_bodies = 1.0;
@@ -40,7 +40,6 @@ constexpr double uneven_fourier_time[] = {3.2e-6, 6.0e-6};
 /// A factorisation, an unknown squared [s]: 2.6 s for 12138.
 constexpr double direct_time = 1.75e-8;
 constexpr double assembly_time = 20e-6; ///< mesh to matrix, an unknown [s]
-constexpr double fem_load_time = 0.25;  ///< of deal.II [s]
 
 constexpr double kilobyte = 1000.0;
 constexpr double fourier_memory[] = {2.3 * kilobyte, 4.5 * kilobyte};
@@ -73,9 +72,11 @@ double multigrid_time(const cases::Case& rough_case,
                       std::size_t order) {
   const bool has_two = settings.bodies == 2;
   const double iterations =
-      iterations_at_32 * std::pow(nodes_a_side / 32.0, iterations_exponent) *
-      (is_rough(rough_case.surface) ? 1.0 : smooth_factor) *
-      (has_two ? two_bodies_factor : 1.0) * (order == 0 ? 1.0 : q2_factor);
+      iterations_at_32 *
+      std::pow(nodes_a_side / 32.0, block_iterations_exponent) *
+      (is_rough(rough_case.surface) ? 1.0 : block_smooth_factor) *
+      (has_two ? two_bodies_factor : 1.0) *
+      (order == 0 ? 1.0 : block_q2_factor);
   return iterations * multigrid_iteration_time[order] +
          (has_two ? hierarchies_between_bodies : hierarchies) *
              hierarchy_time[order];

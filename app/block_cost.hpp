@@ -7,6 +7,9 @@
 
 namespace asperity::app {
 
+/// Loading deal.II, on the reference machine of cost_model.cpp, CPU time [s].
+inline constexpr double fem_load_time = 0.25;
+
 /// By how much a prediction of a whole block may be off, either way [1]: what
 /// docs/skip.md shows of iterations that depend on load, contact and moduli.
 inline constexpr double block_factor = 3.0;

@@ -1,11 +1,11 @@
 #include "app/block_size.hpp"
 
+#include "base/special_numbers.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -13,8 +13,6 @@ namespace asperity::app {
 namespace {
 
 using cases::MeshGeometry;
-
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double degree_of(const cases::FemSettings& settings) {
   return settings.element == cases::Element::q1 ? 1.0 : 2.0;
@@ -158,7 +156,7 @@ BlockSize by_gmsh(const cases::Case& rough_case, const cases::Scales& scales,
                   const Grid& grid, double depth, double degree) {
   const cases::MeshSpec& mesh = rough_case.mesh;
   if (mesh.geometry == MeshGeometry::file)
-    return {not_known, not_known, not_known};
+    return {not_a_number, not_a_number, not_a_number};
   if (mesh.cells == cases::MeshCells::tetrahedra)
     return tetrahedra(mesh, scales, grid, depth, degree);
   if (mesh.geometry == MeshGeometry::indentation)

@@ -70,7 +70,7 @@ std::vector<Entry> entries_of(const fs::path& folder) {
   return entries;
 }
 
-std::uintmax_t bytes_of(const std::vector<Entry>& entries) {
+std::uintmax_t total_bytes_of(const std::vector<Entry>& entries) {
   std::uintmax_t bytes = 0;
   for (const Entry& entry : entries)
     bytes += entry.bytes;
@@ -157,7 +157,7 @@ void Cache::write(const std::string& key, const std::string& kind,
     return;
   }
   const std::lock_guard lock(mutex_);
-  bytes_ = bytes_ ? *bytes_ + size : bytes_of(entries_of(folder_));
+  bytes_ = bytes_ ? *bytes_ + size : total_bytes_of(entries_of(folder_));
   if (*bytes_ > most_bytes_)
     make_room();
 }
@@ -166,7 +166,7 @@ void Cache::make_room() {
   std::vector<Entry> entries = entries_of(folder_);
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  bytes_ = bytes_of(entries);
+  bytes_ = total_bytes_of(entries);
   if (*bytes_ <= most_bytes_)
     return;
   const auto enough = static_cast<std::uintmax_t>(
@@ -194,7 +194,7 @@ void Cache::remove(const std::string& key, const std::string& kind) {
 
 Cache::Contents Cache::contents() const {
   const std::vector<Entry> entries = entries_of(folder_);
-  return {entries.size(), bytes_of(entries)};
+  return {entries.size(), total_bytes_of(entries)};
 }
 
 std::vector<std::string> Cache::problems() const {

@@ -2,11 +2,11 @@
 
 #include "app/block_cost.hpp"
 #include "app/block_size.hpp"
+#include "base/special_numbers.hpp"
 #include "surfaces/build.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace asperity::app {
 namespace {
@@ -26,7 +26,6 @@ constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
 constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
 
 constexpr double program_time = 0.3;     ///< of a run with nothing to do [s]
-constexpr double fem_load_time = 0.25;   ///< of deal.II, CPU [s]
 constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
 constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
 
@@ -49,14 +48,12 @@ constexpr double planes_a_map = 35.0;
 constexpr double planes_a_section = 49.0;
 constexpr double transform_pairs_a_plane = 6.0;
 
-constexpr double mebibyte = 1024.0 * 1024.0;
-constexpr double program_memory = 24.0 * mebibyte;
-constexpr double fem_memory = 110.0 * mebibyte;
+constexpr double bytes_per_mebibyte = 1024.0 * 1024.0;
+constexpr double program_memory = 24.0 * bytes_per_mebibyte;
+constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
 constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
 constexpr double doubles_an_atom = 60.0;
 constexpr double packing = 0.5; ///< of maps by deflate
-
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double nodes(const Grid& grid) {
   return static_cast<double>(grid.size());
@@ -129,7 +126,7 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
   const bool is_unknown = settings.engine == cases::AtomEngine::lammps ||
                           settings.minimizer == cases::AtomMinimizer::dynamics;
   if (is_unknown)
-    cost.step_time = cost.setup_time = not_known;
+    cost.step_time = cost.setup_time = not_a_number;
   return cost;
 }
 

@@ -1,5 +1,6 @@
 #include "app/curve_row.hpp"
 
+#include "base/field_sums.hpp"
 #include "results/observables.hpp"
 #include "results/pressure_fit.hpp"
 #include "results/row_observer.hpp"
@@ -51,11 +52,6 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   return row;
 }
 
-bool is_finite(std::span<const double> map) {
-  return std::ranges::all_of(map,
-                             [](double one) { return std::isfinite(one); });
-}
-
 void add_note(results::CurvePoint& row, const std::string& note) {
   row.note += (row.note.empty() ? "" : "; ") + note;
 }
@@ -66,7 +62,7 @@ void distrust_non_finite(StepAnswer& answer) {
   results::CurvePoint& row = answer.row;
   const bool has_load =
       std::isfinite(row.nominal_pressure) && std::isfinite(row.mean_gap);
-  const bool has_maps = is_finite(answer.pressure) && is_finite(answer.gap);
+  const bool has_maps = all_finite(answer.pressure) && all_finite(answer.gap);
   if (has_load && has_maps)
     return;
   row.status = results::StepStatus::not_converged;

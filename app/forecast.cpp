@@ -157,7 +157,7 @@ Forecast::Term term_of(std::span<const BenchPoint> coarse,
                           rough->second.size() == scale.size();
     return is_known
                ? reports::rms_difference(fine->second, rough->second, scale)
-               : reports::not_a_number;
+               : not_a_number;
   };
   Forecast::Term term;
   term.order = order_unknown;

@@ -1,11 +1,11 @@
 #include "app/study_tables.hpp"
+#include "base/special_numbers.hpp"
 #include "theory/gap_distribution.hpp"
 #include "theory/leakage.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace asperity::app {
@@ -15,7 +15,6 @@ using results::Column;
 using results::Table;
 using theory::MagnifiedContact;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int n_quantiles = 200;
 
 /// The k-th of n values in equal ratios, the ends exact.
@@ -86,7 +85,7 @@ Table magnification_table(const std::string& name,
     gap.values.push_back(contact.mean_gap(zeta));
     printed.values.push_back(contact.mean_gap_as_printed(zeta));
     opening.values.push_back(contact.opening_gap(zeta));
-    density.values.push_back(opens ? contact.gap_density(zeta) : none);
+    density.values.push_back(opens ? contact.gap_density(zeta) : not_a_number);
   }
   return {name,
           "A, h_rms, u, u_1 and the density of (27) against zeta, " +
@@ -132,10 +131,11 @@ Table leak_table(std::span<const MagnifiedContact> contacts,
         theory::leakage(contact, {study.density, study.viscosity},
                         study.pressure_drop, critical);
     pressure.values.push_back(contact.nominal_pressure());
-    magnification.values.push_back(leak.percolates ? leak.magnification : none);
-    size.values.push_back(leak.percolates ? leak.pore_size : none);
-    gap.values.push_back(leak.percolates ? leak.pore_gap : none);
-    flow.values.push_back(leak.percolates ? leak.mass_flow : none);
+    magnification.values.push_back(leak.percolates ? leak.magnification
+                                                   : not_a_number);
+    size.values.push_back(leak.percolates ? leak.pore_size : not_a_number);
+    gap.values.push_back(leak.percolates ? leak.pore_gap : not_a_number);
+    flow.values.push_back(leak.percolates ? leak.mass_flow : not_a_number);
   }
   return {"leak",
           fmt::format("The pore at which the open area percolates, A/A_0 = "

@@ -8,7 +8,7 @@
 namespace asperity::app {
 namespace {
 
-constexpr int probed_points = 64; // times are not asked for
+constexpr int memory_probe_points = 64; // times are not asked for
 
 } // namespace
 
@@ -25,7 +25,7 @@ void require_memory(const cases::Case& rough_case, const RunOptions& options) {
   if (!rough_case.surface.points)
     return;
   const std::string refusal =
-      refusal_of(make_plan(rough_case, options, probed_points));
+      refusal_of(make_plan(rough_case, options, memory_probe_points));
   if (!refusal.empty())
     throw cases::CaseError(fmt::format(
         "{}: surface.points = {} with {} realisation(s) {}", rough_case.path,

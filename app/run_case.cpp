@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using cases::MethodSpec;
 
-constexpr int probed_points = 256;
+constexpr int rate_probe_points = 256;
 
 /// What the text of the case leaves open.
 results::Inputs inputs_of(const cases::Case& rough_case) {
@@ -129,7 +129,7 @@ void Run::run_jobs() {
 /// By the scene, and by the cache. Probed on a small grid: some hundredths of
 /// a second.
 std::vector<results::Skipped> Run::skipped() const {
-  MachineRates rates(probed_points);
+  MachineRates rates(rate_probe_points);
   const Grid grid = surfaces_.whole().empty()
                         ? grid_of_case(case_, methods_)
                         : surfaces_.whole()[0].record.grid;

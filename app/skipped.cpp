@@ -3,13 +3,13 @@
 #include "app/block_cost.hpp"
 #include "app/chosen.hpp"
 #include "app/surfaces_of_case.hpp"
+#include "base/special_numbers.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace asperity::app {
@@ -17,8 +17,6 @@ namespace {
 
 using cases::MethodSpec;
 using results::Skipped;
-
-constexpr double not_predicted = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds to one list what one kind of thing after the other leaves out.
 class Skips {
@@ -64,7 +62,7 @@ void Skips::add_methods_left_out() {
     };
     if (std::ranges::any_of(scene_.methods, is_same))
       continue;
-    MethodCost cost{not_predicted, not_predicted, not_predicted, not_predicted};
+    MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
     if (nodes() > 0.0)
       cost = cost_of(scene_.rough_case, method, scene_.grid, rates_);
     list.push_back({method.name, "not among --methods",
@@ -95,14 +93,14 @@ void Skips::add_maps() {
     list.push_back(
         {fmt::format("pressure and gap maps of {:g} steps", left_out),
          fmt::format("[report] fields keeps {:g} of realisation 0", kept),
-         not_predicted, left_out * map_bytes(scene_.grid)});
+         not_a_number, left_out * map_bytes(scene_.grid)});
 }
 
 void Skips::add_of(const MethodSpec& method) {
   if (method.magnification)
     list.push_back({fmt::format("{}: waves above {:g} q_0", method.name,
                                 *method.magnification),
-                    "its magnification", not_predicted, not_predicted});
+                    "its magnification", not_a_number, not_a_number});
   if (const auto* half =
           std::get_if<cases::HalfspaceSettings>(&method.settings))
     add_of_halfspace(method, *half);
@@ -141,7 +139,7 @@ void Skips::add_of_halfspace(const MethodSpec& method,
                       ? "a slab's compliance is a closed form"
                       : "no thickness is asked: a half-space's compliance is a "
                         "closed form",
-                  not_predicted, not_predicted});
+                  not_a_number, not_a_number});
 }
 
 void Skips::add_of_fem(const MethodSpec& method,

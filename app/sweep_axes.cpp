@@ -1,5 +1,6 @@
 #include "app/sweep_axes.hpp"
 
+#include "base/special_numbers.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/vocabulary.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace asperity::app {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What the value of another key says of this one.
 using Condition =
@@ -42,15 +41,16 @@ struct Rule {
   std::string key;
   std::string title;
   std::vector<double> factors; ///< empty: the key's words
-  double order = none;
+  double order = not_a_number;
   std::string source;
-  double power = none; ///< the coordinate is factor^power; NaN: no coordinate
+  double power =
+      not_a_number; ///< the coordinate is factor^power; NaN: no coordinate
   Condition acts = always;
 };
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
-      {"element", "element", {}, none, "another element, no order"},
+      {"element", "element", {}, not_a_number, "another element, no order"},
       {"growth",
        "growth of the layers",
        {2.0, 1.0, 0.5},
@@ -61,19 +61,19 @@ const std::vector<Rule>& rules() {
       {"surface_cell_depth",
        "depth of the surface cells",
        {2.0, 1.0, 0.5},
-       none,
+       not_a_number,
        "changes the cells of the face alone: no limit by itself"},
       {"depth",
        "depth of the block",
        {0.5, 1.0, 2.0},
-       none,
+       not_a_number,
        "exponential in the depth over the longest wave: no order",
-       none,
+       not_a_number,
        is_not("bulk", "explicit")},
       {"thickness",
        "thickness of the slab",
        {0.5, 1.0, 2.0},
-       none,
+       not_a_number,
        "exponential in the thickness over the longest wave: no order"},
       {"penalty",
        "penalty",
@@ -91,14 +91,14 @@ const std::vector<Rule>& rules() {
       {"layers",
        "layers of cells a level",
        {0.5, 1.0, 2.0},
-       none,
+       not_a_number,
        "exponential in the depth: no order",
-       none,
+       not_a_number,
        is("bulk", "explicit")},
       {"cutoff",
        "cut-off of the interaction",
        {0.75, 1.0, 1.5},
-       none,
+       not_a_number,
        "as the potential fades: no order"}};
   return all;
 }
@@ -137,7 +137,7 @@ std::vector<AxisValue> numbers_of(const cases::Node& own, const Rule& rule,
 std::vector<AxisValue> words_of(const cases::Node& own, const cases::Key& key) {
   std::vector<AxisValue> values;
   for (const std::string& word : key.words)
-    values.push_back({word, none, word == own.text});
+    values.push_back({word, not_a_number, word == own.text});
   return values;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using reports::BenchPoint;
 using reports::TargetOutcome;
 
-constexpr int least_points = 32;
+constexpr int least_target_points = 32;
 constexpr int most_points = 4096;
 constexpr std::array growth_shares{1.0, 0.5, 0.25};
 
@@ -61,8 +61,8 @@ TargetSearch::TargetSearch(const cases::Case& contact_case,
       runner_(contact_case, std::move(options)),
       quantities_(asked_quantities(contact_case)) {
   const int own = contact_case.surface.points.value_or(0);
-  const int least =
-      std::max(least_points, least_carrying_points(contact_case.surface));
+  const int least = std::max(least_target_points,
+                             least_carrying_points(contact_case.surface));
   int coarsest = own;
   while (coarsest % 4 == 0 && coarsest / 2 >= least)
     coarsest /= 2;

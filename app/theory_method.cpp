@@ -1,6 +1,7 @@
 #include "app/theory_method.hpp"
 
 #include "base/cpu_clock.hpp"
+#include "base/special_numbers.hpp"
 #include "results/row_observer.hpp"
 #include "theory/persson.hpp"
 
@@ -8,12 +9,9 @@
 
 #include <cmath>
 #include <exception>
-#include <limits>
 
 namespace asperity::app {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 results::CurvePoint row_at(const theory::PerssonContact& contact,
                            double nominal_pressure) {

@@ -1,18 +1,16 @@
 #include "cases/vocabulary.hpp"
 
+#include "base/special_numbers.hpp"
 #include "cases/expectations.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace asperity::cases {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Table top_table() {
   return {.name = "",

@@ -12,7 +12,7 @@
 namespace asperity::contact {
 namespace {
 
-constexpr float across = 0.5F; ///< weight of a diagonal neighbour
+constexpr float diagonal_weight = 0.5F; ///< weight of a diagonal neighbour
 
 constexpr int rows_a_turn = 16;
 
@@ -47,8 +47,8 @@ float share_of(const std::array<NodeBits::Word, 8>& neighbours, int bit) {
     beside += neighbours[k] >> bit & 1U;
     diagonal += neighbours[k + 4] >> bit & 1U;
   }
-  const float weight =
-      static_cast<float>(beside) + across * static_cast<float>(diagonal);
+  const float weight = static_cast<float>(beside) +
+                       diagonal_weight * static_cast<float>(diagonal);
   return weight > 0.0F ? 1.0F / weight : 0.0F;
 }
 
@@ -147,8 +147,8 @@ float RimExtension::around(const Ring& ring, std::size_t k,
   if (k < ring.n_inside) {
     const float* const at = field + i;
     return at[1] + *(at - 1) + at[width] + *(at - width) +
-           across * (at[width + 1] + at[width - 1] + *(at - width + 1) +
-                     *(at - width - 1));
+           diagonal_weight * (at[width + 1] + at[width - 1] +
+                              *(at - width + 1) + *(at - width - 1));
   }
   const int ix = static_cast<int>(i % width);
   const int iy = static_cast<int>(i / width);
@@ -156,7 +156,7 @@ float RimExtension::around(const Ring& ring, std::size_t k,
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
       if (dx != 0 || dy != 0)
-        sum += (dx != 0 && dy != 0 ? across : 1.0F) *
+        sum += (dx != 0 && dy != 0 ? diagonal_weight : 1.0F) *
                field[grid_.index((ix + dx + grid_.points_x) % grid_.points_x,
                                  (iy + dy + grid_.points_y) % grid_.points_y)];
   return sum;

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// At this q z a wave has died out.
-constexpr double deep = 40.0;
+constexpr double decayed = 40.0;
 
 /// The search for the strongest plane goes down by this factor.
 constexpr double plane_ratio = 1.25;
@@ -118,7 +118,7 @@ StressPlane StressInside::stress_in(const Plane& place) const {
   for (std::size_t mode = 1; mode < spectrum_.size(); ++mode) {
     const Direction n = direction_of(grid_, static_cast<int>(mode) % columns,
                                      static_cast<int>(mode) / columns);
-    if (n.length * place.depth > deep)
+    if (n.length * place.depth > decayed)
       continue;
     const LayerStack::Stress wave = stack_.stress(
         place.layer, waves_of(mode)[place.layer], n.length, place.depth);

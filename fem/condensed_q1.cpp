@@ -1,5 +1,6 @@
 #include "fem/condensed_q1.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/parallel_rows.hpp"
 #include "fem/cell_stiffness.hpp"
 
@@ -157,10 +158,6 @@ CouplingBlock::Row times(const Symmetric3& m, const CouplingBlock::Row& v) {
   return {m.xx * v[0] + m.xy * v[1] + m.xz * v[2],
           m.xy * v[0] + m.yy * v[1] + m.yz * v[2],
           m.xz * v[0] + m.yz * v[1] + m.zz * v[2]};
-}
-
-double dot(const CouplingBlock::Row& a, const CouplingBlock::Row& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// A - B M B^T for a symmetric M.

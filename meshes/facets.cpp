@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -108,6 +109,28 @@ Place centre_of_cell(const BlockMesh& mesh, std::size_t cell) {
 Place centre_of_facet(const BlockMesh& mesh,
                       const std::array<unsigned int, 4>& vertices) {
   return mean_place(mesh, vertices, vertices_a_facet(mesh.shape));
+}
+
+bool lies_on_plane(const BlockMesh& mesh, const Facet& facet,
+                   std::size_t direction, double coordinate, double tolerance) {
+  for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+    if (!(std::abs(mesh.vertices[facet.vertices[i]][direction] - coordinate) <=
+          tolerance))
+      return false;
+  return true;
+}
+
+std::optional<FaceGroup> lateral_side_of(const BlockMesh& mesh,
+                                         const Facet& facet, double tolerance) {
+  if (lies_on_plane(mesh, facet, 0, 0.0, tolerance))
+    return FaceGroup::left;
+  if (lies_on_plane(mesh, facet, 0, mesh.length_x, tolerance))
+    return FaceGroup::right;
+  if (lies_on_plane(mesh, facet, 1, 0.0, tolerance))
+    return FaceGroup::front;
+  if (lies_on_plane(mesh, facet, 1, mesh.length_y, tolerance))
+    return FaceGroup::back;
+  return std::nullopt;
 }
 
 std::string place_text(const Place& place) {

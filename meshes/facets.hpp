@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,17 @@ Place centre_of_cell(const BlockMesh& mesh, std::size_t cell);
 /// The mean of a facet's vertices [m].
 Place centre_of_facet(const BlockMesh& mesh,
                       const std::array<unsigned int, 4>& vertices);
+
+/// Whether all vertices of a facet have this coordinate, to a tolerance [m].
+bool lies_on_plane(const BlockMesh& mesh, const Facet& facet,
+                   std::size_t direction, double coordinate,
+                   double tolerance = 0.0);
+
+/// The lateral side of the block on which all vertices of a facet lie, to a
+/// tolerance [m]: left and right at x = 0 and length_x, front and back at y = 0
+/// and length_y. None if it lies on no side.
+std::optional<FaceGroup> lateral_side_of(const BlockMesh& mesh,
+                                         const Facet& facet, double tolerance);
 
 /// "(1e-07, 2e-07, 0) m", for messages.
 std::string place_text(const Place& place);

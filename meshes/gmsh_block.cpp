@@ -95,24 +95,12 @@ void scale(BlockMesh& mesh, const GmshBlock& block, double unit) {
 }
 
 FaceGroup side_of(const BlockMesh& mesh, const Facet& facet) {
-  const auto all_have = [&](std::size_t d, double value) {
-    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
-      if (mesh.vertices[facet.vertices[i]][d] != value)
-        return false;
-    return true;
-  };
-  if (all_have(2, 0.0))
+  if (lies_on_plane(mesh, facet, 2, 0.0))
     return FaceGroup::contact;
-  if (all_have(2, mesh.depth))
+  if (lies_on_plane(mesh, facet, 2, mesh.depth))
     return FaceGroup::fixed;
-  if (all_have(0, 0.0))
-    return FaceGroup::left;
-  if (all_have(0, mesh.length_x))
-    return FaceGroup::right;
-  if (all_have(1, 0.0))
-    return FaceGroup::front;
-  if (all_have(1, mesh.length_y))
-    return FaceGroup::back;
+  if (const auto side = lateral_side_of(mesh, facet, 0.0))
+    return *side;
   throw std::domain_error(
       fmt::format("gmsh: the mesh has a hole at {}",
                   place_text(centre_of_facet(mesh, facet.vertices))));

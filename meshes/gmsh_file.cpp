@@ -185,23 +185,11 @@ void place(BlockMesh& mesh, const Bounds& contact, double unit) {
   mesh.length_y = (contact.high[1] - contact.low[1]) * unit;
 }
 
-/// The plane of the box a facet lies on to 1e-9, or sides.
-FaceGroup side_of(const BlockMesh& mesh, const Facet& facet) {
+/// The side of the box that a facet lies on to 1e-9 of its size, or sides.
+FaceGroup nearest_side_of(const BlockMesh& mesh, const Facet& facet) {
   const double tolerance =
       1e-9 * std::max({mesh.length_x, mesh.length_y, mesh.depth});
-  const auto all_have = [&](std::size_t d, double value) {
-    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
-      if (std::abs(mesh.vertices[facet.vertices[i]][d] - value) > tolerance)
-        return false;
-    return true;
-  };
-  if (all_have(0, 0.0))
-    return FaceGroup::left;
-  if (all_have(0, mesh.length_x))
-    return FaceGroup::right;
-  if (all_have(1, 0.0))
-    return FaceGroup::front;
-  return all_have(1, mesh.length_y) ? FaceGroup::back : FaceGroup::sides;
+  return lateral_side_of(mesh, facet, tolerance).value_or(FaceGroup::sides);
 }
 
 void add_faces(BlockMesh& mesh, const std::map<FacetKey, FaceGroup>& groups) {
@@ -210,8 +198,8 @@ void add_faces(BlockMesh& mesh, const std::map<FacetKey, FaceGroup>& groups) {
     const auto named = groups.find(facet_key(mesh.shape, facet.vertices));
     const bool is_side =
         named == groups.end() || named->second == FaceGroup::sides;
-    mesh.faces.push_back(
-        {facet.vertices, is_side ? side_of(mesh, facet) : named->second});
+    mesh.faces.push_back({facet.vertices, is_side ? nearest_side_of(mesh, facet)
+                                                  : named->second});
     is_box = is_box && mesh.faces.back().group != FaceGroup::sides;
   }
   if (is_box)

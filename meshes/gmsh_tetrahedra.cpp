@@ -10,12 +10,12 @@ namespace asperity::meshes {
 namespace {
 
 namespace occ = gmsh::model::occ;
-using Bounds = std::array<double, 6>;
+using BoundingBox = std::array<double, 6>;
 
 constexpr double same = 1e-6; ///< of places in OpenCASCADE's boxes
 
-Bounds bounds_of(int surface) {
-  Bounds box{};
+BoundingBox bounds_of(int surface) {
+  BoundingBox box{};
   gmsh::model::getBoundingBox(2, surface, box[0], box[1], box[2], box[3],
                               box[4], box[5]);
   return box;
@@ -23,7 +23,7 @@ Bounds bounds_of(int surface) {
 
 /// The surface whose bounds are those of the first, moved along x or y.
 int partner_of(int surface, std::size_t direction, double period) {
-  Bounds moved = bounds_of(surface);
+  BoundingBox moved = bounds_of(surface);
   moved[direction] += period;
   moved[direction + 3] += period;
   gmsh::vectorpair found;
@@ -45,7 +45,7 @@ void make_periodic(const GmshBlock& block) {
                                  0, 0, 1, 0, 0, 0, 0, 1};
     shift[4 * direction + 3] = period;
     for (const auto& [dimension, surface] : surfaces) {
-      const Bounds box = bounds_of(surface);
+      const BoundingBox box = bounds_of(surface);
       if (std::abs(box[direction]) < same &&
           std::abs(box[direction + 3]) < same)
         gmsh::model::mesh::setPeriodic(

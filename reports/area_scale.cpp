@@ -12,7 +12,7 @@ namespace {
 
 using results::CurvePoint;
 
-constexpr std::size_t fewest_rows = 3;
+constexpr std::size_t fewest_shared_rows = 3;
 
 std::vector<Deviation> known_areas(std::span<const Deviation> rows) {
   std::vector<Deviation> known;
@@ -52,9 +52,10 @@ AreaScale fit_area_scale(std::span<const Deviation> rows, LoadRange range) {
                                        : std::span(known).last(half);
   AreaScale scale;
   scale.rows = static_cast<int>(taken.size());
-  if (taken.size() < fewest_rows) {
-    scale.factor.reason = fmt::format(
-        "fewer than {} of these loads where both areas are known", fewest_rows);
+  if (taken.size() < fewest_shared_rows) {
+    scale.factor.reason =
+        fmt::format("fewer than {} of these loads where both areas are known",
+                    fewest_shared_rows);
     return scale;
   }
   scale.pressure_low = taken.front().nominal_pressure;

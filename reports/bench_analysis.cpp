@@ -1,5 +1,6 @@
 #include "reports/bench_analysis.hpp"
 
+#include "base/field_sums.hpp"
 #include "reports/bench_answer.hpp"
 
 #include <fmt/format.h>
@@ -33,12 +34,6 @@ Answered answered(const Bench& bench, const BenchSeries& series) {
   return kept;
 }
 
-bool is_whole(const std::vector<double>& values) {
-  return !values.empty() &&
-         std::all_of(values.begin(), values.end(),
-                     [](double value) { return std::isfinite(value); });
-}
-
 /// The finest settings that answer a quantity, coarse to fine, as many as stand
 /// together at the end of the series.
 std::vector<std::vector<double>> answers_to(const Answered& series,
@@ -47,7 +42,8 @@ std::vector<std::vector<double>> answers_to(const Answered& series,
   for (auto point = series.points.rbegin(); point != series.points.rend();
        ++point) {
     const auto found = (*point)->answer.values.find(quantity);
-    if (found == (*point)->answer.values.end() || !is_whole(found->second) ||
+    if (found == (*point)->answer.values.end() || found->second.empty() ||
+        !all_finite(found->second) ||
         (!answers.empty() && found->second.size() != answers.front().size()))
       break;
     answers.insert(answers.begin(), found->second);

@@ -1,5 +1,6 @@
 #include "reports/bench_answer.hpp"
 
+#include "base/field_sums.hpp"
 #include "cases/quantity_at_load.hpp"
 #include "reports/exact.hpp"
 #include "reports/summary.hpp"
@@ -62,12 +63,6 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
       for (const auto& [name, estimate] : one.quantities)
         if (is_compared(name, contact_case) && !estimate.is_input)
           answer.values[name] = {estimate.value};
-}
-
-bool is_whole(const std::vector<double>& values) {
-  return !values.empty() &&
-         std::all_of(values.begin(), values.end(),
-                     [](double value) { return std::isfinite(value); });
 }
 
 /// U(p) of the exact mean gap; its derivative may be singular at either end.
@@ -163,8 +158,9 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
     exact.values["elastic_energy"].push_back(
         exact_energy(surface, contact_modulus, pressure, top));
   }
-  std::erase_if(exact.values,
-                [](const auto& entry) { return !is_whole(entry.second); });
+  std::erase_if(exact.values, [](const auto& entry) {
+    return entry.second.empty() || !all_finite(entry.second);
+  });
   return exact;
 }
 

@@ -24,25 +24,11 @@ double in(const std::map<std::string, double>& table, const std::string& key) {
   return found == table.end() ? not_a_number : found->second;
 }
 
-Value text_item(const std::string& text) {
-  Value value;
-  value.set("text", text);
-  return value;
-}
-
 List text_list(const std::vector<std::string>& texts) {
   List list;
   for (const std::string& text : texts)
     list.push_back(text_item(text));
   return list;
-}
-
-// The look of the other reports.
-std::string shared_style() {
-  const std::string page(report_template);
-  const std::size_t start = page.find("<style>");
-  const std::string end = "</style>";
-  return page.substr(start, page.find(end) + end.size() - start);
 }
 
 Value target_data(const TargetOutcome& target) {

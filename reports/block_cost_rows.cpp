@@ -20,7 +20,7 @@ struct BlockCost {
   int steps = 0, iterations = 0, linear_iterations = 0, setups = 0;
 };
 
-BlockCost cost_of(const MethodRecord& method) {
+BlockCost block_cost_of(const MethodRecord& method) {
   BlockCost cost;
   for (const results::Curve& curve : method.realizations) {
     cost.setup_time += curve.setup_cpu_time;
@@ -37,16 +37,12 @@ BlockCost cost_of(const MethodRecord& method) {
   return cost;
 }
 
-bool is_whole(const MethodRecord& method) {
-  return cost_of(method).unknowns > 0.0;
-}
-
 std::string a_step(double sum, int steps) {
   return steps == 0 ? "–" : fmt::format("{:.3g}", sum / steps);
 }
 
 kainjow::mustache::data row_of(const MethodRecord& method) {
-  const BlockCost cost = cost_of(method);
+  const BlockCost cost = block_cost_of(method);
   const bool has_block = cost.unknowns > 0.0;
   kainjow::mustache::data row;
   row.set("name", method.name);
@@ -68,7 +64,11 @@ kainjow::mustache::data row_of(const MethodRecord& method) {
 
 kainjow::mustache::list block_cost_rows(const results::Result& result) {
   kainjow::mustache::list rows;
-  if (std::ranges::any_of(result.methods, is_whole))
+  const bool has_full_block =
+      std::ranges::any_of(result.methods, [](const MethodRecord& method) {
+        return block_cost_of(method).unknowns > 0.0;
+      });
+  if (has_full_block)
     for (const MethodRecord& method : result.methods)
       if (method.kind == "fem" || method.kind == "halfspace")
         rows.push_back(row_of(method));

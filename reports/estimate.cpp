@@ -1,5 +1,7 @@
 #include "reports/estimate.hpp"
 
+#include "base/field_sums.hpp"
+
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
@@ -8,13 +10,6 @@
 
 namespace asperity::reports {
 namespace {
-
-double mean(std::span<const double> numbers) {
-  double sum = 0.0;
-  for (const double number : numbers)
-    sum += number;
-  return sum / static_cast<double>(numbers.size());
-}
 
 std::string left_out(std::size_t count) {
   return count == 0 ? std::string()

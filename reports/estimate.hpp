@@ -3,14 +3,13 @@
 // A number with its 95 % confidence interval, and where that interval comes
 // from. Owns the straight-line fit and Student's t; knows nothing of contact.
 
-#include <limits>
+#include "base/special_numbers.hpp"
+
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::reports {
-
-inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Least squares of y = intercept + slope x over n points; the errors are the
 /// usual ones for independent scatter in y, NaN for two points.

@@ -15,7 +15,7 @@
 namespace asperity::reports {
 namespace {
 
-constexpr const char* style = R"(set encoding utf8
+constexpr const char* shared_settings = R"(set encoding utf8
 set datafile separator comma
 set border 3 linewidth 0.8 linecolor rgb '#444444'
 set tics nomirror out scale 0.6 textcolor rgb '#333333'
@@ -102,8 +102,8 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
       fmt::format("# gnuplot {}\nset terminal svg size {},{} fixed enhanced "
                   "font 'Helvetica,12' background '#ffffff'\nset output "
                   "'{}'\n{}{}set output\n",
-                  script_name, figure.width, figure.height, svg_name, style,
-                  figure.script));
+                  script_name, figure.width, figure.height, svg_name,
+                  shared_settings, figure.script));
 
   const std::filesystem::path svg_path = folder / svg_name;
   std::error_code ignored;

@@ -224,4 +224,17 @@ std::string html_page(std::span<const ReportEntry> entries,
   return view.render(page);
 }
 
+kainjow::mustache::data text_item(const std::string& text) {
+  kainjow::mustache::data item;
+  item.set("text", text);
+  return item;
+}
+
+std::string shared_style() {
+  const std::string page(report_template);
+  const std::size_t start = page.find("<style>");
+  const std::string end = "</style>";
+  return page.substr(start, page.find(end) + end.size() - start);
+}
+
 } // namespace asperity::reports

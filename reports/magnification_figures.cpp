@@ -13,7 +13,7 @@ namespace {
 
 // P_u stands beside the distribution (27) of a load this near to its own.
 constexpr double nearest_load_ratio = 1.25;
-constexpr int gap_bins = 60;
+constexpr int shown_gap_bins = 60;
 constexpr double widest_gap = 4.0; ///< of the distributions, in h_rms
 
 std::string pressure_text(double pressure) {
@@ -179,7 +179,7 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
       continue;
     const std::size_t index = plots.size();
     const results::Histogram histogram =
-        results::gap_histogram(map->gap, map->pressure, gap_bins);
+        results::gap_histogram(map->gap, map->pressure, shown_gap_bins);
     double open = 0.0;
     for (std::size_t i = 0; i < histogram.density.size(); ++i) {
       open += histogram.density[i] * histogram.bin_width();

@@ -14,6 +14,12 @@ kainjow::mustache::data entry_data(const ReportEntry& entry,
                                    std::span<const Series> series,
                                    bool is_one_of_many);
 
+/// {"text": text}, an item of a list.
+kainjow::mustache::data text_item(const std::string& text);
+
+/// The style sheet that all pages share, as a <style> element.
+std::string shared_style();
+
 /// A row an expectation and method.
 kainjow::mustache::list verdict_rows(const Summary& summary);
 

@@ -83,12 +83,6 @@ DrawnGroup drawn_figures(const Section& section, const fs::path& folder,
   return shown;
 }
 
-Value text_item(const std::string& text) {
-  Value value;
-  value.set("text", text);
-  return value;
-}
-
 List links_of(const Section& section, const fs::path& folder) {
   List links;
   for (const PaperPart* part : section.parts) {
@@ -162,14 +156,6 @@ List facts_of(std::span<const PaperPart> parts) {
       facts.push_back(value);
     }
   return facts;
-}
-
-// The look of the other reports.
-std::string shared_style() {
-  const std::string page(report_template);
-  const std::size_t start = page.find("<style>");
-  const std::string end = "</style>";
-  return page.substr(start, page.find(end) + end.size() - start);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ std::string remark_of(const Estimate& estimate, Reproduction verdict) {
              : "";
 }
 
-std::string typeset(std::string text) {
+std::string with_plus_minus_sign(std::string text) {
   if (const std::size_t at = text.find("+-"); at != std::string::npos)
     text.replace(at, 2, "±");
   return text;
@@ -103,7 +103,7 @@ kainjow::mustache::data row_data(const PaperRow& row) {
     value.set("quantity", row.reference.quantity);
     value.set("meaning", meaning_of(row.reference.quantity));
     value.set("source", row.reference.source);
-    value.set("published", typeset(published_text(row.reference)));
+    value.set("published", with_plus_minus_sign(published_text(row.reference)));
     value.set("part", row.part);
     value.set("section", section_of(row.part));
   }

@@ -1,5 +1,7 @@
 #include "reports/plot_parts.hpp"
 
+#include "base/field_sums.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,14 +80,7 @@ methods_with_maps(const results::Result& result) {
   return methods;
 }
 
-namespace {
-
-bool is_finite(const std::vector<double>& map) {
-  return std::all_of(map.begin(), map.end(),
-                     [](double number) { return std::isfinite(number); });
-}
-
-} // namespace
+namespace {} // namespace
 
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method) {
@@ -94,7 +89,7 @@ whole_maps(const results::MethodRecord& method) {
     if (const std::size_t size = fields.grid.size();
         size > 0 && fields.pressure.size() == size &&
         fields.gap.size() == size && fields.grid.length_x > 0.0 &&
-        is_finite(fields.pressure) && is_finite(fields.gap))
+        all_finite(fields.pressure) && all_finite(fields.gap))
       whole.push_back(&fields);
   return whole;
 }

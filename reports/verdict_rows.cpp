@@ -13,7 +13,7 @@ using Value = kainjow::mustache::data;
 using List = kainjow::mustache::list;
 
 // "0.35 … 0.45" and "≤ 0.05" for a page.
-std::string typeset(std::string band) {
+std::string with_typographic_signs(std::string band) {
   for (const auto& [plain, sign] :
        {std::pair("..", " … "), std::pair("<=", "≤"), std::pair(">=", "≥")})
     if (const std::size_t at = band.find(plain); at != std::string::npos)
@@ -45,7 +45,8 @@ List verdict_rows(const Summary& summary) {
         cases::expectation_called(verdict.quantity);
     row.set("meaning", known == nullptr ? "" : known->description);
     row.set("value", number_text(verdict.estimate));
-    row.set("band", typeset(band_text(verdict.low, verdict.high)));
+    row.set("band",
+            with_typographic_signs(band_text(verdict.low, verdict.high)));
     row.set("remark", verdict.outcome == Outcome::undecided
                           ? undecided_words(verdict)
                           : verdict.estimate.remark);

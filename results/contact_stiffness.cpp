@@ -1,17 +1,15 @@
 #include "results/contact_stiffness.hpp"
 
 #include "base/require.hpp"
+#include "base/special_numbers.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace asperity::results {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Point {
   double u;
@@ -47,7 +45,7 @@ contact_stiffness(std::span<const double> mean_gap,
     refuse_argument("nominal_pressure.size()",
                     static_cast<double>(nominal_pressure.size()),
                     "equal to " + std::to_string(mean_gap.size()));
-  std::vector<double> stiffness(mean_gap.size(), none);
+  std::vector<double> stiffness(mean_gap.size(), not_a_number);
   if (mean_gap.size() < 2)
     return stiffness;
   for (std::size_t i = 0; i < stiffness.size(); ++i) {

@@ -21,7 +21,6 @@ constexpr double rounding = 1e-9; // of sums of weights that have mean 1
 
 constexpr ColumnRange any{-largest, largest};
 constexpr ColumnRange needed{-largest, largest, true};
-constexpr ColumnRange not_negative{0.0, largest};
 constexpr ColumnRange share{0.0, 1.0};
 
 template <auto member>

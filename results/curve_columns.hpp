@@ -25,6 +25,9 @@ struct ColumnRange {
   bool holds(double number) const;
 };
 
+inline constexpr ColumnRange not_negative{0.0,
+                                          std::numeric_limits<double>::max()};
+
 /// A number of CurvePoint. Integers pass through double exactly.
 struct CurveColumn {
   std::string_view name;

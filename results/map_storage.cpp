@@ -1,5 +1,6 @@
 #include "results/map_storage.hpp"
 
+#include "base/special_numbers.hpp"
 #include "cases/case_error.hpp"
 #include "results/observables.hpp"
 #include "results/result_layout.hpp"
@@ -11,12 +12,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace asperity::results {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_points = 1'000'000; ///< a side
 
 /// A number of a SurfaceRecord as an attribute, with "<name>_unit" beside it.
@@ -166,7 +165,7 @@ SurfaceRecord read_surface(const Hdf5Group& group) {
   if (group.has("heights"))
     surface.heights = group.numbers("heights");
   for (const auto& [name, unit, number] : surface_numbers)
-    surface.*number = number_or(group, name, none);
+    surface.*number = number_or(group, name, not_a_number);
   if (std::isnan(surface.rms_height) && !surface.heights.empty())
     surface.rms_height = rms_of(surface.heights);
   if (group.has("spectrum"))
@@ -195,7 +194,8 @@ std::vector<Fields> read_fields(const Hdf5Group& group) {
       const Hdf5Group maps = group.open(name);
       Fields fields;
       fields.step = *step;
-      fields.nominal_pressure = number_or(maps, "nominal_pressure", none);
+      fields.nominal_pressure =
+          number_or(maps, "nominal_pressure", not_a_number);
       fields.grid = grid_of_map(maps);
       fields.pressure = maps.numbers("pressure");
       fields.gap = maps.numbers("gap");

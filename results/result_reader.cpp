@@ -1,6 +1,7 @@
 #include "results/result_reader.hpp"
 
 #include "base/plain_text.hpp"
+#include "base/special_numbers.hpp"
 #include "cases/case_error.hpp"
 #include "results/contact_stiffness.hpp"
 #include "results/curve_storage.hpp"
@@ -21,8 +22,6 @@
 
 namespace asperity::results {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string text_or(const Hdf5Group& group, const std::string& name,
                     const std::string& otherwise) {
@@ -61,7 +60,7 @@ void require_format(const Hdf5Group& file) {
     throw cases::CaseError(fmt::format("{} = \"{}\", but must be \"{}\"",
                                        file.place("format"), format,
                                        layout::format));
-  const double version = number_or(file, "format_version", none);
+  const double version = number_or(file, "format_version", not_a_number);
   if (!(version >= 1 && version < layout::format_version + 1))
     throw cases::CaseError(fmt::format("{} = {}, but must lie between 1 and {}",
                                        file.place("format_version"), version,

@@ -21,7 +21,6 @@ namespace {
 constexpr std::size_t most_lines = 10;
 constexpr ColumnRange finite{std::numeric_limits<double>::lowest(),
                              std::numeric_limits<double>::max()};
-constexpr ColumnRange not_negative{0.0, std::numeric_limits<double>::max()};
 
 /// The mistakes of one file.
 class Findings {

@@ -1,16 +1,12 @@
+#include "base/special_numbers.hpp"
 #include "cases/read_case.hpp"
 #include "contact/load_sequence.hpp"
 #include "surfaces/map_file.hpp"
-
-#include <limits>
 
 #include "stress/kinds.hpp"
 
 namespace asperity::stress {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What a half-space or a slab is built of; a half-space has no thickness.
 void spoil_block(Scene& scene) {
@@ -19,18 +15,18 @@ void spoil_block(Scene& scene) {
     scene.contact_modulus = 0.0;
     break;
   case Flaw::nan_modulus:
-    scene.contact_modulus = nan;
+    scene.contact_modulus = not_a_number;
     break;
   case Flaw::infinite_modulus:
     scene.contact_modulus = infinity;
     break;
   case Flaw::nan_thickness:
     scene.family = Family::slab;
-    scene.thickness = nan;
+    scene.thickness = not_a_number;
     break;
   case Flaw::nan_poisson_ratio:
     scene.family = Family::slab;
-    scene.poisson_ratio = nan;
+    scene.poisson_ratio = not_a_number;
     break;
   default:
     break;
@@ -53,7 +49,7 @@ void solve_spoilt(Scene scene) {
                              scene.contact_modulus * scene.rms_slope};
   switch (scene.flaw) {
   case Flaw::nan_height:
-    spoilt_height = nan;
+    spoilt_height = not_a_number;
     break;
   case Flaw::infinite_height:
     spoilt_height = scene.index % 3 == 0 ? -infinity : infinity;
@@ -81,13 +77,13 @@ void solve_spoilt(Scene scene) {
     tolerance = 0.0;
     break;
   case Flaw::nan_load:
-    target.amount = nan;
+    target.amount = not_a_number;
     break;
   case Flaw::nan_penalty:
-    interface.penalty = nan;
+    interface.penalty = not_a_number;
     break;
   case Flaw::nan_tolerance:
-    tolerance = nan;
+    tolerance = not_a_number;
     break;
   default: // of the block: already in the scene
     break;

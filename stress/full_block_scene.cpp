@@ -11,7 +11,7 @@ namespace {
 
 /// Of unbalanced nodal forces, relative to the largest: what the block's
 /// Newton method promises.
-constexpr double force_tolerance = 1e-8;
+constexpr double load_tolerance_of_block = 1e-8;
 
 /// The spring of a hard wall's augmentation, as a case's default has it [E*/h].
 constexpr double wall_spring = 100.0;
@@ -54,7 +54,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
       scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
-  asked.load_tolerance = force_tolerance;
+  asked.load_tolerance = load_tolerance_of_block;
 
   // A flat surface's tolerance is the block's own, a share of the spacing.
   const double tolerance_scale =
@@ -79,7 +79,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
     }
     // The forces' tolerance is one of the gap as well, through C.
     asked.gap_tolerance = relative_tolerance * tolerance_scale +
-                          force_tolerance * range.longest *
+                          load_tolerance_of_block * range.longest *
                               *std::max_element(solution.pressure.begin(),
                                                 solution.pressure.end());
     if (const auto failure = verify_step(asked, target, solution, displace))

@@ -1,5 +1,6 @@
 #include "stress/verify.hpp"
 
+#include "base/field_sums.hpp"
 #include "results/observables.hpp"
 
 #include <fmt/format.h>
@@ -24,11 +25,6 @@ double largest(std::span<const double> field) {
   for (const double value : field)
     most = std::max(most, std::abs(value));
   return most;
-}
-
-bool all_finite(std::span<const double> field) {
-  return std::all_of(field.begin(), field.end(),
-                     [](double value) { return std::isfinite(value); });
 }
 
 std::optional<Failure> verify_finite(const ContactSolution& solution) {

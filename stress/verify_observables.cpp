@@ -1,5 +1,6 @@
 #include "stress/verify_observables.hpp"
 
+#include "base/special_numbers.hpp"
 #include "results/area_estimate.hpp"
 #include "results/observables.hpp"
 #include "results/pressure_fit.hpp"
@@ -10,14 +11,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <string>
 #include <tuple>
 
 namespace asperity::stress {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A number of a row with its range.
 struct Ranged {

@@ -1,18 +1,16 @@
 #include "stress/written_case.hpp"
 
+#include "base/special_numbers.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
 #include <vector>
 
 #include "stress/kinds.hpp"
 
 namespace asperity::stress {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The numbers of a case that a flaw may spoil, in SI but for those over h.
 struct CaseNumbers {
@@ -63,7 +61,7 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
     numbers.loads[0] = infinity;
     break;
   case Flaw::nan_load:
-    numbers.loads[0] = nan;
+    numbers.loads[0] = not_a_number;
     break;
   case Flaw::closed_wall_gap:
     numbers.law = cases::ContactLaw::hard;
@@ -77,13 +75,13 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
     numbers.penalty = infinity;
     break;
   case Flaw::nan_penalty:
-    numbers.penalty = nan;
+    numbers.penalty = not_a_number;
     break;
   case Flaw::zero_tolerance:
     numbers.tolerance = 0.0;
     break;
   case Flaw::nan_tolerance:
-    numbers.tolerance = nan;
+    numbers.tolerance = not_a_number;
     break;
   default:
     break;
@@ -97,21 +95,21 @@ void spoil_block(const Scene& scene, CaseNumbers& numbers) {
     numbers.contact_modulus = 0.0;
     break;
   case Flaw::nan_modulus:
-    numbers.contact_modulus = nan;
+    numbers.contact_modulus = not_a_number;
     break;
   case Flaw::infinite_modulus:
     numbers.contact_modulus = infinity;
     break;
   case Flaw::nan_in_case:
-    numbers.length = nan;
+    numbers.length = not_a_number;
     break;
   case Flaw::nan_poisson_ratio:
     numbers.is_slab = true;
-    numbers.poisson_ratio = nan;
+    numbers.poisson_ratio = not_a_number;
     break;
   case Flaw::nan_thickness:
     numbers.is_slab = true;
-    numbers.thickness = nan;
+    numbers.thickness = not_a_number;
     break;
   case Flaw::incompressible:
     numbers.has_elements = true;
@@ -197,7 +195,7 @@ std::string map_text_of(const Scene& scene) {
   std::vector<double> heights = surface_of(wanted, grid).map.heights;
   double& spoilt = heights[static_cast<std::size_t>(scene.index) % grid.size()];
   if (scene.flaw == Flaw::nan_height || scene.flaw == Flaw::nan_in_file)
-    spoilt = nan;
+    spoilt = not_a_number;
   if (scene.flaw == Flaw::infinite_height ||
       scene.flaw == Flaw::infinity_in_file)
     spoilt = scene.index % 3 == 0 ? -infinity : infinity;

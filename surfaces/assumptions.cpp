@@ -1,23 +1,22 @@
 #include "surfaces/assumptions.hpp"
 
+#include "base/special_numbers.hpp"
 #include "surfaces/mode_power.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 namespace asperity::surfaces {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-9; // of a wave that ends at the limit itself
+constexpr double nyquist_rounding = 1e-9; // of a wave that ends at the limit itself
 
 /// s^2 of lines of these means [m^2].
 double mean_square_offset(const std::vector<double>& means, std::size_t step) {
   if (means.size() <= 2 * step)
-    return none;
+    return not_a_number;
   double sum = 0.0;
   for (std::size_t i = step; i + step < means.size(); ++i)
     sum += std::pow(means[i] - 0.5 * (means[i - step] + means[i + step]), 2);
@@ -33,7 +32,7 @@ std::size_t lines_within(double distance, double spacing) {
 
 double unresolved_slope_share(const HeightMap& map) {
   const double spacing = std::max(map.grid.spacing_x(), map.grid.spacing_y());
-  const double limit = 0.5 * std::numbers::pi / spacing * (1.0 + rounding);
+  const double limit = 0.5 * std::numbers::pi / spacing * (1.0 + nyquist_rounding);
   double whole = 0.0;
   double above = 0.0;
   for_each_mode(map, [&](const ModePower& mode) {
@@ -42,7 +41,7 @@ double unresolved_slope_share(const HeightMap& map) {
     if (mode.wavevector > limit)
       above += square;
   });
-  return whole > 0.0 ? above / whole : none;
+  return whole > 0.0 ? above / whole : not_a_number;
 }
 
 double line_offset_ratio(const HeightMap& map) {
@@ -63,7 +62,7 @@ double line_offset_ratio(const HeightMap& map) {
   const bool has_both = square_x > 0.0 && square_y > 0.0;
   return has_both
              ? std::sqrt(square_x * grid.length_x / (square_y * grid.length_y))
-             : none;
+             : not_a_number;
 }
 
 } // namespace asperity::surfaces
