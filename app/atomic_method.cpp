@@ -2,6 +2,7 @@
 
 #include "app/curve_row.hpp"
 #include "cases/case_error.hpp"
+#include "md/engines.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "cases/input_file.hpp"
 #include "cases/toml_text.hpp"
 #include "cases/vocabulary.hpp"
-#include "md/atomic_contact.hpp"
+#include "md/engines.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // What a run would do: jobs, predicted time and memory, what the cache has.
 // Computes no answer and writes nothing.
 
-#include "app/run_case.hpp"
+#include "app/run_options.hpp"
 #include "app/skipped.hpp"
 
 #include <string>

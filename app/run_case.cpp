@@ -12,6 +12,7 @@
 #include "app/studies.hpp"
 #include "cases/case_hash.hpp"
 #include "cases/locking.hpp"
+#include "md/engines.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 // threads, in which order. Owns the job list.
 
 #include "app/cache.hpp"
+#include "app/run_options.hpp"
 #include "cases/case.hpp"
 #include "results/result_writer.hpp"
 
@@ -12,16 +13,6 @@
 #include <vector>
 
 namespace asperity::app {
-
-struct RunOptions {
-  std::filesystem::path folder;     ///< of result.h5
-  std::vector<std::string> methods; ///< names or kinds; empty: all
-  bool resume = false;
-  int threads = 0;            ///< 0: as many as the machine has
-  std::string reference = {}; ///< text of the case's reference.csv, or empty
-  Cache* cache = nullptr;     ///< null: all is computed, nothing is kept
-  bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
-};
 
 struct RunOutcome {
   bool is_interrupted = false;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The room's front door: a block of atoms on a surface, one load step after
-// the other, answered in the quantities every method answers in.
+// A block of atoms on a surface, one load step after the other, answered in
+// the quantities every method answers in.
 
 #include "base/grid.hpp"
 #include "cases/case.hpp"
@@ -79,18 +79,5 @@ public:
   /// E* that a wave of wavevector q a = 0.1 really meets [Pa].
   virtual double shown_contact_modulus() const = 0;
 };
-
-/// To be asked before anything is written: is what the engine needs installed?
-/// @throws cases::CaseError  a program is not, with the package that has it
-void require_engine(const cases::MdSettings& settings);
-
-/// Which program answers, where it is not this one: path, size and time of the
-/// file that would be started; empty for our own engine, or if there is none.
-std::string engine_identity(const cases::MdSettings& settings);
-
-/// @throws cases::CaseError   settings that do not go together, a program that
-///                            is not installed
-/// @throws std::domain_error  what a part refuses
-std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request);
 
 } // namespace asperity::md

@@ -121,18 +121,4 @@ std::unique_ptr<AtomicContact> make_green_contact(AtomRequest request) {
   return std::make_unique<GreenContact>(std::move(request));
 }
 
-std::string fault_of(const Inspection& inspection, std::size_t atoms) {
-  const double share =
-      100.0 * inspection.below_substrate / static_cast<double>(atoms);
-  if (inspection.below_substrate > 0)
-    return fmt::format("{:.3g} % of the atoms are below the substrate, and {} "
-                       "pairs are too near: atoms went through",
-                       share, inspection.close_pairs);
-  if (inspection.close_pairs > 0)
-    return fmt::format("{} pairs are too near, the nearest at {:.3g} m: atoms "
-                       "are going through",
-                       inspection.close_pairs, inspection.shortest_distance);
-  return "";
-}
-
 } // namespace asperity::md

@@ -1,13 +1,11 @@
 #pragma once
 
-// Bulk green behind the room's front door: the block as its surface stiffness,
-// brought to balance load after load.
+// The block as its surface stiffness (bulk = "green"), brought to balance load
+// after load.
 
 #include "md/atomic_contact.hpp"
 
-#include <cstddef>
 #include <memory>
-#include <string>
 
 namespace asperity::md {
 
@@ -19,9 +17,5 @@ namespace asperity::md {
 /// @throws cases::CaseError   another engine, bulk or minimizer than this one
 /// @throws std::domain_error  what a part refuses
 std::unique_ptr<AtomicContact> make_green_contact(AtomRequest request);
-
-/// Why a balance is no result in spite of its residual: "3.1 % of the atoms
-/// are below the substrate ..."; empty if nothing went through.
-std::string fault_of(const Inspection& inspection, std::size_t atoms);
 
 } // namespace asperity::md

@@ -2,14 +2,13 @@
 
 #include "base/atomic_file.hpp"
 #include "base/require.hpp"
-#include "md/green_contact.hpp"
 #include "md/lammps_answer.hpp"
 #include "md/lammps_block.hpp"
 #include "md/lammps_input.hpp"
 #include "md/lammps_run.hpp"
-#include "md/load_step_driver.hpp"
 #include "md/request_parts.hpp"
 #include "md/slab_symbol.hpp"
+#include "md/step_reading.hpp"
 
 #include <fmt/format.h>
 

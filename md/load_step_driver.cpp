@@ -2,7 +2,6 @@
 
 #include "base/field_sums.hpp"
 #include "base/require.hpp"
-#include "md/green_contact.hpp"
 #include "md/request_parts.hpp"
 #include "md/step_reading.hpp"
 

@@ -15,10 +15,6 @@
 
 namespace asperity::md {
 
-/// A step starts this far over the highest substrate atom where no earlier
-/// step was solved [m].
-inline constexpr double start_clearance = 4e-10;
-
 class LoadStepDriver : public AtomicContact {
 public:
   AtomStep solve(cases::Control control, double amount, int step,

@@ -8,6 +8,10 @@
 
 namespace asperity::md {
 
+/// A step starts this far over the highest substrate atom where no earlier
+/// step was solved [m].
+inline constexpr double start_clearance = 4e-10;
+
 Crystal crystal_of(const AtomRequest& request);
 
 /// The taper begins at 0.9 of the cut-off.

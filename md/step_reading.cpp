@@ -2,6 +2,8 @@
 
 #include "base/field_sums.hpp"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 namespace asperity::md {
@@ -34,6 +36,20 @@ void read_step(const System& system, std::span<const double> state,
                                       all.subspan(layer.size(), layer.size()),
                                       all.subspan(2 * layer.size())}) /
                           layer.area();
+}
+
+std::string fault_of(const Inspection& inspection, std::size_t atoms) {
+  const double share =
+      100.0 * inspection.below_substrate / static_cast<double>(atoms);
+  if (inspection.below_substrate > 0)
+    return fmt::format("{:.3g} % of the atoms are below the substrate, and {} "
+                       "pairs are too near: atoms went through",
+                       share, inspection.close_pairs);
+  if (inspection.close_pairs > 0)
+    return fmt::format("{} pairs are too near, the nearest at {:.3g} m: atoms "
+                       "are going through",
+                       inspection.close_pairs, inspection.shortest_distance);
+  return "";
 }
 
 } // namespace asperity::md

@@ -6,7 +6,9 @@
 #include "md/atomic_contact.hpp"
 #include "md/system.hpp"
 
+#include <cstddef>
 #include <span>
+#include <string>
 
 namespace asperity::md {
 
@@ -22,5 +24,9 @@ struct ReadingDistances {
 void read_step(const System& system, std::span<const double> state,
                std::span<const double> normal_forces,
                const ReadingDistances& distances, AtomStep& step);
+
+/// Why a balance is no result in spite of its residual: "3.1 % of the atoms
+/// are below the substrate ..."; empty if nothing went through.
+std::string fault_of(const Inspection& inspection, std::size_t atoms);
 
 } // namespace asperity::md

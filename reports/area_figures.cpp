@@ -1,6 +1,6 @@
 #include "reports/area_scale.hpp"
 #include "reports/figures.hpp"
-#include "reports/html_report.hpp"
+#include "reports/number_text.hpp"
 #include "reports/plot_parts.hpp"
 
 #include <fmt/format.h>

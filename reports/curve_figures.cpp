@@ -1,5 +1,5 @@
 #include "reports/figures.hpp"
-#include "reports/html_report.hpp"
+#include "reports/number_text.hpp"
 #include "reports/plot_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+#include "reports/number_text.hpp"
 #include "reports/page_data.hpp"
 #include "reports/theory_agreement.hpp"
 #include "reports/verdict.hpp"

@@ -23,13 +23,6 @@ struct DrawnGroup {
 std::string html_page(std::span<const ReportEntry> entries,
                       std::span<const DrawnGroup> groups);
 
-/// "0.412 ± 0.021": as many decimals as the interval has meaning for, four
-/// digits without one, "not determined" without a value.
-std::string number_text(const Estimate& estimate);
-
-/// The same in per cent: "+27.1 ± 0.9 %".
-std::string percent_text(const Estimate& estimate);
-
 /// What was pressed on what: surface, material and loads in one sentence.
 std::string case_sentence(const ReportEntry& entry);
 

@@ -1,7 +1,7 @@
 #include "reports/paper_table.hpp"
 
 #include "reports/claims.hpp"
-#include "reports/html_report.hpp"
+#include "reports/number_text.hpp"
 #include "reports/verdict.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #include "cases/expectations.hpp"
+#include "reports/number_text.hpp"
 #include "reports/page_data.hpp"
 #include "reports/verdict.hpp"
 

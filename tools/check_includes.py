@@ -21,8 +21,8 @@ MAY_INCLUDE = {
     "results": {"base", "cases", "theory"},  # (20) is (1) with another variance
     "reports": {"base", "cases", "surfaces", "theory", "results"},
     "stress": {"base", "cases", "surfaces", "theory", "contact", "meshes",
-               "results", "fem/plugin.hpp", "md/atomic_contact.hpp"},
-    "app": EVERYTHING - {"fem", "md"} | {"fem/plugin.hpp", "md/atomic_contact.hpp"},
+               "results", "fem/plugin.hpp", "md/engines.hpp"},
+    "app": EVERYTHING - {"fem", "md"} | {"fem/plugin.hpp", "md/atomic_contact.hpp", "md/engines.hpp"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"(([a-z_]+)/[^"]+)"')
 

@@ -1,6 +1,7 @@
 // Claims about md/explicit_contact.hpp: the load program of a rough contact by
 // each minimiser, and what is said about a step.
 #include "cases/case_error.hpp"
+#include "md/engines.hpp"
 #include "md/explicit_contact.hpp"
 #include "md/shown_modulus.hpp"
 #include "md/slab_symbol.hpp"

@@ -2,7 +2,7 @@
 // cut at four times the roll-off, brought up load by load. CPU time is the
 // harness's; counters give evaluations of the forces, linearisations (a sum
 // over all pairs each) and products of the second derivatives a load.
-#include "md/atomic_contact.hpp"
+#include "md/engines.hpp"
 #include "md/surface_stiffness.hpp"
 #include "surfaces/build.hpp"
 

@@ -1,6 +1,7 @@
 // Claims about bulk green behind md/atomic_contact.hpp: the curve has no
 // memory, load and energy belong together, and what went through is flagged.
 #include "cases/case_error.hpp"
+#include "md/engines.hpp"
 #include "md/green_contact.hpp"
 #include "md/green_system.hpp"
 #include "md/request_parts.hpp"

@@ -3,6 +3,7 @@
 // answer, and a step that fails says why. Skipped where the Debian package
 // lammps is not installed.
 #include "base/child_process.hpp"
+#include "md/engines.hpp"
 #include "md/lammps_contact.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "md/atomic_contact.hpp"
+#include "md/engines.hpp"
 
 #include "base/child_process.hpp"
 #include "md/explicit_contact.hpp"
