@@ -7,7 +7,7 @@
 // points a side (512), threads (1), thickness of a slab with a free back in
 // lengths (0: half-space), load steps of the program (16; 0: cold steps only).
 #include "base/freed_memory.hpp"
-#include "contact/load_sequence.hpp"
+#include "contact/solvers/load_sequence.hpp"
 
 #include <algorithm>
 #include <array>

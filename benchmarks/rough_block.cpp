@@ -9,11 +9,11 @@
 // boxes growing by 1.2 to a depth of half a side, clamped; nominal pressure
 // 0.01 E*.
 #include "base/cpu_clock.hpp"
-#include "fem/full_block.hpp"
-#include "fem/mpi_session.hpp"
+#include "fem/block/full_block.hpp"
+#include "fem/parallel/mpi_session.hpp"
 #include "meshes/graded_layers.hpp"
+#include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/self_affine.hpp"
 
 #include <algorithm>
 #include <cstdio>

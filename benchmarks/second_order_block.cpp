@@ -1,17 +1,17 @@
 // What multigrid costs as the preconditioner of a second-order block, set up
 // for the block's own matrix and for that of first-order cells between the same
-// nodes (fem/block_assembly.hpp): entries, set-up and solve in CPU seconds,
-// iterations. The patch of nodes that a sphere touches is pushed in by one
-// length; residual to 1e-8 of the load; the answers are compared.
+// nodes (fem/block/block_assembly.hpp): entries, set-up and solve in CPU
+// seconds, iterations. The patch of nodes that a sphere touches is pushed in by
+// one length; residual to 1e-8 of the load; the answers are compared.
 //
 //     bench_second_order_block [points] [indentation|graded] [repeats]
 //
 // nodes a side (32); gmsh's mesh that is fine where the sphere touches, or
 // boxes whose layers grow by 1.5 to a depth of one side; pairs of runs (1).
 #include "base/cpu_clock.hpp"
-#include "fem/block_assembly.hpp"
-#include "fem/block_solver.hpp"
-#include "fem/mpi_session.hpp"
+#include "fem/block/block_assembly.hpp"
+#include "fem/block/block_solver.hpp"
+#include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
@@ -34,7 +34,8 @@ constexpr double side = 1e-3; // m
 
 BlockProblem problem_of(int points, bool is_indentation) {
   const Grid grid{points, points, side, side};
-  BlockProblem problem{grid, {}, 2, ModuliField(moduli(cases::BodyModuli{2e9, 0.3}))};
+  BlockProblem problem{
+      grid, {}, 2, ModuliField(moduli(cases::BodyModuli{2e9, 0.3}))};
   if (is_indentation) {
     meshes::GmshBlock block;
     block.geometry = cases::MeshGeometry::indentation;

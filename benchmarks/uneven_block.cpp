@@ -1,9 +1,9 @@
 // What a linear solve of a block of uneven cells costs, by algebraic multigrid
-// (settings of fem/block_solver.cpp) and by the uniform block's lateral waves
-// as preconditioners of conjugate gradients: set-up and solve in CPU seconds,
-// iterations, memory. Moduli of +-50 % a cell, layers growing by 1.2 from cubic
-// cells to a depth of one length, clamped; loads on every node; residual to
-// 1e-12 of the load, as fem/block_solver.cpp.
+// (settings of fem/block/block_solver.cpp) and by the uniform block's lateral
+// waves as preconditioners of conjugate gradients: set-up and solve in CPU
+// seconds, iterations, memory. Moduli of +-50 % a cell, layers growing by 1.2
+// from cubic cells to a depth of one length, clamped; loads on every node;
+// residual to 1e-12 of the load, as fem/block/block_solver.cpp.
 //
 //     bench_uneven_block [degree] [points] [multigrid] [k h/E*]
 //
@@ -13,7 +13,7 @@
 #include "tests/fem/uneven_block.hpp"
 
 #include "base/cpu_clock.hpp"
-#include "fem/mpi_session.hpp"
+#include "fem/parallel/mpi_session.hpp"
 #include "meshes/graded_layers.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>

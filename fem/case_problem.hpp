@@ -4,7 +4,7 @@
 // mesh, made of what, held how.
 
 #include "cases/case.hpp"
-#include "fem/block_problem.hpp"
+#include "fem/block/block_problem.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "fem/led_blocks.hpp"
 
-#include "fem/ranks.hpp"
+#include "fem/parallel/ranks.hpp"
 #include "meshes/mesh_bytes.hpp"
 
 #include <nlohmann/json.hpp>

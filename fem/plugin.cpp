@@ -1,11 +1,11 @@
 #include "fem/plugin.hpp"
 
-#include "contact/fourier_operator.hpp"
-#include "fem/cell_stiffness.hpp"
-#include "fem/condensed_q1.hpp"
+#include "contact/operators/fourier_operator.hpp"
 #include "fem/led_blocks.hpp"
-#include "fem/q2_operator.hpp"
-#include "fem/ranks.hpp"
+#include "fem/parallel/ranks.hpp"
+#include "fem/waves/cell_stiffness.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/q2_operator.hpp"
 #include "meshes/graded_layers.hpp"
 
 #include <deal.II/base/config.h>

@@ -4,9 +4,9 @@
 // time, so that only commands that compute with them pay deal.II's start.
 
 #include "cases/case.hpp"
-#include "contact/surface_operator.hpp"
+#include "contact/operators/surface_operator.hpp"
+#include "fem/block/full_block.hpp"
 #include "fem/case_problem.hpp"
-#include "fem/full_block.hpp"
 
 #include <functional>
 #include <memory>

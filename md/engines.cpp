@@ -1,10 +1,10 @@
 #include "md/engines.hpp"
 
 #include "base/child_process.hpp"
-#include "md/explicit_contact.hpp"
-#include "md/green_contact.hpp"
-#include "md/lammps_contact.hpp"
-#include "md/lammps_run.hpp"
+#include "md/contact/explicit_contact.hpp"
+#include "md/contact/green_contact.hpp"
+#include "md/lammps/lammps_contact.hpp"
+#include "md/lammps/lammps_run.hpp"
 
 #include <fmt/format.h>
 

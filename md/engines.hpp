@@ -3,7 +3,7 @@
 // The engines that can press a block of atoms, and the choice between them.
 // Other modules include this header and atomic_contact.hpp, and nothing else.
 
-#include "md/atomic_contact.hpp"
+#include "md/contact/atomic_contact.hpp"
 
 #include <memory>
 #include <string>

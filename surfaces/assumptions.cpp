@@ -1,7 +1,7 @@
 #include "surfaces/assumptions.hpp"
 
 #include "base/special_numbers.hpp"
-#include "surfaces/mode_power.hpp"
+#include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 namespace asperity::surfaces {
 namespace {
 
-constexpr double nyquist_rounding = 1e-9; // of a wave that ends at the limit itself
+constexpr double nyquist_rounding =
+    1e-9; // of a wave that ends at the limit itself
 
 /// s^2 of lines of these means [m^2].
 double mean_square_offset(const std::vector<double>& means, std::size_t step) {
@@ -32,7 +33,8 @@ std::size_t lines_within(double distance, double spacing) {
 
 double unresolved_slope_share(const HeightMap& map) {
   const double spacing = std::max(map.grid.spacing_x(), map.grid.spacing_y());
-  const double limit = 0.5 * std::numbers::pi / spacing * (1.0 + nyquist_rounding);
+  const double limit =
+      0.5 * std::numbers::pi / spacing * (1.0 + nyquist_rounding);
   double whole = 0.0;
   double above = 0.0;
   for_each_mode(map, [&](const ModePower& mode) {

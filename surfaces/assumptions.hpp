@@ -1,9 +1,9 @@
 #pragma once
 
 // Whether a map is one that the methods can be asked about. Owns the numbers
-// that say so; the limits are the reports' (reports/warnings.hpp).
+// that say so; the limits are the reports' (reports/analysis/warnings.hpp).
 
-#include "surfaces/height_map.hpp"
+#include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {
 

@@ -2,14 +2,14 @@
 
 #include "base/require.hpp"
 #include "cases/case_error.hpp"
-#include "surfaces/edges.hpp"
-#include "surfaces/exact_shapes.hpp"
+#include "surfaces/formats/tabulated_spectrum.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/exact_shapes.hpp"
+#include "surfaces/maps/resample.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/resample.hpp"
-#include "surfaces/self_affine.hpp"
-#include "surfaces/statistics.hpp"
-#include "surfaces/tabulated_spectrum.hpp"
 
 #include <fmt/format.h>
 

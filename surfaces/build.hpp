@@ -4,8 +4,8 @@
 // stands behind which kind.
 
 #include "cases/case.hpp"
-#include "surfaces/height_map.hpp"
-#include "surfaces/isotropic_spectrum.hpp"
+#include "surfaces/maps/height_map.hpp"
+#include "surfaces/maps/isotropic_spectrum.hpp"
 
 #include <optional>
 

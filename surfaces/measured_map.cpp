@@ -1,10 +1,10 @@
 #include "surfaces/measured_map.hpp"
 
 #include "cases/case_error.hpp"
-#include "surfaces/edges.hpp"
-#include "surfaces/levelling.hpp"
-#include "surfaces/map_file.hpp"
-#include "surfaces/statistics.hpp"
+#include "surfaces/formats/map_file.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // refusal where nothing is left of it, and what [surface] edges does to it.
 
 #include "cases/case.hpp"
-#include "surfaces/height_map.hpp"
+#include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {
 

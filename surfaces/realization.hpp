@@ -4,9 +4,9 @@
 // heights, which does not know how fine the grid is.
 
 #include "cases/case.hpp"
-#include "surfaces/height_map.hpp"
-#include "surfaces/isotropic_spectrum.hpp"
-#include "surfaces/random_modes.hpp"
+#include "surfaces/maps/height_map.hpp"
+#include "surfaces/maps/isotropic_spectrum.hpp"
+#include "surfaces/maps/random_modes.hpp"
 
 namespace asperity::surfaces {
 

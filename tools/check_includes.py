@@ -7,8 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-EVERYTHING = {"base", "cases", "surfaces", "theory", "meshes", "contact", "fem",
-              "md", "results", "reports", "stress"}
+# Which other modules a module may include; a path allows these files alone.
 MAY_INCLUDE = {
     "base": set(),
     "cases": {"base"},
@@ -18,33 +17,79 @@ MAY_INCLUDE = {
     "meshes": {"base", "cases", "surfaces"},
     "fem": {"base", "cases", "surfaces", "meshes", "contact"},
     "md": {"base", "cases", "surfaces"},
-    "results": {"base", "cases", "theory"},  # (20) is (1) with another variance
+    "results": {"base", "cases", "theory"},  # its Eq. (20) is (1) with another variance
     "reports": {"base", "cases", "surfaces", "theory", "results"},
-    "stress": {"base", "cases", "surfaces", "theory", "contact", "meshes",
-               "results", "fem/plugin.hpp", "md/engines.hpp"},
-    "app": EVERYTHING - {"fem", "md"} | {"fem/plugin.hpp", "md/atomic_contact.hpp", "md/engines.hpp"},
+    "robustness": {"base", "cases", "surfaces", "theory", "contact", "meshes",
+                   "results", "fem/plugin.hpp", "md/engines.hpp"},
+    "app": {"base", "cases", "surfaces", "theory", "meshes", "contact", "results",
+            "reports", "fem/plugin.hpp", "md/contact/atomic_contact.hpp",
+            "md/engines.hpp"},
+    "bench": {"base", "cases", "surfaces", "theory", "results", "reports", "app"},
 }
-INCLUDE = re.compile(r'^\s*#\s*include\s*"(([a-z_]+)/[^"]+)"')
+
+# The sub-folders of a module, lowest first; "." is the module's own folder. A
+# file may include its own sub-folder and those before it, so no cycle can arise.
+ORDER = {
+    "contact": ["operators", "solvers"],
+    "surfaces": ["maps", "formats", "."],
+    "fem": ["parallel", "waves", "block", "."],
+    "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
+    "reports": [".", "analysis", "figures", "pages"],
+    "app": ["cache", "methods", "plan", "run", "cli"],
+    "bench": [".", "analysis", "settings", "pages", "runs"],
+}
+
+# app/cli stands above bench, which stands above the rest of app.
+EXTRA = {("app", "cli"): {"bench", "robustness"}}
+HIDDEN = {"bench": {("app", "cli")}}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:[a-z_]+/)+[a-z_0-9]+\.[a-z]+)"')
 
 
-def offences(folder, lines):
-    """(line number, line) of each include in `folder` that it may not make."""
-    allowed = MAY_INCLUDE[folder] | {folder}
+def split(path):
+    """(module, sub-folder) of "module/file" or "module/sub-folder/file"."""
+    parts = path.split("/")
+    return parts[0], parts[1] if len(parts) > 2 else "."
+
+
+def is_allowed(source, target):
+    module, folder = split(source)
+    other, other_folder = split(target)
+    if other == module:
+        order = ORDER.get(module)
+        return order is None or (
+            other_folder in order
+            and order.index(other_folder) <= order.index(folder))
+    if (other, other_folder) in HIDDEN.get(module, set()):
+        return False
+    return bool({other, target} & (MAY_INCLUDE[module] | EXTRA.get((module, folder), set())))
+
+
+def offences(source, lines):
+    """(line number, line) of each include in `source` that it may not make."""
     for number, line in enumerate(lines, start=1):
         match = INCLUDE.match(line)
-        if match and not {match[1], match[2]} & allowed:
+        if match and split(match[1])[0] in MAY_INCLUDE and not is_allowed(source, match[1]):
             yield number, line.strip()
 
 
 def main(root):
-    assert list(offences("fem", ['#include "md/lattice.hpp"'])), "cannot fail"
-    assert list(offences("app", ['#include "fem/block.hpp"'])), "cannot fail"
-    assert not list(offences("fem", ['#include "meshes/box.hpp"'])), "cannot pass"
+    assert list(offences("fem/block/a.hpp", ['#include "md/lattice/crystal.hpp"'])), "cannot fail"
+    assert list(offences("app/run/a.hpp", ['#include "fem/block/full_block.hpp"'])), "cannot fail"
+    assert list(offences("fem/waves/a.hpp", ['#include "fem/block/full_block.hpp"'])), "cannot fail"
+    assert list(offences("bench/runs/a.cpp", ['#include "app/cli/checks.hpp"'])), "cannot fail"
+    assert not list(offences("app/cli/a.cpp", ['#include "bench/runs/bench.hpp"'])), "cannot pass"
+    assert not list(offences("fem/block/a.hpp", ['#include "meshes/box.hpp"'])), "cannot pass"
     found = 0
-    for folder in MAY_INCLUDE:
-        for path in sorted((root / folder).rglob("*.[ch]pp")):
-            for number, line in offences(folder, path.read_text().splitlines()):
-                print(f"{path.relative_to(root)}:{number}: {line}")
+    for module, order in MAY_INCLUDE.items():
+        for path in sorted((root / module).rglob("*.[ch]pp")):
+            source = str(path.relative_to(root))
+            if module in ORDER and split(source)[1] not in ORDER[module]:
+                print(f"{source}: its folder has no place in the order of {module}")
+                found += 1
+                continue
+            for number, line in offences(source, path.read_text().splitlines()):
+                print(f"{source}:{number}: {line}")
                 found += 1
     return 1 if found else 0
 

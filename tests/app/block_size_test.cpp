@@ -1,6 +1,6 @@
 // Claims about how large a whole block is said to be, held against the block
 // itself.
-#include "app/block_size.hpp"
+#include "app/plan/block_size.hpp"
 #include "cases/read_case.hpp"
 #include "fem/plugin.hpp"
 

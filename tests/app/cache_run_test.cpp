@@ -1,7 +1,7 @@
 // Claims about runs beside a cache: which change of a case computes what again,
 // and that what is read is what was computed.
-#include "app/case_keys.hpp"
-#include "app/run_case.hpp"
+#include "app/cache/case_keys.hpp"
+#include "app/run/run_case.hpp"
 #include "cases/read_case.hpp"
 #include "cases/vocabulary.hpp"
 

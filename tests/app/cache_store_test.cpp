@@ -1,6 +1,6 @@
 // Claims about the store: what goes in comes out, what was damaged does not,
 // and the bound holds.
-#include "app/cache.hpp"
+#include "app/cache/cache.hpp"
 #include "base/content_hash.hpp"
 #include "cases/case_error.hpp"
 

@@ -1,6 +1,7 @@
-// Claims about app/curve_row.hpp: no map ends a run. Whatever the fields are,
-// there is a row, and what it does not have is NaN with a reason in its note.
-#include "app/curve_row.hpp"
+// Claims about app/methods/curve_row.hpp: no map ends a run. Whatever the
+// fields are, there is a row, and what it does not have is NaN with a reason in
+// its note.
+#include "app/methods/curve_row.hpp"
 #include "results/curve_columns.hpp"
 
 #include <gtest/gtest.h>

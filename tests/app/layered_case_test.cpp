@@ -1,9 +1,9 @@
 // Claims about cases/layered: its references are the two classical slopes of
 // the area at light load, with the modulus that its layers show to each wave.
-#include "app/continuum_block.hpp"
+#include "app/methods/continuum_block.hpp"
 #include "cases/read_case.hpp"
 #include "cases/reference.hpp"
-#include "contact/layered_compliance.hpp"
+#include "contact/operators/layered_compliance.hpp"
 
 #include <gtest/gtest.h>
 

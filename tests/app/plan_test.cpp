@@ -1,7 +1,8 @@
 // Claims about plans: counts and structure. No test asserts a time.
-#include "app/block_cost.hpp"
-#include "app/block_size.hpp"
-#include "app/plan.hpp"
+#include "app/plan/block_cost.hpp"
+#include "app/plan/block_size.hpp"
+#include "app/plan/plan.hpp"
+#include "app/run/run_case.hpp"
 #include "cases/read_case.hpp"
 #include "meshes/graded_layers.hpp"
 #include "results/result_reader.hpp"

@@ -1,6 +1,6 @@
 // Claims about what a plan warns of and refuses before anything is computed.
-#include "app/methods.hpp"
-#include "app/plan.hpp"
+#include "app/methods/methods.hpp"
+#include "app/plan/plan.hpp"
 #include "cases/case_error.hpp"
 #include "cases/read_case.hpp"
 

@@ -1,6 +1,6 @@
-// Claims about the section of a whole block, app/stress_section.hpp: which
-// places the block is asked for, and where its answers end up.
-#include "app/stress_section.hpp"
+// Claims about the section of a whole block, app/methods/stress_section.hpp:
+// which places the block is asked for, and where its answers end up.
+#include "app/methods/stress_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about app/stress_tables.hpp: the tables hold Hertz's strongest point,
-// each row of its own map, and a section through it.
-#include "app/stress_section.hpp"
-#include "app/stress_tables.hpp"
+// Claims about app/run/stress_tables.hpp: the tables hold Hertz's strongest
+// point, each row of its own map, and a section through it.
+#include "app/methods/stress_section.hpp"
+#include "app/run/stress_tables.hpp"
 #include "theory/hertz.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Claims about the tables of the theory's studies: what the paper proves of
 // them holds in the columns.
-#include "app/study_tables.hpp"
+#include "app/run/study_tables.hpp"
 
 #include <gtest/gtest.h>
 

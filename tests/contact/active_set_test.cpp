@@ -1,6 +1,6 @@
 // Claim: the active set answers the problem of the other solvers, from few
 // nodes in contact to nearly all, and thin slabs that stall both of them.
-#include "contact/active_set.hpp"
+#include "contact/solvers/active_set.hpp"
 
 #include <gtest/gtest.h>
 

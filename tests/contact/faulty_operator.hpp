@@ -3,7 +3,7 @@
 // An elastic operator that answers with a number that is not finite, once or
 // from some call on: what a solver must not take for a solution.
 
-#include "contact/fourier_operator.hpp"
+#include "contact/operators/fourier_operator.hpp"
 
 #include <limits>
 #include <memory>

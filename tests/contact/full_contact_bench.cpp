@@ -1,7 +1,7 @@
 // Near full contact, ours beside plain conjugate gradients (Polonsky and Keer)
 // on one surface, cold starts, to the same gap error: iterations and processor
 // time. Argument: points a side (1024). Some minutes; run by hand.
-#include "contact/solver.hpp"
+#include "contact/solvers/solver.hpp"
 
 #include <fmt/format.h>
 

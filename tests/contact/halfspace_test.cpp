@@ -1,6 +1,7 @@
-// Claims about contact/halfspace.hpp and contact/fourier_operator.hpp.
+// Claims about contact/operators/halfspace.hpp and
+// contact/operators/fourier_operator.hpp.
 #include "base/maximum.hpp"
-#include "contact/halfspace.hpp"
+#include "contact/operators/halfspace.hpp"
 
 #include <gtest/gtest.h>
 

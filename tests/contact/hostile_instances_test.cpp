@@ -4,8 +4,8 @@
 // to megametres and terapascals, flat and spiked and huge heights, numbers that
 // are not finite, loads to 10 E*, from one node on, one to three threads.
 // ASPERITY_INSTANCES sets how many are tried.
-#include "contact/active_set.hpp"
-#include "contact/load_sequence.hpp"
+#include "contact/solvers/active_set.hpp"
+#include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about the number of iterations of contact/solver.hpp, and that two
-// threads give the bits of one. Counts, not times: the same on every machine
-// up to rounding.
-#include "contact/load_sequence.hpp"
+// Claims about the number of iterations of contact/solvers/solver.hpp, and that
+// two threads give the bits of one. Counts, not times: the same on every
+// machine up to rounding.
+#include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 // fem/condensed (block symbol), md/interface (forces), theory/persson
 // (quadrature).
 #include "base/fourier.hpp"
-#include "contact/contact_state.hpp"
-#include "contact/halfspace.hpp"
-#include "contact/rim_extension.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/rim_extension.hpp"
 
 #include <benchmark/benchmark.h>
 

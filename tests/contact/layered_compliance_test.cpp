@@ -1,6 +1,6 @@
-// Claims about contact/layered_compliance.hpp: closed forms of slabs and of a
-// coating in fifty digits, limits, and what stiffer layers must do.
-#include "contact/layered_compliance.hpp"
+// Claims about contact/operators/layered_compliance.hpp: closed forms of slabs
+// and of a coating in fifty digits, limits, and what stiffer layers must do.
+#include "contact/operators/layered_compliance.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -73,8 +73,8 @@ Digits50 coating_factor(Digits50 x, Digits50 mu, Digits50 nu_1, Digits50 nu_2) {
 }
 
 constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
-                                         1.3,  2.2,  4.5,  9.0,  12.5, 30.0,
-                                         55.0, 90.0, 1e3,  1e4};
+                                         1.3,  2.2,  4.5,  9.0,  12.5,
+                                         30.0, 55.0, 90.0, 1e3,  1e4};
 
 // Claim: layers of one material are the block, for every far face and every
 // wave. Tolerance: some ten roundings in each of four crossings.

@@ -1,6 +1,6 @@
-// Claims about contact/load_sequence.hpp: starts change the way, not the
-// answer; the laws mean what they say.
-#include "contact/load_sequence.hpp"
+// Claims about contact/solvers/load_sequence.hpp: starts change the way, not
+// the answer; the laws mean what they say.
+#include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
 

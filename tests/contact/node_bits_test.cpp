@@ -1,5 +1,5 @@
-// Claims about contact/node_bits.hpp, judged node by node.
-#include "contact/node_bits.hpp"
+// Claims about contact/solvers/node_bits.hpp, judged node by node.
+#include "contact/solvers/node_bits.hpp"
 
 #include <gtest/gtest.h>
 

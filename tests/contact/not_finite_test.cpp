@@ -1,10 +1,10 @@
 // Claim: whatever number that is not finite turns up in a contact solver, its
 // answer is verified apart from it, or it is not converged and says why; no
 // solver ends by an exception.
-#include "contact/active_set.hpp"
-#include "contact/contact_state.hpp"
-#include "contact/load_sequence.hpp"
-#include "contact/projected_state.hpp"
+#include "contact/solvers/active_set.hpp"
+#include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/projected_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claim: the solver never gives up. Hundreds of random scenes over kernels,
 // roughness, penalty and load; every one ends converged, complementary and in
 // balance, checked apart from the solver.
-#include "contact/solver.hpp"
+#include "contact/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 

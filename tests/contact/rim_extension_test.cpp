@@ -1,5 +1,5 @@
-// Claims about contact/rim_extension.hpp.
-#include "contact/rim_extension.hpp"
+// Claims about contact/solvers/rim_extension.hpp.
+#include "contact/solvers/rim_extension.hpp"
 
 #include <gtest/gtest.h>
 

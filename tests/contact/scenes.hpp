@@ -5,8 +5,8 @@
 
 #include "base/fourier.hpp"
 #include "base/maximum.hpp"
-#include "contact/halfspace.hpp"
-#include "contact/solver.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "contact/solvers/solver.hpp"
 
 #include <cmath>
 #include <numbers>

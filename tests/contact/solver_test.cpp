@@ -1,5 +1,6 @@
-// Claims about contact/solver.hpp on problems whose answer is known otherwise.
-#include "contact/solver.hpp"
+// Claims about contact/solvers/solver.hpp on problems whose answer is known
+// otherwise.
+#include "contact/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
-// Claims about contact/stress_inside.hpp: Hertz's stress comes out, the field
-// is in balance, meets the far face, and stores the work done on the face.
-#include "contact/stress_inside.hpp"
+// Claims about contact/operators/stress_inside.hpp: Hertz's stress comes out,
+// the field is in balance, meets the far face, and stores the work done on the
+// face.
+#include "contact/operators/stress_inside.hpp"
 #include "theory/hertz_stress.hpp"
 
 #include <gtest/gtest.h>

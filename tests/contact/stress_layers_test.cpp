@@ -1,8 +1,8 @@
-// Claims about contact/stress_inside.hpp on layered blocks: equal layers change
-// nothing, the field is in balance and whole across interfaces, stores the work
-// of the face, and bends a stiff coating.
+// Claims about contact/operators/stress_inside.hpp on layered blocks: equal
+// layers change nothing, the field is in balance and whole across interfaces,
+// stores the work of the face, and bends a stiff coating.
 #include "base/maximum.hpp"
-#include "contact/stress_inside.hpp"
+#include "contact/operators/stress_inside.hpp"
 
 #include <gtest/gtest.h>
 

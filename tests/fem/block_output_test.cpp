@@ -1,7 +1,7 @@
 // Claims about the files of FullBlock::write, read back by another reader.
 // Runs on any number of ranks; each checks the files of all.
-#include "fem/block_output.hpp"
-#include "fem/mpi_session.hpp"
+#include "fem/block/block_output.hpp"
+#include "fem/parallel/mpi_session.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <deal.II/base/mpi.h>

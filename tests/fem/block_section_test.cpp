@@ -1,6 +1,6 @@
-// Claims about fem/block_section.hpp: the section of a block whose stress is
-// known, at places that are no vertices, on any number of ranks.
-#include "fem/block_section.hpp"
+// Claims about fem/block/block_section.hpp: the section of a block whose stress
+// is known, at places that are no vertices, on any number of ranks.
+#include "fem/block/block_section.hpp"
 
 #include <gtest/gtest.h>
 

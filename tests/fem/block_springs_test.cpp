@@ -1,11 +1,11 @@
-// Claims about fem/full_block.hpp at the ends of what a penalty can be: its own
-// springs stay within reach of Newton's method, and the answer is the one that
-// was asked for. The judge is the condensed block under the contact room's
-// solver, to which a penalty is a compliance and any stiffness is alike.
-#include "contact/fourier_operator.hpp"
-#include "contact/solver.hpp"
-#include "fem/condensed_q1.hpp"
-#include "fem/full_block.hpp"
+// Claims about fem/block/full_block.hpp at the ends of what a penalty can be:
+// its own springs stay within reach of Newton's method, and the answer is the
+// one that was asked for. The judge is the condensed block under the contact
+// room's solver, to which a penalty is a compliance and any stiffness is alike.
+#include "contact/operators/fourier_operator.hpp"
+#include "contact/solvers/solver.hpp"
+#include "fem/block/full_block.hpp"
+#include "fem/waves/condensed_q1.hpp"
 
 #include <gtest/gtest.h>
 

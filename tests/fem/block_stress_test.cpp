@@ -1,6 +1,6 @@
-// Claims about the stress inside the whole block: fem/block_stress.hpp and
-// FullBlock::strongest_stress.
-#include "fem/block_stress.hpp"
+// Claims about the stress inside the whole block: fem/block/block_stress.hpp
+// and FullBlock::strongest_stress.
+#include "fem/block/block_stress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 // Blocks and pressures that several tests of the room press.
 
-#include "fem/elastic_layers.hpp"
+#include "fem/waves/elastic_layers.hpp"
 #include "meshes/graded_layers.hpp"
 
 #include <algorithm>

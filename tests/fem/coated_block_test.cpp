@@ -1,9 +1,9 @@
 // Claims about second-order blocks under a coating ten times stiffer, on a
 // wall: a force on one node may lift another there, and the active set cycles.
-#include "contact/solver.hpp"
-#include "fem/condensed_q2.hpp"
-#include "fem/full_block.hpp"
-#include "fem/q2_operator.hpp"
+#include "contact/solvers/solver.hpp"
+#include "fem/block/full_block.hpp"
+#include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <gtest/gtest.h>
 

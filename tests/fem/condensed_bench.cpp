@@ -1,7 +1,7 @@
 // Set-up of the condensed block: default layers (cubic surface cells, growth
 // 1.2, depth = length) on N^2 nodes.
-#include "fem/condensed_q1.hpp"
-#include "fem/condensed_q2.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/condensed_q2.hpp"
 #include "meshes/graded_layers.hpp"
 
 #include <benchmark/benchmark.h>

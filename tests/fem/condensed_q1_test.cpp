@@ -1,8 +1,8 @@
-// Claims about fem/condensed_q1.hpp. The judges are the whole deal.II block
-// with a direct solver, and the exact elastic layer.
+// Claims about fem/waves/condensed_q1.hpp. The judges are the whole deal.II
+// block with a direct solver, and the exact elastic layer.
 #include "base/fourier.hpp"
-#include "fem/condensed_q1.hpp"
-#include "fem/full_block.hpp"
+#include "fem/block/full_block.hpp"
+#include "fem/waves/condensed_q1.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// Claims about fem/condensed_q2.hpp and fem/q2_operator.hpp. The judges are the
-// whole deal.II block with a direct solver, and the exact elastic layer.
-#include "fem/condensed_q2.hpp"
-#include "fem/full_block.hpp"
-#include "fem/lattice_factors.hpp"
-#include "fem/q2_operator.hpp"
+// Claims about fem/waves/condensed_q2.hpp and fem/waves/q2_operator.hpp. The
+// judges are the whole deal.II block with a direct solver, and the exact
+// elastic layer.
+#include "fem/block/full_block.hpp"
+#include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/lattice_factors.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,8 @@ TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
       layer = {layer.thickness, block.layers[0].lame_modulus,
                block.layers[0].shear_modulus};
   const KindSpectra spectra(grid, 2);
-  const auto factors = make_lattice_factors(spectra, 2, block, {0, spectra.rows()}, 1);
+  const auto factors =
+      make_lattice_factors(spectra, 2, block, {0, spectra.rows()}, 1);
 
   const Q2Compliance found = condensed_compliance_q2(grid, block);
 

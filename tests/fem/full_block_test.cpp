@@ -1,11 +1,11 @@
-// Claims about fem/full_block.hpp. The judge is the other road: condensed
+// Claims about fem/block/full_block.hpp. The judge is the other road: condensed
 // compliance and the projected solver of contact/, which share with the whole
 // block nothing but deal.II's cell matrices.
-#include "contact/fourier_operator.hpp"
-#include "contact/solver.hpp"
-#include "fem/condensed_q1.hpp"
-#include "fem/full_block.hpp"
-#include "fem/q2_operator.hpp"
+#include "contact/operators/fourier_operator.hpp"
+#include "contact/solvers/solver.hpp"
+#include "fem/block/full_block.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claims about the stress inside a whole block under a sphere: Hertz's
 // strongest point comes out of its cells, at the order that was measured.
-#include "contact/stress_inside.hpp"
-#include "fem/full_block.hpp"
+#include "contact/operators/stress_inside.hpp"
+#include "fem/block/full_block.hpp"
 #include "theory/hertz.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Claims about fem/lattice_solver.hpp. The judge is deal.II's assembled matrix
-// with a direct solver.
-#include "fem/lattice_solver.hpp"
+// Claims about fem/waves/lattice_solver.hpp. The judge is deal.II's assembled
+// matrix with a direct solver.
+#include "fem/waves/lattice_solver.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,9 +1,10 @@
 // Claims about the condensed block with layers: it converges to the exact
-// compliance of bonded layers (contact/layered_compliance.hpp) at its order.
-#include "contact/layered_compliance.hpp"
-#include "fem/condensed_q1.hpp"
-#include "fem/condensed_q2.hpp"
-#include "fem/q2_operator.hpp"
+// compliance of bonded layers (contact/operators/layered_compliance.hpp) at its
+// order.
+#include "contact/operators/layered_compliance.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Claims about cases/locking.hpp: from the ratios at which it warns, elements
 // are too stiff by more than the warning says, and below them by less.
 #include "cases/locking.hpp"
-#include "contact/layered_compliance.hpp"
-#include "fem/condensed_q1.hpp"
-#include "fem/condensed_q2.hpp"
-#include "fem/q2_operator.hpp"
+#include "contact/operators/layered_compliance.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <gtest/gtest.h>
 

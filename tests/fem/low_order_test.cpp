@@ -1,7 +1,7 @@
-// Claims about fem/block_assembly.hpp: the matrix of first-order cells that
-// stands for a second-order block. The judges are a mesh of those small cells
-// and the condition of one matrix by the other.
-#include "fem/block_assembly.hpp"
+// Claims about fem/block/block_assembly.hpp: the matrix of first-order cells
+// that stands for a second-order block. The judges are a mesh of those small
+// cells and the condition of one matrix by the other.
+#include "fem/block/block_assembly.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

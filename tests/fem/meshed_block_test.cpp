@@ -1,8 +1,8 @@
 // Claims about blocks that are no uniform box: hanging nodes, moduli by place,
 // Gauss points, the active set, two bodies. Their judges are the condensed
 // block, the uniform one, symmetry and each other.
-#include "contact/fourier_operator.hpp"
-#include "fem/condensed_q1.hpp"
+#include "contact/operators/fourier_operator.hpp"
+#include "fem/waves/condensed_q1.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // Problems that several tests of the whole block solve, and meshes that no
 // generator of meshes/ makes.
 
-#include "fem/block_problem.hpp"
+#include "fem/block/block_problem.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
 

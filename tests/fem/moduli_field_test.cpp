@@ -1,5 +1,5 @@
-// Claims about fem/moduli_field.hpp.
-#include "fem/moduli_field.hpp"
+// Claims about fem/waves/moduli_field.hpp.
+#include "fem/waves/moduli_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Claims about numbers that are not finite: a whole block refuses them by name,
 // none of its answers passes with one, and the tests' own comparisons fail on
 // them.
-#include "fem/contact_newton.hpp"
-#include "fem/full_block.hpp"
+#include "fem/block/contact_newton.hpp"
+#include "fem/block/full_block.hpp"
 
 #include <gtest/gtest.h>
 

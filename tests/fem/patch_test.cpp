@@ -1,7 +1,7 @@
 // Claims about the whole block's unknowns on any mesh: the patch test. A
 // homogeneous block under uniform pressure strains uniformly, which linear and
 // quadratic shape functions hold on any cells.
-#include "fem/contact_newton.hpp"
+#include "fem/block/contact_newton.hpp"
 
 #include <gtest/gtest.h>
 

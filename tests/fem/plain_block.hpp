@@ -4,7 +4,7 @@
 // the plain version that judges the distributed one and the lattice solver.
 // For tests.
 
-#include "fem/elastic_layers.hpp"
+#include "fem/waves/elastic_layers.hpp"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>

@@ -1,7 +1,7 @@
 // Claims about fem/plugin.hpp: this program does not link deal.II, the module
 // does, and what it gives is the block the case asks for.
 #include "base/fourier.hpp"
-#include "contact/layered_compliance.hpp"
+#include "contact/operators/layered_compliance.hpp"
 #include "fem/plugin.hpp"
 
 #include <gtest/gtest.h>

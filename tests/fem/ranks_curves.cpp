@@ -1,7 +1,7 @@
 // Contact curves of small blocks of every kind, printed by the first rank: what
 // ranks_test.py runs once alone and then under mpirun. With the word "waves"
 // only those that are solved by the waves of a lattice.
-#include "fem/mpi_session.hpp"
+#include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <cstdio>

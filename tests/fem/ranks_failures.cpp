@@ -7,7 +7,7 @@
 #include "cases/case_error.hpp"
 #include "cases/read_case.hpp"
 #include "fem/led_blocks.hpp"
-#include "fem/ranks.hpp"
+#include "fem/parallel/ranks.hpp"
 
 #include <cstdio>
 #include <fstream>

@@ -3,8 +3,8 @@
 // A block whose cells differ: deal.II's cell matrices times a factor a cell,
 // assembled by the lattice's numbering. What the lattice solver preconditions.
 
-#include "fem/cell_stiffness.hpp"
-#include "fem/lattice_solver.hpp"
+#include "fem/waves/cell_stiffness.hpp"
+#include "fem/waves/lattice_solver.hpp"
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/sparse_matrix.h>

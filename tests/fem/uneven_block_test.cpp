@@ -1,6 +1,6 @@
-// Claims about fem/lattice_solver.hpp as a preconditioner of blocks whose cells
-// are not alike: how many iterations conjugate gradients take.
-#include "fem/lattice_solver.hpp"
+// Claims about fem/waves/lattice_solver.hpp as a preconditioner of blocks whose
+// cells are not alike: how many iterations conjugate gradients take.
+#include "fem/waves/lattice_solver.hpp"
 
 #include <gtest/gtest.h>
 

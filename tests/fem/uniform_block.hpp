@@ -3,7 +3,7 @@
 // deal.II's assembled stiffness of a uniform block by the lattice's numbering,
 // with springs and a direct solver: the judge of the lattice solver.
 
-#include "fem/lattice_solver.hpp"
+#include "fem/waves/lattice_solver.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/mapping_q1.h>

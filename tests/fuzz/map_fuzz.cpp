@@ -1,7 +1,7 @@
 // Any bytes as a height map of each format: finite heights on a grid, or a
 // CaseError.
 #include "cases/case_error.hpp"
-#include "surfaces/map_file.hpp"
+#include "surfaces/formats/map_file.hpp"
 
 #include <algorithm>
 #include <cmath>

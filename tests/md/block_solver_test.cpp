@@ -1,5 +1,5 @@
 #include "base/maximum.hpp"
-#include "md/block_solver.hpp"
+#include "md/lattice/block_solver.hpp"
 
 #include <gtest/gtest.h>
 

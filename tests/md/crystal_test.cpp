@@ -1,6 +1,6 @@
-// Claims about md/crystal.hpp: one cell costs what the continuum costs in
-// homogeneous strain, and nothing where it must cost nothing.
-#include "md/crystal.hpp"
+// Claims about md/lattice/crystal.hpp: one cell costs what the continuum costs
+// in homogeneous strain, and nothing where it must cost nothing.
+#include "md/lattice/crystal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about md/curvature_memory.hpp: three calls make the product with the
-// inverse that the update's matrix formula writes down.
-#include "md/curvature_memory.hpp"
+// Claims about md/minimise/curvature_memory.hpp: three calls make the product
+// with the inverse that the update's matrix formula writes down.
+#include "md/minimise/curvature_memory.hpp"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "md/dump.hpp"
+#include "md/contact/dump.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about md/dynamics_run.hpp and md/checkpoint.hpp: interrupted and taken
-// up again is uninterrupted, and what a hot run averages.
-#include "md/checkpoint.hpp"
-#include "md/dynamics_run.hpp"
+// Claims about md/dynamics/dynamics_run.hpp and md/dynamics/checkpoint.hpp:
+// interrupted and taken up again is uninterrupted, and what a hot run averages.
+#include "md/dynamics/checkpoint.hpp"
+#include "md/dynamics/dynamics_run.hpp"
 
 #include <gtest/gtest.h>
 

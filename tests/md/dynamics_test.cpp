@@ -1,8 +1,8 @@
-// Claims about md/dynamics.hpp: energy, temperature and spread.
+// Claims about md/dynamics/dynamics.hpp: energy, temperature and spread.
 #include "base/maximum.hpp"
 #include "base/physical_constants.hpp"
-#include "md/dynamics.hpp"
-#include "md/thermal_noise.hpp"
+#include "md/dynamics/dynamics.hpp"
+#include "md/dynamics/thermal_noise.hpp"
 
 #include <gtest/gtest.h>
 

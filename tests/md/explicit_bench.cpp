@@ -1,6 +1,6 @@
 // Cost of the explicit block: energy and forces a free atom, the exact solve a
 // free atom, and its set-up. Arguments: atoms a side, levels of six layers.
-#include "md/block_solver.hpp"
+#include "md/lattice/block_solver.hpp"
 
 #include <benchmark/benchmark.h>
 

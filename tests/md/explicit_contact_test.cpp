@@ -1,10 +1,10 @@
-// Claims about md/explicit_contact.hpp: the load program of a rough contact by
-// each minimiser, and what is said about a step.
+// Claims about md/contact/explicit_contact.hpp: the load program of a rough
+// contact by each minimiser, and what is said about a step.
 #include "cases/case_error.hpp"
+#include "md/contact/explicit_contact.hpp"
 #include "md/engines.hpp"
-#include "md/explicit_contact.hpp"
-#include "md/shown_modulus.hpp"
-#include "md/slab_symbol.hpp"
+#include "md/lattice/shown_modulus.hpp"
+#include "md/lattice/slab_symbol.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Claims about md/explicit_system.hpp: forces, loads, and the surface-only
-// block as judge.
-#include "md/explicit_system.hpp"
-#include "md/green_system.hpp"
-#include "md/relaxation.hpp"
+// Claims about md/contact/explicit_system.hpp: forces, loads, and the
+// surface-only block as judge.
+#include "md/contact/explicit_system.hpp"
+#include "md/contact/green_system.hpp"
+#include "md/minimise/relaxation.hpp"
 
 #include <gtest/gtest.h>
 

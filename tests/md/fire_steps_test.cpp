@@ -1,5 +1,5 @@
-// Claims about the single steps of md/fire.hpp, on one unknown each.
-#include "md/fire.hpp"
+// Claims about the single steps of md/minimise/fire.hpp, on one unknown each.
+#include "md/minimise/fire.hpp"
 
 #include <gtest/gtest.h>
 

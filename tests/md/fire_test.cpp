@@ -1,6 +1,7 @@
-// Claims about md/fire.hpp and md/dynamics_run.hpp: three ways to one balance.
-#include "md/dynamics_run.hpp"
-#include "md/fire.hpp"
+// Claims about md/minimise/fire.hpp and md/dynamics/dynamics_run.hpp: three
+// ways to one balance.
+#include "md/dynamics/dynamics_run.hpp"
+#include "md/minimise/fire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // harness's; counters give evaluations of the forces, linearisations (a sum
 // over all pairs each) and products of the second derivatives a load.
 #include "md/engines.hpp"
-#include "md/surface_stiffness.hpp"
+#include "md/lattice/surface_stiffness.hpp"
 #include "surfaces/build.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,11 @@
-// Claims about bulk green behind md/atomic_contact.hpp: the curve has no
-// memory, load and energy belong together, and what went through is flagged.
+// Claims about bulk green behind md/contact/atomic_contact.hpp: the curve has
+// no memory, load and energy belong together, and what went through is flagged.
 #include "cases/case_error.hpp"
+#include "md/contact/green_contact.hpp"
+#include "md/contact/green_system.hpp"
+#include "md/contact/request_parts.hpp"
+#include "md/contact/step_reading.hpp"
 #include "md/engines.hpp"
-#include "md/green_contact.hpp"
-#include "md/green_system.hpp"
-#include "md/request_parts.hpp"
 #include "surfaces/build.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Claims about md/green_system.hpp: forces are minus the gradient of the
-// energy under every load, and what the load holds stays where it is.
-#include "md/green_system.hpp"
+// Claims about md/contact/green_system.hpp: forces are minus the gradient of
+// the energy under every load, and what the load holds stays where it is.
+#include "md/contact/green_system.hpp"
 
 #include <gtest/gtest.h>
 

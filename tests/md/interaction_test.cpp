@@ -1,5 +1,5 @@
-// Claims about md/interaction.hpp.
-#include "md/interaction.hpp"
+// Claims about md/interface/interaction.hpp.
+#include "md/interface/interaction.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Cost of one sum over all pairs, a layer of 400 x 400 atoms on 648 x 648 as in
 // the paper, by the cut-off [A]. A flat wall at d_c is the worst case; over a
 // rough one, most atoms are higher than any of their partners can reach.
-#include "md/interface.hpp"
+#include "md/interface/interface.hpp"
+#include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/self_affine.hpp"
 
 #include <benchmark/benchmark.h>
 

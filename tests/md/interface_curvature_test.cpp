@@ -1,7 +1,7 @@
-// Claims about the second derivatives of md/interface.hpp and what
-// md/interface_curvature.hpp makes of them.
+// Claims about the second derivatives of md/interface/interface.hpp and what
+// md/interface/interface_curvature.hpp makes of them.
 #include "base/maximum.hpp"
-#include "md/interface_curvature.hpp"
+#include "md/interface/interface_curvature.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Claims about md/interface.hpp: what it counts, and what it refuses.
-#include "md/interface.hpp"
+// Claims about md/interface/interface.hpp: what it counts, and what it refuses.
+#include "md/interface/interface.hpp"
 
 #include <gtest/gtest.h>
 

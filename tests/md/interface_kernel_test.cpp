@@ -1,6 +1,7 @@
-// Claims about md/interface_kernel.hpp and md/substrate.hpp.
-#include "md/interface_kernel.hpp"
-#include "md/substrate.hpp"
+// Claims about md/interface/interface_kernel.hpp and
+// md/interface/substrate.hpp.
+#include "md/interface/interface_kernel.hpp"
+#include "md/interface/substrate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about md/interface.hpp: energy and forces, against all pairs one by
-// one.
+// Claims about md/interface/interface.hpp: energy and forces, against all pairs
+// one by one.
 #include "base/maximum.hpp"
-#include "md/interface.hpp"
+#include "md/interface/interface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 // bonds for the crystal, every atom of its block, and another minimiser.
 // Skipped where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
-#include "md/green_system.hpp"
-#include "md/lammps_block.hpp"
-#include "md/lammps_contact.hpp"
-#include "md/relaxation.hpp"
+#include "md/contact/green_system.hpp"
+#include "md/lammps/lammps_block.hpp"
+#include "md/lammps/lammps_contact.hpp"
+#include "md/minimise/relaxation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Claims about md/lammps_answer.hpp: what LAMMPS wrote is read whole or
+// Claims about md/lammps/lammps_answer.hpp: what LAMMPS wrote is read whole or
 // refused, and a log that is still being written is never misread.
-#include "md/lammps_answer.hpp"
-#include "md/lammps_input.hpp"
-#include "md/lammps_units.hpp"
+#include "md/lammps/lammps_answer.hpp"
+#include "md/lammps/lammps_input.hpp"
+#include "md/lammps/lammps_units.hpp"
 
 #include <gtest/gtest.h>
 

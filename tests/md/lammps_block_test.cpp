@@ -1,9 +1,10 @@
-// Claims about md/lammps_block.hpp: what LAMMPS is told is the central crystal
-// of md/crystal.hpp and the pair law of md/interaction.hpp. The bonds are read
-// back from the text of the data file, as LAMMPS does.
+// Claims about md/lammps/lammps_block.hpp: what LAMMPS is told is the central
+// crystal of md/lattice/crystal.hpp and the pair law of
+// md/interface/interaction.hpp. The bonds are read back from the text of the
+// data file, as LAMMPS does.
 #include "cases/case_error.hpp"
-#include "md/lammps_block.hpp"
-#include "md/lammps_units.hpp"
+#include "md/lammps/lammps_block.hpp"
+#include "md/lammps/lammps_units.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-// Claims about md/lammps_contact.hpp that need no second engine: both controls
-// give one curve, its energy is its work, any number of processes the same
-// answer, and a step that fails says why. Skipped where the Debian package
+// Claims about md/lammps/lammps_contact.hpp that need no second engine: both
+// controls give one curve, its energy is its work, any number of processes the
+// same answer, and a step that fails says why. Skipped where the Debian package
 // lammps is not installed.
 #include "base/child_process.hpp"
 #include "md/engines.hpp"
-#include "md/lammps_contact.hpp"
+#include "md/lammps/lammps_contact.hpp"
 
 #include <gtest/gtest.h>
 

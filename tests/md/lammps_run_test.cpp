@@ -1,9 +1,9 @@
-// Claims about md/lammps_run.hpp: LAMMPS is found along PATH or asked for by
-// its package, and how it ended is told in its own words. What needs the
+// Claims about md/lammps/lammps_run.hpp: LAMMPS is found along PATH or asked
+// for by its package, and how it ended is told in its own words. What needs the
 // program is skipped where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
 #include "cases/case_error.hpp"
-#include "md/lammps_run.hpp"
+#include "md/lammps/lammps_run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Small requests for the engine lammps: the paper's atoms on waves of a few
 // wavelengths.
 
-#include "md/atomic_contact.hpp"
+#include "md/contact/atomic_contact.hpp"
 
 #include <cmath>
 #include <filesystem>

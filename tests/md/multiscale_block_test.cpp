@@ -1,5 +1,5 @@
 #include "base/maximum.hpp"
-#include "md/multiscale_block.hpp"
+#include "md/lattice/multiscale_block.hpp"
 
 #include <gtest/gtest.h>
 

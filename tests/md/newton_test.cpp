@@ -1,8 +1,9 @@
-// Claims about md/newton.hpp and the second derivatives of md/green_system.hpp:
-// Newton's method ends in the balance of L-BFGS, with far fewer evaluations.
+// Claims about md/minimise/newton.hpp and the second derivatives of
+// md/contact/green_system.hpp: Newton's method ends in the balance of L-BFGS,
+// with far fewer evaluations.
 #include "base/maximum.hpp"
-#include "md/green_system.hpp"
-#include "md/newton.hpp"
+#include "md/contact/green_system.hpp"
+#include "md/minimise/newton.hpp"
 
 #include <gtest/gtest.h>
 

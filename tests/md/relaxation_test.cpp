@@ -1,6 +1,7 @@
-// Claims about md/relaxation.hpp, on systems whose balance is known in closed
-// form: it is found, within the step that is allowed, and giving up is said.
-#include "md/relaxation.hpp"
+// Claims about md/minimise/relaxation.hpp, on systems whose balance is known in
+// closed form: it is found, within the step that is allowed, and giving up is
+// said.
+#include "md/minimise/relaxation.hpp"
 
 #include <gtest/gtest.h>
 

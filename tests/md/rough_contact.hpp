@@ -3,7 +3,7 @@
 // A small rough contact for the tests of whole systems: a few long waves under
 // a block of the paper's atoms.
 
-#include "md/explicit_system.hpp"
+#include "md/contact/explicit_system.hpp"
 
 #include <algorithm>
 #include <cmath>

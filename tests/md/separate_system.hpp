@@ -3,7 +3,7 @@
 // A system without atoms for the tests of the minimisers: independent unknowns
 // whose balance is known in closed form.
 
-#include "md/system.hpp"
+#include "md/minimise/system.hpp"
 
 #include <algorithm>
 #include <cmath>

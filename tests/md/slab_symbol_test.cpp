@@ -1,6 +1,6 @@
-// Claims about md/slab_symbol.hpp: the composed slab is the eliminated block,
-// and shows the modulus of the continuum to long waves.
-#include "md/slab_symbol.hpp"
+// Claims about md/lattice/slab_symbol.hpp: the composed slab is the eliminated
+// block, and shows the modulus of the continuum to long waves.
+#include "md/lattice/slab_symbol.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

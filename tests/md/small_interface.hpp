@@ -2,7 +2,7 @@
 
 // The paper's atoms (Sec. 4) on cells small enough for a double loop.
 
-#include "md/interface.hpp"
+#include "md/interface/interface.hpp"
 
 #include <cmath>
 #include <cstddef>

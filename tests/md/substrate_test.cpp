@@ -1,7 +1,7 @@
-// Claim about md/substrate.hpp: a window holds every partner within the reach,
-// for any ratio of reach and spacing. The squares of some ratios round to the
-// other side of an integer when they are computed in another way.
-#include "md/substrate.hpp"
+// Claim about md/interface/substrate.hpp: a window holds every partner within
+// the reach, for any ratio of reach and spacing. The squares of some ratios
+// round to the other side of an integer when they are computed in another way.
+#include "md/interface/substrate.hpp"
 
 #include <gtest/gtest.h>
 

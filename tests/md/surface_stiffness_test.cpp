@@ -1,6 +1,6 @@
-// Claims about md/surface_stiffness.hpp: the symbol of every wavevector lands
-// where the transforms expect it, and K and its inverse belong together.
-#include "md/surface_stiffness.hpp"
+// Claims about md/lattice/surface_stiffness.hpp: the symbol of every wavevector
+// lands where the transforms expect it, and K and its inverse belong together.
+#include "md/lattice/surface_stiffness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about reports/area_scale.hpp: the factor between two whole curves is
-// found, over the loads that are named.
-#include "reports/area_scale.hpp"
-#include "reports/report.hpp"
+// Claims about reports/analysis/area_scale.hpp: the factor between two whole
+// curves is found, over the loads that are named.
+#include "reports/analysis/area_scale.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 

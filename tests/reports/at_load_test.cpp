@@ -1,7 +1,7 @@
-// Claims about reports/at_load.hpp: what a curve has at a load is what the
-// formula it was made of has there, and what is not there is said.
-#include "reports/at_load.hpp"
-#include "reports/verdict.hpp"
+// Claims about reports/analysis/at_load.hpp: what a curve has at a load is what
+// the formula it was made of has there, and what is not there is said.
+#include "reports/analysis/at_load.hpp"
+#include "reports/analysis/verdict.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-// Claims about reports/claims.hpp and height_figure.hpp, on curves and surfaces
-// whose answers are known beforehand.
-#include "reports/claims.hpp"
-#include "reports/comparison.hpp"
-#include "reports/height_figure.hpp"
-#include "reports/report.hpp"
+// Claims about reports/analysis/claims.hpp and height_figure.hpp, on curves and
+// surfaces whose answers are known beforehand.
+#include "reports/analysis/claims.hpp"
+#include "reports/analysis/comparison.hpp"
+#include "reports/figures/height_figure.hpp"
+#include "reports/pages/report.hpp"
 #include "theory/asperity_models.hpp"
 #include "theory/highest_peak.hpp"
 

@@ -1,6 +1,6 @@
-// Claims about reports/comparison.hpp: what lies between rows, what is refused,
-// and what a deviation is.
-#include "reports/comparison.hpp"
+// Claims about reports/analysis/comparison.hpp: what lies between rows, what is
+// refused, and what a deviation is.
+#include "reports/analysis/comparison.hpp"
 
 #include <gtest/gtest.h>
 

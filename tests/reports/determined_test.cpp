@@ -1,8 +1,8 @@
-// Claims about reports/determined.hpp: a fitted number without a meaning or
-// without a meaningful interval is shown nowhere, and the reason is.
-#include "reports/determined.hpp"
-#include "reports/report.hpp"
-#include "reports/verdict.hpp"
+// Claims about reports/analysis/determined.hpp: a fitted number without a
+// meaning or without a meaningful interval is shown nowhere, and the reason is.
+#include "reports/analysis/determined.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

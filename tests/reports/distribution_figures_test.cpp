@@ -1,7 +1,7 @@
 // Claims about the figures of pressures, gaps and areas: the numbers drawn are
 // those of the maps, on the grid they were made on.
-#include "reports/figures.hpp"
-#include "reports/report.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/pages/report.hpp"
 #include "theory/pressure_distribution.hpp"
 
 #include <gtest/gtest.h>

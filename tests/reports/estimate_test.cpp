@@ -1,6 +1,6 @@
-// Claims about reports/estimate.hpp: lines, their errors, and intervals that
-// cover what they promise.
-#include "reports/estimate.hpp"
+// Claims about reports/analysis/estimate.hpp: lines, their errors, and
+// intervals that cover what they promise.
+#include "reports/analysis/estimate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about reports/exact.hpp: curves made from the textbook's formulas,
-// written out here, have no error; a known offset is the error found.
-#include "reports/exact.hpp"
+// Claims about reports/analysis/exact.hpp: curves made from the textbook's
+// formulas, written out here, have no error; a known offset is the error found.
+#include "reports/analysis/exact.hpp"
 
 #include <gtest/gtest.h>
 

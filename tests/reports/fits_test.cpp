@@ -1,6 +1,6 @@
-// Claims about reports/fits.hpp: fits recover what synthetic curves were made
-// with, and the windows leave out what is not exponential.
-#include "reports/fits.hpp"
+// Claims about reports/analysis/fits.hpp: fits recover what synthetic curves
+// were made with, and the windows leave out what is not exponential.
+#include "reports/analysis/fits.hpp"
 
 #include <gtest/gtest.h>
 

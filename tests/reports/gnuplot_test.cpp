@@ -1,6 +1,6 @@
-// Claims about reports/gnuplot.hpp: words stay words, and what goes wrong is
-// said.
-#include "reports/gnuplot.hpp"
+// Claims about reports/figures/gnuplot.hpp: words stay words, and what goes
+// wrong is said.
+#include "reports/figures/gnuplot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claims about reports: no curve, map, surface or table of a result, however
 // degenerate, ends a report; what cannot be worked out says so.
-#include "reports/report.hpp"
-#include "reports/verdict.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-// Claims about reports/judgement.hpp: each verdict, and where one ends and the
-// next begins.
-#include "reports/judgement.hpp"
+// Claims about reports/analysis/judgement.hpp: each verdict, and where one ends
+// and the next begins.
+#include "reports/analysis/judgement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Claims about the report on a collection: every published number is there with
 // its verdict, whatever the part; a series of parts is one section; pages link
 // to each other; a browser shows it all.
-#include "reports/paper_report.hpp"
-#include "reports/readme_text.hpp"
+#include "reports/pages/paper_report.hpp"
+#include "reports/pages/readme_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

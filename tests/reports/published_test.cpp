@@ -1,8 +1,8 @@
 // Claims about published values: each stands beside ours wherever a method has
 // a quantity of its name, and is said to be alone where none has.
 #include "cases/case_error.hpp"
-#include "reports/report.hpp"
-#include "reports/verdict.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // Claims about series of ever finer settings, held against series made by
 // formula: c h^p has the order p and the limit it was made with.
-#include "reports/refinement.hpp"
+#include "reports/analysis/refinement.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

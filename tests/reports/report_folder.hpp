@@ -3,7 +3,7 @@
 // A folder to write a report into, removed at the end of the test unless
 // ASPERITY_KEEP_REPORTS is set.
 
-#include "reports/report.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 

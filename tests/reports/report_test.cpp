@@ -1,7 +1,7 @@
-// Claims about reports/report.hpp: the folder holds what is promised, the page
-// stands alone, says every verdict, and survives a missing gnuplot.
-#include "reports/html_report.hpp"
-#include "reports/report.hpp"
+// Claims about reports/pages/report.hpp: the folder holds what is promised, the
+// page stands alone, says every verdict, and survives a missing gnuplot.
+#include "reports/pages/html_report.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 

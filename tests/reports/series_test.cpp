@@ -1,6 +1,6 @@
-// Claims about reports/series.hpp: a variant that lies on its method is drawn
-// as one with it, one that can be told from it is not.
-#include "reports/report.hpp"
+// Claims about reports/figures/series.hpp: a variant that lies on its method is
+// drawn as one with it, one that can be told from it is not.
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claims about the figures of the stress below the face: a whole block shows
 // its own numbers with those of its pressure beside, other methods theirs.
-#include "reports/figures.hpp"
-#include "reports/report.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 

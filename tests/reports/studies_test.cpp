@@ -1,7 +1,7 @@
 // Claims about what a report makes of a study's tables: the named numbers, from
 // tables made of power laws, and which figures are drawn.
-#include "reports/figures.hpp"
-#include "reports/study_quantities.hpp"
+#include "reports/analysis/study_quantities.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <gtest/gtest.h>
 

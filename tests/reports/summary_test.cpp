@@ -1,5 +1,6 @@
-// Claims about reports/summary.hpp: from a whole result to named numbers.
-#include "reports/summary.hpp"
+// Claims about reports/analysis/summary.hpp: from a whole result to named
+// numbers.
+#include "reports/analysis/summary.hpp"
 
 #include <gtest/gtest.h>
 

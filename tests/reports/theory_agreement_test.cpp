@@ -1,7 +1,8 @@
-// Claims about reports/theory_agreement.hpp: a surface that the theory does not
-// describe is named as such at the top of the report, with the numbers.
-#include "reports/report.hpp"
-#include "reports/theory_agreement.hpp"
+// Claims about reports/pages/theory_agreement.hpp: a surface that the theory
+// does not describe is named as such at the top of the report, with the
+// numbers.
+#include "reports/pages/report.hpp"
+#include "reports/pages/theory_agreement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
-// Claims about reports/two_faces.hpp: two surfaces that nothing is pressed on
-// are the faces of one contact, whose roughness adds up as it should.
-#include "reports/figures.hpp"
-#include "reports/height_figure.hpp"
-#include "reports/report.hpp"
-#include "reports/two_faces.hpp"
-#include "surfaces/shells.hpp"
+// Claims about reports/analysis/two_faces.hpp: two surfaces that nothing is
+// pressed on are the faces of one contact, whose roughness adds up as it
+// should.
+#include "reports/analysis/two_faces.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/figures/height_figure.hpp"
+#include "reports/pages/report.hpp"
+#include "surfaces/maps/shells.hpp"
 
 #include <gtest/gtest.h>
 

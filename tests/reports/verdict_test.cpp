@@ -1,6 +1,6 @@
-// Claims about reports/verdict.hpp: what is ok, what is not, and that each
-// form of telling it is well formed. Golden where the form is the promise.
-#include "reports/verdict.hpp"
+// Claims about reports/analysis/verdict.hpp: what is ok, what is not, and that
+// each form of telling it is well formed. Golden where the form is the promise.
+#include "reports/analysis/verdict.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
-// Claims about reports/warnings.hpp: each assumption that a surface does not
-// meet is said at the top of the page with its number, once, and a surface that
-// meets them is left alone.
-#include "reports/warnings.hpp"
+// Claims about reports/analysis/warnings.hpp: each assumption that a surface
+// does not meet is said at the top of the page with its number, once, and a
+// surface that meets them is left alone.
+#include "reports/analysis/warnings.hpp"
 
 #include <gtest/gtest.h>
 

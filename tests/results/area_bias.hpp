@@ -3,7 +3,7 @@
 // What the program of the area's bias measures and prints. Owns the kernels,
 // the estimators and the tables.
 
-#include "contact/load_sequence.hpp"
+#include "contact/solvers/load_sequence.hpp"
 #include "results/area_estimate.hpp"
 
 #include <array>

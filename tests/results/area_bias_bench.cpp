@@ -9,7 +9,7 @@
 // at r nodes in the shortest wave; loads p/(E* h') of `loads`. The limit is the
 // half-space at the finest r, by (A.5).
 #include "surfaces/build.hpp"
-#include "surfaces/statistics.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 

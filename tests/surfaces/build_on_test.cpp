@@ -1,8 +1,8 @@
 // Claims about build_surface_on of surfaces/build.hpp: one surface, any grid.
 #include "cases/case_error.hpp"
 #include "surfaces/build.hpp"
-#include "surfaces/resample.hpp"
-#include "surfaces/statistics.hpp"
+#include "surfaces/maps/resample.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Claims about surfaces/build.hpp: each kind of a case becomes its surface.
 #include "cases/case_error.hpp"
 #include "surfaces/build.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
-#include "surfaces/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-// Claims about surfaces/edges.hpp: what window and mirror do to the power.
+// Claims about surfaces/maps/edges.hpp: what window and mirror do to the power.
 #include "base/fourier.hpp"
-#include "surfaces/edges.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/self_affine.hpp"
-#include "surfaces/shells.hpp"
-#include "surfaces/statistics.hpp"
 
 #include <gtest/gtest.h>
 

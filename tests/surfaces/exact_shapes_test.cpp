@@ -1,5 +1,6 @@
-// Claims about surfaces/exact_shapes.hpp: where the shapes lie and how high.
-#include "surfaces/exact_shapes.hpp"
+// Claims about surfaces/maps/exact_shapes.hpp: where the shapes lie and how
+// high.
+#include "surfaces/maps/exact_shapes.hpp"
 
 #include <gtest/gtest.h>
 

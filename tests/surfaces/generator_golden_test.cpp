@@ -1,7 +1,7 @@
 // The generator's bits: what a seed means must never change. The heights are
 // our own earlier output: a golden test of the platform and of the conventions.
 #include "surfaces/build.hpp"
-#include "surfaces/random_modes.hpp"
+#include "surfaces/maps/random_modes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about surfaces/levelling.hpp: which trends go and what stays.
+// Claims about surfaces/maps/levelling.hpp: which trends go and what stays.
 #include "base/maximum.hpp"
-#include "surfaces/levelling.hpp"
-#include "surfaces/statistics.hpp"
+#include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <gtest/gtest.h>
 

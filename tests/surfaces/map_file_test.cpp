@@ -1,7 +1,7 @@
-// Claims about surfaces/map_file.hpp: units, orientation, and what the reader
-// says about a bad file.
+// Claims about surfaces/formats/map_file.hpp: units, orientation, and what the
+// reader says about a bad file.
 #include "cases/case_error.hpp"
-#include "surfaces/map_file.hpp"
+#include "surfaces/formats/map_file.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

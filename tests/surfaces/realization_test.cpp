@@ -1,8 +1,8 @@
 // Claims about surfaces/realization.hpp and random_modes.hpp: a surface is
 // fixed by its key and not by its grid, and has the spectrum it came from.
 #include "base/fourier.hpp"
+#include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/self_affine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Claims about surfaces/resample.hpp.
+// Claims about surfaces/maps/resample.hpp.
+#include "surfaces/maps/resample.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/resample.hpp"
-#include "surfaces/self_affine.hpp"
-#include "surfaces/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Claims about surfaces/self_affine.hpp: amplitude, ends and moments.
-#include "surfaces/self_affine.hpp"
+// Claims about surfaces/maps/self_affine.hpp: amplitude, ends and moments.
+#include "surfaces/maps/self_affine.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,10 +1,10 @@
-// Claims about surfaces/statistics.hpp, mode_power.hpp and shells.hpp.
-#include "surfaces/exact_shapes.hpp"
-#include "surfaces/mode_power.hpp"
+// Claims about surfaces/maps/statistics.hpp, mode_power.hpp and shells.hpp.
+#include "surfaces/maps/exact_shapes.hpp"
+#include "surfaces/maps/mode_power.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "surfaces/realization.hpp"
-#include "surfaces/self_affine.hpp"
-#include "surfaces/shells.hpp"
-#include "surfaces/statistics.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,8 +1,8 @@
-// Claims about surfaces/tabulated_spectrum.hpp: interpolation, moments, and
-// what the reader says about a bad table.
+// Claims about surfaces/formats/tabulated_spectrum.hpp: interpolation, moments,
+// and what the reader says about a bad table.
 #include "cases/case_error.hpp"
-#include "surfaces/self_affine.hpp"
-#include "surfaces/tabulated_spectrum.hpp"
+#include "surfaces/formats/tabulated_spectrum.hpp"
+#include "surfaces/maps/self_affine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // crest: what the table of theory/wave_2d_table.hpp is made of. A different
 // method verifies it: wave_2d_elements.hpp.
 
-#include "contact/halfspace.hpp"
-#include "contact/load_sequence.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "contact/solvers/load_sequence.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,154 @@
+#include "app/cache/case_keys.hpp"
+
+#include "base/content_hash.hpp"
+#include "cases/case_text.hpp"
+#include "cases/input_file.hpp"
+#include "cases/toml_text.hpp"
+#include "cases/vocabulary.hpp"
+#include "md/engines.hpp"
+#include "results/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace asperity::app {
+namespace {
+
+using cases::Node;
+using cases::NodeEntry;
+
+constexpr const char* surface_file = "surface.file";
+constexpr const char* variation_file = "material.variation.file";
+constexpr const char* mesh_file = "mesh.file";
+
+/// A value as text, the keys of a table by the alphabet.
+std::string canonical(const Node& node) {
+  if (!node.is_table())
+    return cases::toml_value(node);
+  std::vector<std::string> lines;
+  for (const NodeEntry& entry : node.entries)
+    lines.push_back(cases::toml_key(entry.key) + "=" + canonical(entry.node));
+  std::sort(lines.begin(), lines.end());
+  return fmt::format("{{{}}}", fmt::join(lines, "\n"));
+}
+
+/// The case's text as nodes, its overrides laid over it.
+Node parsed(const cases::Case& rough_case) {
+  Node file = cases::parse_toml(rough_case.text, rough_case.path);
+  cases::Mistakes none;
+  for (const std::string& entry : cases::overrides_in(rough_case.text))
+    cases::apply_override(file, entry, none);
+  return file;
+}
+
+std::string text_of(const Node& file, const std::string& table) {
+  const Node* const found = file.find(table);
+  return found == nullptr ? "" : canonical(*found);
+}
+
+bool is_key(const std::string& table, const std::string& name) {
+  const std::vector<cases::Key>& keys = cases::vocabulary_table(table).keys;
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const cases::Key& key) { return key.name == name; });
+}
+
+/// "" where the case names no such file.
+std::string hash_in(const std::map<std::string, std::string>& inputs,
+                    const std::string& key) {
+  const auto found = inputs.find(key);
+  return found == inputs.end() ? "" : found->second;
+}
+
+/// Every realisation of one seed is the same however many there are, and a map
+/// is what its bytes are, wherever it lies.
+std::string surface_text(const Node& file) {
+  Node table = *file.find("surface");
+  std::erase_if(table.entries, [](const NodeEntry& entry) {
+    return entry.key == "realizations" || entry.key == "file";
+  });
+  return canonical(table);
+}
+
+std::string load_text(const cases::LoadProgram& load, std::size_t step) {
+  const cases::Quantity& target = load.targets[step];
+  return fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
+                     static_cast<int>(target.yardstick));
+}
+
+} // namespace
+
+CaseKeys::CaseKeys(const cases::Case& rough_case, std::string program)
+    : case_(rough_case),
+      program_(std::move(program)),
+      file_(parsed(rough_case)),
+      inputs_(input_hashes(rough_case)),
+      scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
+                         hash_in(inputs_, surface_file),
+                         text_of(file_, "material"),
+                         hash_in(inputs_, variation_file))) {}
+
+/// The keys of [fem] with those of [fem.hard] over them, variants left out.
+std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
+  const std::size_t dot = method.name.find('.');
+  const std::string kind = method.name.substr(0, dot);
+  const Node& base = *file_.find(kind);
+  Node merged;
+  if (dot != std::string::npos)
+    merged = *base.find(method.name.substr(dot + 1));
+  merged.type = cases::NodeType::table;
+  for (const NodeEntry& entry : base.entries)
+    if (!merged.find(entry.key) &&
+        (!entry.node.is_table() || is_key(kind, entry.key)))
+      merged.entries.push_back(entry);
+  std::string text = kind + canonical(merged);
+  if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+    text += md::engine_identity(*md);
+  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+      fem != nullptr && fem->uses_case_mesh)
+    text += text_of(file_, "mesh") + hash_in(inputs_, mesh_file);
+  return text;
+}
+
+std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
+                                         int realization) const {
+  std::string key = content_hash(
+      fmt::format("{}\n{}\n{}", scene_, method_text(method), realization));
+  std::vector<std::string> keys;
+  for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
+    key = content_hash(key + load_text(case_.load, step));
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+std::string CaseKeys::table(const cases::MethodSpec& theory,
+                            const std::string& name) const {
+  return content_hash(fmt::format(
+      "{}\n{}\n{}\n{}\n{}", scene_, method_text(theory),
+      text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
+}
+
+std::string CaseKeys::face(const std::string& face) const {
+  return content_hash(program_ + "\n" + face);
+}
+
+std::map<std::string, std::string> input_hashes(const cases::Case& rough_case) {
+  std::map<std::string, std::string> inputs;
+  const auto add = [&](const char* key, const std::string& path) {
+    if (!path.empty())
+      inputs[key] = content_hash(
+          cases::read_input_file(path, cases::largest_number_file));
+  };
+  add(surface_file, rough_case.surface.file);
+  if (rough_case.material.variation)
+    add(variation_file, rough_case.material.variation->file);
+  add(mesh_file, rough_case.mesh.file);
+  return inputs;
+}
+
+std::string program_identity() {
+  return results::build_stamp() + " " + results::processor_name();
+}
+
+} // namespace asperity::app

@@ -1,0 +1,80 @@
+#include "app/cli/checks.hpp"
+
+#include "base/atomic_file.hpp"
+#include "reports/analysis/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace asperity::app {
+
+ExitCode worse(ExitCode one, ExitCode other) {
+  return std::max(one, other);
+}
+
+void print_verdicts(const reports::Summary& summary) {
+  for (const reports::Verdict& verdict : summary.verdicts)
+    fmt::print("{}\n", reports::check_line(verdict));
+  for (const reports::PublishedValue& published : summary.published)
+    if (!published.ours.empty())
+      fmt::print("{}\n", reports::published_line(published));
+  for (const auto& method : summary.methods) {
+    if (method.cost.failed_steps > 0)
+      fmt::print("{}: {} of {} steps did not converge\n", method.name,
+                 method.cost.failed_steps, method.cost.steps);
+    for (const std::string& problem : method.problems)
+      fmt::print("{}: could not be worked out: {}\n", method.name, problem);
+  }
+}
+
+ExitCode exit_code_of(const reports::Summary& summary) {
+  const bool has_failed_steps = std::any_of(
+      summary.methods.begin(), summary.methods.end(),
+      [](const auto& method) { return method.cost.failed_steps > 0; });
+  if (has_failed_steps)
+    return exit_numerics_gave_up;
+  return summary.all_ok() ? exit_good : exit_expectation_failed;
+}
+
+void Checks::add(reports::Summary summary) {
+  fmt::print("{}\n", summary.case_name);
+  print_verdicts(summary);
+  end_ = worse(end_, exit_code_of(summary));
+  why_nothing_ = reports::why_nothing_checked(summary);
+  if (why_nothing_.empty())
+    has_checked_ = true;
+  else
+    fmt::print("{}\n", why_nothing_);
+  summaries_.push_back(std::move(summary));
+}
+
+void Checks::add_problem(const std::string& case_name,
+                         const std::string& problem, ExitCode exit_code) {
+  reports::Summary summary;
+  summary.case_name = case_name;
+  reports::Verdict verdict;
+  verdict.quantity = "run";
+  verdict.estimate.remark = problem;
+  summary.verdicts.push_back(std::move(verdict));
+  summaries_.push_back(std::move(summary));
+  end_ = worse(end_, exit_code);
+}
+
+void Checks::end_target(const std::string& target) {
+  if (!has_checked_) {
+    fmt::print(stderr, "{}: {}\n", target, why_nothing_);
+    end_ = worse(end_, exit_bad_input);
+  }
+  has_checked_ = false;
+}
+
+ExitCode Checks::end(const std::string& junit) const {
+  if (!junit.empty())
+    write_file_atomically(junit, reports::junit_xml(summaries_));
+  return end_;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,35 @@
+#include "app/cli/collection.hpp"
+
+#include "reports/pages/paper_report.hpp"
+#include "reports/pages/report.hpp"
+#include "results/result_reader.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::app {
+
+void write_collection_report(const FoundCases& collection,
+                             const std::vector<RunPart>& parts,
+                             const std::filesystem::path& folder) {
+  if (parts.empty())
+    return;
+  std::vector<results::Result> results;
+  std::vector<cases::Case> contact_cases;
+  for (const RunPart& part : parts) {
+    results.push_back(results::read_result(part.folder));
+    contact_cases.push_back(reports::case_of(results.back()));
+  }
+  std::vector<reports::PaperPart> pages;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    pages.push_back(
+        {parts[i].part.file.parent_path().filename().string(), parts[i].folder,
+         text_of_file(parts[i].part.file.parent_path() / "README.md"),
+         reports::entry_of(results[i], contact_cases[i])});
+  const std::string readme = text_of_file(collection.folder / "README.md");
+  for (const std::string& failure :
+       reports::write_paper_report(pages, readme, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("report on all parts: {}\n", (folder / "report.html").string());
+}
+
+} // namespace asperity::app

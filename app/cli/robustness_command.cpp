@@ -1,0 +1,181 @@
+#include "app/cli/robustness_command.hpp"
+
+#include "app/run/case_library.hpp"
+#include "base/atomic_file.hpp"
+#include "cases/read_case.hpp"
+#include "results/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+#include "robustness/axes.hpp"
+#include "robustness/case_scene.hpp"
+#include "robustness/page.hpp"
+#include "robustness/run_scene.hpp"
+#include "robustness/scene_pool.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using robustness::Scene;
+
+/// What is drawn from: nothing, or a case.
+struct Source {
+  std::string name; ///< of the case; empty: none
+  std::string word; ///< as the command line had it
+  std::optional<Scene> base;
+
+  Scene draw(std::uint64_t seed, int index) const {
+    return base ? robustness::draw_scene_about(*base, seed, index)
+                : robustness::draw_scene(seed, index);
+  }
+};
+
+std::vector<Source> sources_of(const RobustnessCommand& command) {
+  std::vector<Source> sources;
+  for (const std::string& word : command.cases)
+    for (const FoundCase& found : find_cases(word).cases) {
+      const cases::Case read = cases::read_case(found.file.string());
+      sources.push_back({found.name.empty() ? read.name : found.name,
+                         found.file.string(), robustness::scene_of_case(read)});
+    }
+  if (command.cases.empty())
+    sources.emplace_back();
+  return sources;
+}
+
+/// The scenes asked for: the first ones of the seed that pass the filter.
+std::vector<Scene> scenes_of(const Source& source,
+                             const RobustnessCommand& command) {
+  // A filter that one scene in so many passes is as narrow as it may be.
+  constexpr int most_drawn_for_one = 10000;
+  const robustness::SceneFilter filter(command.only);
+  std::vector<Scene> scenes;
+  const auto wanted = static_cast<std::size_t>(command.scenes);
+  for (int index = 0; scenes.size() < wanted; ++index) {
+    const Scene scene = source.draw(command.seed, index);
+    if (filter.takes(scene))
+      scenes.push_back(scene);
+    if (index / most_drawn_for_one > static_cast<int>(scenes.size()))
+      break;
+  }
+  return scenes;
+}
+
+std::string rerun_of(const Source& source, const RobustnessCommand& command) {
+  return fmt::format("asperity robustness{}{} --seed {}",
+                     source.word.empty() ? "" : " ", source.word, command.seed);
+}
+
+std::string fact(const results::Provenance& facts, const std::string& name) {
+  for (const auto& [key, value] : facts)
+    if (key == name)
+      return value;
+  return "unknown";
+}
+
+/// Runs them all; the reports come in any order and are sorted by scene.
+std::map<int, robustness::SceneResult>
+results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
+  std::map<int, Scene> by_index;
+  for (const Scene& scene : scenes)
+    by_index[scene.index] = scene;
+  std::map<int, robustness::SceneResult> results;
+  std::fflush(stdout); // a child must not write it again
+  robustness::run_scenes(
+      scenes, {command.threads, 60.0},
+      [&](const robustness::SceneReport& report) {
+        results[report.index] = {by_index.at(report.index), report};
+        if (results.size() % 500 == 0)
+          fmt::print("{} of {} scenes\n", results.size(), scenes.size());
+      },
+      [](const Scene& scene) { return robustness::run_scene(scene); });
+  return results;
+}
+
+void write_files(const fs::path& folder, const robustness::Matrix& matrix,
+                 const std::map<int, robustness::SceneResult>& results,
+                 const robustness::RunWords& words) {
+  fs::create_directories(folder);
+  const std::vector<robustness::LockingRow> locking =
+      robustness::locking_table();
+  std::string csv = robustness::csv_header();
+  for (const auto& [index, result] : results)
+    csv += robustness::csv_line(result);
+  write_file_atomically(folder / "stress.csv", csv);
+  write_file_atomically(folder / "stress.json",
+                        robustness::json_of(matrix, words, locking));
+  write_file_atomically(folder / "stress.html",
+                        robustness::page_of(matrix, words, locking));
+}
+
+ExitCode run_source(const Source& source, const RobustnessCommand& command) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<Scene> scenes = scenes_of(source, command);
+  const std::map<int, robustness::SceneResult> results =
+      results_of(scenes, command);
+  robustness::Matrix matrix;
+  for (const auto& [index, result] : results)
+    matrix.add(result);
+
+  const results::Provenance facts = results::program_facts();
+  robustness::RunWords words;
+  words.rerun = rerun_of(source, command);
+  words.commit = fact(facts, "commit");
+  words.machine =
+      fact(facts, "processor") + ", " + fact(facts, "cores") + " cores";
+  words.seed = command.seed;
+  words.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count();
+  const fs::path folder = fs::path(command.out) / source.name;
+  write_files(folder, matrix, results, words);
+
+  for (const auto& [scene, report] : matrix.others())
+    fmt::print("{} --scene {}: {}{} {}\n", words.rerun, scene.index,
+               name_of(report.outcome),
+               report.check.empty() ? "" : " (" + report.check + ")",
+               report.reason);
+  const robustness::Counts& total = matrix.total();
+  fmt::print("{} scenes in {:.0f} s: {} verified, {} refused, {} anything "
+             "else; {}\n",
+             total.all(), words.wall_seconds,
+             total.of(robustness::Outcome::verified),
+             total.of(robustness::Outcome::refused), total.others(),
+             (folder / "stress.html").string());
+  return total.others() > 0 ? exit_numerics_gave_up : exit_good;
+}
+
+/// One scene in this process, for a debugger, and all that is known of it.
+ExitCode run_one(const Source& source, const RobustnessCommand& command) {
+  const Scene scene = source.draw(command.seed, *command.scene);
+  fmt::print("{}\n", in_words(scene));
+  const robustness::SceneReport report = robustness::run_scene(scene);
+  fmt::print("{}{}{}{}\n{} iterations, area fraction {:.6g}, mean gap {:.6g} "
+             "h_rms, {:.3f} s\n",
+             name_of(report.outcome), report.check.empty() ? "" : ": ",
+             report.check, report.reason.empty() ? "" : ": " + report.reason,
+             report.iterations, report.area, report.reduced_gap,
+             report.seconds);
+  if (report.has_twin)
+    fmt::print("twin ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
+               name_of(scene.twin), report.has_same_bits ? "same" : "other",
+               report.twin_difference);
+  return is_good(report.outcome) ? exit_good : exit_numerics_gave_up;
+}
+
+} // namespace
+
+ExitCode run_robustness(const RobustnessCommand& command) {
+  ExitCode worst = exit_good;
+  for (const Source& source : sources_of(command))
+    worst = std::max(worst, command.scene ? run_one(source, command)
+                                          : run_source(source, command));
+  return worst;
+}
+
+} // namespace asperity::app

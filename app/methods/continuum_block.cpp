@@ -1,0 +1,66 @@
+#include "app/methods/continuum_block.hpp"
+
+#include "contact/operators/layered_compliance.hpp"
+
+#include <limits>
+#include <numbers>
+
+namespace asperity::app {
+namespace {
+
+contact::FarFace far_face_of(cases::TopFace top) {
+  switch (top) {
+  case cases::TopFace::sliding:
+    return contact::FarFace::sliding;
+  case cases::TopFace::pressure:
+    return contact::FarFace::pressure;
+  case cases::TopFace::clamped:
+    break;
+  }
+  return contact::FarFace::clamped;
+}
+
+/// E* of the block without its counter body [Pa].
+double own_modulus(const cases::MaterialSpec& material) {
+  const cases::BodyModuli own = material.first_body();
+  return own.youngs_modulus / (1.0 - own.poisson_ratio * own.poisson_ratio);
+}
+
+} // namespace
+
+contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
+                                   const cases::MaterialSpec& material,
+                                   const cases::Scales& scales) {
+  contact::ElasticBlock block;
+  block.contact_modulus = material.contact_modulus;
+  block.poisson_ratio = material.poisson_ratio.value_or(0.0);
+  block.thickness = std::numeric_limits<double>::infinity();
+  if (const auto* half =
+          std::get_if<cases::HalfspaceSettings>(&method.settings)) {
+    if (half->thickness)
+      block.thickness = half->thickness->in_si(scales);
+    block.far_face = far_face_of(half->top);
+  } else if (const auto* fem =
+                 std::get_if<cases::FemSettings>(&method.settings)) {
+    block.thickness = fem->depth.in_si(scales);
+    block.far_face = far_face_of(fem->top);
+  } else {
+    return block; // atoms know no layers
+  }
+  if (!material.layers.empty())
+    block.contact_modulus = own_modulus(material);
+  for (const cases::MaterialLayer& layer : material.layers)
+    block.layers.push_back({layer.thickness.in_si(scales),
+                            layer.moduli.youngs_modulus,
+                            layer.moduli.poisson_ratio});
+  return block;
+}
+
+double rim_modulus(const contact::ElasticBlock& block, double spacing) {
+  if (block.layers.empty())
+    return block.contact_modulus;
+  const double wavevector = 0.5 * std::numbers::pi / spacing;
+  return 2.0 / (contact::layered_compliance(wavevector, block) * wavevector);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,216 @@
+#include "app/methods/elastic_method.hpp"
+
+#include "app/methods/continuum_block.hpp"
+#include "app/methods/curve_row.hpp"
+#include "app/methods/kept_face.hpp"
+#include "app/methods/timed_operator.hpp"
+#include "base/cpu_clock.hpp"
+#include "results/area_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+using cases::ContactSettings;
+using cases::FemSettings;
+using cases::HalfspaceSettings;
+
+contact::Interface interface_of(const ContactSettings& settings,
+                                const cases::Scales& scales) {
+  const double penalty = settings.penalty.in_si(scales);
+  switch (settings.law) {
+  case cases::ContactLaw::penalty:
+    return {contact::Law::penalty, penalty};
+  case cases::ContactLaw::augmented:
+    return {contact::Law::augmented, penalty};
+  case cases::ContactLaw::hard:
+    break;
+  }
+  return {contact::Law::hard, 0.0};
+}
+
+contact::LoadTarget load_target(const StepTarget& target) {
+  return {target.control == cases::Control::nominal_pressure
+              ? contact::LoadTarget::Kind::nominal_pressure
+              : contact::LoadTarget::Kind::mean_gap,
+          target.amount};
+}
+
+/// What does not change from step to step.
+struct SolverSetting {
+  const ContactSettings& contact;
+  const SurfaceOfCase& surface; ///< outlives the solver
+  results::AreaCoefficients area_coefficients;
+  double rim_modulus; ///< E* at the scale of a spacing [Pa]
+  int threads;
+  double saved_setup_time;
+};
+
+/// Any surface operator under the contact room's solver.
+class OperatorSolver final : public StepSolver {
+public:
+  OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
+                 const SolverSetting& setting)
+      : surface_(setting.surface),
+        area_coefficients_(setting.area_coefficients),
+        rim_modulus_(setting.rim_modulus),
+        threads_(setting.threads),
+        weights_(elasticity->nodal_weights().begin(),
+                 elasticity->nodal_weights().end()),
+        sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
+                                                  threads_),
+                  surface_.record.heights,
+                  interface_of(setting.contact, surface_.scales),
+                  setting.contact.tolerance * surface_.scales.rms_height,
+                  setting.contact.max_iterations),
+        saved_setup_time_(setting.saved_setup_time) {}
+
+  StepAnswer solve(const StepTarget& target) override {
+    tally_->cpu_time = 0.0;
+    contact::ContactSolution solution = sequence_.solve(load_target(target));
+    const int transforms = solution.transforms;
+    const CpuClock clock(threads_);
+    StepAnswer answer = observe(std::move(solution),
+                                {weights_, sequence_.local_compliance(),
+                                 area_coefficients_, rim_modulus_},
+                                surface_);
+    answer.row.observation_time = clock.seconds();
+    answer.row.transforms = transforms;
+    answer.row.transform_time = tally_->cpu_time;
+    return answer;
+  }
+
+  std::vector<double> state() const override { return sequence_.memory(); }
+
+  void restore(std::span<const double> state) override {
+    sequence_.recall(state);
+  }
+
+  double saved_setup_time() const override { return saved_setup_time_; }
+
+private:
+  const SurfaceOfCase& surface_;
+  results::AreaCoefficients area_coefficients_;
+  double rim_modulus_;
+  int threads_;
+  std::shared_ptr<TimedOperator::Tally> tally_ =
+      std::make_shared<TimedOperator::Tally>();
+  std::vector<double> weights_;
+  contact::LoadSequence sequence_;
+  double saved_setup_time_;
+};
+
+std::string in_key(const std::vector<cases::MaterialLayer>& layers,
+                   const cases::Scales& scales) {
+  std::string key;
+  for (const cases::MaterialLayer& layer : layers)
+    key += fmt::format(" layer {} {} {}", layer.thickness.in_si(scales),
+                       layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+  return key;
+}
+
+/// Equal for equal operators: grid and block, not the interface.
+std::string operator_key(const cases::MethodSpec& method,
+                         const SurfaceOfCase& surface,
+                         const cases::MaterialSpec& material) {
+  const Grid& grid = surface.record.grid;
+  const std::string place =
+      fmt::format("{} {} {} {}{}", grid.points_x, grid.points_y, grid.length_x,
+                  grid.length_y, in_key(material.layers, surface.scales));
+  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
+    return fmt::format("halfspace {} {} {}", place,
+                       half->thickness ? half->thickness->in_si(surface.scales)
+                                       : 0.0,
+                       static_cast<int>(half->top));
+  const auto& block = std::get<FemSettings>(method.settings);
+  return fmt::format("fem {} {} {} {} {} {}", place,
+                     static_cast<int>(block.element), block.surface_cell_depth,
+                     block.growth, block.depth.in_si(surface.scales),
+                     static_cast<int>(block.top));
+}
+
+} // namespace
+
+results::AreaCoefficients area_coefficients(const FemSettings& settings) {
+  return settings.element == cases::Element::q1
+             ? results::q1_area_coefficients(settings.surface_cell_depth)
+             : results::q2_area_coefficients;
+}
+
+SolverFactory::SolverFactory(const cases::MaterialSpec& material, Cache& cache,
+                             const CaseKeys& keys)
+    : material_(material), cache_(cache), keys_(keys) {}
+
+std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
+                                                const SurfaceOfCase& surface,
+                                                int threads) {
+  const auto* block = std::get_if<FemSettings>(&method.settings);
+  const double modulus = rim_modulus(
+      continuum_of(method, material_, surface.scales), surface.scales.spacing);
+  Face face = shared_operator(method, surface, threads);
+  return std::make_unique<OperatorSolver>(
+      std::move(face.elasticity),
+      SolverSetting{block != nullptr
+                        ? block->contact
+                        : std::get<HalfspaceSettings>(method.settings).contact,
+                    surface,
+                    block != nullptr ? area_coefficients(*block)
+                                     : results::halfspace_area_coefficients,
+                    modulus, threads, face.saved_setup_time});
+}
+
+SolverFactory::Face
+SolverFactory::shared_operator(const cases::MethodSpec& method,
+                               const SurfaceOfCase& surface, int threads) {
+  const std::lock_guard lock(mutex_);
+  std::unique_ptr<contact::SurfaceOperator>& kept =
+      operators_[operator_key(method, surface, material_)];
+  if (kept)
+    return {kept->clone(), 0.0};
+  Face built = build_operator(method, surface, threads);
+  kept = std::move(built.elasticity);
+  return {kept->clone(), built.saved_setup_time};
+}
+
+SolverFactory::Face
+SolverFactory::build_operator(const cases::MethodSpec& method,
+                              const SurfaceOfCase& surface, int threads) {
+  const Grid& grid = surface.record.grid;
+  if (std::holds_alternative<HalfspaceSettings>(method.settings))
+    return {std::make_unique<contact::FourierOperator>(
+                grid,
+                contact::block_compliance(
+                    grid, continuum_of(method, material_, surface.scales)),
+                threads),
+            0.0};
+  const fem::FemRoom& room = fem::load_fem_room(); // no part of what is kept
+  Face face;
+  fem::BlockRequest asked =
+      request(std::get<FemSettings>(method.settings), surface, threads);
+  asked.keeper =
+      keeper_in(cache_,
+                keys_.face(fmt::format(
+                    "{} {} {}", operator_key(method, surface, material_),
+                    asked.youngs_modulus, asked.poisson_ratio)),
+                threads, face.saved_setup_time);
+  face.elasticity = room.condensed(asked);
+  return face;
+}
+
+fem::BlockRequest SolverFactory::request(const FemSettings& settings,
+                                         const SurfaceOfCase& surface,
+                                         int threads) const {
+  return {surface.record.grid,
+          settings,
+          surface.scales,
+          material_.block_youngs_modulus(),
+          *material_.poisson_ratio,
+          threads,
+          {},
+          material_.layers};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,80 @@
+#include "app/methods/elastic_method.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::app {
+namespace {
+
+using cases::ContactSettings;
+using cases::FemSettings;
+using cases::HalfspaceSettings;
+
+std::string in_words(const ContactSettings& settings) {
+  const auto penalty = [&] {
+    const char* unit = settings.penalty.yardstick ==
+                               cases::Yardstick::contact_modulus_per_spacing
+                           ? "E*/h"
+                           : "Pa/m";
+    return fmt::format("{:g} {}", settings.penalty.value, unit);
+  };
+  switch (settings.law) {
+  case cases::ContactLaw::penalty:
+    return "penalty " + penalty();
+  case cases::ContactLaw::augmented:
+    return "augmented Lagrangian on a penalty of " + penalty();
+  case cases::ContactLaw::hard:
+    break;
+  }
+  return "hard wall";
+}
+
+/// "20 GPa over 50 nm", contact face first.
+std::string in_words(const std::vector<cases::MaterialLayer>& layers) {
+  std::string words;
+  for (const cases::MaterialLayer& layer : layers)
+    words +=
+        fmt::format("{}E = {:g} Pa, nu = {:g}", words.empty() ? "" : "; ",
+                    layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+  return words;
+}
+
+} // namespace
+
+std::string material_words(const cases::MethodSpec& method,
+                           const cases::MaterialSpec& material) {
+  if (material.layers.empty())
+    return {};
+  if (std::holds_alternative<cases::TheorySettings>(method.settings) ||
+      std::holds_alternative<cases::MdSettings>(method.settings))
+    return "uniform: without the layers";
+  return fmt::format("under {} bonded {} ({})", material.layers.size(),
+                     material.layers.size() == 1 ? "layer" : "layers",
+                     in_words(material.layers));
+}
+
+MethodDescription describe(const FemSettings& settings) {
+  const std::string solver =
+      settings.solver == cases::FemSolver::full
+          ? "the full three-dimensional block"
+      : settings.solver == cases::FemSolver::condensed
+          ? "condensed to the contact face"
+          : "condensed to the contact face (auto: the block is laterally "
+            "uniform)";
+  return {"fem",
+          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
+                      "{:g}, {}",
+                      settings.element == cases::Element::q1 ? "Q1" : "Q2",
+                      solver, settings.surface_cell_depth, settings.growth,
+                      in_words(settings.contact)),
+          settings.solver == cases::FemSolver::full};
+}
+
+MethodDescription describe(const HalfspaceSettings& settings) {
+  return {"halfspace",
+          fmt::format("continuum {}, spectral, {}",
+                      settings.thickness ? "slab" : "half-space",
+                      in_words(settings.contact)),
+          false};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,127 @@
+#include "app/methods/stress_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+constexpr int section_rows = 49;      ///< planes of a section, the face's too
+constexpr int section_columns = 257;  ///< at most
+constexpr double section_depth = 4.0; ///< in depths of the strongest point
+constexpr double section_reach = 1.5; ///< to either side, in its own depth
+constexpr double below_layers = 1.5;  ///< it shows this, in their thickness
+
+/// Of a block that goes on for ever [m].
+double depth_of_section(const contact::ElasticBlock& block, double peak_depth) {
+  double layers = 0.0;
+  for (const contact::BondedLayer& layer : block.layers)
+    layers += layer.thickness;
+  return std::max(section_depth * peak_depth, below_layers * layers);
+}
+
+/// The nodes of a section along x, as offsets from the strongest point.
+std::vector<int> offsets_of(const Grid& grid, double depth) {
+  const int reach = std::min(
+      static_cast<int>(std::ceil(section_reach * depth / grid.spacing_x())),
+      grid.points_x / 2);
+  const int stride =
+      std::max(1, (2 * reach + section_columns - 1) / section_columns);
+  std::vector<int> offsets;
+  for (int offset = -(reach / stride) * stride; offset <= reach;
+       offset += stride)
+    offsets.push_back(offset);
+  return offsets;
+}
+
+/// @param x         of each column from the strongest point [m]
+/// @param strength  rows of depth, x fastest [Pa]
+/// @param origin    of the numbers, in words
+results::Table section_table(const std::string& method, double pressure,
+                             const std::string& origin,
+                             const std::vector<double>& depths,
+                             const std::vector<double>& x,
+                             std::vector<double> strength) {
+  results::Column depth_column{"depth", "m", {}};
+  results::Column x_column{"x", "m", {}};
+  for (const double depth : depths)
+    for (const double place : x) {
+      depth_column.values.push_back(depth);
+      x_column.values.push_back(place);
+    }
+  return {"stress-section-" + method,
+          fmt::format("Von Mises stress below the face at p = {:.6g} Pa, {}, "
+                      "{}",
+                      pressure, method, origin),
+          {depth_column, x_column, {"von_mises", "Pa", std::move(strength)}}};
+}
+
+std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
+  std::vector<double> places;
+  for (const int offset : offsets)
+    places.push_back(offset * spacing);
+  return places;
+}
+
+} // namespace
+
+SectionPlaces section_places(const Grid& grid,
+                             const contact::ElasticBlock& block,
+                             double peak_depth) {
+  const double whole_depth = depth_of_section(block, peak_depth);
+  const double deepest = std::min(whole_depth, block.thickness);
+  SectionPlaces places{{}, offsets_of(grid, whole_depth)};
+  for (int row = 0; row < section_rows; ++row)
+    places.depth.push_back(deepest * row / (section_rows - 1));
+  return places;
+}
+
+results::Table stress_section(const std::string& method,
+                              const contact::ElasticBlock& block,
+                              const results::Fields& map,
+                              const contact::StressPeak& peak, int threads) {
+  const Grid& grid = map.grid;
+  const contact::StressInside inside(grid, block, map.pressure, threads);
+  const int peak_x = static_cast<int>(peak.node) % grid.points_x;
+  const int peak_y = static_cast<int>(peak.node) / grid.points_x;
+  const SectionPlaces places = section_places(grid, block, peak.depth);
+  std::vector<double> strength;
+  for (const double depth : places.depth) {
+    const std::vector<double> plane =
+        contact::von_mises(inside.at_depth(depth));
+    for (const int offset : places.offsets) {
+      const int ix = (peak_x + offset + grid.points_x) % grid.points_x;
+      strength.push_back(plane[grid.index(ix, peak_y)]);
+    }
+  }
+  return section_table(
+      method, map.nominal_pressure, "from its pressure", places.depth,
+      in_metres(places.offsets, grid.spacing_x()), std::move(strength));
+}
+
+results::Table stress_section(const OwnSection& section,
+                              const fem::FullBlock& block,
+                              const contact::ElasticBlock& continuum) {
+  const Grid& grid = block.grid();
+  const fem::StressPeak& peak = section.peak;
+  SectionPlaces places =
+      section_places(grid, continuum, std::max(peak.depth, grid.spacing_x()));
+  const auto at = [&](int offset) {
+    return peak.place[0] + offset * grid.spacing_x();
+  };
+  if (!section.is_periodic)
+    std::erase_if(places.offsets, [&](int offset) {
+      return at(offset) < 0.0 || at(offset) > grid.length_x;
+    });
+  fem::SectionPlane plane{peak.place[1], peak.place[2] < 0.0, {}, places.depth};
+  for (const int offset : places.offsets)
+    plane.x.push_back(at(offset) -
+                      grid.length_x * std::floor(at(offset) / grid.length_x));
+  return section_table(
+      section.method, section.nominal_pressure, "from its cells", places.depth,
+      in_metres(places.offsets, grid.spacing_x()), block.section(plane));
+}
+
+} // namespace asperity::app

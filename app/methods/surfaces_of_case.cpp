@@ -1,0 +1,128 @@
+#include "app/methods/surfaces_of_case.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "cases/case_error.hpp"
+#include "surfaces/build.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
+
+#include <algorithm>
+
+namespace asperity::app {
+namespace {
+
+results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
+  const surfaces::Statistics numbers = surfaces::statistics(map);
+  results::SurfaceRecord record;
+  record.grid = map.grid;
+  record.heights = map.heights;
+  record.rms_height = numbers.rms_height;
+  record.rms_slope = numbers.rms_slope;
+  record.rms_curvature = numbers.rms_curvature;
+  record.skewness = numbers.skewness;
+  record.kurtosis = numbers.kurtosis;
+  record.highest = numbers.highest;
+  for (const surfaces::Shell& shell : surfaces::spectral_shells(map))
+    record.spectrum.push_back(
+        {shell.wavevector, surfaces::shell_density(shell, map.grid)});
+  return record;
+}
+
+SurfaceOfCase as_taken(const cases::Case& rough_case,
+                       const surfaces::HeightMap& map) {
+  SurfaceOfCase surface;
+  surface.record = record_of(map);
+  if (!(surface.record.rms_height > 0.0))
+    throw cases::CaseError(rough_case.path +
+                           ": the surface is flat; there is no roughness "
+                           "to press on");
+  surface.scales = {rough_case.material.contact_modulus,
+                    surface.record.grid.length_x,
+                    surface.record.grid.spacing_x(), surface.record.rms_height};
+  return surface;
+}
+
+} // namespace
+
+bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
+  return !std::all_of(methods.begin(), methods.end(), takes_formula);
+}
+
+std::optional<double> highest_wavevector(const cases::Case& rough_case,
+                                         const cases::MethodSpec& method) {
+  if (!method.magnification)
+    return std::nullopt;
+  return *method.magnification * rough_case.surface.wavevector_roll_off;
+}
+
+CaseSurfaces::CaseSurfaces(const cases::Case& rough_case,
+                           const std::vector<cases::MethodSpec>& methods)
+    : case_(rough_case) {
+  if (!needs_surfaces(methods))
+    return;
+  for (int r = 0; r < rough_case.surface.realizations; ++r)
+    whole_.push_back(
+        as_taken(rough_case, surfaces::build_surface(rough_case.surface, r)));
+  for (const cases::MethodSpec& method : methods) {
+    if (!method.magnification || takes_formula(method) ||
+        magnified_.contains(*method.magnification))
+      continue;
+    std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
+    for (int r = 0; r < rough_case.surface.realizations; ++r)
+      shown.push_back(as_taken(
+          rough_case, surfaces::build_surface_on(
+                          rough_case.surface, r,
+                          whole_[static_cast<std::size_t>(r)].record.grid,
+                          highest_wavevector(rough_case, method))));
+  }
+}
+
+const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
+  return whole_;
+}
+
+const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
+                                      int realization) const {
+  const auto r = static_cast<std::size_t>(realization);
+  return method.magnification ? magnified_.at(*method.magnification).at(r)
+                              : whole_.at(r);
+}
+
+results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,
+                                               int realization) const {
+  if (!takes_formula(method))
+    return of(method, realization).record;
+  const theory::HeightSpectrum spectrum = formula_of_case(case_, method);
+  results::SurfaceRecord record;
+  record.rms_height = spectrum.rms_height();
+  record.rms_slope = spectrum.rms_slope();
+  return record;
+}
+
+theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
+                                       const cases::MethodSpec& method) {
+  const surfaces::IsotropicSpectrum formula =
+      surfaces::formula_spectrum(rough_case.surface);
+  theory::HeightSpectrum spectrum(
+      theory::SpectrumFormula{formula.density, formula.kinks});
+  const std::optional<double> highest = highest_wavevector(rough_case, method);
+  return highest ? spectrum.between(0.0, *highest) : spectrum;
+}
+
+theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
+  std::vector<theory::SpectrumShell> shells;
+  for (const surfaces::Shell& shell :
+       surfaces::spectral_shells({surface.record.grid, surface.record.heights}))
+    shells.push_back({shell.wavevector, shell.mean_square_height});
+  return theory::HeightSpectrum(std::move(shells));
+}
+
+cases::Scales formula_scales(const cases::Case& rough_case,
+                             const theory::HeightSpectrum& spectrum) {
+  const double length = rough_case.surface.length.value_or(0.0);
+  const int points = rough_case.surface.points.value_or(0);
+  return {rough_case.material.contact_modulus, length,
+          points > 0 ? length / points : 0.0, spectrum.rms_height()};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,45 @@
+#pragma once
+
+// An elastic operator under the clock: the contact solver does not know that
+// it is measured.
+
+#include "contact/operators/surface_operator.hpp"
+
+#include <memory>
+
+namespace asperity::app {
+
+/// Forwards everything and adds up the CPU time of both applications. Clones
+/// and coarser forms add to the same tally, so one tally belongs to one solver
+/// and its thread.
+class TimedOperator final : public contact::SurfaceOperator {
+public:
+  /// CPU time so far [s].
+  struct Tally {
+    double cpu_time = 0.0;
+  };
+
+  /// @param n_threads  that an application may use, see CpuClock
+  TimedOperator(std::unique_ptr<contact::SurfaceOperator> measured,
+                std::shared_ptr<Tally> tally, int n_threads);
+
+  std::unique_ptr<contact::SurfaceOperator> clone() const override;
+  const Grid& grid() const override;
+  std::span<const double> nodal_weights() const override;
+  void displacement(std::span<const double> pressure,
+                    std::span<double> displacement) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
+  double short_wave_compliance() const override;
+  int threads() const override;
+  std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
+
+private:
+  std::unique_ptr<contact::SurfaceOperator> measured_;
+  std::shared_ptr<Tally> tally_;
+  int n_threads_;
+};
+
+} // namespace asperity::app

@@ -1,0 +1,138 @@
+#include "app/methods/whole_block_method.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "app/methods/continuum_block.hpp"
+#include "app/methods/curve_row.hpp"
+#include "app/methods/elastic_method.hpp"
+#include "app/methods/stress_section.hpp"
+#include "fem/plugin.hpp"
+#include "results/area_estimate.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+contact::ContactSolution as_contact(fem::BlockSolution block,
+                                    const SurfaceOfCase& surface) {
+  const std::vector<double>& heights = surface.record.heights;
+  contact::ContactSolution solution;
+  solution.displacement.resize(block.gap.size());
+  for (std::size_t i = 0; i < block.gap.size(); ++i)
+    solution.displacement[i] = block.gap[i] + heights[i] - block.mean_gap;
+  solution.pressure = std::move(block.pressure);
+  solution.gap = std::move(block.gap);
+  solution.nominal_pressure = block.nominal_pressure;
+  solution.mean_gap = block.mean_gap;
+  solution.gap_error = block.residual * surface.scales.rms_height;
+  solution.iterations = block.iterations;
+  solution.converged = block.converged;
+  solution.note = std::move(block.note);
+  return solution;
+}
+
+/// Which steps leave more than a row and maps.
+struct StepExtras {
+  std::string files; ///< their folder and stem
+  std::set<std::size_t> with_files;
+  std::optional<std::size_t> with_section;
+};
+
+StepExtras extras_of(const cases::Case& rough_case,
+                     const cases::MethodSpec& method,
+                     const SurfaceOfCase& surface,
+                     const std::filesystem::path& scratch) {
+  StepExtras extras{(scratch / "block").string(), {}, {}};
+  if (rough_case.report.vtu)
+    extras.with_files = steps_with_fields(rough_case);
+  extras.with_section = step_with_section(rough_case, method, surface.scales);
+  return extras;
+}
+
+class WholeBlock final : public StepSolver {
+public:
+  WholeBlock(std::unique_ptr<fem::FullBlock> block,
+             const cases::MethodSpec& method, const SurfaceOfCase& surface,
+             contact::ElasticBlock continuum, StepExtras extras)
+      : method_(method.name),
+        settings_(std::get<cases::FemSettings>(method.settings)),
+        surface_(surface),
+        continuum_(std::move(continuum)),
+        rim_modulus_(rim_modulus(continuum_, surface.scales.spacing)),
+        block_(std::move(block)),
+        contact_(fem::block_contact(settings_.contact, surface.scales)),
+        extras_(std::move(extras)) {}
+
+  StepAnswer solve(const StepTarget& target) override {
+    fem::BlockSolution solution = block_->solve(
+        surface_.record.heights, {target.control, target.amount}, contact_);
+    const double area = solution.area_by_points;
+    const bool has_rim = solution.is_contact_on_grid;
+    results::CurvePoint costs;
+    costs.linear_iterations = solution.linear_iterations;
+    costs.preconditioner_setups = solution.preconditioner_setups;
+    costs.memory = solution.memory;
+    const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
+                                          ? 1.0 / contact_.penalty
+                                          : 0.0;
+    StepAnswer answer =
+        observe(as_contact(std::move(solution), surface_),
+                {block_->nodal_weights(), penalty_compliance,
+                 area_coefficients(settings_), rim_modulus_, has_rim},
+                surface_);
+    answer.row.area_fraction = area;
+    if (!has_rim) // a sample between nodes says nothing of the rim
+      answer.row.area_fraction_corrected = area;
+    answer.row.linear_iterations = costs.linear_iterations;
+    answer.row.preconditioner_setups = costs.preconditioner_setups;
+    answer.row.memory = costs.memory;
+    answer.row.unknowns = static_cast<double>(block_->unknowns());
+    look_inside(static_cast<std::size_t>(target.step), answer);
+    return answer;
+  }
+
+  std::string found_at_setup() const override { return block_->report(); }
+
+private:
+  void look_inside(std::size_t step, StepAnswer& answer) {
+    const fem::StressPeak peak = block_->strongest_stress();
+    answer.row.von_mises = peak.von_mises;
+    answer.row.von_mises_depth = peak.depth;
+    if (extras_.with_section == step)
+      answer.section =
+          stress_section({method_, answer.row.nominal_pressure, peak,
+                          settings_.sides == cases::BlockSides::periodic},
+                         *block_, continuum_);
+    if (extras_.with_files.contains(step))
+      block_->write(extras_.files);
+  }
+
+  std::string method_;
+  const cases::FemSettings& settings_;
+  const SurfaceOfCase& surface_;
+  contact::ElasticBlock continuum_; ///< of its thickness and layers
+  double rim_modulus_;              ///< E* at the scale of a spacing [Pa]
+  std::unique_ptr<fem::FullBlock> block_;
+  fem::BlockContact contact_;
+  StepExtras extras_;
+};
+
+} // namespace
+
+std::unique_ptr<StepSolver>
+make_whole_block(const cases::Case& rough_case, const cases::MethodSpec& method,
+                 const SurfaceOfCase& surface, int realization,
+                 const std::filesystem::path& scratch) {
+  return std::make_unique<WholeBlock>(
+      fem::load_fem_room().full({rough_case.text, rough_case.path, method.name,
+                                 surface.record.grid, surface.scales}),
+      method, surface,
+      continuum_of(method, rough_case.material, surface.scales),
+      realization == 0 ? extras_of(rough_case, method, surface, scratch)
+                       : StepExtras{});
+}
+
+} // namespace asperity::app

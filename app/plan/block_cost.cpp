@@ -1,0 +1,126 @@
+#include "app/plan/block_cost.hpp"
+
+#include "app/plan/block_size.hpp"
+#include "fem/plugin.hpp"
+#include "surfaces/build.hpp"
+
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+using cases::LinearSolverChoice;
+
+// Release build, one thread of a shared 2-core AMD EPYC; tools/plan_accuracy.py
+// and the report's table of blocks have what they are taken from.
+
+/// Newton's steps a load step: 7 to 8 in `heterogeneous`, `rough-3d`,
+/// `two-blocks`; 4 and 6 in `step42` at 32^2 and 64^2.
+constexpr double rough_newton_steps = 7.5;
+constexpr double smooth_newton_steps = 5.0;
+
+/// Multigrid's iterations a Newton step, at 32 nodes a side: 36 in
+/// `heterogeneous` (24 at 16), 16 in `step42`, 49 in `two-blocks`.
+constexpr double iterations_at_32 = 36.0;
+constexpr double block_iterations_exponent = 0.6; ///< of the nodes a side
+constexpr double block_smooth_factor = 0.45;
+constexpr double two_bodies_factor = 1.35;
+constexpr double block_q2_factor = 1.3;
+/// Hierarchies a Newton step; between two bodies each needs its own.
+constexpr double hierarchies = 0.2;
+constexpr double hierarchies_between_bodies = 1.0;
+
+/// An unknown and iteration, an unknown and hierarchy [s]: Q1, Q2.
+constexpr double multigrid_iteration_time[] = {0.6e-6, 1.0e-6};
+constexpr double hierarchy_time[] = {10e-6, 36e-6};
+/// The waves: an unknown and Newton step, of moduli that are alike in a layer
+/// (2 iterations) and that are not (12) [s].
+constexpr double fourier_time[] = {2.3e-6, 3.7e-6};
+constexpr double uneven_fourier_time[] = {3.2e-6, 6.0e-6};
+/// A factorisation, an unknown squared [s]: 2.6 s for 12138.
+constexpr double direct_time = 1.75e-8;
+constexpr double assembly_time = 20e-6; ///< mesh to matrix, an unknown [s]
+
+constexpr double kilobyte = 1000.0;
+constexpr double fourier_memory[] = {2.3 * kilobyte, 4.5 * kilobyte};
+constexpr double multigrid_memory[] = {3.2 * kilobyte, 5.8 * kilobyte};
+constexpr double direct_memory = 5.5 * kilobyte; ///< more than multigrid has
+
+LinearSolverChoice solver_of(const cases::Case& rough_case,
+                             const cases::FemSettings& settings,
+                             double unknowns) {
+  if (settings.linear_solver != LinearSolverChoice::automatic)
+    return settings.linear_solver;
+  if (unknowns <= fem::most_direct_unknowns)
+    return LinearSolverChoice::direct;
+  const bool is_layered = !settings.uses_case_mesh ||
+                          rough_case.mesh.kind == cases::MeshKind::layers;
+  return is_layered && settings.bodies == 1 &&
+                 settings.sides == cases::BlockSides::periodic
+             ? LinearSolverChoice::fourier
+             : LinearSolverChoice::multigrid;
+}
+
+bool is_rough(const cases::SurfaceSpec& surface) {
+  return surfaces::is_random(surface.kind) ||
+         surface.kind == cases::SurfaceKind::measured;
+}
+
+/// CPU of multigrid, an unknown and Newton step [s].
+double multigrid_time(const cases::Case& rough_case,
+                      const cases::FemSettings& settings, double nodes_a_side,
+                      std::size_t order) {
+  const bool has_two = settings.bodies == 2;
+  const double iterations =
+      iterations_at_32 *
+      std::pow(nodes_a_side / 32.0, block_iterations_exponent) *
+      (is_rough(rough_case.surface) ? 1.0 : block_smooth_factor) *
+      (has_two ? two_bodies_factor : 1.0) *
+      (order == 0 ? 1.0 : block_q2_factor);
+  return iterations * multigrid_iteration_time[order] +
+         (has_two ? hierarchies_between_bodies : hierarchies) *
+             hierarchy_time[order];
+}
+
+} // namespace
+
+MethodCost cost_of_full_block(const cases::Case& rough_case,
+                              const cases::FemSettings& settings,
+                              const Grid& grid, MachineRates& rates) {
+  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  const BlockSize size = block_size(rough_case, settings, scales, grid);
+  const std::size_t order = settings.element == cases::Element::q1 ? 0 : 1;
+  const bool is_uneven = rough_case.material.inclusion.has_value() ||
+                         rough_case.material.variation.has_value();
+  double unknown_time = 0.0; // a Newton step
+  double unknown_memory = multigrid_memory[order];
+  switch (solver_of(rough_case, settings, size.unknowns)) {
+  case LinearSolverChoice::direct:
+    unknown_time = direct_time * size.unknowns;
+    unknown_memory += direct_memory;
+    break;
+  case LinearSolverChoice::fourier:
+    unknown_time = (is_uneven ? uneven_fourier_time : fourier_time)[order];
+    unknown_memory = fourier_memory[order];
+    break;
+  default:
+    unknown_time =
+        multigrid_time(rough_case, settings, size.nodes_a_side, order);
+  }
+  MethodCost cost;
+  cost.unknowns = size.unknowns;
+  cost.step_time =
+      rates.slowness() * size.unknowns * unknown_time *
+      (is_rough(rough_case.surface) ? rough_newton_steps : smooth_newton_steps);
+  cost.setup_time =
+      rates.slowness() * (fem_load_time + assembly_time * size.unknowns);
+  cost.memory = unknown_memory * size.unknowns;
+  return cost;
+}
+
+double full_block_memory() {
+  return 51.0 * 1024.0 * 1024.0;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,216 @@
+#include "app/plan/block_size.hpp"
+
+#include "base/special_numbers.hpp"
+#include "meshes/graded_layers.hpp"
+#include "meshes/hanging_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace asperity::app {
+namespace {
+
+using cases::MeshGeometry;
+
+double degree_of(const cases::FemSettings& settings) {
+  return settings.element == cases::Element::q1 ? 1.0 : 2.0;
+}
+
+std::vector<double> interfaces_of(const cases::Case& rough_case,
+                                  const cases::Scales& scales) {
+  std::vector<double> interfaces;
+  double depth = 0.0;
+  for (const cases::MaterialLayer& layer : rough_case.material.layers)
+    interfaces.push_back(depth += layer.thickness.in_si(scales));
+  return interfaces;
+}
+
+/// Nodes of n_x by n_y by n_z boxes of that degree.
+double nodes_of(double n_x, double n_y, double n_z, double degree) {
+  return (degree * n_x + 1.0) * (degree * n_y + 1.0) * (degree * n_z + 1.0);
+}
+
+BlockSize boxes(double n_x, double n_y, double n_z, double degree) {
+  return {n_x * n_y * n_z, 3.0 * nodes_of(n_x, n_y, n_z, degree),
+          degree * std::sqrt(n_x * n_y)};
+}
+
+/// Level by level, each cell an eighth of its parent. Between two levels the
+/// coarser one's corners are nodes of the finer; of second order its edges and
+/// faces have nodes of their own.
+BlockSize hanging(const Grid& cells, double depth, int cells_a_level,
+                  double degree) {
+  const meshes::BlockMesh mesh =
+      meshes::hanging_mesh(cells, depth, cells_a_level);
+  const std::size_t n_levels = mesh.refine_below.size();
+  const double coarsest = std::ldexp(1.0, static_cast<int>(n_levels));
+  const double coarse_layers = static_cast<double>(mesh.cells.size()) /
+                               static_cast<double>(cells.size()) * coarsest *
+                               coarsest;
+  BlockSize size;
+  size.nodes_a_side = degree * std::sqrt(static_cast<double>(cells.size()));
+  double top = 0.0;
+  for (std::size_t level = 0; level <= n_levels; ++level) {
+    const double edge = std::ldexp(1.0, static_cast<int>(level));
+    const double bottom =
+        level < n_levels ? mesh.refine_below[n_levels - 1 - level] : depth;
+    const double n_x = cells.points_x / edge;
+    const double n_y = cells.points_y / edge;
+    const double n_z =
+        std::round((bottom - top) / depth * coarse_layers * coarsest / edge);
+    const double shared = level == 0 ? 0.0 : (n_x + 1.0) * (n_y + 1.0);
+    size.cells += n_x * n_y * n_z;
+    size.unknowns += 3.0 * (nodes_of(n_x, n_y, n_z, degree) - shared);
+    top = bottom;
+  }
+  return size;
+}
+
+/// Cells of an edge whose size grows linearly from one end to the other.
+double cells_along(double length, double first, double last) {
+  const double cells = std::abs(last - first) < 1e-9 * first
+                           ? length / first
+                           : length / (last - first) * std::log(last / first);
+  return std::max(1.0, std::ceil(cells - 1e-9));
+}
+
+/// A fine cube under the contact, five blocks fanned out from it, layers below.
+BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
+                      const Grid& grid, double depth, double degree) {
+  const double fine = mesh.fine_radius.in_si(scales);
+  const double near = mesh.size_at_contact.in_si(scales);
+  const double far = mesh.size_far.in_si(scales);
+  const double half = 0.5 * std::min(grid.length_x, grid.length_y);
+  const double fan = depth <= 1.5 * half ? depth : half;
+  const double across = cells_along(2.0 * fine, near, near);
+  const double down = cells_along(fine, near, near);
+  const double out = cells_along(std::min(half, fan) - fine, near, far);
+  const double below = fan < depth ? cells_along(depth - fan, far, far) : 0.0;
+  BlockSize size;
+  size.cells =
+      across * across * (down + out + below) + 4.0 * across * down * out;
+  size.nodes_a_side = degree * (across + 2.0 * out);
+  const double side = degree * across;
+  size.unknowns = 3.0 * ((side + 1.0) * (side + 1.0) *
+                             (degree * (down + out + below) + 1.0) +
+                         4.0 * side * degree * out * degree * down);
+  return size;
+}
+
+/// Columns and layers around a cubic box, in which a ball has a cube inside:
+/// every block between them has the box's cells across.
+BlockSize inclusion(const cases::Case& rough_case, const cases::Scales& scales,
+                    const Grid& grid, double depth, double degree) {
+  const double size = rough_case.mesh.size_at_contact.in_si(scales);
+  const double far = rough_case.mesh.size_far.in_si(scales);
+  const cases::MaterialInclusion& ball = *rough_case.material.inclusion;
+  const double radius = ball.radius.in_si(scales);
+  const double centre = ball.depth.in_si(scales);
+  const double room = std::min(
+      {0.5 * grid.length_x, 0.5 * grid.length_y, centre, depth - centre});
+  const double half = std::min(1.5 * radius, 0.5 * (radius + room));
+  const double across = cells_along(2.0 * half, size, size);
+  const auto columns = [&](double length) {
+    return across + 2.0 * cells_along(0.5 * length - half, size, size);
+  };
+  const double down = cells_along(centre - half, size, size) + across +
+                      cells_along(depth - centre - half, size, far);
+  BlockSize outer =
+      boxes(columns(grid.length_x), columns(grid.length_y), down, degree);
+  const double shells = cells_along(0.55 * radius, size, size) +
+                        cells_along(half - radius, size, size);
+  const double side = degree * across;
+  outer.cells += 6.0 * across * across * shells;
+  outer.unknowns += 3.0 * (6.0 * side * side + 2.0) * degree * shells;
+  return outer;
+}
+
+/// Edges scatter about the size, which grows linearly with the depth: a regular
+/// tetrahedron of edge s has s^3/(6 sqrt 2), six of them go with a vertex.
+BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
+                     const Grid& grid, double depth, double degree) {
+  const double near = mesh.size_at_contact.in_si(scales);
+  const double far = mesh.size_far.in_si(scales);
+  double inverse_cube = 1.0 / (near * near * near); // mean of s^-3 over depth
+  if (far > near)
+    inverse_cube =
+        0.5 * (1.0 / (near * near) - 1.0 / (far * far)) / (far - near);
+  double volume = grid.length_x * grid.length_y * depth;
+  if (mesh.geometry == MeshGeometry::indentation) {
+    const double fine = mesh.fine_radius.in_si(scales);
+    const double half_ball = 2.0 / 3.0 * std::numbers::pi * fine * fine * fine;
+    volume = half_ball * 4.0; // what is near it counts, the rest is coarse
+    inverse_cube = 1.0 / (near * near * near);
+  }
+  BlockSize size;
+  size.cells = volume * inverse_cube * 6.0 * std::numbers::sqrt2;
+  const double vertices = size.cells / 6.0;
+  size.unknowns = 3.0 * vertices * (degree == 1.0 ? 1.0 : 8.0);
+  size.nodes_a_side = degree * std::sqrt(grid.length_x * grid.length_y) / near;
+  return size;
+}
+
+BlockSize by_gmsh(const cases::Case& rough_case, const cases::Scales& scales,
+                  const Grid& grid, double depth, double degree) {
+  const cases::MeshSpec& mesh = rough_case.mesh;
+  if (mesh.geometry == MeshGeometry::file)
+    return {not_a_number, not_a_number, not_a_number};
+  if (mesh.cells == cases::MeshCells::tetrahedra)
+    return tetrahedra(mesh, scales, grid, depth, degree);
+  if (mesh.geometry == MeshGeometry::indentation)
+    return indentation(mesh, scales, grid, depth, degree);
+  if (mesh.geometry == MeshGeometry::inclusion)
+    return inclusion(rough_case, scales, grid, depth, degree);
+  const double near = mesh.size_at_contact.in_si(scales);
+  const double far = mesh.size_far.in_si(scales);
+  std::vector<double> ends{0.0};
+  if (mesh.geometry == MeshGeometry::layered)
+    for (const double interface : interfaces_of(rough_case, scales))
+      ends.push_back(interface);
+  ends.push_back(depth);
+  double layers = 0.0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    layers += cells_along(ends[i + 1] - ends[i],
+                          std::lerp(near, far, ends[i] / depth),
+                          std::lerp(near, far, ends[i + 1] / depth));
+  return boxes(cells_along(grid.length_x, near, near),
+               cells_along(grid.length_y, near, near), layers, degree);
+}
+
+} // namespace
+
+int n_layers(const cases::Case& rough_case, const cases::FemSettings& settings,
+             const cases::Scales& scales, const Grid& grid) {
+  return static_cast<int>(
+      meshes::graded_layers_with_interfaces(
+          settings.surface_cell_depth * degree_of(settings) * grid.spacing_x(),
+          settings.growth, interfaces_of(rough_case, scales),
+          settings.depth.in_si(scales))
+          .size());
+}
+
+BlockSize block_size(const cases::Case& rough_case,
+                     const cases::FemSettings& settings,
+                     const cases::Scales& scales, const Grid& grid) {
+  const double degree = degree_of(settings);
+  const double depth = settings.depth.in_si(scales);
+  const int step = static_cast<int>(degree);
+  const Grid cells{grid.points_x / step, grid.points_y / step, grid.length_x,
+                   grid.length_y};
+  BlockSize size;
+  if (settings.solver != cases::FemSolver::full || !settings.uses_case_mesh ||
+      rough_case.mesh.kind == cases::MeshKind::layers)
+    size = boxes(cells.points_x, cells.points_y,
+                 n_layers(rough_case, settings, scales, grid), degree);
+  else if (rough_case.mesh.kind == cases::MeshKind::hanging)
+    size = hanging(cells, depth, rough_case.mesh.cells_a_level, degree);
+  else
+    size = by_gmsh(rough_case, scales, grid, depth, degree);
+  size.cells *= settings.bodies;
+  size.unknowns *= settings.bodies;
+  return size;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,179 @@
+#include "app/plan/cost_model.hpp"
+
+#include "app/plan/block_cost.hpp"
+#include "app/plan/block_size.hpp"
+#include "base/special_numbers.hpp"
+#include "surfaces/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+using cases::Element;
+
+// Measured on a 2-core AMD EPYC in the release build; MachineRates::slowness()
+// carries the times to another machine.
+
+/// Iterations a warm load step: 18 and 19 in `polymer` at 512^2 (half-space,
+/// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow. One
+/// sphere or wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
+constexpr double iterations_at_512 = 18.0;
+constexpr double smooth_factor = 0.5;
+constexpr double iterations_exponent = 0.4;
+constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
+constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
+
+constexpr double program_time = 0.3;     ///< of a run with nothing to do [s]
+constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
+constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
+
+/// An evaluation with all that Newton's method does for it, an atom. A step
+/// takes 9 evaluations in `md-small` (100 a side), 33 in `md-zeta216` (400).
+constexpr double atom_evaluation_time = 1.3e-6;
+constexpr double evaluations_at_100 = 9.5;
+constexpr double evaluations_exponent = 0.8;
+constexpr double inner_atom_time = 0.15e-6;   ///< of an atom inside the block
+constexpr double explicit_evaluations = 55.0; ///< `md-verify`: 52 and 55
+
+constexpr double theory_setup_time = 1e-3;
+constexpr double theory_step_time = 1e-4;
+constexpr double magnification_time = 5.5e-3; ///< a load and zeta
+constexpr double adhesion_time = 0.45e-6;     ///< a ratio and step squared
+
+/// Planes of a map's search, at 512^2 in `hertz`, and of a section; a plane is
+/// six transforms and as much again for the waves and the stress.
+constexpr double planes_a_map = 35.0;
+constexpr double planes_a_section = 49.0;
+constexpr double transform_pairs_a_plane = 6.0;
+
+constexpr double bytes_per_mebibyte = 1024.0 * 1024.0;
+constexpr double program_memory = 24.0 * bytes_per_mebibyte;
+constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
+constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
+constexpr double doubles_an_atom = 60.0;
+constexpr double packing = 0.5; ///< of maps by deflate
+
+double nodes(const Grid& grid) {
+  return static_cast<double>(grid.size());
+}
+
+double iterations_a_step(const cases::SurfaceSpec& surface, const Grid& grid) {
+  const bool is_rough = surfaces::is_random(surface.kind) ||
+                        surface.kind == cases::SurfaceKind::measured;
+  return (is_rough ? 1.0 : smooth_factor) * iterations_at_512 *
+         std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
+}
+
+MethodCost cost_on_face(const cases::SurfaceSpec& surface,
+                        const cases::ContactSettings& contact, const Grid& grid,
+                        MachineRates& rates) {
+  MethodCost cost;
+  const double law =
+      contact.law == cases::ContactLaw::augmented ? augmented_factor : 1.0;
+  cost.unknowns = nodes(grid);
+  cost.setup_time = rates.iteration_time(grid);
+  cost.step_time =
+      law * iterations_a_step(surface, grid) * rates.iteration_time(grid);
+  cost.memory = arrays_a_job * sizeof(double) * nodes(grid);
+  return cost;
+}
+
+MethodCost cost_of_fem(const cases::Case& rough_case,
+                       const cases::FemSettings& settings, const Grid& grid,
+                       MachineRates& rates) {
+  if (settings.solver == cases::FemSolver::full)
+    return cost_of_full_block(rough_case, settings, grid, rates);
+  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
+                             grid.spacing_x(), 0.0};
+  MethodCost cost =
+      cost_on_face(rough_case.surface, settings.contact, grid, rates);
+  const double layers = n_layers(rough_case, settings, scales, grid);
+  const double symmetry = grid.is_square() ? 8.0 : 4.0;
+  if (settings.element == Element::q1) {
+    cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
+  } else {
+    cost.setup_time = layers * nodes(grid) / 4.0 / symmetry * q2_layer_time;
+    cost.step_time *= q2_factor;
+  }
+  cost.setup_time = rates.slowness() * (cost.setup_time + fem_load_time);
+  return cost;
+}
+
+MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
+                         MachineRates& rates) {
+  const double side = settings.atoms.value_or(grid.points_x);
+  MethodCost cost;
+  cost.unknowns = 3.0 * side * side;
+  if (settings.bulk == cases::AtomBulk::green) {
+    const double evaluation =
+        rates.slowness() * atom_evaluation_time * side * side;
+    cost.step_time = evaluations_at_100 *
+                     std::pow(side / 100.0, evaluations_exponent) * evaluation;
+    cost.setup_time = 0.2 * evaluation;
+  } else {
+    double atoms = 0.0;
+    for (int level = 0; level < settings.levels; ++level)
+      atoms += settings.layers * side * side / std::pow(4.0, level);
+    cost.unknowns = 3.0 * atoms;
+    cost.step_time =
+        rates.slowness() * explicit_evaluations *
+        (inner_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
+    cost.setup_time = cost.step_time / explicit_evaluations;
+  }
+  cost.memory = doubles_an_atom * sizeof(double) * cost.unknowns / 3.0;
+  const bool is_unknown = settings.engine == cases::AtomEngine::lammps ||
+                          settings.minimizer == cases::AtomMinimizer::dynamics;
+  if (is_unknown)
+    cost.step_time = cost.setup_time = not_a_number;
+  return cost;
+}
+
+} // namespace
+
+MethodCost cost_of(const cases::Case& rough_case,
+                   const cases::MethodSpec& method, const Grid& grid,
+                   MachineRates& rates) {
+  if (std::holds_alternative<cases::TheorySettings>(method.settings))
+    return {1.0, rates.slowness() * theory_setup_time,
+            rates.slowness() * theory_step_time, 0.0};
+  if (const auto* half =
+          std::get_if<cases::HalfspaceSettings>(&method.settings))
+    return cost_on_face(rough_case.surface, half->contact, grid, rates);
+  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
+    return cost_of_fem(rough_case, *fem, grid, rates);
+  return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
+                       rates);
+}
+
+double study_time(const cases::Case& rough_case, MachineRates& rates) {
+  double time = 0.0;
+  if (const auto& study = rough_case.magnification_study)
+    time += magnification_time *
+            static_cast<double>(study->nominal_pressures.size()) *
+            study->points;
+  if (const auto& study = rough_case.adhesion_study)
+    time += adhesion_time * study->points * study->steps * study->steps;
+  return rates.slowness() * time;
+}
+
+double stress_time(int n_maps, const Grid& grid, MachineRates& rates) {
+  return n_maps == 0 ? 0.0
+                     : (n_maps * planes_a_map + planes_a_section) *
+                           transform_pairs_a_plane * rates.transform_time(grid);
+}
+
+double base_time(MachineRates& rates) {
+  return rates.slowness() * program_time;
+}
+
+double base_memory(bool uses_fem) {
+  return program_memory + (uses_fem ? fem_memory : 0.0);
+}
+
+double map_bytes(const Grid& grid) {
+  return 2.0 * sizeof(float) * packing * nodes(grid);
+}
+
+} // namespace asperity::app

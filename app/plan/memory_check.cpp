@@ -1,0 +1,35 @@
+#include "app/plan/memory_check.hpp"
+
+#include "base/available_memory.hpp"
+#include "cases/case_error.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::app {
+namespace {
+
+constexpr int memory_probe_points = 64; // times are not asked for
+
+} // namespace
+
+std::string refusal_of(const Plan& plan) {
+  const std::string shortage = memory_shortage(plan.memory);
+  return shortage.empty() ? ""
+                          : shortage + "; less is needed by fewer "
+                                       "surface.points, fewer "
+                                       "surface.realizations or fewer "
+                                       "--threads";
+}
+
+void require_memory(const cases::Case& rough_case, const RunOptions& options) {
+  if (!rough_case.surface.points)
+    return;
+  const std::string refusal =
+      refusal_of(make_plan(rough_case, options, memory_probe_points));
+  if (!refusal.empty())
+    throw cases::CaseError(fmt::format(
+        "{}: surface.points = {} with {} realisation(s) {}", rough_case.path,
+        *rough_case.surface.points, rough_case.surface.realizations, refusal));
+}
+
+} // namespace asperity::app

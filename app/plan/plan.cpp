@@ -1,0 +1,171 @@
+#include "app/plan/plan.hpp"
+
+#include "app/cache/case_keys.hpp"
+#include "app/methods/chosen.hpp"
+#include "app/methods/methods.hpp"
+#include "app/methods/step_chain.hpp"
+#include "app/methods/surfaces_of_case.hpp"
+#include "app/methods/worker_pool.hpp"
+#include "app/plan/block_cost.hpp"
+#include "cases/locking.hpp"
+#include "fem/plugin.hpp"
+
+#include <algorithm>
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+
+/// Looked up in the cache for a method at most: a plan of ten million steps
+/// would take hours.
+constexpr int most_lookups = 20000;
+
+/// Of the first realisations where there are too many to look all up.
+int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
+               const CaseKeys& keys, Cache& cache) {
+  if (!cache.is_on())
+    return 0;
+  const int n_steps = static_cast<int>(rough_case.load.targets.size());
+  const int realizations = std::min(n_realizations(rough_case, method),
+                                    std::max(1, most_lookups / n_steps));
+  int kept = 0;
+  for (int r = 0; r < realizations; ++r) {
+    const StepChain chain(cache, keys.steps(method, r));
+    for (std::size_t step = 0; step < rough_case.load.targets.size(); ++step)
+      kept += chain.has(step) ? 1 : 0;
+  }
+  return kept;
+}
+
+/// True if the last table of each study is in the cache.
+bool has_tables(const cases::Case& rough_case, const MethodSpec& theory,
+                const CaseKeys& keys, const Cache& cache) {
+  const auto has = [&](const char* name) {
+    return cache.has(keys.table(theory, name), entry_kind::table);
+  };
+  return (!rough_case.magnification_study || has("magnification")) &&
+         (!rough_case.adhesion_study || has("adhesion-flip"));
+}
+
+/// Jobs side by side on the threads, those that run alone one by one: no
+/// sooner than the work divided, no sooner than the longest of them.
+double wall_time(const Plan& plan) {
+  double shared = plan.study_time;
+  double longest = plan.study_time;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    const double work = method.setup_time + method.step_time;
+    if (method.runs_alone) {
+      alone += work;
+      continue;
+    }
+    shared += work;
+    longest = std::max(longest, work / std::max(1, method.realizations));
+  }
+  return plan.base_time + alone + std::max(longest, shared / plan.threads);
+}
+
+double peak_memory(const Plan& plan, const cases::Case& rough_case,
+                   const Grid& grid, double program) {
+  std::vector<double> jobs;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    if (method.kept_steps == method.steps)
+      continue;
+    if (method.runs_alone)
+      alone = std::max(alone, method.memory);
+    else
+      jobs.insert(jobs.end(), static_cast<std::size_t>(method.realizations),
+                  method.memory);
+  }
+  std::sort(jobs.rbegin(), jobs.rend());
+  double beside = 0.0;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (i < static_cast<std::size_t>(plan.threads))
+      beside += jobs[i];
+  const double surfaces = sizeof(double) * static_cast<double>(grid.size()) *
+                          rough_case.surface.realizations;
+  return program + surfaces + std::max(beside, alone);
+}
+
+double result_bytes(const cases::Case& rough_case,
+                    const std::vector<MethodSpec>& methods, const Grid& grid) {
+  if (!needs_surfaces(methods))
+    return 0.0;
+  double bytes = sizeof(double) * static_cast<double>(grid.size()) *
+                 rough_case.surface.realizations;
+  for (const MethodSpec& method : methods)
+    if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+      bytes += static_cast<double>(steps_with_fields(rough_case).size()) *
+               map_bytes(grid);
+  return bytes;
+}
+
+} // namespace
+
+void add_up_times(Plan& plan) {
+  plan.cpu_time = plan.base_time + plan.study_time;
+  for (const PlannedMethod& method : plan.methods)
+    plan.cpu_time += method.setup_time + method.step_time;
+  plan.wall_time = wall_time(plan);
+}
+
+Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
+               int largest_probe) {
+  const std::vector<MethodSpec> methods =
+      chosen_methods(rough_case, options.methods, options.is_exact);
+  const Grid grid = grid_of_case(rough_case, methods);
+  if (const auto& variation = rough_case.material.variation;
+      variation && variation->kind == cases::VariationKind::table)
+    fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
+  MachineRates rates(largest_probe);
+  const CaseKeys keys(rough_case, program_identity());
+  Cache none;
+  Cache& cache = options.cache != nullptr ? *options.cache : none;
+  Plan plan;
+  plan.warnings = cases::locking_warnings(rough_case.material, methods);
+  plan.threads = WorkerPool(options.threads).threads();
+  bool uses_fem = false;
+  bool uses_block = false;
+  for (const MethodSpec& method : methods) {
+    const MethodCost cost = cost_of(rough_case, method, grid, rates);
+    PlannedMethod planned{.name = method.name, .grid = grid};
+    planned.realizations = n_realizations(rough_case, method);
+    planned.steps =
+        planned.realizations * static_cast<int>(rough_case.load.targets.size());
+    planned.kept_steps = kept_steps(rough_case, method, keys, cache);
+    const int left = planned.steps - planned.kept_steps;
+    planned.unknowns = cost.unknowns;
+    planned.setup_time = left > 0 ? cost.setup_time : 0.0;
+    planned.step_time = left > 0 ? left * cost.step_time : 0.0;
+    planned.memory = cost.memory;
+    planned.runs_alone = describe(method, rough_case.material).runs_alone;
+    if (takes_formula(method))
+      planned.grid = {};
+    uses_fem |=
+        left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
+    uses_block |= left > 0 && is_whole_block(method);
+    plan.methods.push_back(std::move(planned));
+  }
+  if (const MethodSpec* theory = cases::study_theory(methods);
+      theory != nullptr && !has_tables(rough_case, *theory, keys, cache))
+    plan.study_time = study_time(rough_case, rates);
+  if (rough_case.report.stress_inside)
+    for (const MethodSpec& method : methods)
+      if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+        plan.study_time +=
+            stress_time(static_cast<int>(steps_with_fields(rough_case).size()),
+                        grid, rates);
+  plan.base_time = base_time(rates);
+  add_up_times(plan);
+  plan.memory = peak_memory(plan, rough_case, grid,
+                            base_memory(uses_fem) +
+                                (uses_block ? full_block_memory() : 0.0));
+  plan.factor = uses_block ? block_factor : plan.factor;
+  plan.disk = result_bytes(rough_case, methods, grid);
+  plan.skipped = skipped_by_scene({rough_case, methods, grid}, rates);
+  return plan;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,71 @@
+// A plan as people read it.
+#include "app/plan/memory_check.hpp"
+#include "app/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+std::string time_text(double seconds) {
+  if (std::isnan(seconds))
+    return "?";
+  if (seconds < 60.0)
+    return fmt::format("{:.2g} s", seconds);
+  return seconds < 3600.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                          : fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+std::string size_text(double bytes) {
+  if (std::isnan(bytes))
+    return "?";
+  return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes)
+                     : fmt::format("{:.3g} GB", 1e-9 * bytes);
+}
+
+std::string grid_text(const Grid& grid) {
+  return grid.points_x == 0
+             ? "formula"
+             : fmt::format("{} x {}", grid.points_x, grid.points_y);
+}
+
+} // namespace
+
+std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
+  std::string text =
+      fmt::format("{}: {}\n", rough_case.name, rough_case.title) +
+      fmt::format("{:<18} {:>6} {:>6} {:>7} {:>13} {:>9} {:>8} {:>8} {:>8}\n",
+                  "method", "realis", "steps", "cached", "grid", "unknowns",
+                  "set-up", "CPU", "memory");
+  for (const PlannedMethod& method : plan.methods)
+    text +=
+        fmt::format("{:<18} {:>6} {:>6} {:>7} {:>13} {:>9} {:>8} {:>8} {:>8}\n",
+                    method.name, method.realizations, method.steps,
+                    method.kept_steps, grid_text(method.grid),
+                    count_text(method.unknowns), time_text(method.setup_time),
+                    time_text(method.step_time), size_text(method.memory));
+  if (plan.study_time > 0.0)
+    text += fmt::format("tables of studies and of the stress inside: CPU {}\n",
+                        time_text(plan.study_time));
+  text +=
+      fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, "
+                  "result {}, within a factor of {:g} (the report "
+                  "comes on top)\n",
+                  time_text(plan.cpu_time), time_text(plan.wall_time),
+                  plan.threads, plan.threads == 1 ? "" : "s",
+                  size_text(plan.memory), size_text(plan.disk), plan.factor);
+  if (const std::string refusal = refusal_of(plan); !refusal.empty())
+    text += "the run would be refused: it " + refusal + "\n";
+  if (!plan.skipped.empty())
+    text += "skipped, with what it would have cost:\n";
+  for (const results::Skipped& one : plan.skipped)
+    text += fmt::format("  {}: {} (CPU {}, {})\n", one.what, one.why,
+                        time_text(one.cpu_time), size_text(one.bytes));
+  for (const std::string& warning : plan.warnings)
+    text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,220 @@
+#include "app/plan/skipped.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "app/methods/surfaces_of_case.hpp"
+#include "app/plan/block_cost.hpp"
+#include "base/special_numbers.hpp"
+#include "surfaces/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+using results::Skipped;
+
+/// Adds to one list what one kind of thing after the other leaves out.
+class Skips {
+public:
+  Skips(const AskedScene& scene, MachineRates& rates)
+      : scene_(scene), rates_(rates) {}
+
+  void add_methods_left_out();
+  void add_surfaces();
+  void add_maps();
+  void add_of(const MethodSpec& method);
+
+  std::vector<Skipped> list;
+
+private:
+  double n_steps() const {
+    return static_cast<double>(scene_.rough_case.load.targets.size());
+  }
+
+  double nodes() const { return static_cast<double>(scene_.grid.size()); }
+
+  /// Steps of a method on all its realisations.
+  double all_steps(const MethodSpec& method) const {
+    return n_steps() * n_realizations(scene_.rough_case, method);
+  }
+
+  void add_of_theory(const MethodSpec& method);
+  void add_of_halfspace(const MethodSpec& method,
+                        const cases::HalfspaceSettings& settings);
+  void add_of_fem(const MethodSpec& method, const cases::FemSettings& settings);
+  void add_of_atoms(const MethodSpec& method,
+                    const cases::MdSettings& settings);
+
+  const AskedScene& scene_;
+  MachineRates& rates_;
+  bool has_operator_ = false; ///< listed once, because methods share it
+};
+
+void Skips::add_methods_left_out() {
+  for (const MethodSpec& method : scene_.rough_case.methods) {
+    const auto is_same = [&](const MethodSpec& chosen) {
+      return chosen.name == method.name;
+    };
+    if (std::ranges::any_of(scene_.methods, is_same))
+      continue;
+    MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
+    if (nodes() > 0.0)
+      cost = cost_of(scene_.rough_case, method, scene_.grid, rates_);
+    list.push_back({method.name, "not among --methods",
+                    cost.setup_time + all_steps(method) * cost.step_time,
+                    cost.memory});
+  }
+}
+
+void Skips::add_surfaces() {
+  if (needs_surfaces(scene_.methods) || nodes() == 0.0)
+    return;
+  const int realizations = scene_.rough_case.surface.realizations;
+  list.push_back(
+      {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
+       "the theory takes the spectrum by its formula",
+       3.0 * realizations * rates_.transform_time(scene_.grid),
+       realizations * sizeof(double) * nodes()});
+}
+
+void Skips::add_maps() {
+  const double kept =
+      static_cast<double>(steps_with_fields(scene_.rough_case).size());
+  double left_out = 0.0;
+  for (const MethodSpec& method : scene_.methods)
+    if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+      left_out += all_steps(method) - kept;
+  if (left_out > 0.0)
+    list.push_back(
+        {fmt::format("pressure and gap maps of {:g} steps", left_out),
+         fmt::format("[report] fields keeps {:g} of realisation 0", kept),
+         not_a_number, left_out * map_bytes(scene_.grid)});
+}
+
+void Skips::add_of(const MethodSpec& method) {
+  if (method.magnification)
+    list.push_back({fmt::format("{}: waves above {:g} q_0", method.name,
+                                *method.magnification),
+                    "its magnification", not_a_number, not_a_number});
+  if (const auto* half =
+          std::get_if<cases::HalfspaceSettings>(&method.settings))
+    add_of_halfspace(method, *half);
+  else if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
+    add_of_fem(method, *fem);
+  else if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+    add_of_atoms(method, *md);
+  else
+    add_of_theory(method);
+}
+
+void Skips::add_of_theory(const MethodSpec& method) {
+  const int others = scene_.rough_case.surface.realizations - 1;
+  if (!takes_formula(method) || others == 0)
+    return;
+  const MethodCost cost =
+      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+  list.push_back({fmt::format("{} on {} realisation{}", method.name, others,
+                              others == 1 ? "" : "s"),
+                  "the formula's spectrum is that of every realisation",
+                  others * (cost.setup_time + n_steps() * cost.step_time),
+                  0.0});
+}
+
+void Skips::add_of_halfspace(const MethodSpec& method,
+                             const cases::HalfspaceSettings& settings) {
+  const MethodCost cost =
+      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+  list.push_back(
+      {fmt::format("{}: two tangential displacements a node", method.name),
+       "the face is frictionless: no shear traction moves it",
+       2.0 * all_steps(method) * cost.step_time,
+       2.0 * sizeof(double) * nodes()});
+  list.push_back({method.name + ": the block below the face",
+                  settings.thickness
+                      ? "a slab's compliance is a closed form"
+                      : "no thickness is asked: a half-space's compliance is a "
+                        "closed form",
+                  not_a_number, not_a_number});
+}
+
+void Skips::add_of_fem(const MethodSpec& method,
+                       const cases::FemSettings& settings) {
+  if (settings.solver == cases::FemSolver::full)
+    return;
+  const MethodCost full =
+      cost_of_full_block(scene_.rough_case, settings, scene_.grid, rates_);
+  list.push_back(
+      {fmt::format("{}: {} of {} displacements of the block", method.name,
+                   count_text(full.unknowns - nodes()),
+                   count_text(full.unknowns)),
+       "laterally uniform: condensed to the face's normal displacement",
+       all_steps(method) * full.step_time, full.memory});
+  const MethodCost cost =
+      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+  if (scene_.grid.is_square() && !std::exchange(has_operator_, true))
+    list.push_back(
+        {fmt::format("{}: {} of {} wavevectors of the operator", method.name,
+                     count_text(0.375 * nodes()), count_text(0.5 * nodes())),
+         "mirror images of the others", 3.0 * cost.setup_time, 0.0});
+}
+
+void Skips::add_of_atoms(const MethodSpec& method,
+                         const cases::MdSettings& settings) {
+  if (settings.bulk != cases::AtomBulk::green ||
+      settings.engine != cases::AtomEngine::asperity)
+    return;
+  MethodSpec whole = method;
+  auto& block = std::get<cases::MdSettings>(whole.settings);
+  const double side = settings.atoms.value_or(scene_.grid.points_x);
+  block.bulk = cases::AtomBulk::explicit_layers;
+  block.levels = 1;
+  block.layers =
+      static_cast<int>(settings.depth.in_si({0.0, scene_.grid.length_x,
+                                             scene_.grid.spacing_x(), 0.0}) /
+                       scene_.grid.length_x * side);
+  const MethodCost cost =
+      cost_of(scene_.rough_case, whole, scene_.grid, rates_);
+  list.push_back({fmt::format("{}: {} atoms inside the block", method.name,
+                              count_text(cost.unknowns / 3.0 - side * side)),
+                  "bulk = \"green\": eliminated exactly for the lowest layer",
+                  all_steps(method) * cost.step_time, cost.memory});
+}
+
+} // namespace
+
+std::vector<Skipped> skipped_by_scene(const AskedScene& scene,
+                                      MachineRates& rates) {
+  Skips skips(scene, rates);
+  skips.add_methods_left_out();
+  skips.add_surfaces();
+  skips.add_maps();
+  for (const MethodSpec& method : scene.methods)
+    skips.add_of(method);
+  return skips.list;
+}
+
+Grid grid_of_case(const cases::Case& rough_case,
+                  const std::vector<MethodSpec>& methods) {
+  const cases::SurfaceSpec& surface = rough_case.surface;
+  if (surface.length && surface.points)
+    return {*surface.points, *surface.points, *surface.length, *surface.length};
+  return needs_surfaces(methods) ? surfaces::build_surface(surface, 0).grid
+                                 : Grid{};
+}
+
+std::string count_text(double count) {
+  if (count < 1e4)
+    return fmt::format("{:.0f}", count);
+  if (count < 1e6)
+    return fmt::format("{:.0f}k", 1e-3 * count);
+  if (count < 1e9)
+    return fmt::format("{:.3g}M", 1e-6 * count);
+  return fmt::format("{:.3g}", count);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,131 @@
+#include "app/run/case_library.hpp"
+
+#include "cases/case_error.hpp"
+#include "cases/input_file.hpp"
+#include "cases/nearest.hpp"
+#include "cases/read_case.hpp"
+#include "cases/reference.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path library_folder() {
+  return fs::path(ASPERITY_SOURCE_FOLDER) / "cases";
+}
+
+// The sub-folders with a case.toml, by name.
+std::set<std::string> cases_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (fs::exists(entry.path() / "case.toml"))
+      names.insert(entry.path().filename().string());
+  return names;
+}
+
+bool is_collection(const fs::path& folder) {
+  return fs::is_directory(folder) && !fs::exists(folder / "case.toml") &&
+         !cases_in(folder).empty();
+}
+
+std::set<std::string> shipped_collections() {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(library_folder()))
+    if (is_collection(entry.path()))
+      names.insert(entry.path().filename().string());
+  return names;
+}
+
+std::vector<std::string> shipped_words() {
+  const std::set<std::string> single = cases_in(library_folder());
+  std::vector<std::string> words(single.begin(), single.end());
+  for (const std::string& collection : shipped_collections()) {
+    words.push_back(collection);
+    for (const std::string& part : cases_in(library_folder() / collection))
+      words.push_back(collection + "/" + part);
+  }
+  return words;
+}
+
+FoundCases collection_in(const fs::path& folder, const std::string& name) {
+  const std::string readme = text_of_file(folder / "README.md");
+  std::vector<std::pair<std::size_t, std::string>> parts;
+  for (const std::string& part : cases_in(folder))
+    parts.emplace_back(readme.find("`" + part + "`"), part);
+  std::sort(parts.begin(), parts.end());
+  FoundCases found{name, folder, {}};
+  for (const auto& [place, part] : parts)
+    found.cases.push_back({folder / part / "case.toml", name + "/" + part});
+  return found;
+}
+
+FoundCases single(const fs::path& file, const std::string& name) {
+  return {"", file.parent_path(), {{file, name}}};
+}
+
+} // namespace
+
+FoundCases find_cases(const std::string& word) {
+  const fs::path path(word);
+  if (fs::is_directory(path) && fs::exists(path / "case.toml"))
+    return single(path / "case.toml", "");
+  if (fs::is_regular_file(path))
+    return single(path, "");
+  if (is_collection(path))
+    return collection_in(path, fs::canonical(path).filename().string());
+  const std::vector<std::string> words = shipped_words();
+  const fs::path shipped = library_folder() / word;
+  if (std::find(words.begin(), words.end(), word) != words.end())
+    return is_collection(shipped) ? collection_in(shipped, word)
+                                  : single(shipped / "case.toml", word);
+  throw cases::CaseError(
+      word +
+      " is neither a case file, nor a folder with a case.toml, nor a "
+      "shipped case; nearest shipped case: " +
+      cases::nearest(word, words) + " ('asperity list' shows all)");
+}
+
+std::string reference_text_of(const cases::Case& read) {
+  const fs::path path = fs::path(read.path).parent_path() / "reference.csv";
+  if (!fs::exists(path))
+    return "";
+  const std::string text =
+      cases::read_input_file(path, cases::largest_reference_file);
+  cases::read_reference_text(text, path.string());
+  return text;
+}
+
+std::string text_of_file(const fs::path& file) {
+  return fs::exists(file)
+             ? cases::read_input_file(file, cases::largest_number_file)
+             : "";
+}
+
+std::vector<std::string> quick_overrides(const fs::path& file) {
+  std::vector<std::string> overrides;
+  std::istringstream lines(text_of_file(file.parent_path() / "quick.set"));
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line.front() != '#')
+      overrides.push_back(line);
+  return overrides;
+}
+
+std::vector<ShippedCase> shipped_cases() {
+  std::vector<ShippedCase> found;
+  for (const std::string& word : shipped_words()) {
+    const fs::path folder = library_folder() / word;
+    if (is_collection(folder))
+      found.push_back({word, "a collection: all of the parts below"});
+    else
+      found.push_back(
+          {word, cases::read_case((folder / "case.toml").string()).title});
+  }
+  return found;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,68 @@
+#include "app/run/last_run.hpp"
+
+#include "cases/case_error.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The figures of a report and the folders that are empty without them.
+void remove_figures(const fs::path& folder) {
+  constexpr std::array<std::string_view, 3> endings{".svg", ".gp", ".csv"};
+  std::error_code error;
+  std::vector<fs::path> folders{folder};
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+    const std::string ending = entry.path().extension().string();
+    if (entry.is_directory() && !entry.is_symlink())
+      folders.push_back(entry.path());
+    else if (std::ranges::find(endings, ending) != endings.end())
+      fs::remove(entry.path());
+  }
+  for (auto empty = folders.rbegin(); empty != folders.rend(); ++empty)
+    fs::remove(*empty, error); // fails where something else is in it
+}
+
+/// What methods wrote beside the result: "fem-0/block.vtu".
+void remove_files_of_methods(const fs::path& folder,
+                             const results::Result& result) {
+  for (const results::MethodRecord& method : result.methods)
+    for (std::size_t r = 0; r < method.realizations.size(); ++r)
+      fs::remove_all(folder / fmt::format("{}-{}", method.name, r));
+}
+
+} // namespace
+
+void remove_report(const fs::path& folder) {
+  for (const char* name :
+       {"curves.csv", "summary.json", "report.html", "paper.json"})
+    fs::remove(folder / name);
+  remove_figures(folder / "figures");
+}
+
+void put_last_run_aside(const fs::path& folder) {
+  const fs::path last = folder / "result.h5";
+  if (!fs::exists(last))
+    return;
+  try {
+    results::settle_result(folder);
+    remove_files_of_methods(folder, results::read_result(folder));
+  } catch (const cases::CaseError& error) {
+    fmt::print("the last result cannot be read: {}\n", error.what());
+  }
+  remove_report(folder);
+  fs::rename(last, folder / "result.previous.h5");
+  fmt::print("the last result is kept as {}\n",
+             (folder / "result.previous.h5").string());
+}
+
+} // namespace asperity::app

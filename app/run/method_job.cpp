@@ -1,0 +1,289 @@
+#include "app/run/method_job.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "app/methods/curve_row.hpp"
+#include "app/methods/theory_method.hpp"
+#include "app/run/interrupt.hpp"
+#include "base/cpu_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace asperity::app {
+namespace {
+
+using results::CurvePoint;
+
+StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
+                     const cases::Scales& scales) {
+  return {load.control, load.targets[step].in_si(scales),
+          static_cast<int>(step)};
+}
+
+/// Atoms and whole blocks that are written to files of their own leave nothing
+/// to be kept.
+bool leaves_files(const cases::MethodSpec& method,
+                  const cases::ReportSpec& report) {
+  const auto* md = std::get_if<cases::MdSettings>(&method.settings);
+  return (md != nullptr && md->dump) || (is_whole_block(method) && report.vtu);
+}
+
+bool has_failed(const CurvePoint& row) {
+  return row.status == results::StepStatus::not_converged;
+}
+
+} // namespace
+
+void Tally::add_kept(const std::string& thing, const KeptWork& work) {
+  const std::lock_guard lock(mutex_);
+  KeptWork& sum = kept_[thing];
+  sum.steps += work.steps;
+  sum.cpu_time += work.cpu_time;
+}
+
+std::map<std::string, KeptWork> Tally::kept() const {
+  const std::lock_guard lock(mutex_);
+  return kept_;
+}
+
+int Tally::kept_steps() const {
+  int steps = 0;
+  for (const auto& [thing, work] : kept())
+    steps += work.steps;
+  return steps;
+}
+
+std::vector<results::Skipped> Tally::failures() const {
+  const std::lock_guard lock(mutex_);
+  return failures_;
+}
+
+void Tally::add_failure(const std::string& what, const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  failures_.push_back(
+      {what, "failed: " + why, results::not_given, results::not_given});
+  fmt::print(stderr, "not computed: {}: {}\n", what, why);
+}
+
+MethodJob::MethodJob(const RunScene& scene, const cases::MethodSpec& method,
+                     int realization)
+    : scene_(scene),
+      method_(method),
+      realization_(realization),
+      chain_(leaves_files(method, scene.rough_case.report) ? no_cache_
+                                                           : scene.cache,
+             scene.keys.steps(method, realization)) {}
+
+void MethodJob::run() {
+  if (is_interrupted())
+    return;
+  const std::vector<std::size_t> missing = take_kept();
+  if (missing.empty() || is_interrupted())
+    return;
+  if (std::holds_alternative<cases::TheorySettings>(method_.settings))
+    compute_theory(missing);
+  else
+    compute_elastic(missing);
+}
+
+bool MethodJob::needs_maps(std::size_t step) const {
+  return realization_ == 0 && scene_.field_steps.contains(step) &&
+         !std::holds_alternative<cases::TheorySettings>(method_.settings);
+}
+
+bool MethodJob::needs_section(std::size_t step) const {
+  return realization_ == 0 && is_whole_block(method_) &&
+         step == step_with_section(
+                     scene_.rough_case, method_,
+                     scene_.surfaces.of(method_, realization_).scales);
+}
+
+/// Puts the steps that the cache has into the file.
+/// @return  those that are still to be computed
+std::vector<std::size_t> MethodJob::take_kept() {
+  std::vector<std::size_t> missing;
+  std::vector<CurvePoint> rows;
+  KeptWork work;
+  KeptStep last;
+  for (std::size_t step = 0; step < scene_.rough_case.load.targets.size();
+       ++step) {
+    if (scene_.writer.has_step(method_.name, realization_,
+                               static_cast<int>(step)))
+      continue;
+    std::optional<KeptStep> kept =
+        chain_.read(step, needs_maps(step), needs_section(step));
+    if (!kept) {
+      missing.push_back(step);
+      continue;
+    }
+    take(step, *kept, rows);
+    ++work.steps;
+    work.cpu_time += kept->answer.row.cpu_time;
+    last = std::move(*kept);
+  }
+  if (work.steps == 0)
+    return missing;
+  scene_.writer.append_steps(method_.name, realization_, rows);
+  if (missing.empty()) {
+    scene_.writer.record_setup_time(method_.name, realization_,
+                                    last.setup_cpu_time);
+    work.cpu_time += last.setup_cpu_time;
+  }
+  describe_found(last.found_at_setup);
+  scene_.tally.add_kept(method_.name, work);
+  scene_.progress.steps_kept(method_.name, realization_, work.steps);
+  return missing;
+}
+
+/// With its maps at once, without to the end of `rows`.
+void MethodJob::take(std::size_t step, KeptStep& kept,
+                     std::vector<CurvePoint>& rows) {
+  CurvePoint& row = kept.answer.row;
+  row.step = static_cast<int>(step);
+  row.is_unloading = scene_.rough_case.load.is_unloading[step];
+  scene_.tally.failed_steps += has_failed(row);
+  if (needs_maps(step))
+    record(row, kept.answer, step);
+  else
+    rows.push_back(row);
+}
+
+void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
+  if (!needs_maps(step) || answer.pressure.empty()) {
+    scene_.writer.append_step(method_.name, realization_, row);
+    return;
+  }
+  if (needs_section(step)) // before its step, which then counts as done
+    scene_.writer.record_table(answer.section.value());
+  scene_.writer.append_step_with_fields(
+      method_.name, realization_, row, answer.grid,
+      {row.step, row.nominal_pressure, std::move(answer.pressure),
+       std::move(answer.gap)});
+}
+
+void MethodJob::describe_found(const std::string& found) {
+  if (found.empty())
+    return;
+  const MethodDescription description =
+      describe(method_, scene_.rough_case.material);
+  scene_.writer.begin_method(method_.name, description.kind,
+                             description.text + "; " + found);
+}
+
+void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
+  const cases::Case& rough_case = scene_.rough_case;
+  const bool by_formula = takes_formula(method_);
+  const CpuClock clock;
+  const theory::HeightSpectrum spectrum =
+      by_formula ? formula_of_case(rough_case, method_)
+                 : spectrum_of(scene_.surfaces.of(method_, realization_));
+  const cases::Scales scales =
+      by_formula ? formula_scales(rough_case, spectrum)
+                 : scene_.surfaces.of(method_, realization_).scales;
+  std::vector<CurvePoint> rows =
+      theory_rows(std::get<cases::TheorySettings>(method_.settings),
+                  rough_case.load, spectrum, scales);
+  const double setup_time = clock.seconds();
+  std::erase_if(rows, [&](const CurvePoint& row) {
+    return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
+           steps.end();
+  });
+  scene_.writer.record_setup_time(method_.name, realization_, setup_time);
+  scene_.writer.append_steps(method_.name, realization_, rows);
+  for (const CurvePoint& row : rows) {
+    chain_.keep(static_cast<std::size_t>(row.step),
+                {{row, {}, {}, {}}, setup_time, ""});
+    ++scene_.tally.computed_steps;
+    scene_.tally.failed_steps += has_failed(row);
+    scene_.progress.step_done(method_.name, realization_, row,
+                              scales.rms_height);
+  }
+}
+
+void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
+  const CpuClock clock(scene_.pool.threads_a_job());
+  const std::unique_ptr<StepSolver> solver =
+      scene_.solvers.make(method_, scene_.surfaces.of(method_, realization_),
+                          realization_, resources());
+  const double setup_time = clock.seconds() + solver->saved_setup_time();
+  if (std::holds_alternative<cases::FemSettings>(method_.settings))
+    scene_.tally.uses_fem = true;
+  if (solver->saved_setup_time() > 0.0)
+    scene_.tally.add_kept(method_.name + ", operator",
+                          {0, solver->saved_setup_time()});
+  scene_.writer.record_setup_time(method_.name, realization_, setup_time);
+  describe_found(solver->found_at_setup());
+  std::size_t next = 0; // the step that the solver would go on with
+  for (const std::size_t step : steps) {
+    if (!go_to(*solver, next, step) || !compute_step(*solver, step, setup_time))
+      return;
+    next = step + 1;
+  }
+}
+
+/// Brings a solver that would go on with `next` to where a run without
+/// interruption stands before `step`: to the last state that is kept, and from
+/// there by computing again what lies between.
+/// @return  false if the run is to end
+bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
+  for (std::size_t known = step; known > next; --known)
+    if (const std::vector<double> state = chain_.state_after(known - 1);
+        !state.empty()) {
+      solver.restore(state);
+      next = known;
+      break;
+    }
+  if (next < step)
+    fmt::print("{}, realization {}: steps {} to {} are computed again, because "
+               "the state after them was not kept\n",
+               method_.name, realization_, next, step - 1);
+  const cases::Scales& scales =
+      scene_.surfaces.of(method_, realization_).scales;
+  for (; next < step && !is_interrupted(); ++next) {
+    solver.solve(target_of(scene_.rough_case.load, next, scales));
+    ++scene_.tally.repeated_steps;
+  }
+  return !is_interrupted();
+}
+
+/// @return  false if it was broken off: the step is still to be done
+bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
+                             double setup_time) {
+  const SurfaceOfCase& surface = scene_.surfaces.of(method_, realization_);
+  const CpuClock clock(scene_.pool.threads_a_job());
+  StepAnswer answer =
+      solver.solve(target_of(scene_.rough_case.load, step, surface.scales));
+  distrust_non_finite(answer);
+  CurvePoint row = answer.row;
+  if (has_failed(row) && is_interrupted())
+    return false;
+  row.step = static_cast<int>(step);
+  row.is_unloading = scene_.rough_case.load.is_unloading[step];
+  row.cpu_time = clock.seconds();
+  ++scene_.tally.computed_steps;
+  scene_.tally.failed_steps += has_failed(row);
+  answer.row = row;
+  if (!needs_maps(step))
+    answer.pressure = answer.gap = {};
+  KeptStep kept{std::move(answer), setup_time, solver.found_at_setup()};
+  chain_.keep(step, kept, solver.state());
+  record(row, kept.answer, step);
+  scene_.progress.step_done(method_.name, realization_, row,
+                            surface.scales.rms_height);
+  return true;
+}
+
+Resources MethodJob::resources() const {
+  return {scene_.pool.threads_a_job(),
+          scene_.folder / fmt::format("{}-{}", method_.name, realization_),
+          [this](const md::Progress& work) {
+            scene_.progress.at_work(method_.name, realization_,
+                                    work.evaluations, work.energy,
+                                    work.residual);
+            return !is_interrupted();
+          }};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,113 @@
+#pragma once
+
+// One method on one realisation: what the cache has of it is read, the rest
+// computed, every step written as it is done.
+
+#include "app/cache/case_keys.hpp"
+#include "app/methods/methods.hpp"
+#include "app/methods/step_chain.hpp"
+#include "app/methods/worker_pool.hpp"
+#include "app/run/progress.hpp"
+#include "results/result_writer.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// What the cache spared one method.
+struct KeptWork {
+  int steps = 0;
+  double cpu_time = 0.0; ///< of steps and set-up [s]
+};
+
+/// What is counted while the jobs run.
+class Tally {
+public:
+  std::atomic<int> computed_steps = 0;
+  std::atomic<int> failed_steps = 0;   ///< not converged
+  std::atomic<int> repeated_steps = 0; ///< only for the state behind them
+  std::atomic<bool> uses_fem = false;
+
+  /// @param thing  a method, or a table
+  void add_kept(const std::string& thing, const KeptWork& work);
+  std::map<std::string, KeptWork> kept() const;
+  int kept_steps() const;
+
+  /// The answer of `compute`, or nothing where it throws: a study of what was
+  /// solved ends no run, and is listed with what was not computed.
+  template <class Compute>
+  auto attempt(const std::string& what, Compute compute)
+      -> std::optional<decltype(compute())> {
+    try {
+      return compute();
+    } catch (const std::exception& error) {
+      add_failure(what, error.what());
+      return std::nullopt;
+    }
+  }
+
+  std::vector<results::Skipped> failures() const;
+
+private:
+  void add_failure(const std::string& what, const std::string& why);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, KeptWork> kept_;
+  std::vector<results::Skipped> failures_;
+};
+
+/// Everything the jobs of one run share.
+struct RunScene {
+  const cases::Case& rough_case;
+  std::filesystem::path folder;
+  Cache& cache;
+  const CaseKeys& keys;
+  const CaseSurfaces& surfaces;
+  results::ResultWriter& writer;
+  MethodFactory& solvers;
+  Progress& progress;
+  const WorkerPool& pool;
+  std::set<std::size_t> field_steps; ///< whose maps are kept
+  Tally& tally;
+};
+
+class MethodJob {
+public:
+  /// All outlive the job.
+  MethodJob(const RunScene& scene, const cases::MethodSpec& method,
+            int realization);
+
+  /// Ends early when the run is interrupted.
+  void run();
+
+private:
+  bool needs_maps(std::size_t step) const;
+  bool needs_section(std::size_t step) const;
+  std::vector<std::size_t> take_kept();
+  void take(std::size_t step, KeptStep& kept,
+            std::vector<results::CurvePoint>& rows);
+  void record(results::CurvePoint& row, StepAnswer& answer, std::size_t step);
+  void describe_found(const std::string& found);
+  void compute_theory(const std::vector<std::size_t>& steps);
+  void compute_elastic(const std::vector<std::size_t>& steps);
+  bool go_to(StepSolver& solver, std::size_t next, std::size_t step);
+  bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
+  Resources resources() const;
+
+  const RunScene& scene_;
+  const cases::MethodSpec& method_;
+  int realization_;
+  Cache no_cache_;
+  StepChain chain_;
+};
+
+} // namespace asperity::app

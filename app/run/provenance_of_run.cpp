@@ -1,0 +1,44 @@
+#include "app/run/provenance_of_run.hpp"
+
+#include "fem/plugin.hpp"
+#include "surfaces/measured_map.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace asperity::app {
+namespace {
+
+/// What the window takes off a measured map, for the reader of the report.
+std::string effect_of_window(const cases::SurfaceSpec& surface) {
+  const auto [measured, pressed] = surfaces::edge_effect(surface);
+  return fmt::format(
+      "rms height {:.3g} nm of the measured map became {:.3g} nm ({:.2f} of "
+      "it), rms slope {:.3g} became {:.3g} ({:.2f})",
+      measured.rms_height * 1e9, pressed.rms_height * 1e9,
+      pressed.rms_height / measured.rms_height, measured.rms_slope,
+      pressed.rms_slope, pressed.rms_slope / measured.rms_slope);
+}
+
+} // namespace
+
+results::Provenance provenance_at_start(const cases::Case& rough_case,
+                                        int threads) {
+  results::Provenance facts = results::program_facts();
+  facts.emplace_back("threads", std::to_string(threads));
+  facts.emplace_back("seed", std::to_string(rough_case.surface.seed));
+  facts.emplace_back("realizations",
+                     std::to_string(rough_case.surface.realizations));
+  facts.emplace_back("started", results::utc_now());
+  if (rough_case.surface.kind == cases::SurfaceKind::measured &&
+      rough_case.surface.edges == cases::Edges::window)
+    facts.emplace_back("window", effect_of_window(rough_case.surface));
+  return facts;
+}
+
+results::Provenance provenance_of_fem() {
+  return {{"deal.II", fem::load_fem_room().versions()}};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,191 @@
+#include "app/run/run_case.hpp"
+
+#include "app/cache/case_keys.hpp"
+#include "app/methods/chosen.hpp"
+#include "app/plan/memory_check.hpp"
+#include "app/plan/skipped.hpp"
+#include "app/run/interrupt.hpp"
+#include "app/run/last_run.hpp"
+#include "app/run/method_job.hpp"
+#include "app/run/provenance_of_run.hpp"
+#include "app/run/stress_tables.hpp"
+#include "app/run/studies.hpp"
+#include "cases/case_hash.hpp"
+#include "cases/locking.hpp"
+#include "md/engines.hpp"
+#include "results/provenance.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using cases::MethodSpec;
+
+constexpr int rate_probe_points = 256;
+
+/// What the text of the case leaves open.
+results::Inputs inputs_of(const cases::Case& rough_case) {
+  results::Inputs inputs = input_hashes(rough_case);
+  inputs["program"] = results::build_stamp();
+  return inputs;
+}
+
+/// Where the folder has to be clean for a new run, or kept for one that
+/// resumes.
+const fs::path& prepared(const RunOptions& options) {
+  if (!options.resume)
+    put_last_run_aside(options.folder);
+  return options.folder;
+}
+
+/// One run of a case, from the surfaces to the end of its file.
+class Run {
+public:
+  Run(const cases::Case& rough_case, const RunOptions& options,
+      std::vector<MethodSpec> methods)
+      : case_(rough_case),
+        methods_(std::move(methods)),
+        pool_(options.threads),
+        surfaces_(case_, methods_),
+        writer_(prepared(options),
+                {case_.name, case_.title, case_.text, cases::case_hash(case_),
+                 case_.material.contact_modulus, options.reference,
+                 inputs_of(case_)},
+                options.resume ? results::ResultWriter::Mode::resume
+                               : results::ResultWriter::Mode::create),
+        cache_(options.cache != nullptr ? *options.cache : no_cache_),
+        keys_(case_, program_identity()),
+        solvers_(case_, cache_, keys_),
+        progress_(n_steps(), case_.material.contact_modulus),
+        scene_{
+            case_,   options.folder, cache_,    keys_, surfaces_,
+            writer_, solvers_,       progress_, pool_, steps_with_fields(case_),
+            tally_} {}
+
+  RunOutcome execute();
+
+private:
+  int n_steps() const; ///< still to be done
+  void begin();
+  void run_jobs();
+  std::vector<results::Skipped> skipped() const;
+
+  const cases::Case& case_;
+  std::vector<MethodSpec> methods_;
+  WorkerPool pool_;
+  CaseSurfaces surfaces_;
+  results::ResultWriter writer_;
+  Cache no_cache_;
+  Cache& cache_;
+  CaseKeys keys_;
+  MethodFactory solvers_;
+  Progress progress_;
+  Tally tally_;
+  RunScene scene_;
+};
+
+int Run::n_steps() const {
+  int steps = 0;
+  for (const MethodSpec& method : methods_)
+    for (int r = 0; r < n_realizations(case_, method); ++r)
+      for (std::size_t step = 0; step < case_.load.targets.size(); ++step)
+        steps +=
+            writer_.has_step(method.name, r, static_cast<int>(step)) ? 0 : 1;
+  return steps;
+}
+
+void Run::begin() {
+  for (const std::string& warning :
+       cases::locking_warnings(case_.material, methods_))
+    fmt::print(stderr, "warning: {}\n", warning);
+  for (std::size_t r = 0; r < surfaces_.whole().size(); ++r)
+    writer_.record_surface(static_cast<int>(r), surfaces_.whole()[r].record);
+  for (const MethodSpec& method : methods_) {
+    const MethodDescription description = describe(method, case_.material);
+    writer_.begin_method(method.name, description.kind, description.text);
+    if (method.magnification)
+      for (int r = 0; r < n_realizations(case_, method); ++r)
+        writer_.record_own_surface(method.name, r,
+                                   surfaces_.record_of(method, r));
+  }
+}
+
+void Run::run_jobs() {
+  std::vector<WorkerPool::Job> jobs;
+  std::vector<WorkerPool::Job> lone_jobs;
+  for (const MethodSpec& method : methods_)
+    for (int r = 0; r < n_realizations(case_, method); ++r)
+      (describe(method, case_.material).runs_alone ? lone_jobs : jobs)
+          .push_back(
+              [this, &method, r] { MethodJob(scene_, method, r).run(); });
+  if (const MethodSpec* studied = cases::study_theory(methods_))
+    jobs.push_back([this, studied] { run_studies(scene_, *studied); });
+  pool_.run(jobs);
+  for (const WorkerPool::Job& job : lone_jobs)
+    pool_.run({&job, 1});
+}
+
+/// By the scene, and by the cache. Probed on a small grid: some hundredths of
+/// a second.
+std::vector<results::Skipped> Run::skipped() const {
+  MachineRates rates(rate_probe_points);
+  const Grid grid = surfaces_.whole().empty()
+                        ? grid_of_case(case_, methods_)
+                        : surfaces_.whole()[0].record.grid;
+  std::vector<results::Skipped> list =
+      skipped_by_scene({case_, methods_, grid}, rates);
+  for (const auto& [thing, work] : tally_.kept())
+    list.push_back({work.steps == 0
+                        ? thing
+                        : fmt::format("{}: {} steps", thing, work.steps),
+                    "in the cache", work.cpu_time, 0.0});
+  for (const results::Skipped& failure : tally_.failures())
+    list.push_back(failure);
+  return list;
+}
+
+RunOutcome Run::execute() {
+  RunClock clock;
+  writer_.record_provenance(provenance_at_start(case_, pool_.threads()));
+  begin();
+  run_jobs();
+  const bool was_interrupted = is_interrupted();
+  if (!was_interrupted && !surfaces_.whole().empty())
+    record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
+                         pool_.threads(), writer_, tally_);
+  if (tally_.uses_fem)
+    writer_.record_provenance(provenance_of_fem());
+  writer_.record_provenance(
+      {{"steps computed", std::to_string(tally_.computed_steps)},
+       {"steps from the cache", std::to_string(tally_.kept_steps())},
+       {"steps computed again for what follows them",
+        std::to_string(tally_.repeated_steps)}});
+  writer_.record_skipped(skipped());
+  writer_.record_provenance(clock.facts());
+  writer_.record_provenance(
+      {{"writing CPU time", fmt::format("{:.4f} s", writer_.cpu_time())}});
+  writer_.finish(was_interrupted ? "interrupted" : "complete");
+  fmt::print("{} steps: {} computed, {} from the cache\n",
+             tally_.computed_steps + tally_.kept_steps(),
+             tally_.computed_steps.load(), tally_.kept_steps());
+  for (const std::string& problem : cache_.problems())
+    fmt::print(stderr, "{}\n", problem);
+  return {was_interrupted, tally_.failed_steps, tally_.computed_steps,
+          tally_.kept_steps()};
+}
+
+} // namespace
+
+RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
+  std::vector<MethodSpec> methods =
+      chosen_methods(rough_case, options.methods, options.is_exact);
+  for (const MethodSpec& method : methods)
+    if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+      md::require_engine(*md);
+  require_memory(rough_case, options);
+  return Run(rough_case, options, std::move(methods)).execute();
+}
+
+} // namespace asperity::app

@@ -1,0 +1,142 @@
+#include "app/run/stress_tables.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "app/methods/continuum_block.hpp"
+#include "app/methods/stress_section.hpp"
+#include "results/result_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+using contact::StressInside;
+using contact::StressPeak;
+using results::CurvePoint;
+
+bool has_maps(const results::Fields& fields) {
+  return fields.nominal_pressure > 0.0 && !fields.pressure.empty() &&
+         fields.pressure.size() == fields.grid.size();
+}
+
+const CurvePoint& row_of(const results::Fields& map,
+                         std::span<const CurvePoint> rows) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const CurvePoint& row) {
+    return row.step == map.step;
+  });
+}
+
+/// @param table  of these maps
+results::Table heaviest_section(const cases::MethodSpec& method,
+                                const contact::ElasticBlock& block,
+                                std::span<const results::Fields> maps,
+                                const results::Table& table, int threads) {
+  const auto heaviest = std::max_element(
+      maps.begin(), maps.end(), [](const auto& a, const auto& b) {
+        return a.nominal_pressure < b.nominal_pressure;
+      });
+  const auto row = static_cast<std::size_t>(heaviest - maps.begin());
+  const Grid& grid = heaviest->grid;
+  const StressPeak peak{
+      table.values("von_mises")[row], table.values("depth")[row],
+      grid.index(static_cast<int>(
+                     std::lround(table.values("x")[row] / grid.spacing_x())),
+                 static_cast<int>(
+                     std::lround(table.values("y")[row] / grid.spacing_y())))};
+  return stress_section(method.name, block, *heaviest, peak, threads);
+}
+
+} // namespace
+
+results::Table stress_table(const std::string& method,
+                            const contact::ElasticBlock& block,
+                            std::span<const results::Fields> maps,
+                            int threads) {
+  results::Column pressure{"nominal_pressure", "Pa", {}};
+  results::Column strongest{"von_mises", "Pa", {}};
+  results::Column shear{"largest_shear", "Pa", {}};
+  results::Column depth{"depth", "m", {}};
+  results::Column x{"x", "m", {}};
+  results::Column y{"y", "m", {}};
+  for (const results::Fields& map : maps) {
+    const StressInside inside(map.grid, block, map.pressure, threads);
+    const StressPeak peak = inside.strongest();
+    const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
+    pressure.values.push_back(map.nominal_pressure);
+    strongest.values.push_back(peak.von_mises);
+    shear.values.push_back(contact::largest_shear(
+        inside.at_depth(peak.depth, peak.side))[peak.node]);
+    depth.values.push_back(peak.depth);
+    x.values.push_back(static_cast<double>(peak.node % columns) *
+                       map.grid.spacing_x());
+    y.values.push_back(static_cast<double>(peak.node / columns) *
+                       map.grid.spacing_y());
+  }
+  return {"stress-inside-" + method,
+          "The strongest stress below the face, " + method,
+          {pressure, strongest, shear, depth, x, y}};
+}
+
+results::Table own_stress_table(const results::Table& of_pressure,
+                                std::span<const results::Fields> maps,
+                                std::span<const CurvePoint> rows) {
+  results::Table table = of_pressure;
+  const auto own = [&](const char* name, const char* unit,
+                       double CurvePoint::*number) {
+    results::Column column{name, unit, {}};
+    for (const results::Fields& map : maps)
+      column.values.push_back(row_of(map, rows).*number);
+    return column;
+  };
+  table.columns = {
+      of_pressure.columns.front(),
+      own("von_mises", "Pa", &CurvePoint::von_mises),
+      own("depth", "m", &CurvePoint::von_mises_depth),
+      {"von_mises_from_pressure", "Pa", of_pressure.values("von_mises")},
+      {"depth_from_pressure", "m", of_pressure.values("depth")}};
+  return table;
+}
+
+void record_stress_inside(const cases::Case& rough_case,
+                          std::span<const cases::MethodSpec> methods,
+                          const cases::Scales& scales, int threads,
+                          results::ResultWriter& writer, Tally& tally) {
+  if (!rough_case.report.stress_inside)
+    return;
+  const results::Result result = results::read_result(writer.path());
+  for (const results::MethodRecord& record : result.methods) {
+    const auto method =
+        std::find_if(methods.begin(), methods.end(),
+                     [&](const auto& one) { return one.name == record.name; });
+    if (method == methods.end() || record.realizations.empty())
+      continue;
+    const results::Curve& curve = record.realizations.front();
+    std::vector<results::Fields> maps = curve.fields;
+    std::erase_if(maps, [](const auto& map) { return !has_maps(map); });
+    if (maps.empty())
+      continue;
+    const contact::ElasticBlock block =
+        continuum_of(*method, rough_case.material, scales);
+    const auto table = tally.attempt("stress inside, " + method->name, [&] {
+      return stress_table(method->name, block, maps, threads);
+    });
+    if (!table)
+      continue;
+    writer.record_table(is_whole_block(*method)
+                            ? own_stress_table(*table, maps, curve.points)
+                            : *table);
+    const bool has_own =
+        is_whole_block(*method) &&
+        result.table("stress-section-" + method->name) != nullptr;
+    if (has_own)
+      continue;
+    const auto section = tally.attempt("stress section, " + method->name, [&] {
+      return heaviest_section(*method, block, maps, *table, threads);
+    });
+    if (section)
+      writer.record_table(*section);
+  }
+}
+
+} // namespace asperity::app

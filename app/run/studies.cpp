@@ -1,0 +1,145 @@
+#include "app/run/studies.hpp"
+
+#include "app/methods/surfaces_of_case.hpp"
+#include "app/run/interrupt.hpp"
+#include "app/run/study_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace asperity::app {
+namespace {
+
+using results::Table;
+
+/// The tables of one run: in the file, in the cache, or to be made.
+class StudyTables {
+public:
+  StudyTables(const RunScene& scene, const cases::MethodSpec& theory)
+      : scene_(scene), theory_(theory) {}
+
+  /// Puts those that the cache has into the file.
+  /// @return  true if all are there now
+  bool take(const std::vector<std::string>& names);
+
+  /// Makes a table unless it is there or the run is being ended.
+  void record(const std::string& name, const std::function<Table()>& make);
+
+private:
+  const RunScene& scene_;
+  const cases::MethodSpec& theory_;
+};
+
+bool StudyTables::take(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (scene_.writer.has_table(name))
+      continue;
+    const std::optional<std::string> bytes =
+        scene_.cache.read(scene_.keys.table(theory_, name), entry_kind::table);
+    if (!bytes)
+      continue;
+    if (const std::optional<Table> table = kept_table(*bytes)) {
+      scene_.writer.record_table(*table);
+      scene_.tally.add_kept("table " + name, {0, 0.0});
+    }
+  }
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    return scene_.writer.has_table(name);
+  });
+}
+
+void StudyTables::record(const std::string& name,
+                         const std::function<Table()>& make) {
+  if (scene_.writer.has_table(name) || is_interrupted())
+    return;
+  const std::optional<Table> table =
+      scene_.tally.attempt("table " + name, make);
+  if (!table)
+    return;
+  scene_.writer.record_table(*table);
+  scene_.cache.write(scene_.keys.table(theory_, name), entry_kind::table,
+                     bytes_of(*table));
+}
+
+std::string seen_name(std::size_t load) {
+  return fmt::format("magnification-{}", load + 1);
+}
+
+std::string gaps_name(std::size_t load) {
+  return fmt::format("gap-distribution-{}", load + 1);
+}
+
+std::vector<std::string> table_names(const cases::MagnificationStudy& study) {
+  std::vector<std::string> names{"magnification"};
+  for (std::size_t i = 0; i < study.nominal_pressures.size(); ++i) {
+    names.push_back(seen_name(i));
+    names.push_back(gaps_name(i));
+  }
+  if (study.leak)
+    names.emplace_back("leak");
+  return names;
+}
+
+void run_magnification(const cases::MagnificationStudy& study,
+                       const theory::PerssonContact& contact, Tally& tally,
+                       StudyTables& tables) {
+  if (tables.take(table_names(study)))
+    return;
+  const auto contacts = tally.attempt(
+      "[magnification]", [&] { return magnified_contacts(contact, study); });
+  if (!contacts)
+    return;
+  tables.record("magnification", [&] { return loads_table(*contacts); });
+  for (std::size_t i = 0; i < contacts->size(); ++i) {
+    tables.record(seen_name(i), [&] {
+      return magnification_table(seen_name(i), (*contacts)[i], study);
+    });
+    tables.record(gaps_name(i), [&] {
+      return gap_distribution_table(gaps_name(i), (*contacts)[i]);
+    });
+  }
+  if (study.leak)
+    tables.record("leak", [&] { return leak_table(*contacts, *study.leak); });
+}
+
+void run_adhesion(const cases::AdhesionStudy& study,
+                  const theory::PerssonContact& contact, Tally& tally,
+                  StudyTables& tables) {
+  if (tables.take({"adhesion", "adhesion-flip"}))
+    return;
+  theory::AdhesivePair pair{.contact_modulus = contact.contact_modulus(),
+                            .work_of_adhesion = study.work_of_adhesion,
+                            .gamma = contact.gamma()};
+  if (study.detachment_factor)
+    pair.detachment_factor = *study.detachment_factor;
+  const theory::RoughAdhesion adhesion(contact.spectrum(), pair, study.steps);
+  const std::optional<Table> rows = tally.attempt("[adhesion]", [&] {
+    return adhesion_table(adhesion, study, contact.spectrum().rms_height());
+  });
+  if (!rows)
+    return;
+  tables.record(rows->name, [&] { return *rows; });
+  tables.record("adhesion-flip",
+                [&] { return adhesion_flip_table(adhesion, study, *rows); });
+}
+
+} // namespace
+
+void run_studies(const RunScene& scene, const cases::MethodSpec& theory) {
+  const cases::Case& rough_case = scene.rough_case;
+  if (!rough_case.magnification_study && !rough_case.adhesion_study)
+    return;
+  const theory::PerssonContact contact(
+      formula_of_case(rough_case, theory), rough_case.material.contact_modulus,
+      std::get<cases::TheorySettings>(theory.settings).gamma);
+  StudyTables tables(scene, theory);
+  if (rough_case.magnification_study)
+    run_magnification(*rough_case.magnification_study, contact, scene.tally,
+                      tables);
+  if (rough_case.adhesion_study)
+    run_adhesion(*rough_case.adhesion_study, contact, scene.tally, tables);
+}
+
+} // namespace asperity::app

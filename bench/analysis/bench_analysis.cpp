@@ -1,0 +1,236 @@
+#include "bench/analysis/bench_analysis.hpp"
+
+#include "base/field_sums.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "bench/analysis/bench_answer.hpp"
+
+namespace asperity::reports {
+namespace {
+
+constexpr const char* best_area = "area_fraction_corrected";
+
+/// Those of a series that have an answer, coarse to fine.
+struct Answered {
+  std::vector<const BenchPoint*> points;
+  std::vector<double> coordinates;
+};
+
+Answered answered(const Bench& bench, const BenchSeries& series) {
+  Answered kept;
+  for (std::size_t i = 0; i < series.points.size(); ++i) {
+    const BenchPoint& point = bench.points[series.points[i]];
+    if (!point.problem.empty())
+      continue;
+    kept.points.push_back(&point);
+    if (i < series.coordinates.size())
+      kept.coordinates.push_back(series.coordinates[i]);
+  }
+  return kept;
+}
+
+/// The finest settings that answer a quantity, coarse to fine, as many as stand
+/// together at the end of the series.
+std::vector<std::vector<double>> answers_to(const Answered& series,
+                                            const std::string& quantity) {
+  std::vector<std::vector<double>> answers;
+  for (auto point = series.points.rbegin(); point != series.points.rend();
+       ++point) {
+    const auto found = (*point)->answer.values.find(quantity);
+    if (found == (*point)->answer.values.end() || found->second.empty() ||
+        !all_finite(found->second) ||
+        (!answers.empty() && found->second.size() != answers.front().size()))
+      break;
+    answers.insert(answers.begin(), found->second);
+  }
+  return answers;
+}
+
+std::vector<std::string> quantities_of(const Bench& bench) {
+  std::set<std::string> present;
+  for (const BenchPoint& point : bench.points)
+    for (const auto& [name, values] : point.answer.values)
+      if (std::any_of(values.begin(), values.end(),
+                      [](double value) { return std::isfinite(value); }))
+        present.insert(name);
+  std::vector<std::string> ordered;
+  for (const char* first : {"mean_gap", "nominal_pressure"})
+    if (present.erase(first) > 0)
+      ordered.emplace_back(first);
+  for (const std::string& name : present)
+    if (is_area(name))
+      ordered.push_back(name);
+  for (const std::string& name : present)
+    if (!is_area(name))
+      ordered.push_back(name);
+  return ordered;
+}
+
+void overlay_exact(const cases::Case& contact_case, const Bench& bench,
+                   BenchTruth& truth) {
+  for (const BenchPoint& point : bench.points) {
+    if (!point.problem.empty() || point.kind == "theory")
+      continue;
+    const BenchAnswer exact = exact_answer(contact_case, point.answer);
+    if (std::isnan(truth.answer.rms_height))
+      truth.answer = exact;
+    for (const auto& [name, values] : exact.values) {
+      truth.answer.values[name] = values;
+      truth.uncertainty[name] = 0.0;
+      truth.is_exact[name] = true;
+    }
+    if (exact.values.contains(best_area)) // one truth for all estimators
+      std::erase_if(truth.answer.values, [](const auto& entry) {
+        return is_area(entry.first) && entry.first != best_area;
+      });
+    return;
+  }
+}
+
+/// In words: what is exact, what is a limit.
+std::string truth_words(const BenchTruth& truth, const Bench& bench,
+                        const cases::Case& contact_case) {
+  std::string words;
+  if (std::any_of(truth.is_exact.begin(), truth.is_exact.end(),
+                  [](const auto& entry) { return entry.second; }))
+    words = exact_words(contact_case);
+  if (truth.series >= bench.series.size())
+    return words;
+  std::string series;
+  for (const BenchPoint* point :
+       answered(bench, bench.series[truth.series]).points)
+    series += fmt::format("{}{}", series.empty() ? "" : ", ", point->points);
+  const bool is_mixed = !words.empty();
+  words +=
+      fmt::format("{}the limit of {} with a hard wall on {} points a side "
+                  "of the same surface{}",
+                  is_mixed ? "; " : "", bench.series[truth.series].method,
+                  series, is_mixed ? " for what that does not answer" : "");
+  return words;
+}
+
+void fill_errors(Bench& bench) {
+  std::map<std::string, BenchTruth> own;
+  for (const BenchSeries& series : bench.series)
+    if (!series.coordinates.empty() && !own.contains(series.method))
+      own[series.method] = limit_of(bench, series);
+  for (BenchPoint& point : bench.points)
+    for (const std::string& quantity : bench.quantities) {
+      point.errors[quantity] =
+          error_against(bench.truth.answer, point.answer, quantity);
+      point.own_errors[quantity] =
+          own.contains(point.method)
+              ? error_against(own[point.method].answer, point.answer, quantity)
+              : not_a_number;
+    }
+}
+
+BenchOrder order_of(const Bench& bench, const BenchSeries& series,
+                    const Answered& kept, const std::string& quantity) {
+  BenchOrder order;
+  const std::vector<std::vector<double>> answers = answers_to(kept, quantity);
+  if (answers.size() >= 3) {
+    BenchAnswer scale = kept.points.back()->answer;
+    const std::vector<double> measure = scale_of(quantity, scale);
+    const std::span<const double> h(kept.coordinates);
+    const std::size_t n = answers.size();
+    order.by_differences =
+        observed_order(std::span<const double, 3>(h.last(3)),
+                       rms_difference(answers[n - 3], answers[n - 2], measure),
+                       rms_difference(answers[n - 2], answers[n - 1], measure));
+  }
+  if (series.axis != "surface.points")
+    return order; // other settings' error against the truth is not theirs alone
+  std::vector<double> errors;
+  for (const BenchPoint* point : kept.points)
+    errors.push_back(point->errors.at(quantity));
+  if (bench.truth.answer.values.empty())
+    return order;
+  order.error = fit_power_law(kept.coordinates, errors);
+  return order;
+}
+
+void fill_series(Bench& bench, BenchSeries& series) {
+  const Answered kept = answered(bench, series);
+  if (!series.coordinates.empty())
+    for (const std::string& quantity : bench.quantities)
+      series.orders[quantity] = order_of(bench, series, kept, quantity);
+  if (series.axis != "surface.points")
+    return;
+  std::vector<double> points;
+  std::vector<double> cpu;
+  std::vector<double> step_cpu;
+  for (const BenchPoint* point : kept.points) {
+    points.push_back(point->points);
+    cpu.push_back(point->cpu.median);
+    step_cpu.push_back(point->phases.steps());
+  }
+  series.cost = fit_power_law(points, cpu);
+  series.step_cost = fit_power_law(points, step_cpu);
+}
+
+} // namespace
+
+BenchTruth limit_of(const Bench& bench, const BenchSeries& series) {
+  BenchTruth truth;
+  const Answered kept = answered(bench, series);
+  if (kept.points.empty())
+    return truth;
+  const BenchAnswer& finest = kept.points.back()->answer;
+  truth.answer = finest;
+  truth.answer.values.clear();
+  for (const auto& [quantity, values] : finest.values) {
+    const std::vector<std::vector<double>> answers = answers_to(kept, quantity);
+    if (answers.empty())
+      continue;
+    const std::span<const double> h(kept.coordinates);
+    const RefinementLimit limit = refinement_limit(
+        answers, h.last(answers.size()), scale_of(quantity, finest));
+    truth.answer.values[quantity] = limit.values;
+    truth.uncertainty[quantity] = limit.uncertainty;
+    truth.order[quantity] = limit.order;
+    truth.is_exact[quantity] = false;
+  }
+  return truth;
+}
+
+void analyse(Bench& bench, const cases::Case& contact_case) {
+  bench.quantities = quantities_of(bench);
+  const std::size_t series = bench.truth.series;
+  if (series < bench.series.size())
+    bench.truth = limit_of(bench, bench.series[series]);
+  bench.truth.series = series;
+  // One truth for every estimator of the area: the one that converges fastest.
+  std::erase_if(bench.truth.answer.values, [](const auto& entry) {
+    return is_area(entry.first) && entry.first != best_area;
+  });
+  overlay_exact(contact_case, bench, bench.truth);
+  bench.truth.words = truth_words(bench.truth, bench, contact_case);
+  fill_errors(bench);
+  for (BenchSeries& one : bench.series)
+    fill_series(bench, one);
+  for (const std::string& quantity : bench.quantities)
+    bench.fronts[quantity] = front_of(bench, quantity);
+}
+
+std::vector<std::size_t> front_of(const Bench& bench,
+                                  const std::string& quantity) {
+  std::vector<double> costs;
+  std::vector<double> errors;
+  for (const BenchPoint& point : bench.points) {
+    const auto found = point.errors.find(quantity);
+    const bool counts =
+        point.is_elastic && !point.is_truth && found != point.errors.end();
+    costs.push_back(point.cpu.median);
+    errors.push_back(counts ? found->second : not_a_number);
+  }
+  return pareto_front(costs, errors);
+}
+
+} // namespace asperity::reports

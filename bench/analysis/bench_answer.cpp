@@ -1,0 +1,208 @@
+#include "bench/analysis/bench_answer.hpp"
+
+#include "base/field_sums.hpp"
+#include "cases/quantity_at_load.hpp"
+#include "reports/analysis/exact.hpp"
+#include "reports/analysis/summary.hpp"
+#include "results/curve_columns.hpp"
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace asperity::reports {
+namespace {
+
+using cases::SurfaceKind;
+using results::CurvePoint;
+
+const results::MethodRecord& method_called(const results::Result& result,
+                                           const std::string& name) {
+  for (const results::MethodRecord& method : result.methods)
+    if (method.name == name)
+      return method;
+  throw std::domain_error("the result has no method " + name);
+}
+
+/// Curve columns that are compared load by load.
+std::vector<results::CurveColumn> compared_columns(cases::Control control) {
+  const std::string other =
+      control == cases::Control::mean_gap ? "nominal_pressure" : "mean_gap";
+  std::vector<results::CurveColumn> compared;
+  for (const results::CurveColumn& column : results::curve_columns())
+    if (column.name == other || column.name == "elastic_energy" ||
+        is_area(std::string(column.name)))
+      compared.push_back(column);
+  return compared;
+}
+
+/// Gamma and kappa, and what the case expects; but a deviation or an error is
+/// a distance already, and to something else.
+bool is_compared(const std::string& quantity, const cases::Case& contact_case) {
+  for (const char* ending : {"_error", "_deviation", "_difference"})
+    if (quantity.ends_with(ending))
+      return false;
+  if (quantity.find("excess") != std::string::npos ||
+      quantity == "iterations_max" || quantity == "penetration")
+    return false;
+  return quantity == "gamma_slope" || quantity == "kappa" ||
+         std::any_of(contact_case.expectations.begin(),
+                     contact_case.expectations.end(),
+                     [&](const cases::Expectation& one) {
+                       return one.quantity == quantity;
+                     });
+}
+
+void add_fits(const results::Result& result, const cases::Case& contact_case,
+              const std::string& method, BenchAnswer& answer) {
+  const Summary summary = summarize(result, contact_case);
+  for (const MethodSummary& one : summary.methods)
+    if (one.name == method)
+      for (const auto& [name, estimate] : one.quantities)
+        if (is_compared(name, contact_case) && !estimate.is_input)
+          answer.values[name] = {estimate.value};
+}
+
+/// U(p) of the exact mean gap; its derivative may be singular at either end.
+double exact_energy(const cases::SurfaceSpec& surface, double contact_modulus,
+                    double nominal_pressure, double highest) {
+  const auto gap = [&](double pressure) {
+    return exact_point(surface, contact_modulus, pressure, highest).mean_gap;
+  };
+  const double last = gap(nominal_pressure);
+  if (!std::isfinite(last))
+    return not_a_number;
+  boost::math::quadrature::tanh_sinh<double> rule;
+  return nominal_pressure *
+         rule.integrate(
+             [&](double share) { return gap(share * nominal_pressure) - last; },
+             0.0, 1.0, 1e-10);
+}
+
+} // namespace
+
+BenchAnswer answer_of(const results::Result& result,
+                      const cases::Case& contact_case,
+                      const std::string& name) {
+  const results::MethodRecord& method = method_called(result, name);
+  BenchAnswer answer;
+  for (const results::Curve& curve : method.realizations)
+    for (const CurvePoint& row : curve.points) {
+      if (row.is_unloading)
+        continue;
+      const bool has_answer = row.status == results::StepStatus::converged;
+      answer.pressure.push_back(row.nominal_pressure);
+      for (const results::CurveColumn& column :
+           compared_columns(contact_case.load.control))
+        answer.values[std::string(column.name)].push_back(
+            has_answer ? column.get(row) : not_a_number);
+    }
+  if (const auto* surface = surface_of(result, method, 0)) {
+    answer.rms_height = surface->rms_height;
+    answer.highest = surface->highest;
+  }
+  // On a grid the mean plane of a sphere depends on the spacing, its top does
+  // not.
+  if (contact_case.surface.kind == SurfaceKind::sphere)
+    for (double& gap : answer.values["mean_gap"])
+      gap -= answer.highest;
+  if (!is_exact_shape(contact_case))
+    add_fits(result, contact_case, name, answer);
+  return answer;
+}
+
+std::vector<double> scale_of(const std::string& quantity,
+                             const BenchAnswer& truth) {
+  const auto found = truth.values.find(quantity);
+  if (found == truth.values.end())
+    return {};
+  std::vector<double> scale = found->second;
+  for (double& one : scale)
+    one = quantity == "mean_gap" ? truth.rms_height : std::abs(one);
+  return scale;
+}
+
+double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
+                     const std::string& quantity) {
+  const std::string column =
+      is_area(quantity) && !truth.values.contains(quantity)
+          ? "area_fraction_corrected"
+          : quantity;
+  const auto expected = truth.values.find(column);
+  const auto found = answer.values.find(quantity);
+  if (expected == truth.values.end() || found == answer.values.end() ||
+      expected->second.size() != found->second.size())
+    return not_a_number;
+  return rms_difference(found->second, expected->second,
+                        scale_of(column, truth));
+}
+
+BenchAnswer exact_answer(const cases::Case& contact_case,
+                         const BenchAnswer& answer) {
+  const cases::SurfaceSpec& surface = contact_case.surface;
+  const double contact_modulus = contact_case.material.contact_modulus;
+  BenchAnswer exact;
+  exact.rms_height = answer.rms_height;
+  exact.pressure = answer.pressure;
+  if (!is_exact_shape(contact_case))
+    return exact;
+  // Of a sphere, gaps are counted from its top, see answer_of.
+  const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
+  for (const double pressure : answer.pressure) {
+    const ExactPoint point =
+        exact_point(surface, contact_modulus, pressure, top);
+    exact.values["mean_gap"].push_back(point.mean_gap);
+    exact.values["area_fraction_corrected"].push_back(point.area_fraction);
+    exact.values["elastic_energy"].push_back(
+        exact_energy(surface, contact_modulus, pressure, top));
+  }
+  std::erase_if(exact.values, [](const auto& entry) {
+    return entry.second.empty() || !all_finite(entry.second);
+  });
+  return exact;
+}
+
+bool TargetOutcome::is_kept() const {
+  return !promises.empty() &&
+         std::all_of(promises.begin(), promises.end(),
+                     [](const Promise& promise) { return promise.is_kept; });
+}
+
+bool is_area(const std::string& quantity) {
+  return quantity.starts_with("area_fraction") &&
+         !cases::names_a_load(quantity);
+}
+
+std::string error_words(const std::string& quantity) {
+  if (quantity == "mean_gap")
+    return "mean gap u(p), root mean square over the loads, in h_rms";
+  if (quantity == "nominal_pressure")
+    return "pressure p(u), root mean square over the gaps, relative";
+  if (quantity == "elastic_energy")
+    return "elastic energy, root mean square over the loads, relative";
+  if (is_area(quantity))
+    return "contact area A(p), root mean square over the loads, relative; "
+           "estimator " +
+           quantity;
+  return quantity + ", relative";
+}
+
+std::string exact_words(const cases::Case& contact_case) {
+  if (!is_exact_shape(contact_case))
+    return "";
+  switch (contact_case.surface.kind) {
+  case SurfaceKind::sphere:
+    return "Hertz's contact, alone but for the mean displacement of its "
+           "images";
+  case SurfaceKind::wave_1d:
+    return "Westergaard's exact solution";
+  case SurfaceKind::wave_2d:
+    return "the exact limits of light and heavy load";
+  default:
+    return "";
+  }
+}
+
+} // namespace asperity::reports

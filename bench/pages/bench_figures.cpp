@@ -1,0 +1,228 @@
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+
+namespace asperity::reports {
+namespace {
+
+constexpr const char* points_axis = "surface.points";
+
+std::vector<std::string> methods_of(const Bench& bench) {
+  std::vector<std::string> methods;
+  for (const BenchPoint& point : bench.points)
+    if (!point.is_truth && std::find(methods.begin(), methods.end(),
+                                     point.method) == methods.end())
+      methods.push_back(point.method);
+  return methods;
+}
+
+std::string sign_of(std::size_t method) {
+  return fmt::format("linecolor rgb '{}' pointtype {} pointsize 0.7",
+                     method_color(method), 4 + 2 * (method % 5));
+}
+
+double error_of(const BenchPoint& point, const std::string& quantity) {
+  const auto found = point.errors.find(quantity);
+  return found == point.errors.end() ? not_a_number : found->second;
+}
+
+std::string front_words(const Bench& bench,
+                        const std::vector<std::size_t>& front) {
+  std::string words;
+  for (const std::size_t i : front) {
+    const BenchPoint& point = bench.points[i];
+    words += fmt::format("{}{} ({:.2g} s)", words.empty() ? "" : "; ",
+                         point.method + ", " + point.label, point.cpu.median);
+  }
+  return words;
+}
+
+Figure front_figure(const Bench& bench, const std::string& quantity,
+                    const std::vector<std::size_t>& front) {
+  Figure figure;
+  figure.name = "front-" + file_word(quantity);
+  figure.title = "Cost against error: " + quantity;
+  figure.caption = error_words(quantity) +
+                   ". The line joins the settings that no other one beats in "
+                   "both: " +
+                   front_words(bench, front) + ".";
+  const std::vector<std::string> methods = methods_of(bench);
+  CsvTable table({"curve", "index", "cpu_time [s]", "error [1]"});
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    for (const BenchPoint& point : bench.points)
+      if (point.method == methods[m] && !point.is_truth &&
+          error_of(point, quantity) > 0.0)
+        table.add(point.method, {static_cast<double>(m), point.cpu.median,
+                                 error_of(point, quantity)});
+  const std::size_t line = methods.size();
+  for (const std::size_t i : front)
+    table.add("front", {static_cast<double>(line), bench.points[i].cpu.median,
+                        error_of(bench.points[i], quantity)});
+  const std::string file = "'" + figure.name + ".csv' ";
+  std::vector<std::string> parts{
+      file + of_series(line, "$3:4") +
+      " with steps linecolor rgb '#888888' linewidth 1.5 title 'front'"};
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    parts.push_back(file + of_series(m, "$3:4") + " with points " + sign_of(m) +
+                    " linewidth 1.4 title " + gnuplot_text(methods[m]));
+  figure.data = table.text();
+  figure.script = "set logscale xy\nset format y '10^{%T}'\nset xlabel 'CPU "
+                  "time of the run [s]'\nset ylabel 'error'\n" +
+                  plot_of(parts);
+  return figure;
+}
+
+/// What one line over the number of points shows.
+struct AgainstPoints {
+  std::string name;
+  std::string title;
+  std::string caption;
+  std::string label; ///< of the upright axis
+  std::function<double(const BenchPoint&)> value;
+  std::function<PowerLaw(const BenchSeries&)> law;
+};
+
+Figure against_points(const Bench& bench, const AgainstPoints& what) {
+  Figure figure;
+  figure.name = what.name;
+  figure.title = what.title;
+  CsvTable table({"curve", "index", "points a side [1]", what.label});
+  std::vector<std::string> parts;
+  std::string exponents;
+  std::size_t index = 0;
+  for (const BenchSeries& series : bench.series) {
+    if (series.axis != points_axis)
+      continue;
+    for (const std::size_t i : series.points)
+      if (bench.points[i].problem.empty())
+        table.add(series.method, {static_cast<double>(index),
+                                  static_cast<double>(bench.points[i].points),
+                                  what.value(bench.points[i])});
+    parts.push_back("'" + figure.name + ".csv' " + of_series(index, "$3:4") +
+                    " with linespoints " + sign_of(index) + " title " +
+                    gnuplot_text(series.method));
+    if (const double exponent = what.law(series).determined_exponent();
+        std::isfinite(exponent))
+      exponents += fmt::format("{}{} {:.2f}", exponents.empty() ? "" : ", ",
+                               series.method, exponent);
+    ++index;
+  }
+  figure.caption = what.caption + exponents + ".";
+  figure.data = table.text();
+  figure.script = "set logscale x 2\nset logscale y\nset format y "
+                  "'10^{%T}'\nset xlabel 'points a side'\nset ylabel " +
+                  gnuplot_text(what.label) + "\n" + plot_of(parts);
+  return figure;
+}
+
+Figure convergence_figure(const Bench& bench, const std::string& quantity) {
+  return against_points(
+      bench,
+      {"convergence-" + file_word(quantity),
+       "Error against points: " + quantity,
+       error_words(quantity) + ", against the truth. Slopes, in the spacing: ",
+       "error",
+       [&quantity](const BenchPoint& point) {
+         return error_of(point, quantity);
+       },
+       [&quantity](const BenchSeries& series) {
+         const auto order = series.orders.find(quantity);
+         return order == series.orders.end() ? PowerLaw{} : order->second.error;
+       }});
+}
+
+Figure phases_figure(const Bench& bench) {
+  Figure figure;
+  figure.name = "phases";
+  figure.title = "Where the CPU time goes";
+  figure.caption =
+      "Share of the CPU time of a run at the case's own setting. The sign is "
+      "the floor: a real transform there and back for each application of the "
+      "elastic operator or its inverse on the method's grid.";
+  figure.width = 860;
+  figure.height = 360;
+  const std::vector<std::pair<const char*, double BenchPhases::*>> phases{
+      {"set-up", &BenchPhases::setup},
+      {"transforms", &BenchPhases::transforms},
+      {"solving", &BenchPhases::solving},
+      {"observation", &BenchPhases::observation},
+      {"writing", &BenchPhases::writing},
+      {"rest", &BenchPhases::rest}};
+  bool has_floor = false;
+  CsvTable table({"setting", "setup [1]", "transforms [1]", "solving [1]",
+                  "observation [1]", "writing [1]", "rest [1]", "floor [1]"});
+  for (const BenchPoint& point : bench.points) {
+    if (!point.is_own || !point.problem.empty())
+      continue;
+    double sum = 0.0;
+    for (const auto& [name, member] : phases)
+      sum += point.phases.*member;
+    std::vector<double> shares;
+    for (const auto& [name, member] : phases)
+      shares.push_back(point.phases.*member / sum);
+    const double floor = point.transform_floor() / sum;
+    has_floor = has_floor || floor > 0.0;
+    shares.push_back(floor > 0.0 ? floor : not_a_number);
+    table.add(point.method, shares);
+  }
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    parts.push_back(fmt::format(
+        "'phases.csv' every ::1 using {}{} linecolor rgb '{}' title '{}'",
+        i + 2, i == 0 ? ":xtic(1)" : "", method_color(i), phases[i].first));
+  if (has_floor)
+    parts.emplace_back(
+        "'phases.csv' every ::1 using ($0):8 with points pointtype "
+        "7 pointsize 0.9 linecolor rgb '#000000' title 'transform "
+        "floor'");
+  figure.data = table.text();
+  figure.script = "set style data histogram\nset style histogram "
+                  "rowstacked\nset style fill solid 0.85 border -1\nset "
+                  "boxwidth 0.6\nset yrange [0:1.02]\nset ylabel 'share of the "
+                  "CPU time'\n" +
+                  plot_of(parts);
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> bench_figures(const Bench& bench) {
+  std::vector<Figure> figures;
+  for (const std::string& quantity : bench.quantities)
+    if (const auto front = bench.fronts.find(quantity);
+        front != bench.fronts.end() && front->second.size() > 1)
+      figures.push_back(front_figure(bench, quantity, front->second));
+  const bool has_points = std::any_of(
+      bench.series.begin(), bench.series.end(), [](const BenchSeries& series) {
+        return series.axis == points_axis && series.points.size() > 1;
+      });
+  if (has_points) {
+    for (const std::string& quantity : bench.quantities)
+      if (bench.fronts.contains(quantity) && !bench.fronts.at(quantity).empty())
+        figures.push_back(convergence_figure(bench, quantity));
+    figures.push_back(against_points(
+        bench,
+        {"growth", "How the cost grows",
+         "CPU time of a whole run, median. Fitted exponents in the points a "
+         "side (2: as the number of nodes): ",
+         "CPU time [s]",
+         [](const BenchPoint& point) { return point.cpu.median; },
+         [](const BenchSeries& series) { return series.cost; }}));
+    figures.push_back(against_points(
+        bench, {"memory", "Peak memory", "Largest resident memory of a run.",
+                "peak memory [B]",
+                [](const BenchPoint& point) { return point.peak_memory; },
+                [](const BenchSeries&) { return PowerLaw{}; }}));
+  }
+  figures.push_back(phases_figure(bench));
+  return figures;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+#include "bench/pages/bench_report.hpp"
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values)
+    list.push_back(number(value));
+  return list;
+}
+
+Json numbers(const std::map<std::string, double>& values) {
+  Json table = Json::object();
+  for (const auto& [name, value] : values)
+    table[name] = number(value);
+  return table;
+}
+
+Json to_json(const BenchTime& time) {
+  return {{"median [s]", number(time.median)},
+          {"least [s]", number(time.least)},
+          {"largest [s]", number(time.largest)}};
+}
+
+Json to_json(const PowerLaw& law) {
+  return {{"exponent", number(law.determined_exponent())},
+          {"standard_error", number(law.exponent_error)},
+          {"factor", number(law.factor)},
+          {"points", law.points}};
+}
+
+Json to_json(const BenchPhases& phases) {
+  return {{"setup [s]", number(phases.setup)},
+          {"transforms [s]", number(phases.transforms)},
+          {"solving [s]", number(phases.solving)},
+          {"observation [s]", number(phases.observation)},
+          {"writing [s]", number(phases.writing)},
+          {"rest [s]", number(phases.rest)}};
+}
+
+Json to_json(const BenchAnswer& answer) {
+  Json values = Json::object();
+  for (const auto& [name, list] : answer.values)
+    values[name] = numbers(list);
+  return {{"rms_height [m]", number(answer.rms_height)},
+          {"nominal_pressure [Pa]", numbers(answer.pressure)},
+          {"values", values}};
+}
+
+Json to_json(const BenchPoint& point) {
+  return {{"method", point.method},
+          {"kind", point.kind},
+          {"label", point.label},
+          {"overrides", point.overrides},
+          {"points", point.points},
+          {"is_own", point.is_own},
+          {"is_elastic", point.is_elastic},
+          {"is_truth", point.is_truth},
+          {"problem", point.problem},
+          {"repeats", point.repeats},
+          {"has_warm_up", point.has_warm_up},
+          {"is_repeatable", point.is_repeatable},
+          {"wall_time", to_json(point.wall)},
+          {"cpu_time", to_json(point.cpu)},
+          {"peak_memory [B]", number(point.peak_memory)},
+          {"steps", point.steps},
+          {"failed_steps", point.failed_steps},
+          {"iterations", point.iterations},
+          {"transforms", point.transforms},
+          {"phases", to_json(point.phases)},
+          {"transform_pair [s]", number(point.transform_pair)},
+          {"errors", numbers(point.errors)},
+          {"own_errors", numbers(point.own_errors)},
+          {"answer", to_json(point.answer)}};
+}
+
+Json to_json(const BenchSeries& series) {
+  Json orders = Json::object();
+  for (const auto& [quantity, order] : series.orders)
+    orders[quantity] = {{"by_differences", number(order.by_differences)},
+                        {"error", to_json(order.error)}};
+  return {{"method", series.method},
+          {"axis", series.axis},
+          {"title", series.title},
+          {"points", series.points},
+          {"coordinates", numbers(series.coordinates)},
+          {"theoretical_orders", numbers(series.theoretical_orders)},
+          {"order_source", series.order_source},
+          {"orders", orders},
+          {"cpu_time_against_points", to_json(series.cost)},
+          {"step_time_against_points", to_json(series.step_cost)}};
+}
+
+Json to_json(const TargetOutcome& target) {
+  Json promises = Json::array();
+  for (const Promise& promise : target.promises)
+    promises.push_back({{"quantity", promise.quantity},
+                        {"estimator", promise.estimator},
+                        {"method", promise.method},
+                        {"predicted", number(promise.predicted)},
+                        {"found", number(promise.found)},
+                        {"is_kept", promise.is_kept}});
+  return {{"target", number(target.target)},
+          {"overrides", target.overrides},
+          {"chosen", target.chosen},
+          {"finer", target.finer},
+          {"problem", target.problem},
+          {"earlier", target.earlier},
+          {"predicted_cpu_time [s]", number(target.predicted_cpu_time)},
+          {"cpu_time [s]", number(target.cpu_time)},
+          {"search_cpu_time [s]", number(target.search_cpu_time)},
+          {"promises", promises}};
+}
+
+template <class Item>
+Json list_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items)
+    list.push_back(to_json(item));
+  return list;
+}
+
+std::string quoted(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : text)
+    field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + "\"";
+}
+
+double error_in(const std::map<std::string, double>& errors,
+                const std::string& quantity) {
+  const auto found = errors.find(quantity);
+  return found == errors.end() ? not_a_number : found->second;
+}
+
+} // namespace
+
+std::string bench_json(const Bench& bench) {
+  Json facts = Json::object();
+  for (const auto& [key, fact] : bench.provenance)
+    facts[key] = fact;
+  Json fronts = Json::object();
+  for (const auto& [quantity, front] : bench.fronts)
+    fronts[quantity] = front;
+  const Json json = {{"format", "asperity-bench"},
+                     {"format_version", 1},
+                     {"case", bench.case_name},
+                     {"title", bench.case_title},
+                     {"case_hash", bench.case_hash},
+                     {"provenance", facts},
+                     {"remarks", bench.remarks},
+                     {"quantities", bench.quantities},
+                     {"truth",
+                      {{"words", bench.truth.words},
+                       {"answer", to_json(bench.truth.answer)},
+                       {"uncertainty", numbers(bench.truth.uncertainty)},
+                       {"order", numbers(bench.truth.order)},
+                       {"is_exact", bench.truth.is_exact}}},
+                     {"points", list_of(bench.points)},
+                     {"series", list_of(bench.series)},
+                     {"fronts", fronts},
+                     {"targets", list_of(bench.targets)}};
+  return json.dump(2) + "\n";
+}
+
+std::string bench_csv(const Bench& bench) {
+  std::string text =
+      "method,kind,setting,points,is_own,is_truth,repeats,"
+      "wall_time [s],least_wall_time [s],largest_wall_time [s],"
+      "cpu_time [s],least_cpu_time [s],largest_cpu_time [s],peak_memory [B],"
+      "steps,failed_steps,iterations,transforms,setup [s],transforms [s],"
+      "solving [s],observation [s],writing [s],rest [s],transform_floor [s]";
+  for (const std::string& quantity : bench.quantities)
+    text += "," + quoted("error of " + quantity) + "," +
+            quoted("own error of " + quantity);
+  text += "\r\n";
+  for (const BenchPoint& point : bench.points) {
+    const BenchPhases& phases = point.phases;
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{}\r\n", point.method, point.kind,
+        quoted(point.label), point.points, int{point.is_own},
+        int{point.is_truth}, point.repeats,
+        fmt::join(
+            std::vector<double>{
+                point.wall.median, point.wall.least, point.wall.largest,
+                point.cpu.median, point.cpu.least, point.cpu.largest,
+                point.peak_memory, double(point.steps),
+                double(point.failed_steps), double(point.iterations),
+                double(point.transforms), phases.setup, phases.transforms,
+                phases.solving, phases.observation, phases.writing, phases.rest,
+                point.transform_floor()},
+            ","),
+        [&] {
+          std::vector<double> errors;
+          for (const std::string& quantity : bench.quantities) {
+            errors.push_back(error_in(point.errors, quantity));
+            errors.push_back(error_in(point.own_errors, quantity));
+          }
+          return fmt::format("{}", fmt::join(errors, ","));
+        }());
+  }
+  return text;
+}
+
+} // namespace asperity::reports

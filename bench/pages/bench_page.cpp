@@ -1,0 +1,282 @@
+#include "base/atomic_file.hpp"
+#include "reports/pages/page_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/bench_template.hpp"
+#include "bench/pages/bench_report.hpp"
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+
+std::string short_number(double value, const char* format = "{:.2f}") {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
+}
+
+double in(const std::map<std::string, double>& table, const std::string& key) {
+  const auto found = table.find(key);
+  return found == table.end() ? not_a_number : found->second;
+}
+
+List text_list(const std::vector<std::string>& texts) {
+  List list;
+  for (const std::string& text : texts)
+    list.push_back(text_item(text));
+  return list;
+}
+
+Value target_data(const TargetOutcome& target) {
+  Value value;
+  value.set("target", per_cent(target.target));
+  if (!target.problem.empty()) {
+    value.set("problem", target.problem);
+    return value;
+  }
+  value.set("banner_class", target.is_kept() ? "" : "bad");
+  value.set("banner", fmt::format("{}: {}",
+                                  target.is_kept() ? "The promise held"
+                                                   : "The promise did not hold",
+                                  target.chosen));
+  List earlier;
+  for (const std::string& words : target.earlier) {
+    Value row;
+    row.set("words", words);
+    earlier.push_back(row);
+  }
+  value.set("earlier", earlier);
+  value.set("chosen",
+            fmt::format("Predicted {} s of CPU time, took {} s; the coarse "
+                        "runs that chose it took {} s. Verified against {}.",
+                        short_number(target.predicted_cpu_time, "{:.3g}"),
+                        short_number(target.cpu_time, "{:.3g}"),
+                        short_number(target.search_cpu_time, "{:.3g}"),
+                        target.finer));
+  List promises;
+  for (const Promise& promise : target.promises) {
+    Value row;
+    row.set("quantity", promise.quantity);
+    row.set("method", promise.method);
+    row.set("estimator", promise.estimator);
+    row.set("promised", per_cent(target.target));
+    row.set("predicted", per_cent(promise.predicted));
+    row.set("found", per_cent(promise.found));
+    row.set("class", promise.is_kept ? "kept" : "broken");
+    row.set("word", promise.is_kept ? "yes" : "no");
+    promises.push_back(row);
+  }
+  value.set("promises", promises);
+  return value;
+}
+
+List truth_rows(const Bench& bench) {
+  List rows;
+  for (const std::string& quantity : bench.quantities) {
+    if (!bench.truth.answer.values.contains(quantity))
+      continue;
+    const auto exact = bench.truth.is_exact.find(quantity);
+    const bool is_exact = exact != bench.truth.is_exact.end() && exact->second;
+    const double order = in(bench.truth.order, quantity);
+    Value row;
+    row.set("quantity", quantity);
+    row.set("meaning", error_words(quantity));
+    row.set("kind", is_exact               ? "exact"
+                    : std::isfinite(order) ? "Richardson's limit"
+                                           : "the finest grid: its series is "
+                                             "irregular");
+    row.set("order", is_exact ? "–" : short_number(order));
+    row.set("uncertainty",
+            is_exact ? "–" : per_cent(in(bench.truth.uncertainty, quantity)));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+List series_rows(const Bench& bench) {
+  List rows;
+  for (const BenchSeries& series : bench.series) {
+    bool is_first = true;
+    for (const std::string& quantity : bench.quantities) {
+      const auto order = series.orders.find(quantity);
+      if (order == series.orders.end() ||
+          (!std::isfinite(order->second.by_differences) &&
+           !order->second.error.is_known()))
+        continue;
+      Value row;
+      row.set("method", is_first ? series.method : "");
+      row.set("axis", is_first ? series.title : "");
+      row.set("source", is_first ? series.order_source : "");
+      row.set("quantity", quantity);
+      row.set("order", short_number(order->second.by_differences));
+      row.set("slope", short_number(order->second.error.determined_exponent()));
+      row.set("theory",
+              short_number(in(series.theoretical_orders, quantity), "{:g}"));
+      row.set("cost",
+              is_first ? short_number(series.cost.determined_exponent()) : "");
+      row.set("step_cost",
+              is_first ? short_number(series.step_cost.determined_exponent())
+                       : "");
+      rows.push_back(row);
+      is_first = false;
+    }
+  }
+  return rows;
+}
+
+std::string remark_of(const BenchPoint& point) {
+  std::string remark = point.problem;
+  const auto add = [&](const std::string& more) {
+    remark += (remark.empty() ? "" : "; ") + more;
+  };
+  if (point.is_own)
+    add("the case's own");
+  if (point.is_truth)
+    add("for the truth");
+  if (!point.is_repeatable)
+    add("numbers differ from run to run");
+  if (point.failed_steps > 0)
+    add(fmt::format("{} of {} steps did not converge", point.failed_steps,
+                    point.steps));
+  return remark;
+}
+
+Value setting_row(const Bench& bench, const BenchPoint& point) {
+  const double floor = point.transform_floor();
+  Value row;
+  row.set("class", point.is_own ? "own" : point.is_truth ? "truth" : "");
+  row.set("label", point.label);
+  row.set("remark", remark_of(point));
+  row.set("cpu", short_number(point.cpu.median, "{:.3g}"));
+  row.set("cpu_range", fmt::format("{} … {}, n = {}",
+                                   short_number(point.cpu.least, "{:.3g}"),
+                                   short_number(point.cpu.largest, "{:.3g}"),
+                                   point.repeats));
+  row.set("wall", short_number(point.wall.median, "{:.3g}"));
+  row.set("wall_range",
+          fmt::format("{} … {}", short_number(point.wall.least, "{:.3g}"),
+                      short_number(point.wall.largest, "{:.3g}")));
+  row.set("memory", fmt::format("{:.0f}", point.peak_memory / 1048576.0));
+  row.set("iterations", std::to_string(point.iterations));
+  row.set("transforms",
+          point.transforms > 0 ? std::to_string(point.transforms) : "–");
+  row.set("floor",
+          floor > 0.0 ? short_number(point.phases.steps() / floor) : "–");
+  List cells;
+  for (const std::string& quantity : bench.quantities) {
+    Value cell;
+    cell.set("text", per_cent(in(point.errors, quantity)));
+    cell.set("small", per_cent(in(point.own_errors, quantity)));
+    cells.push_back(cell);
+  }
+  row.set("cells", cells);
+  return row;
+}
+
+List method_tables(const Bench& bench) {
+  std::vector<std::string> names;
+  for (const BenchPoint& point : bench.points)
+    if (std::find(names.begin(), names.end(), point.method) == names.end())
+      names.push_back(point.method);
+  List tables;
+  for (const std::string& name : names) {
+    List rows;
+    bool is_elastic = true;
+    for (const BenchPoint& point : bench.points)
+      if (point.method == name) {
+        rows.push_back(setting_row(bench, point));
+        is_elastic = point.is_elastic;
+      }
+    Value table;
+    table.set("name", name);
+    table.set("own_note",
+              is_elastic
+                  ? "Errors against the truth; in small letters against the "
+                    "limit of this method's own series."
+                  : "This method is not the elastic continuum: the large "
+                    "figure is its distance from that truth and no error; in "
+                    "small letters is its error against the limit of its own "
+                    "series.");
+    std::vector<std::string> heads = bench.quantities;
+    for (std::string& head : heads) // so that they wrap
+      std::replace(head.begin(), head.end(), '_', ' ');
+    table.set("heads", text_list(heads));
+    table.set("rows", rows);
+    tables.push_back(table);
+  }
+  return tables;
+}
+
+DrawnGroup drawn(const std::string& heading, const std::vector<Figure>& figures,
+                 const std::filesystem::path& folder,
+                 const std::string& gnuplot,
+                 std::vector<std::string>& problems) {
+  DrawnGroup group{heading, {}};
+  for (const Figure& figure : figures) {
+    group.figures.push_back(draw(figure, folder / "figures", gnuplot));
+    if (!group.figures.back().problem.empty())
+      problems.push_back(
+          fmt::format("{}: {}", figure.name, group.figures.back().problem));
+  }
+  return group;
+}
+
+} // namespace
+
+std::string per_cent(double share) {
+  return std::isfinite(share) ? fmt::format("{:.2g} %", 100.0 * share) : "–";
+}
+
+std::vector<std::string> write_bench_report(const Bench& bench,
+                                            const std::filesystem::path& folder,
+                                            const std::string& gnuplot) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "bench.json", bench_json(bench));
+  write_file_atomically(folder / "bench.csv", bench_csv(bench));
+  std::vector<std::string> problems;
+  const DrawnGroup figures =
+      drawn("Cost and error", bench_figures(bench), folder, gnuplot, problems);
+  Value page;
+  page.set("title", bench.case_title);
+  page.set("style", shared_style());
+  page.set("lead", fmt::format("Case {}, {}: {} settings of its methods, each "
+                               "run as a process of its own on one thread.",
+                               bench.case_name, bench.case_hash.substr(0, 12),
+                               bench.points.size()));
+  page.set("remarks", text_list(bench.remarks));
+  List targets;
+  for (const TargetOutcome& target : bench.targets)
+    targets.push_back(target_data(target));
+  page.set("targets", targets);
+  page.set("truth", bench.truth.words.empty()
+                        ? "No truth is known for this case."
+                        : "Errors are against " + bench.truth.words + ".");
+  page.set("truths", truth_rows(bench));
+  page.set("groups", group_data({&figures, 1}));
+  page.set("series", series_rows(bench));
+  page.set("timing_note",
+           "CPU and wall time are the median of n timed runs, least and "
+           "largest beneath; a run before them warms up and does not count "
+           "unless it is the only one (n = 1). Iterations and transforms are "
+           "of all load steps.");
+  page.set("methods", method_tables(bench));
+  List facts;
+  for (const auto& [key, fact] : bench.provenance) {
+    Value value;
+    value.set("key", key);
+    value.set("fact", fact);
+    facts.push_back(value);
+  }
+  page.set("facts", facts);
+  page.set("case_text", bench.case_text);
+  kainjow::mustache::mustache view{std::string(bench_template)};
+  write_file_atomically(folder / "report.html", view.render(page));
+  return problems;
+}
+
+} // namespace asperity::reports

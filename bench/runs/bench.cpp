@@ -1,0 +1,194 @@
+#include "bench/runs/bench.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "app/run/case_library.hpp"
+#include "app/run/interrupt.hpp"
+#include "base/folder_lock.hpp"
+#include "cases/case_hash.hpp"
+#include "cases/read_case.hpp"
+#include "results/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "bench/analysis/bench_analysis.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/bench_runner.hpp"
+#include "bench/runs/target_error.hpp"
+#include "bench/runs/target_words.hpp"
+#include "bench/settings/sweep.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using reports::Bench;
+using reports::BenchPoint;
+
+struct Subject {
+  fs::path file;
+  std::vector<std::string> overrides; ///< quick.set's and the user's
+  cases::Case contact_case;
+};
+
+Subject subject_of(const BenchCommand& command) {
+  const FoundCases found = find_cases(command.contact_case);
+  if (!found.collection.empty())
+    throw cases::CaseError("bench: " + found.collection +
+                           " is a collection; name one of its cases");
+  Subject subject{found.cases.front().file, {}, {}};
+  if (command.is_quick)
+    subject.overrides = quick_overrides(subject.file);
+  subject.overrides.insert(subject.overrides.end(), command.overrides.begin(),
+                           command.overrides.end());
+  subject.contact_case =
+      cases::read_case(subject.file.string(), subject.overrides);
+  return subject;
+}
+
+void print_point(std::size_t i, std::size_t n, const BenchPoint& point) {
+  if (point.problem.empty())
+    fmt::print("[{}/{}] {}, {}: {:.3g} s CPU ({:.3g} to {:.3g}, n = {}), {} "
+               "iterations, {:.0f} MiB\n",
+               i + 1, n, point.method, point.label, point.cpu.median,
+               point.cpu.least, point.cpu.largest, point.repeats,
+               point.iterations, point.peak_memory / 1048576.0);
+  else
+    fmt::print("[{}/{}] {}, {}: {}\n", i + 1, n, point.method, point.label,
+               point.problem);
+  std::fflush(stdout);
+}
+
+/// Settings that only a series other than over points has.
+bool is_optional(const Sweep& sweep, std::size_t point) {
+  return std::none_of(sweep.series.begin(), sweep.series.end(),
+                      [&](const reports::BenchSeries& series) {
+                        return series.axis == "surface.points" &&
+                               std::find(series.points.begin(),
+                                         series.points.end(),
+                                         point) != series.points.end();
+                      }) &&
+         !sweep.points[point].is_own;
+}
+
+Bench bench_of(const Subject& subject, Sweep sweep) {
+  Bench bench;
+  bench.case_name = subject.contact_case.name;
+  bench.case_title = subject.contact_case.title;
+  bench.case_hash = cases::case_hash(subject.contact_case);
+  bench.case_text = subject.contact_case.text;
+  bench.provenance = results::program_facts();
+  bench.provenance.emplace_back("started", results::utc_now());
+  bench.remarks = std::move(sweep.remarks);
+  bench.points = std::move(sweep.points);
+  bench.series = std::move(sweep.series);
+  bench.truth.series = sweep.truth;
+  return bench;
+}
+
+void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
+  std::string left_out;
+  bool is_once = false;
+  for (std::size_t i = 0; i < bench.points.size(); ++i) {
+    BenchPoint& point = bench.points[i];
+    if (is_interrupted()) {
+      point.problem = "interrupted before it ran";
+      continue;
+    }
+    if (runner.is_spent() && is_optional(sweep, i)) {
+      point.problem = "left out: the budget of time was spent";
+      left_out +=
+          (left_out.empty() ? "" : ", ") + point.method + " " + point.label;
+      continue;
+    }
+    is_once = is_once || (runner.is_spent() && !point.is_truth);
+    runner.run(point);
+    print_point(i, bench.points.size(), point);
+  }
+  if (is_once)
+    bench.remarks.emplace_back(
+        "The budget of time was spent before the end: settings with n = 1 were "
+        "run once, without a warm-up.");
+  if (!left_out.empty())
+    bench.remarks.push_back("Left out for want of time: " + left_out +
+                            ". --budget gives more.");
+}
+
+void print_fronts(const Bench& bench) {
+  for (const std::string& quantity : bench.quantities) {
+    const auto& front = bench.fronts.at(quantity);
+    for (const std::size_t i : front)
+      fmt::print("{}: {} in {:.3g} s by {}, {}\n", quantity,
+                 reports::per_cent(bench.points[i].errors.at(quantity)),
+                 bench.points[i].cpu.median, bench.points[i].method,
+                 bench.points[i].label);
+  }
+}
+
+} // namespace
+
+double read_target_error(const std::string& text) {
+  double number = 0.0;
+  const auto [end, failure] =
+      std::from_chars(text.data(), text.data() + text.size(), number);
+  std::string unit(end, text.data() + text.size());
+  std::erase(unit, ' ');
+  const double share = unit == "%" ? number / 100.0 : number;
+  if (failure != std::errc() || (!unit.empty() && unit != "%") ||
+      !(share > 0.0 && share < 1.0))
+    throw cases::CaseError("--target-error " + text +
+                           ", but must be a share such as 1% or 0.01");
+  return share;
+}
+
+ExitCode bench_case(const BenchCommand& command) {
+  const double target = command.target_error.empty()
+                            ? 0.0
+                            : read_target_error(command.target_error);
+  const Subject subject = subject_of(command);
+  const cases::Case& contact_case = subject.contact_case;
+  const Sweep sweep = sweep_of(
+      contact_case, {command.methods, command.is_quick, command.realizations});
+  const fs::path folder = command.out.empty()
+                              ? fs::path("out") / contact_case.name / "bench"
+                              : fs::path(command.out);
+  const FolderLock lock(folder, "bench " + contact_case.name);
+  catch_interrupts();
+  std::vector<std::string> common = subject.overrides;
+  common.insert(common.end(), sweep.common.begin(), sweep.common.end());
+  BenchRunner runner(
+      contact_case,
+      {subject.file, common, folder / "runs",
+       command.is_quick ? 1 : command.repeats,
+       command.is_quick ? std::min(command.budget, 60.0) : command.budget});
+  fmt::print("{}: {} settings, each run {} on one thread\n", contact_case.name,
+             sweep.points.size(),
+             command.is_quick ? "twice" : "some times over");
+  Bench bench = bench_of(subject, sweep);
+  run_points(bench, sweep, runner);
+  reports::analyse(bench, contact_case);
+  if (target > 0.0 && !is_interrupted()) {
+    cases::Case asked = contact_case;
+    asked.methods = chosen_methods(asked, command.methods);
+    TargetSearch search(asked, {subject.file, common, folder / "runs", 1, 1e9});
+    bench.targets.push_back(search.run(target));
+    print_outcome(bench.targets.back());
+  }
+  bench.provenance.emplace_back("finished", results::utc_now());
+  print_fronts(bench);
+  for (const std::string& problem : reports::write_bench_report(bench, folder))
+    fmt::print(stderr, "figure not drawn: {}\n", problem);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  if (is_interrupted())
+    return exit_interrupted;
+  return std::ranges::any_of(
+             bench.points,
+             [](const BenchPoint& point) { return point.problem.empty(); })
+             ? exit_good
+             : exit_internal; // no setting has an answer
+}
+
+} // namespace asperity::app

@@ -1,0 +1,109 @@
+// Why no setting keeps an error: which method, which quantity, which part of
+// it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/target_error.hpp"
+#include "bench/settings/case_values.hpp"
+
+namespace asperity::app {
+namespace {
+
+constexpr double finest_growth = 0.25; ///< share of ln g
+
+/// How far the best that a method has is off, and where.
+struct Miss {
+  const Forecast* forecast = nullptr;
+  std::string quantity;
+  double error = std::numeric_limits<double>::infinity();
+};
+
+/// The quantity that errs most with that method and element.
+Miss worst_of(const Forecast& forecast,
+              const std::vector<std::string>& quantities, int points) {
+  Miss worst{&forecast, quantities.front(), -1.0};
+  for (const std::string& quantity : quantities) {
+    const double error = forecast.error(quantity, points, finest_growth);
+    if (error > worst.error)
+      worst = {&forecast, quantity, error};
+  }
+  return worst;
+}
+
+/// By method, with its best element.
+std::map<std::string, Miss> misses(const std::vector<Forecast>& forecasts,
+                                   const std::vector<std::string>& quantities,
+                                   int points) {
+  std::map<std::string, Miss> best;
+  for (const Forecast& forecast : forecasts) {
+    const Miss miss = worst_of(forecast, quantities, points);
+    Miss& known = best[forecast.method];
+    if (known.forecast == nullptr || miss.error < known.error)
+      known = miss;
+  }
+  return best;
+}
+
+} // namespace
+
+std::string TargetSearch::depth_words(const Forecast& forecast,
+                                      const std::string& column) {
+  const CaseValues values(case_);
+  for (const char* key : {"depth", "thickness"}) {
+    const auto own = values.value(forecast.method, key);
+    const std::string twice = own ? scaled_value(*own, 2.0) : "";
+    if (twice.empty())
+      continue;
+    const int points = grids_.front();
+    const reports::BenchPoint as_it_is =
+        run_at(forecast.method, forecast.element, points, 1.0);
+    const reports::BenchPoint deeper =
+        run_at(forecast.method, forecast.element, points, 1.0,
+               {fmt::format("{}.{}={}", forecast.method, key, twice)});
+    const double change =
+        reports::error_against(deeper.answer, as_it_is.answer, column);
+    if (std::isfinite(change))
+      return fmt::format("; twice the {} changes it by {}", key,
+                         reports::per_cent(change));
+  }
+  return "";
+}
+
+std::string TargetSearch::why_none(double target) {
+  const int last = finest_points();
+  std::string words =
+      fmt::format("no setting up to {} points is predicted to err by less than "
+                  "{} in every quantity",
+                  last, reports::per_cent(target));
+  for (const auto& [method, miss] : misses(forecasts_, quantities_, last)) {
+    if (miss.error < target)
+      continue;
+    if (!std::isfinite(miss.error)) {
+      words += fmt::format("; {} has no forecast of {}", method, miss.quantity);
+      continue;
+    }
+    const std::string column =
+        miss.forecast->best_column(miss.quantity, last, finest_growth);
+    const ErrorParts parts = miss.forecast->parts(column, last, finest_growth);
+    words += fmt::format("; {} errs by {} in {}", method,
+                         reports::per_cent(miss.error), miss.quantity);
+    if (parts.staying < 0.5 * miss.error)
+      continue;
+    words += fmt::format(", of which {} stays on any grid",
+                         reports::per_cent(parts.staying));
+    if (const std::string exact = reports::exact_words(case_); !exact.empty())
+      words += fmt::format(": the case's block is not that of the exact "
+                           "solution ({}){}",
+                           exact, depth_words(*miss.forecast, column));
+  }
+  if (!problem_.empty())
+    words += fmt::format("; {}", problem_);
+  return words;
+}
+
+} // namespace asperity::app

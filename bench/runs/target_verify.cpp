@@ -1,0 +1,127 @@
+// Whether a promised error was kept, and what to try next if it was not.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/target_error.hpp"
+
+namespace asperity::app {
+namespace {
+
+using reports::BenchAnswer;
+using reports::TargetOutcome;
+
+constexpr int most_tries = 3;
+
+bool answers(const BenchAnswer& exact, const BenchAnswer& chosen,
+             const TargetOutcome& outcome, const std::string& method) {
+  return std::all_of(outcome.promises.begin(), outcome.promises.end(),
+                     [&](const reports::Promise& promise) {
+                       return promise.method != method ||
+                              std::isfinite(reports::error_against(
+                                  exact, chosen, promise.estimator));
+                     });
+}
+
+/// What the difference to a run on twice the points leaves unseen: its own
+/// error, 2^-order of what is looked for.
+double with_what_is_left(double difference, double order) {
+  return difference / (1.0 - std::pow(2.0, -order));
+}
+
+std::string broken_words(const TargetOutcome& outcome) {
+  std::string words = fmt::format("{}:", outcome.chosen);
+  for (const reports::Promise& promise : outcome.promises)
+    if (!promise.is_kept)
+      words += fmt::format("{} {} of {} was {}",
+                           words.ends_with(':') ? "" : ",", promise.quantity,
+                           promise.method, reports::per_cent(promise.found));
+  return words;
+}
+
+} // namespace
+
+void TargetSearch::verify_method(TargetOutcome& outcome, Forecast& forecast,
+                                 const BenchAnswer& answer) {
+  const BenchAnswer exact = reports::exact_answer(case_, answer);
+  BenchAnswer finer;
+  if (!answers(exact, answer, outcome, forecast.method)) {
+    finer = run_at(forecast.method, forecast.element, 2 * choice_.points,
+                   0.5 * choice_.growth_share)
+                .answer;
+    outcome.finer = fmt::format(
+        "{}one run a method on {} points with half the logarithm of the "
+        "layers' growth",
+        exact.values.empty() ? ""
+                             : "the exact solution where it answers, else ",
+        2 * choice_.points);
+  }
+  std::map<std::string, double> found;
+  for (const auto& [column, term] : forecast.terms) {
+    found[column] = reports::error_against(exact, answer, column);
+    if (!std::isfinite(found[column]))
+      found[column] = with_what_is_left(
+          reports::error_against(finer, answer, column), term.order);
+  }
+  bool is_kept = true;
+  for (reports::Promise& promise : outcome.promises) {
+    if (promise.method != forecast.method)
+      continue;
+    promise.found = found.at(promise.estimator);
+    promise.is_kept = promise.found < outcome.target;
+    is_kept = is_kept && promise.is_kept;
+  }
+  if (!is_kept)
+    for (const auto& [column, error] : found)
+      forecast.learn(column, choice_.points, choice_.growth_share, error);
+}
+
+void TargetSearch::verify(TargetOutcome& outcome,
+                          const std::map<std::string, BenchAnswer>& chosen) {
+  outcome.finer = "the exact solution";
+  for (const auto& [method, forecast] : choice_.methods)
+    if (const auto answer = chosen.find(method); answer != chosen.end())
+      verify_method(outcome, *forecast, answer->second);
+  outcome.search_cpu_time = search_cpu_time_;
+}
+
+bool TargetSearch::choose_again(TargetOutcome& outcome) {
+  if (n_tries_ >= most_tries) {
+    outcome.earlier.push_back(
+        fmt::format("{} settings were tried and no more are", most_tries));
+    return false;
+  }
+  TargetOutcome next = choose(outcome.target);
+  if (!next.problem.empty()) {
+    outcome.earlier.push_back("with what this setting showed, " + next.problem);
+    return false;
+  }
+  next.earlier = std::move(outcome.earlier);
+  next.earlier.push_back(broken_words(outcome));
+  outcome = std::move(next);
+  return true;
+}
+
+TargetOutcome TargetSearch::run(double target) {
+  TargetOutcome outcome = choose(target);
+  bool is_open = outcome.problem.empty();
+  while (is_open) {
+    std::map<std::string, BenchAnswer> chosen;
+    outcome.cpu_time = 0.0;
+    for (const auto& [method, forecast] : choice_.methods) {
+      const reports::BenchPoint point = run_at(
+          method, forecast->element, choice_.points, choice_.growth_share);
+      outcome.cpu_time += point.cpu.median;
+      chosen[method] = point.answer;
+    }
+    verify(outcome, chosen);
+    is_open = !outcome.is_kept() && choose_again(outcome);
+  }
+  return outcome;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,253 @@
+#include "bench/settings/sweep.hpp"
+
+#include "cases/case_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/settings/case_values.hpp"
+#include "bench/settings/sweep_axes.hpp"
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+using reports::BenchPoint;
+using reports::BenchSeries;
+
+constexpr const char* points_axis = "surface.points";
+constexpr int axes_at_half_from = 256; // points, below which N/2 says little
+
+int even(double points) {
+  return 2 * static_cast<int>(std::lround(points / 2.0));
+}
+
+std::string points_override(int points) {
+  return fmt::format("{}={}", points_axis, points);
+}
+
+bool is_chosen(const MethodSpec& method,
+               const std::vector<std::string>& names) {
+  return names.empty() ||
+         std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+           return name == method.name || name == kind_of_method(method.name);
+         });
+}
+
+/// What the grid does to the contact edge, which it misplaces by a part of h:
+/// the counted area is of first order in that, energy and mean gap are
+/// stationary in it. A penalty of so many E*/h is penetrated by p/k ~ h.
+void add_theoretical_orders(const cases::Case& contact_case,
+                            const MethodSpec& method, BenchSeries& series) {
+  const CaseValues values(contact_case);
+  const auto contact = values.value(method.name, "contact");
+  if (!contact)
+    return;
+  const auto penalty = values.value(method.name, "penalty");
+  const bool is_penalized = contact->text == "penalty" && penalty &&
+                            penalty->text.find("E*/h") != std::string::npos;
+  const double order = is_penalized ? 1.0 : 2.0;
+  series.theoretical_orders = {
+      {"mean_gap", order}, {"elastic_energy", order}, {"area_fraction", 1.0}};
+  series.order_source =
+      is_penalized ? "penetration of a penalty ~ 1/h: first order"
+                   : "the grid misplaces the contact edge by a part of h: area "
+                     "first order, energy and gap stationary in it, second";
+}
+
+/// Puts the sweep together, a setting that two series share once.
+class Planner {
+public:
+  Planner(const cases::Case& contact_case, const SweepOptions& options)
+      : case_(contact_case),
+        values_(contact_case),
+        options_(options),
+        own_points_(contact_case.surface.points.value_or(0)) {}
+
+  Sweep plan() &&;
+
+private:
+  void add_truth();
+  void add_points(const MethodSpec& method);
+  void add_axes(const MethodSpec& method);
+  void add_axis(const MethodSpec& method, const Axis& axis);
+  std::size_t point(BenchPoint wanted);
+  std::vector<int> grids() const; ///< N/4, N/2, N as far as they carry
+  int axis_points() const;
+
+  const cases::Case& case_;
+  CaseValues values_;
+  const SweepOptions& options_;
+  int own_points_;
+  Sweep sweep_;
+};
+
+std::size_t Planner::point(BenchPoint wanted) {
+  for (std::size_t i = 0; i < sweep_.points.size(); ++i) {
+    BenchPoint& known = sweep_.points[i];
+    if (known.method != wanted.method || known.overrides != wanted.overrides)
+      continue;
+    known.is_truth = known.is_truth && wanted.is_truth;
+    known.is_own = known.is_own || wanted.is_own;
+    return i;
+  }
+  sweep_.points.push_back(std::move(wanted));
+  return sweep_.points.size() - 1;
+}
+
+std::vector<int> Planner::grids() const {
+  const int least = least_carrying_points(case_.surface);
+  std::vector<int> kept;
+  for (const double share : {0.25, 0.5}) {
+    const int points = std::max(even(share * own_points_), least);
+    if (4 * points <= 3 * own_points_ && (kept.empty() || points > kept.back()))
+      kept.push_back(points);
+  }
+  kept.push_back(own_points_);
+  return kept;
+}
+
+int Planner::axis_points() const {
+  const std::vector<int> carried = grids();
+  return own_points_ >= axes_at_half_from && carried.size() >= 2
+             ? carried[carried.size() - 2]
+             : own_points_;
+}
+
+void Planner::add_truth() {
+  if (own_points_ == 0)
+    return;
+  const auto kind = case_.surface.kind;
+  if (kind == cases::SurfaceKind::sphere || kind == cases::SurfaceKind::wave_1d)
+    return; // exact in all that is compared
+  BenchSeries series{.method = "halfspace",
+                     .axis = points_axis,
+                     .title = "points of the truth"};
+  const std::vector<std::string> overrides = truth_overrides(case_);
+  std::vector<int> carried = grids();
+  carried.push_back(2 * own_points_);
+  for (const int points : carried) {
+    BenchPoint wanted;
+    wanted.method = wanted.kind = "halfspace";
+    wanted.label = fmt::format("{} points", points);
+    wanted.points = points;
+    wanted.overrides = overrides;
+    if (points != own_points_)
+      wanted.overrides.push_back(points_override(points));
+    wanted.is_truth = true;
+    series.points.push_back(point(std::move(wanted)));
+    series.coordinates.push_back(1.0 / points);
+  }
+  sweep_.truth = sweep_.series.size();
+  sweep_.series.push_back(std::move(series));
+}
+
+void Planner::add_points(const MethodSpec& method) {
+  BenchSeries series{
+      .method = method.name, .axis = points_axis, .title = "points a side"};
+  const std::string kind = kind_of_method(method.name);
+  std::vector<int> carried = grids();
+  if (!varies_with_points(kind) || own_points_ == 0)
+    carried = {own_points_};
+  for (const int points : carried) {
+    BenchPoint wanted;
+    wanted.method = method.name;
+    wanted.kind = kind;
+    wanted.is_elastic = varies_with_points(kind);
+    wanted.points = points;
+    wanted.label = points == 0 ? "as it is" : fmt::format("{} points", points);
+    wanted.is_own = points == own_points_;
+    if (!wanted.is_own)
+      wanted.overrides = {points_override(points)};
+    series.points.push_back(point(std::move(wanted)));
+    if (points > 0)
+      series.coordinates.push_back(1.0 / points);
+  }
+  add_theoretical_orders(case_, method, series);
+  if (series.points.size() > 1)
+    sweep_.series.push_back(std::move(series));
+}
+
+void Planner::add_axes(const MethodSpec& method) {
+  const bool is_variant = method.name.find('.') != std::string::npos;
+  for (const Axis& axis : axes_of(values_, method.name))
+    if (!is_variant || values_.is_set(method.name, axis.key))
+      add_axis(method, axis);
+}
+
+void Planner::add_axis(const MethodSpec& method, const Axis& axis) {
+  BenchSeries series{.method = method.name,
+                     .axis = method.name + "." + axis.key,
+                     .title = axis.title,
+                     .theoretical_orders = {{"mean_gap", axis.order},
+                                            {"elastic_energy", axis.order}},
+                     .order_source = axis.source};
+  const std::string kind = kind_of_method(method.name);
+  const int points = varies_with_points(kind) ? axis_points() : own_points_;
+  const std::string grid =
+      points == 0 ? "" : fmt::format("{} points, ", points);
+  for (const AxisValue& value : axis.values) {
+    BenchPoint wanted;
+    wanted.method = method.name;
+    wanted.kind = kind;
+    wanted.is_elastic = varies_with_points(kind);
+    wanted.points = points;
+    wanted.label = value.is_own
+                       ? fmt::format("{} points", points)
+                       : fmt::format("{}{} {}", grid, axis.title, value.text);
+    wanted.is_own = value.is_own && points == own_points_;
+    if (points != own_points_)
+      wanted.overrides = {points_override(points)};
+    if (!value.is_own)
+      wanted.overrides.push_back(series.axis + "=" + value.text);
+    series.points.push_back(point(std::move(wanted)));
+    if (std::isfinite(value.coordinate))
+      series.coordinates.push_back(value.coordinate);
+  }
+  if (series.points.size() > 1)
+    sweep_.series.push_back(std::move(series));
+}
+
+Sweep Planner::plan() && {
+  sweep_.common = common_overrides(case_, options_.realizations);
+  if (case_.surface.realizations > options_.realizations)
+    sweep_.remarks.push_back(fmt::format("{} of the case's {} realisations.",
+                                         options_.realizations,
+                                         case_.surface.realizations));
+  if (own_points_ > 0 && grids().size() < 3)
+    sweep_.remarks.push_back(fmt::format(
+        "Grids below {} points a side do not carry all of the roughness.",
+        least_carrying_points(case_.surface)));
+  add_truth();
+  for (const MethodSpec& method : case_.methods)
+    if (is_chosen(method, options_.methods))
+      add_points(method);
+  if (options_.is_quick)
+    sweep_.remarks.emplace_back("A quick sweep: points alone.");
+  else
+    for (const MethodSpec& method : case_.methods)
+      if (is_chosen(method, options_.methods))
+        add_axes(method);
+  if (!options_.is_quick && axis_points() != own_points_)
+    sweep_.remarks.push_back(fmt::format(
+        "Settings other than the points are varied at {} points a side.",
+        axis_points()));
+  return std::move(sweep_);
+}
+
+} // namespace
+
+Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options) {
+  for (const std::string& name : options.methods)
+    if (std::none_of(contact_case.methods.begin(), contact_case.methods.end(),
+                     [&](const MethodSpec& method) {
+                       return is_chosen(method, {name});
+                     }))
+      throw cases::CaseError("--methods " + name + ": " + contact_case.path +
+                             " has no such method");
+  return Planner(contact_case, options).plan();
+}
+
+} // namespace asperity::app

@@ -1,0 +1,187 @@
+#include "contact/solvers/active_set.hpp"
+
+#include "base/maximum.hpp"
+#include "contact/solvers/active_system.hpp"
+#include "contact/solvers/problem_start.hpp"
+#include "contact/solvers/projected_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// Transforms and sums lose some ten eps of a field; the rest is a margin.
+constexpr double rounding_of_a_field =
+    64.0 * std::numeric_limits<double>::epsilon();
+
+/// So often all wrong nodes are exchanged without becoming fewer.
+constexpr int patience = 10;
+
+/// Seen are some ten; one node at a time could be very many.
+constexpr int most_iterations = 200;
+
+/// C [m/Pa] of the longest wave along the longer side.
+double long_wave_compliance(SurfaceOperator& elasticity) {
+  const Grid& grid = elasticity.grid();
+  const bool along_x = grid.length_x >= grid.length_y;
+  std::vector<double> wave(grid.size());
+  std::vector<double> answer(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      wave[grid.index(ix, iy)] =
+          std::cos(2.0 * std::numbers::pi *
+                   (along_x ? static_cast<double>(ix) / grid.points_x
+                            : static_cast<double>(iy) / grid.points_y));
+  elasticity.displacement(wave, answer);
+  return largest_magnitude(answer);
+}
+
+class ActiveSet {
+public:
+  explicit ActiveSet(ProjectedState& state)
+      : state_(state),
+        weights_(state.elasticity.nodal_weights()),
+        system_(state.elasticity, state.problem.local_compliance, keeps_load()),
+        is_free_(state.is_free),
+        residual_(state.pressure.size()),
+        balanced_(state.pressure.size()),
+        displacement_(state.pressure.size()) {}
+
+  /// One iteration. Empty, or the reason why there is none.
+  std::string step() {
+    free_.clear();
+    for (std::size_t i = 0; i < is_free_.size(); ++i)
+      if (is_free_[i])
+        free_.push_back(i);
+    find_residual(state_.pressure, state_.displacement);
+    std::string reason = system_.solve(
+        free_, residual_, 0.1 * state_.problem.gap_tolerance, balanced_);
+    if (!reason.empty())
+      return reason;
+    for (std::size_t i = 0; i < balanced_.size(); ++i)
+      balanced_[i] += state_.pressure[i];
+    state_.elasticity.displacement(balanced_, displacement_);
+    find_residual(balanced_, displacement_);
+    if (!std::isfinite(largest_magnitude(residual_)))
+      return "the balanced gap is not finite";
+    exchange();
+    for (std::size_t i = 0; i < balanced_.size(); ++i)
+      state_.pressure[i] = std::max(0.0, balanced_[i]);
+    scale_to_target(state_.target, weights_, state_.pressure);
+    state_.elasticity.displacement(state_.pressure, state_.displacement);
+    state_.transforms += 2;
+    return {};
+  }
+
+  int transforms() const { return system_.transforms(); }
+
+private:
+  bool keeps_load() const {
+    return state_.target.kind == LoadTarget::Kind::nominal_pressure;
+  }
+
+  /// gap + c p of all nodes, its mean on the free ones 0 where the load is
+  /// prescribed.
+  void find_residual(std::span<const double> pressure,
+                     std::span<const double> displacement) {
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      residual_[i] = displacement[i] - state_.problem.heights[i] +
+                     state_.problem.local_compliance * pressure[i] +
+                     state_.rigid_distance;
+    if (!keeps_load())
+      return;
+    double sum = 0.0;
+    double total = 0.0;
+    for (const std::size_t node : free_) {
+      const double weight = weights_.empty() ? 1.0 : weights_[node];
+      sum += weight * residual_[node];
+      total += weight;
+    }
+    for (double& value : residual_)
+      value -= sum / total;
+  }
+
+  /// Frees nodes that overlap and fixes those that are pulled; all of them as
+  /// long as they become fewer, else the last one only.
+  void exchange() {
+    const double tolerance = 0.5 * state_.problem.gap_tolerance;
+    const double softness = state_.elasticity.short_wave_compliance() +
+                            state_.problem.local_compliance;
+    wrong_.clear();
+    for (std::size_t i = 0; i < is_free_.size(); ++i)
+      if (is_free_[i] ? softness * balanced_[i] < -tolerance
+                      : residual_[i] < -tolerance)
+        wrong_.push_back(i);
+    if (wrong_.size() < fewest_) {
+      fewest_ = wrong_.size();
+      tries_left_ = patience;
+    } else if (tries_left_ > 0) {
+      --tries_left_;
+    } else if (!wrong_.empty()) {
+      wrong_ = {wrong_.back()};
+    }
+    for (const std::size_t node : wrong_)
+      is_free_[node] = is_free_[node] ? 0 : 1;
+  }
+
+  ProjectedState& state_;
+  std::span<const double> weights_;
+  ActiveSystem system_;
+  std::vector<std::uint8_t> is_free_;
+  std::vector<std::size_t> free_;
+  std::vector<double> residual_; ///< gap + c p [m]
+  std::vector<double> balanced_; ///< p that balances the free nodes [Pa]
+  std::vector<double> displacement_;
+  std::vector<std::size_t> wrong_; ///< pulled, or overlapping
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  int tries_left_ = 0;
+};
+
+double gap_rounding(const ProjectedState& state, double long_wave) {
+  return rounding_of_a_field *
+         (largest_magnitude(state.problem.heights) +
+          std::abs(state.rigid_distance) +
+          largest_magnitude(state.pressure) *
+              (long_wave + state.problem.local_compliance));
+}
+
+} // namespace
+
+ContactSolution active_set(SurfaceOperator& elasticity,
+                           const ContactProblem& problem,
+                           const LoadTarget& target,
+                           std::span<const double> initial_pressure) {
+  ProjectedState state(elasticity, problem, target, initial_pressure);
+  const double long_wave = long_wave_compliance(elasticity);
+  ++state.transforms;
+  state.problem.max_iterations =
+      std::min(problem.max_iterations, most_iterations);
+  state.update_residual();
+  ActiveSet nodes(state);
+  std::string reason;
+  for (;; ++state.iterations) {
+    state.update_residual();
+    const double rounding = gap_rounding(state, long_wave);
+    if (std::isfinite(rounding))
+      state.problem.gap_tolerance = std::max(problem.gap_tolerance, rounding);
+    if (state.is_at_end())
+      break;
+    reason = nodes.step();
+    if (!reason.empty())
+      break;
+  }
+  state.transforms += nodes.transforms();
+  ContactSolution answer = std::move(state).solution();
+  if (answer.converged && answer.gap_error > problem.gap_tolerance)
+    answer.note = "to the rounding of a gap";
+  if (!reason.empty())
+    answer.note += ": " + reason;
+  return answer;
+}
+
+} // namespace asperity::contact

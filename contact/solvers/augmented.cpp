@@ -1,0 +1,89 @@
+#include "base/maximum.hpp"
+#include "base/require.hpp"
+#include "contact/solvers/load_sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+constexpr int max_rounds = 200;
+
+/// The softest spring, 1/k over C at half the Nyquist wavevector: a round then
+/// leaves at most a few hundredths of any penetration.
+constexpr double largest_reduced_compliance = 0.01;
+
+double weighted_mean(std::span<const double> field,
+                     std::span<const double> weights) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    sum += field[i] * (weights.empty() ? 1.0 : weights[i]);
+  return sum / static_cast<double>(field.size());
+}
+
+/// Largest gap in contact and overlap anywhere [m].
+double wall_error(const ContactSolution& solution) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < solution.gap.size(); ++i)
+    if (!(solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0))
+      error = maximum(error, std::abs(solution.gap[i]));
+  return error;
+}
+
+} // namespace
+
+ContactSolution solve_augmented(SurfaceOperator& elasticity,
+                                const ContactProblem& problem,
+                                const LoadTarget& target,
+                                std::span<const double> initial_pressure) {
+  require_positive("local_compliance", problem.local_compliance, "m/Pa");
+  const double compliance =
+      std::min(problem.local_compliance,
+               largest_reduced_compliance * elasticity.short_wave_compliance());
+  std::vector<double> heights(problem.heights.begin(), problem.heights.end());
+  ContactProblem round = problem;
+  round.heights = heights;
+  round.local_compliance = compliance;
+  round.gap_tolerance = 0.25 * problem.gap_tolerance;
+  LoadTarget round_target = target;
+
+  ContactSolution solution =
+      solve_contact(elasticity, round, round_target, initial_pressure);
+  int iterations = solution.iterations;
+  int transforms = solution.transforms;
+  int n_rounds = 1;
+  while (solution.converged && wall_error(solution) > problem.gap_tolerance &&
+         n_rounds < max_rounds) {
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      heights[i] = problem.heights[i] + compliance * solution.pressure[i];
+    const double mean_rise =
+        compliance *
+        weighted_mean(solution.pressure, elasticity.nodal_weights());
+    if (target.kind == LoadTarget::Kind::mean_gap)
+      round_target.amount = target.amount - mean_rise;
+
+    ContactSolution next =
+        solve_contact(elasticity, round, round_target, solution.pressure);
+    // Back to the gap against the surface as it is.
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      next.gap[i] += heights[i] - problem.heights[i];
+    next.mean_gap += mean_rise;
+    iterations += next.iterations;
+    transforms += next.transforms;
+    ++n_rounds;
+    solution = std::move(next);
+  }
+  solution.iterations = iterations;
+  solution.transforms = transforms;
+  solution.gap_error = wall_error(solution);
+  if (solution.converged && !(solution.gap_error <= problem.gap_tolerance)) {
+    solution.converged = false;
+    solution.note = "penetration left after " + std::to_string(n_rounds) +
+                    " multiplier updates; raise the penalty";
+  }
+  return solution;
+}
+
+} // namespace asperity::contact

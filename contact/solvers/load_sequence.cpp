@@ -1,0 +1,156 @@
+#include "contact/solvers/load_sequence.hpp"
+
+#include "base/require.hpp"
+#include "base/rms_height.hpp"
+#include "contact/operators/chunked_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// Tolerance of a coarse-to-fine start, relative to the rms height: finer
+/// gains no iteration on the fine grid.
+constexpr double coarse_accuracy = 1e-3;
+
+/// How far, in steps between the last two loads, their line is trusted.
+constexpr double longest_extrapolation = 2.5;
+
+/// A soft spring is pressed in far deeper than the heights are high, and the
+/// gap is then known to the rounding of that depth only, and of a sum over N
+/// nearly equal depths, whose roundings are alike and add up.
+double reachable_tolerance(double gap_tolerance, const LoadTarget& target,
+                           double local_compliance, std::size_t nodes) {
+  const double rounding = (8.0 + 0.125 * static_cast<double>(nodes)) *
+                          std::numeric_limits<double>::epsilon();
+  const double depth = target.kind == LoadTarget::Kind::nominal_pressure
+                           ? local_compliance * target.amount
+                           : std::abs(target.amount);
+  return std::max(gap_tolerance, rounding * depth);
+}
+
+bool has_load(std::span<const double> pressure) {
+  return std::any_of(pressure.begin(), pressure.end(),
+                     [](double value) { return value > 0.0; });
+}
+
+} // namespace
+
+LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
+                           std::vector<double> heights,
+                           const Interface& interface, double gap_tolerance,
+                           int max_iterations)
+    : elasticity_(std::move(elasticity)),
+      heights_(std::move(heights)),
+      interface_(interface),
+      gap_tolerance_(gap_tolerance),
+      max_iterations_(max_iterations) {
+  require_positive("gap_tolerance", gap_tolerance_, "m");
+  if (interface_.law != Law::hard)
+    require_positive("penalty", interface_.penalty, "Pa/m");
+}
+
+double LoadSequence::local_compliance() const {
+  return interface_.law == Law::penalty ? 1.0 / interface_.penalty : 0.0;
+}
+
+ContactSolution LoadSequence::solve(const LoadTarget& target) {
+  if (target.kind != kind_)
+    history_.clear();
+  kind_ = target.kind;
+  const std::vector<double> start = start_for(target);
+  ContactProblem problem{heights_, local_compliance(),
+                         reachable_tolerance(gap_tolerance_, target,
+                                             local_compliance(),
+                                             heights_.size()),
+                         max_iterations_};
+  ContactSolution solution;
+  if (interface_.law == Law::augmented) {
+    problem.local_compliance = 1.0 / interface_.penalty;
+    solution = solve_augmented(*elasticity_, problem, target, start);
+  } else {
+    solution = solve_contact(*elasticity_, problem, target, start);
+  }
+  remember(target, solution);
+  return solution;
+}
+
+/// Kind of load, then amount and pressure of each step.
+std::vector<double> LoadSequence::memory() const {
+  std::vector<double> memory;
+  for (const Step& step : history_) {
+    if (memory.empty())
+      memory.push_back(static_cast<double>(kind_));
+    memory.push_back(step.amount);
+    memory.insert(memory.end(), step.pressure.begin(), step.pressure.end());
+  }
+  return memory;
+}
+
+void LoadSequence::recall(std::span<const double> memory) {
+  const std::size_t length = heights_.size() + 1;
+  if (!memory.empty() && memory.size() != 1 + length &&
+      memory.size() != 1 + 2 * length)
+    refuse_argument("memory.size()", static_cast<double>(memory.size()),
+                    "that of one or two steps");
+  std::vector<Step> history;
+  for (std::size_t at = 1; at < memory.size(); at += length) {
+    const std::span<const double> pressure =
+        memory.subspan(at + 1, heights_.size());
+    for (const double value : pressure)
+      require_not_negative("a pressure of memory", value, "Pa");
+    history.push_back({memory[at], {pressure.begin(), pressure.end()}});
+  }
+  history_ = std::move(history);
+  if (memory.empty())
+    return;
+  kind_ = memory[0] == static_cast<double>(LoadTarget::Kind::nominal_pressure)
+              ? LoadTarget::Kind::nominal_pressure
+              : LoadTarget::Kind::mean_gap;
+}
+
+std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
+  if (history_.size() == 2) {
+    const Step& before = history_[0];
+    const Step& last = history_[1];
+    const double reach =
+        (target.amount - last.amount) / (last.amount - before.amount);
+    if (std::abs(reach) <= longest_extrapolation) {
+      std::vector<double> start = last.pressure;
+      chunked(start.size(), elasticity_->threads(),
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                  start[i] = std::max(
+                      0.0, start[i] + reach * (start[i] - before.pressure[i]));
+              });
+      if (has_load(start))
+        return start;
+    }
+  }
+  const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
+                               max_iterations_};
+  std::vector<double> start = coarse_start(
+      *elasticity_, problem, target,
+      std::max(gap_tolerance_, coarse_accuracy * rms_height(heights_)));
+  if (start.empty() && !history_.empty())
+    start = history_.back().pressure;
+  return start;
+}
+
+void LoadSequence::remember(const LoadTarget& target,
+                            const ContactSolution& solution) {
+  if (!solution.converged || !has_load(solution.pressure)) {
+    history_.clear();
+    return;
+  }
+  if (!history_.empty() && history_.back().amount == target.amount)
+    history_.pop_back();
+  if (history_.size() == 2)
+    history_.erase(history_.begin());
+  history_.push_back({target.amount, solution.pressure});
+}
+
+} // namespace asperity::contact

@@ -1,0 +1,71 @@
+#include "contact/solvers/projected_state.hpp"
+#include "contact/solvers/solver.hpp"
+
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// Lets overlapping nodes enter the contact with -step * residual; true if
+/// there are any.
+bool admit_overlaps(const ProjectedState& state,
+                    std::vector<double>& direction) {
+  bool has_entered = false;
+  for (std::size_t i = 0; i < direction.size(); ++i)
+    if (state.pressure[i] == 0.0 && state.residual[i] < 0.0) {
+      direction[i] = state.residual[i];
+      has_entered = true;
+    }
+  return has_entered;
+}
+
+/// The residual on the nodes in contact only.
+void contact_residual(const ProjectedState& state, std::vector<double>& r) {
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] = state.pressure[i] > 0.0 ? state.residual[i] : 0.0;
+}
+
+} // namespace
+
+ContactSolution polonsky_keer(SurfaceOperator& elasticity,
+                              const ContactProblem& problem,
+                              const LoadTarget& target,
+                              std::span<const double> initial_pressure) {
+  ProjectedState state(elasticity, problem, target, initial_pressure);
+  const std::size_t nodes = state.pressure.size();
+  std::vector<double> r(nodes);
+  std::vector<double> direction(nodes, 0.0);
+  std::vector<double> compliance_direction(nodes);
+  double before = 0.0; // <r, r> of the last iteration; 0 restarts
+  for (;; ++state.iterations) {
+    state.update_residual();
+    if (state.is_at_end())
+      return std::move(state).solution();
+
+    contact_residual(state, r);
+    const double now = state.dot(r, r);
+    const double beta = before > 0.0 ? now / before : 0.0;
+    for (std::size_t i = 0; i < nodes; ++i)
+      direction[i] = state.pressure[i] > 0.0 ? r[i] + beta * direction[i] : 0.0;
+    elasticity.displacement(direction, compliance_direction);
+    ++state.transforms;
+    const double curvature =
+        state.dot(direction, compliance_direction) +
+        problem.local_compliance * state.dot(direction, direction);
+    const double slope = state.dot(r, direction);
+    // A lone node in balance has no direction of its own; overlaps then enter
+    // with the step that a wave of the grid's own scale would take.
+    const double step = curvature > 0.0
+                            ? slope / curvature
+                            : 1.0 / (elasticity.short_wave_compliance() +
+                                     problem.local_compliance);
+    const bool has_entered = admit_overlaps(state, direction);
+    if (has_entered) // its compliance is not known for the new nodes
+      state.advance(step, direction, {});
+    else
+      state.advance(step, direction, compliance_direction);
+    before = has_entered ? 0.0 : now;
+  }
+}
+
+} // namespace asperity::contact

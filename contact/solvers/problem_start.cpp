@@ -1,0 +1,129 @@
+#include "contact/solvers/problem_start.hpp"
+
+#include "base/require.hpp"
+#include "contact/operators/chunked_sum.hpp"
+#include "contact/operators/node_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace asperity::contact {
+namespace {
+
+void require_size(const char* name, std::size_t size, std::size_t expected) {
+  if (size != expected)
+    refuse_argument(name, static_cast<double>(size),
+                    "the number of grid nodes, " + std::to_string(expected));
+}
+
+void require_problem(const ContactProblem& problem, const LoadTarget& target,
+                     std::size_t nodes) {
+  require_size("heights.size()", problem.heights.size(), nodes);
+  require_not_negative("local_compliance", problem.local_compliance, "m/Pa");
+  require_positive("gap_tolerance", problem.gap_tolerance, "m");
+  for (const double height : problem.heights)
+    if (!std::isfinite(height))
+      refuse_argument("heights", height, "finite [m]");
+  if (target.kind == LoadTarget::Kind::nominal_pressure)
+    require_positive("nominal_pressure", target.amount, "Pa");
+  else if (problem.local_compliance == 0.0)
+    require_positive("mean_gap of a hard wall", target.amount, "m");
+  else if (!std::isfinite(target.amount))
+    refuse_argument("mean_gap", target.amount, "finite [m]");
+}
+
+double weighted_sum(std::span<const double> weights,
+                    std::span<const double> pressure, int threads) {
+  const double* const p = pressure.data();
+  return with_weights(weights, [&](const auto weight) {
+    return chunked_sum<Sum>(pressure.size(), threads,
+                            [=](std::size_t begin, std::size_t end) {
+                              double total = 0.0;
+                              for (std::size_t i = begin; i < end; ++i)
+                                total += weight[i] * p[i];
+                              return Sum{total};
+                            })
+        .value;
+  });
+}
+
+/// Without a pressure no node overlaps at the mean gap that is asked: that is
+/// the answer. A flat face has no other start, since a uniform pressure moves
+/// nothing there that could tell how large it is.
+bool is_apart(std::span<const double> heights, std::span<const double> weights,
+              const LoadTarget& target) {
+  if (target.kind != LoadTarget::Kind::mean_gap)
+    return false;
+  const double highest = *std::max_element(heights.begin(), heights.end());
+  const double mean =
+      weighted_sum(weights, heights, 1) / static_cast<double>(heights.size());
+  return target.amount >= highest - mean;
+}
+
+} // namespace
+
+std::vector<double>
+starting_pressure(const SurfaceOperator& elasticity,
+                  const ContactProblem& problem, const LoadTarget& target,
+                  std::span<const double> initial_pressure) {
+  const std::size_t nodes = elasticity.grid().size();
+  require_problem(problem, target, nodes);
+  if (is_apart(problem.heights, elasticity.nodal_weights(), target))
+    return std::vector<double>(nodes, 0.0);
+  std::vector<double> pressure;
+  if (initial_pressure.empty()) {
+    // Under gap control any positive scale will do: the first step corrects.
+    const double start =
+        target.kind == LoadTarget::Kind::nominal_pressure
+            ? target.amount
+            : problem.gap_tolerance / (elasticity.short_wave_compliance() +
+                                       problem.local_compliance);
+    pressure.assign(nodes, start);
+  } else {
+    require_size("initial_pressure.size()", initial_pressure.size(), nodes);
+    const auto bad = std::find_if_not(
+        initial_pressure.begin(), initial_pressure.end(),
+        [](double start) { return start >= 0.0 && std::isfinite(start); });
+    if (bad != initial_pressure.end())
+      require_not_negative("initial_pressure", *bad, "Pa");
+    pressure.assign(initial_pressure.begin(), initial_pressure.end());
+  }
+  const std::span<const double> weights = elasticity.nodal_weights();
+  if (target.kind == LoadTarget::Kind::nominal_pressure)
+    require_positive("sum of initial_pressure",
+                     weighted_sum(weights, pressure, elasticity.threads()),
+                     "Pa");
+  scale_to_target(target, weights, pressure, elasticity.threads());
+  return pressure;
+}
+
+double load_scale(const LoadTarget& target, std::size_t nodes,
+                  double pressure_sum) {
+  const double scale =
+      target.amount * static_cast<double>(nodes) / pressure_sum;
+  return std::isnormal(scale) ? scale
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+void scale_to_target(const LoadTarget& target, std::span<const double> weights,
+                     std::span<double> pressure, int threads) {
+  if (target.kind != LoadTarget::Kind::nominal_pressure)
+    return;
+  const double scale = load_scale(target, pressure.size(),
+                                  weighted_sum(weights, pressure, threads));
+  double* const p = pressure.data();
+  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      p[i] *= scale;
+  });
+}
+
+std::string not_converged_note(double gap_error, int iterations) {
+  return (std::isfinite(gap_error) ? "not converged in "
+                                   : "the residual is not finite after ") +
+         std::to_string(iterations) + " iterations";
+}
+
+} // namespace asperity::contact

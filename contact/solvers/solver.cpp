@@ -1,0 +1,243 @@
+#include "contact/solvers/solver.hpp"
+
+#include "contact/operators/chunked_sum.hpp"
+#include "contact/operators/node_weights.hpp"
+#include "contact/solvers/active_set.hpp"
+#include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/rim_extension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// The residual must halve within so many iterations, or an active set
+/// takes over. Only plates with a free back thinner than length/20, whose
+/// compliance falls like q^-4, have been seen to need more than 60.
+constexpr int patience = 150;
+
+/// How much of a residual the next ring of nodes takes over, see RimExtension.
+constexpr double rim_reach = 0.65;
+
+/// The rings are found anew when so many nodes have been freed or fixed since,
+/// relative to those at the rim.
+constexpr double rim_change = 0.05;
+
+/// Says when an error has stopped falling.
+class StallWatch {
+public:
+  bool is_stalled(double error, int iteration) {
+    if (error <= 0.5 * best_ || iteration == 0) {
+      best_ = error;
+      since_ = iteration;
+    }
+    return iteration - since_ > patience;
+  }
+
+private:
+  double best_ = 0.0;
+  int since_ = 0;
+};
+
+/// The search directions of preconditioned conjugate gradients.
+class Directions {
+public:
+  explicit Directions(const ContactState& state)
+      : rim_(state.elasticity.grid(), state.threads),
+        preconditioned_(state.pressure.size()),
+        direction_(state.pressure.size()),
+        compliance_direction_(state.pressure.size()) {}
+
+  /// One iteration. False if there is no way down from here.
+  bool step(ContactState& state) {
+    precondition(state);
+    if (!state.by_pressure())
+      correct_load(state);
+    const double slope = conjugate(state);
+    if (!(slope > 0.0 && std::isfinite(slope)))
+      return false;
+
+    state.elasticity.displacement_change(direction_, compliance_direction_);
+    ++state.transforms;
+    const double curvature = energy(state);
+    if (!(curvature > 0.0 && std::isfinite(curvature)))
+      return false;
+
+    state.advance(static_cast<float>(slope / curvature), direction_,
+                  compliance_direction_);
+    return true;
+  }
+
+private:
+  /// z = E^T (C + c)^-1 E r on the free nodes.
+  void precondition(ContactState& state) {
+    const double c = state.problem.local_compliance;
+    if (!rim_.is_built() || state.freed - freed_at_build_ >
+                                rim_change * static_cast<double>(rim_.size())) {
+      rim_.build(state.freedom);
+      freed_at_build_ = state.freed;
+    }
+    // A soft penalty is local: it couples no node to its neighbours.
+    const double short_wave = state.elasticity.short_wave_compliance();
+    const double reach = rim_reach * short_wave / (short_wave + c);
+    rim_.extend(reach, state.freedom, state.residual);
+    state.elasticity.pressure_estimate(state.residual, c, preconditioned_);
+    rim_.clear(state.freedom, state.residual);
+    rim_.fold(reach, state.freedom, preconditioned_);
+    ++state.transforms;
+  }
+
+  /// Under gap control the load itself is unknown, and near full contact a
+  /// uniform pressure costs next to nothing. There the mean of z is replaced
+  /// by the exact minimum along it, <1, r> / <1, (C + c) 1> over the free
+  /// nodes. With few of them free it only costs a transform.
+  void correct_load(ContactState& state) {
+    const std::size_t nodes = preconditioned_.size();
+    const double n_free = state.free_weight;
+    if (n_free < 0.5 * static_cast<double>(nodes))
+      return;
+    std::vector<float>& softened = compliance_direction_;
+    std::vector<float> uniform(nodes);
+    for (std::size_t i = 0; i < nodes; ++i)
+      uniform[i] = state.freedom[i] > fixed ? 1.0F : 0.0F;
+    state.elasticity.displacement_change(uniform, softened);
+    ++state.transforms;
+    const double c = state.problem.local_compliance;
+    const auto sum = [&](const std::vector<float>& field) {
+      return with_weights(state.elasticity.nodal_weights(), [&](auto weight) {
+        double total = 0.0;
+        for (std::size_t i = 0; i < nodes; ++i)
+          total += weight[i] * static_cast<double>(uniform[i]) *
+                   static_cast<double>(field[i]);
+        return total;
+      });
+    };
+    const double softness = sum(softened) + c * n_free;
+    // In full contact against a hard wall there is no curvature at all.
+    if (softness <= 1e-6 * n_free * state.elasticity.short_wave_compliance())
+      return;
+    const double shift =
+        sum(state.residual) / softness - sum(preconditioned_) / n_free;
+    for (std::size_t i = 0; i < nodes; ++i)
+      preconditioned_[i] += static_cast<float>(shift) * uniform[i];
+  }
+
+  /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns
+  /// the slope r . direction.
+  double conjugate(const ContactState& state) {
+    const float mean = state.free_mean(preconditioned_);
+    const ContactState::Slopes slopes = state.slopes(preconditioned_, mean);
+    const float beta =
+        before_ > 0.0
+            ? static_cast<float>(std::max(0.0, slopes.change / before_))
+            : 0.0F;
+    before_ = slopes.now;
+    float* const d = direction_.data();
+    const float* const z = preconditioned_.data();
+    const std::uint8_t* const free = state.freedom.data();
+    const float* const r = state.residual.data();
+    const auto slope =
+        with_weights(state.elasticity.nodal_weights(), [&](const auto weight) {
+          return chunked_sum<Sum>(
+              direction_.size(), state.threads,
+              [=](std::size_t begin, std::size_t end) {
+                double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+                for (std::size_t i = begin; i < end; ++i) {
+                  const float own = allowed(z[i] - mean, free[i]);
+                  d[i] = allowed(own + beta * d[i], free[i]);
+                  sum += weight[i] * static_cast<double>(d[i]) *
+                         static_cast<double>(r[i]);
+                }
+                return Sum{sum};
+              });
+        });
+    if (slope.value > 0.0)
+      return slope.value;
+    for (std::size_t i = 0; i < direction_.size(); ++i) // start afresh
+      direction_[i] = allowed(z[i] - mean, free[i]);
+    return slopes.now;
+  }
+
+  /// d . (C + c) d
+  double energy(const ContactState& state) const {
+    const double c = state.problem.local_compliance;
+    const float* const d = direction_.data();
+    const float* const cd = compliance_direction_.data();
+    return with_weights(
+        state.elasticity.nodal_weights(), [&](const auto weight) {
+          return chunked_sum<Sum>(
+                     direction_.size(), state.threads,
+                     [=](std::size_t begin, std::size_t end) {
+                       double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+                       for (std::size_t i = begin; i < end; ++i) {
+                         const double own = static_cast<double>(d[i]);
+                         sum += weight[i] * own *
+                                (static_cast<double>(cd[i]) + c * own);
+                       }
+                       return Sum{sum};
+                     })
+              .value;
+        });
+  }
+
+  RimExtension rim_;
+  double freed_at_build_ = 0.0;
+  std::vector<float> preconditioned_;
+  std::vector<float> direction_;
+  std::vector<float> compliance_direction_;
+  double before_ = 0.0;
+};
+
+ContactSolution hand_over(ContactState&& state) {
+  const std::string stalled =
+      "stalled after " + std::to_string(state.iterations) + " iterations; ";
+  ContactSolution answer =
+      active_set(state.elasticity, state.problem, state.target, state.pressure);
+  std::string note = stalled + "finished by an active set";
+  if (!answer.note.empty())
+    note += ": " + answer.note;
+  int iterations = state.iterations + answer.iterations;
+  int transforms = state.transforms + answer.transforms;
+  if (!answer.converged) {
+    ContactProblem rest = state.problem;
+    rest.max_iterations = std::max(1, rest.max_iterations - iterations);
+    answer = polonsky_keer(state.elasticity, rest, state.target,
+                           std::isfinite(answer.gap_error) ? answer.pressure
+                                                           : state.pressure);
+    iterations += answer.iterations;
+    transforms += answer.transforms;
+    note += "; then by the plain method";
+    if (!answer.note.empty())
+      note += ": " + answer.note;
+  }
+  answer.iterations = iterations;
+  answer.transforms = transforms;
+  answer.note = std::move(note);
+  return answer;
+}
+
+} // namespace
+
+ContactSolution solve_contact(SurfaceOperator& elasticity,
+                              const ContactProblem& problem,
+                              const LoadTarget& target,
+                              std::span<const double> initial_pressure) {
+  ContactState state(elasticity, problem, target, initial_pressure);
+  Directions directions(state);
+  StallWatch watch;
+  for (;; ++state.iterations) {
+    state.update_residual();
+    if (state.is_at_end())
+      return std::move(state).solution();
+    if (watch.is_stalled(state.gap_error, state.iterations) ||
+        !directions.step(state))
+      return hand_over(std::move(state));
+  }
+}
+
+} // namespace asperity::contact

@@ -1,0 +1,231 @@
+#include "fem/block/block_output.hpp"
+
+#include "base/atomic_file.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/numerics/data_out.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+namespace mpi = dealii::Utilities::MPI;
+using Interpretation =
+    dealii::DataComponentInterpretation::DataComponentInterpretation;
+
+/// The six raw entries of a symmetric stress, in deal.II's order, as what a
+/// reader looks at.
+class StressFields final : public dealii::DataPostprocessor<3> {
+public:
+  std::vector<std::string> get_names() const override {
+    std::vector<std::string> names(9, "stress");
+    names.insert(names.begin(), {"von_mises", "vertical_pressure"});
+    return names;
+  }
+
+  std::vector<Interpretation>
+  get_data_component_interpretation() const override {
+    std::vector<Interpretation> kinds(
+        11, dealii::DataComponentInterpretation::component_is_part_of_tensor);
+    kinds[0] = kinds[1] =
+        dealii::DataComponentInterpretation::component_is_scalar;
+    return kinds;
+  }
+
+  dealii::UpdateFlags get_needed_update_flags() const override {
+    return dealii::update_values;
+  }
+
+  void evaluate_vector_field(
+      const dealii::DataPostprocessorInputs::Vector<3>& input,
+      std::vector<dealii::Vector<double>>& fields) const override {
+    for (std::size_t point = 0; point < fields.size(); ++point) {
+      StressTensor stress;
+      for (unsigned int c = 0; c < 6; ++c)
+        stress.access_raw_entry(c) = input.solution_values[point](c);
+      fields[point](0) = von_mises(stress);
+      fields[point](1) = -stress[2][2];
+      for (unsigned int i = 0; i < 9; ++i)
+        fields[point](2 + i) = stress[i / 3][i % 3];
+    }
+  }
+};
+
+/// Nodal stresses, which may jump between cells, as deal.II's unknowns.
+class StressSpace {
+public:
+  explicit StressSpace(const BlockSpace& space)
+      : element_(space.triangulation().all_reference_cells_are_hyper_cube()
+                     ? dealii::FESystem<3>(dealii::FE_DGQ<3>(1), 6)
+                     : dealii::FESystem<3>(dealii::FE_SimplexDGP<3>(1), 6)),
+        dof_handler_(space.triangulation()) {
+    dof_handler_.distribute_dofs(element_);
+    values_.reinit(dof_handler_.locally_owned_dofs(), MPI_COMM_WORLD);
+  }
+
+  void take(BlockStress& stress) {
+    dealii::Vector<double> in_cell(element_.n_dofs_per_cell());
+    stress.at_vertices([&](const BlockStress::Cell& cell,
+                           std::span<const StressTensor> at_vertex) {
+      for (unsigned int i = 0; i < in_cell.size(); ++i) {
+        const auto [component, vertex] = element_.system_to_component_index(i);
+        in_cell(i) = at_vertex[vertex].access_raw_entry(component);
+      }
+      const dealii::DoFHandler<3>::active_cell_iterator here(
+          &dof_handler_.get_triangulation(), cell->level(), cell->index(),
+          &dof_handler_);
+      here->set_dof_values(in_cell, values_);
+    });
+  }
+
+  const dealii::DoFHandler<3>& dof_handler() const { return dof_handler_; }
+
+  const dealii::LinearAlgebra::distributed::Vector<double>& values() const {
+    return values_;
+  }
+
+private:
+  dealii::FESystem<3> element_;
+  dealii::DoFHandler<3> dof_handler_;
+  dealii::LinearAlgebra::distributed::Vector<double> values_;
+};
+
+/// Values of all this rank's cells, by active cell index.
+struct CellFields {
+  explicit CellFields(const BlockSystem& system)
+      : youngs_modulus(system.space().triangulation().n_active_cells()),
+        subdomain(youngs_modulus.size()) {
+    for (const auto& cell :
+         system.space().triangulation().active_cell_iterators()) {
+      if (cell->is_artificial())
+        continue;
+      const Moduli material = system.moduli_of(cell);
+      const double mu = material.shear_modulus;
+      const double lambda = material.lame_modulus;
+      youngs_modulus(cell->active_cell_index()) =
+          mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
+      subdomain(cell->active_cell_index()) = cell->subdomain_id();
+    }
+  }
+
+  dealii::Vector<double> youngs_modulus; ///< [Pa]
+  dealii::Vector<double> subdomain;
+};
+
+/// Runs what may fail on one rank alone, so that no rank waits for ever.
+/// @throws std::runtime_error  on every rank, the first one's complaint
+void all_or_none(const std::function<void()>& action) {
+  std::string complaint;
+  try {
+    action();
+  } catch (const std::exception& error) {
+    complaint = error.what();
+  }
+  for (const std::string& one : mpi::all_gather(MPI_COMM_WORLD, complaint))
+    if (!one.empty())
+      throw std::runtime_error(one);
+}
+
+std::string text_of(const std::function<void(std::ostream&)>& print) {
+  std::ostringstream text;
+  print(text);
+  return text.str();
+}
+
+/// This rank's part, the list of parts and the list of steps, in this order:
+/// no list ever names a file that is not there.
+void write_files(const std::filesystem::path& path,
+                 const dealii::DataOut<3>& data,
+                 const std::vector<double>& pressures) {
+  const std::filesystem::path folder = path.parent_path();
+  const std::string stem = path.filename().string();
+  const bool is_first = mpi::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const auto step_name = [&](std::size_t step) {
+    return fmt::format("{}_{:04}", stem, step);
+  };
+  const auto part_name = [&](unsigned int rank) {
+    return fmt::format("{}.{:04}.vtu", step_name(pressures.size() - 1), rank);
+  };
+
+  all_or_none([&] {
+    if (!folder.empty())
+      std::filesystem::create_directories(folder);
+    write_file_atomically(
+        folder / part_name(mpi::this_mpi_process(MPI_COMM_WORLD)),
+        text_of([&](std::ostream& to) { data.write_vtu(to); }));
+  });
+  all_or_none([&] {
+    if (!is_first)
+      return;
+    std::vector<std::string> parts;
+    for (unsigned int r = 0; r < mpi::n_mpi_processes(MPI_COMM_WORLD); ++r)
+      parts.push_back(part_name(r));
+    write_file_atomically(
+        folder / (step_name(pressures.size() - 1) + ".pvtu"),
+        text_of([&](std::ostream& to) { data.write_pvtu_record(to, parts); }));
+    const std::vector<double> times = times_of(pressures);
+    std::vector<std::pair<double, std::string>> steps;
+    for (std::size_t step = 0; step < times.size(); ++step)
+      steps.emplace_back(times[step], step_name(step) + ".pvtu");
+    write_file_atomically(folder / (stem + ".pvd"),
+                          text_of([&](std::ostream& to) {
+                            dealii::DataOutBase::write_pvd_record(to, steps);
+                          }));
+  });
+}
+
+} // namespace
+
+std::vector<double> times_of(const std::vector<double>& nominal_pressures) {
+  const bool grows =
+      std::adjacent_find(nominal_pressures.begin(), nominal_pressures.end(),
+                         std::greater_equal<>()) == nominal_pressures.end();
+  if (grows)
+    return nominal_pressures;
+  std::vector<double> numbers(nominal_pressures.size());
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return numbers;
+}
+
+void BlockOutput::write(const std::string& folder_and_stem,
+                        const BlockSystem& system, BlockStress& stress,
+                        double nominal_pressure) {
+  std::vector<double> pressures = steps_[folder_and_stem];
+  pressures.push_back(nominal_pressure);
+  const StressFields fields;
+  StressSpace nodal(system.space());
+  nodal.take(stress);
+  const CellFields cells(system);
+
+  dealii::DataOut<3> data;
+  data.attach_triangulation(system.space().triangulation());
+  data.add_data_vector(
+      system.space().dof_handler(), stress.displacement(),
+      std::vector<std::string>(3, "displacement"),
+      std::vector<Interpretation>(
+          3, dealii::DataComponentInterpretation::component_is_part_of_vector));
+  data.add_data_vector(nodal.dof_handler(), nodal.values(), fields);
+  data.add_data_vector(cells.youngs_modulus, "youngs_modulus");
+  data.add_data_vector(cells.subdomain, "subdomain");
+  data.build_patches(system.space().mapping(), system.space().element().degree,
+                     dealii::DataOut<3>::no_curved_cells);
+  dealii::DataOutBase::VtkFlags flags(
+      nominal_pressure, static_cast<unsigned int>(pressures.size()) - 1, false,
+      dealii::DataOutBase::VtkFlags::best_speed);
+  data.set_flags(flags);
+
+  write_files(folder_and_stem, data, pressures);
+  steps_[folder_and_stem] = std::move(pressures);
+}
+
+} // namespace asperity::fem

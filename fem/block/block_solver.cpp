@@ -1,0 +1,282 @@
+#include "fem/block/block_solver.hpp"
+
+#include "fem/block/block_assembly.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+
+using dealii::TrilinosWrappers::PreconditionAMG;
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+namespace {
+
+/// What setting up multigrid costs, in iterations of CG.
+constexpr double setup_steps = 20.0;
+
+/// MUMPS under Amesos waits for ever at its second matrix on two ranks.
+bool is_alone() {
+  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
+
+/// Clears rows and columns of the flagged unknowns but for the diagonal.
+void clear_rows_and_columns(Matrix& matrix, const Vector& flags) {
+  const Epetra_CrsMatrix& crs = matrix.trilinos_matrix();
+  const Epetra_MultiVector& by_row = flags.trilinos_vector();
+  Epetra_Vector by_column(crs.ColMap());
+  if (crs.Importer() != nullptr)
+    by_column.Import(*by_row(0), *crs.Importer(), Insert);
+  else
+    by_column.Update(1.0, *by_row(0), 0.0);
+  for (int row = 0; row < crs.NumMyRows(); ++row) {
+    const bool is_held = by_row[0][row] != 0.0;
+    const int own_column = crs.LCID(crs.GRID(row));
+    int n_entries = 0;
+    double* values = nullptr;
+    int* columns = nullptr;
+    crs.ExtractMyRowView(row, n_entries, values, columns);
+    for (int i = 0; i < n_entries; ++i)
+      if (columns[i] != own_column && (is_held || by_column[columns[i]] != 0.0))
+        values[i] = 0.0;
+  }
+}
+
+} // namespace
+
+PreconditionAMG::AdditionalData multigrid_settings(const BlockSpace& space,
+                                                   bool is_second_order) {
+  PreconditionAMG::AdditionalData settings;
+  settings.elliptic = true;
+  settings.higher_order_elements = is_second_order;
+  settings.smoother_sweeps = 2;
+  settings.aggregation_threshold = 1e-4; // 0.02 of step-42 needs more steps
+  dealii::DoFTools::extract_constant_modes(space.dof_handler(),
+                                           dealii::ComponentMask(3, true),
+                                           settings.constant_modes);
+  return settings;
+}
+
+struct BlockSolver::Factors {
+  dealii::SolverControl control;
+  std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> direct;
+  PreconditionAMG multigrid;
+  PreconditionAMG::AdditionalData settings;
+};
+
+/// A preconditioner between two projections on the unknowns that are not held.
+class BlockSolver::Masked {
+public:
+  explicit Masked(const BlockSolver& solver) : solver_(solver) {}
+
+  void vmult(Vector& to, const Vector& from) const {
+    if (solver_.own_)
+      solver_.own_->vmult(to, from);
+    else
+      solver_.factors_->multigrid.vmult(to, from);
+    solver_.clear_held(to);
+  }
+
+private:
+  const BlockSolver& solver_;
+};
+
+/// K + B^T diag(s) B on vectors that are zero at held unknowns.
+class BlockSolver::Operator {
+public:
+  explicit Operator(const BlockSolver& solver) : solver_(solver) {}
+
+  void vmult(Vector& to, const Vector& from) const {
+    solver_.system_.stiffness().vmult(to, from);
+    if (solver_.has_springs_) {
+      const ContactPoints& points = solver_.system_.contact();
+      points.take_displacement(from, forces_);
+      for (std::size_t i = 0; i < forces_.size(); ++i)
+        forces_[i] *= solver_.springs_[i];
+      points.add_force(forces_, to);
+    }
+    solver_.clear_held(to);
+  }
+
+private:
+  const BlockSolver& solver_;
+  mutable std::vector<double> forces_; ///< [N] on the points
+};
+
+BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
+                         std::unique_ptr<BlockPreconditioner> own)
+    : system_(system),
+      is_direct_(kind == LinearSolver::direct ||
+                 (kind == LinearSolver::automatic &&
+                  system.n_unknowns() <= most_direct_unknowns)),
+      own_(std::move(own)),
+      factors_(std::make_unique<Factors>()) {
+  if (is_direct_ || own_)
+    return;
+  const bool is_low_order = has_low_order(system.space());
+  if (is_low_order)
+    assemble_low_order(system, low_order_);
+  factors_->settings = multigrid_settings(
+      system.space(), system.space().element().degree > 1 && !is_low_order);
+}
+
+BlockSolver::~BlockSolver() = default;
+
+std::string BlockSolver::name() const {
+  if (is_direct_)
+    return is_alone() ? "direct (MUMPS)" : "direct (KLU)";
+  return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
+}
+
+std::string BlockSolver::failure() const {
+  const std::string own = own_ ? own_->failure() : "";
+  return "the linear solver gave up" + (own.empty() ? "" : ": " + own);
+}
+
+double BlockSolver::memory() const {
+  std::size_t bytes = system_.stiffness().memory_consumption();
+  if (own_) {
+    bytes += own_->bytes();
+  } else {
+    bytes += low_order_.memory_consumption() + matrix_.memory_consumption();
+    if (!is_direct_ && !is_stale_)
+      bytes += factors_->multigrid.memory_consumption();
+  }
+  return dealii::Utilities::MPI::sum(static_cast<double>(bytes),
+                                     MPI_COMM_WORLD);
+}
+
+bool BlockSolver::is_same_contact(std::span<const double> springs,
+                                  const std::vector<bool>& held) const {
+  const bool is_same =
+      is_set_ && std::ranges::equal(springs, springs_) && held == holds_;
+  return dealii::Utilities::MPI::min(is_same ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
+
+void BlockSolver::clear_held(Vector& vector) const {
+  for (const auto unknown : held_)
+    vector(unknown) = 0.0;
+  vector.compress(dealii::VectorOperation::insert);
+}
+
+/// matrix_ = stiffness, with what the contact adds and clears.
+void BlockSolver::write_matrix(const Matrix& stiffness) {
+  matrix_.copy_from(stiffness);
+  system_.contact().add_springs(springs_, matrix_);
+  Vector flags = system_.space().make_vector();
+  for (const auto unknown : held_)
+    flags(unknown) = 1.0;
+  flags.compress(dealii::VectorOperation::insert);
+  if (flags.linfty_norm() > 0.0)
+    clear_rows_and_columns(matrix_, flags);
+}
+
+void BlockSolver::set_contact(std::span<const double> springs,
+                              const std::vector<bool>& held) {
+  if (is_same_contact(springs, held))
+    return;
+  is_set_ = true;
+  is_new_ = false;
+  springs_.assign(springs.begin(), springs.end());
+  holds_ = held;
+  held_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i])
+      held_.push_back(system_.contact()[i].row.front().first);
+  const bool has_any =
+      std::ranges::any_of(springs, [](double s) { return s != 0.0; });
+  has_springs_ =
+      dealii::Utilities::MPI::max(has_any ? 1 : 0, MPI_COMM_WORLD) == 1;
+  if (is_direct_) {
+    write_matrix(system_.stiffness());
+    factors_->direct = std::make_unique<dealii::TrilinosWrappers::SolverDirect>(
+        factors_->control,
+        dealii::TrilinosWrappers::SolverDirect::AdditionalData(
+            false, is_alone() ? "Amesos_Mumps" : "Amesos_Klu"));
+    factors_->direct->initialize(matrix_);
+    ++setups_;
+  } else if (own_) {
+    own_->prepare(springs, held);
+    ++setups_;
+  }
+}
+
+void BlockSolver::refresh_multigrid() {
+  if (!is_stale_)
+    return;
+  factors_->multigrid.clear();
+  write_matrix(has_low_order(system_.space()) ? low_order_
+                                              : system_.stiffness());
+  factors_->multigrid.initialize(matrix_, factors_->settings);
+  is_stale_ = false;
+  is_new_ = true;
+  steps_a_decade_ = 0.0;
+  lost_steps_ = 0.0;
+  ++setups_;
+}
+
+/// Whether the hierarchy still serves: what the contacts since cost beyond its
+/// own, until that would have paid for a new one. Short solves say little.
+void BlockSolver::judge(int steps, double decades) {
+  constexpr int fewest_steps = 5;
+  if (own_ || steps < fewest_steps || !(decades > 1.0))
+    return;
+  if (is_new_) {
+    steps_a_decade_ = std::max(steps_a_decade_, steps / decades);
+  } else {
+    lost_steps_ += std::max(0.0, steps - steps_a_decade_ * decades);
+    is_stale_ = lost_steps_ > setup_steps;
+  }
+}
+
+bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
+                        double tolerance) {
+  if (forces.l2_norm() == 0.0) {
+    unknowns = 0.0;
+    return true;
+  }
+  if (is_direct_) {
+    factors_->direct->solve(unknowns, forces);
+    return true;
+  }
+  constexpr unsigned int most_steps = 1000;
+  // A hierarchy of another contact may not serve this one at all.
+  constexpr unsigned int most_with_old = 100;
+  if (own_)
+    return iterate(unknowns, forces, tolerance, most_steps);
+  refresh_multigrid();
+  if (!is_new_) {
+    if (iterate(unknowns, forces, tolerance, most_with_old))
+      return true;
+    is_stale_ = true;
+    refresh_multigrid();
+  }
+  return iterate(unknowns, forces, tolerance, most_steps);
+}
+
+bool BlockSolver::iterate(Vector& unknowns, const Vector& forces,
+                          double tolerance, unsigned int most_steps) {
+  dealii::SolverControl control(most_steps, tolerance, false, false);
+  dealii::SolverCG<Vector> conjugate_gradients(control);
+  bool has_converged = true;
+  try {
+    conjugate_gradients.solve(Operator(*this), unknowns, forces, Masked(*this));
+  } catch (const dealii::SolverControl::NoConvergence&) {
+    has_converged = false;
+  }
+  const int steps = static_cast<int>(control.last_step());
+  iterations_ += steps;
+  judge(steps, std::log10(control.initial_value() / control.last_value()));
+  return has_converged;
+}
+
+} // namespace asperity::fem

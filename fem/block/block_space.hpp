@@ -1,0 +1,104 @@
+#pragma once
+
+// The unknowns of a whole block: mesh, shape functions, their numbering over
+// the ranks and what constrains them. Knows nothing of stiffness or contact.
+// Include from .cpp files of fem/ only.
+
+#include "fem/block/block_problem.hpp"
+
+#include <deal.II/distributed/tria_base.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace asperity::fem {
+
+/// One place of the boundary where displacements are unknowns.
+struct FaceNode {
+  dealii::Point<3> place;                                    ///< [m]
+  std::array<dealii::types::global_dof_index, 3> unknowns{}; ///< u_x, u_y, u_z
+  bool is_counter = false; ///< of the second body
+};
+
+/// Displacements (u_x, u_y, u_z), FE_Q or FE_SimplexP of the problem's degree.
+///
+/// Constrained are: hanging nodes; on the far faces what `top` holds; and with
+/// periodic sides every node at x = length_x or y = length_y, by its root, the
+/// node a period back in x and y. A sliding top is pinned laterally, a pressed
+/// top in all directions, at one node of the far face; a sliding block with
+/// free sides at a second one against turning. Under the loads of frictionless
+/// contact the pins carry nothing. Vectors hold zeros at constrained unknowns.
+class BlockSpace {
+public:
+  /// @throws std::domain_error  as make_full_block
+  explicit BlockSpace(const BlockProblem& problem);
+
+  const dealii::parallel::TriangulationBase<3>& triangulation() const {
+    return *triangulation_;
+  }
+
+  const dealii::DoFHandler<3>& dof_handler() const { return dof_handler_; }
+
+  const dealii::FESystem<3>& element() const { return *element_; }
+
+  const dealii::Mapping<3>& mapping() const { return *mapping_; }
+
+  const dealii::AffineConstraints<double>& constraints() const {
+    return constraints_;
+  }
+
+  /// Unknowns of this rank, and those of all cells it owns or borders on.
+  const dealii::IndexSet& owned() const { return owned_; }
+
+  const dealii::IndexSet& relevant() const { return relevant_; }
+
+  const dealii::Quadrature<3>& cell_quadrature() const { return in_cell_; }
+
+  const dealii::Quadrature<2>& face_quadrature() const { return on_face_; }
+
+  /// Zeros over the owned unknowns.
+  dealii::TrilinosWrappers::MPI::Vector make_vector() const;
+
+  /// Nodes on the faces of a group that this rank owns or borders on, once
+  /// each, in the order of u_z.
+  std::vector<FaceNode> face_nodes(meshes::FaceGroup group) const;
+
+  /// What a row of shape values means for the unconstrained unknowns: sorted,
+  /// each once.
+  std::vector<std::pair<dealii::types::global_dof_index, double>> resolved(
+      const std::vector<std::pair<dealii::types::global_dof_index, double>>&
+          row) const;
+
+  /// Below this two coordinates are one [m].
+  double coordinate_tolerance() const { return tolerance_; }
+
+private:
+  void choose_element(int degree);
+  void constrain(const BlockProblem& problem);
+  void hold_far_face(const BlockProblem& problem);
+  void pin(const BlockProblem& problem, const std::vector<FaceNode>& nodes,
+           bool is_counter);
+  void identify_sides();
+  double position_of(meshes::FaceGroup group) const;
+
+  std::array<double, 3> lengths_; ///< of one body [m]
+  double tolerance_;
+  std::unique_ptr<dealii::parallel::TriangulationBase<3>> triangulation_;
+  std::unique_ptr<dealii::FESystem<3>> element_;
+  std::unique_ptr<dealii::Mapping<3>> mapping_;
+  dealii::Quadrature<3> in_cell_;
+  dealii::Quadrature<2> on_face_;
+  dealii::DoFHandler<3> dof_handler_;
+  dealii::IndexSet owned_;
+  dealii::IndexSet relevant_;
+  dealii::AffineConstraints<double> constraints_;
+};
+
+} // namespace asperity::fem

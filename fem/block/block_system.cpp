@@ -1,0 +1,107 @@
+#include "fem/block/block_system.hpp"
+
+#include "fem/block/block_assembly.hpp"
+#include "fem/block/block_triangulation.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_values.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace asperity::fem {
+namespace {
+
+using dealii::types::global_dof_index;
+using meshes::FaceGroup;
+
+} // namespace
+
+BlockSystem::BlockSystem(const BlockProblem& problem)
+    : grid_(problem.grid),
+      field_(problem.moduli),
+      top_(problem.top),
+      quality_(problem.quality),
+      space_(problem),
+      contact_(space_, problem) {
+  if (problem.counter)
+    counter_ = moduli(*problem.counter);
+  CellMatrices matrices(space_);
+  assemble(*this, matrices, {}, stiffness_);
+  integrate_top_load();
+  find_face_modulus();
+}
+
+Moduli BlockSystem::moduli_of(
+    const dealii::Triangulation<3>::cell_iterator& cell) const {
+  const dealii::Point<3> centre = cell->center();
+  if (counter_ && centre[2] < 0.0)
+    return *counter_;
+  return field_.at({centre[0], centre[1], centre[2]});
+}
+
+void BlockSystem::integrate_top_load() {
+  top_load_ = space_.make_vector();
+  if (top_ != cases::TopFace::pressure)
+    return;
+  dealii::FEFaceValues<3> values(
+      space_.mapping(), space_.element(), space_.face_quadrature(),
+      dealii::update_values | dealii::update_JxW_values);
+  const dealii::FEValuesExtractors::Scalar vertical(2);
+  dealii::Vector<double> cell_load(space_.element().n_dofs_per_cell());
+  std::vector<global_dof_index> unknowns(cell_load.size());
+  double far_area = 0.0; // of the first body
+  for (const auto& cell : space_.dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    const double outward = cell->center()[2] < 0.0 ? -1.0 : 1.0;
+    for (const unsigned int f : cell->face_indices()) {
+      if (!cell->face(f)->at_boundary() ||
+          cell->face(f)->boundary_id() != boundary_of(FaceGroup::fixed))
+        continue;
+      values.reinit(cell, f);
+      cell_load = 0.0;
+      for (const unsigned int q : values.quadrature_point_indices()) {
+        for (const unsigned int i : values.dof_indices())
+          cell_load(i) +=
+              outward * values[vertical].value(i, q) * values.JxW(q);
+        if (outward > 0.0)
+          far_area += values.JxW(q);
+      }
+      cell->get_dof_indices(unknowns);
+      space_.constraints().distribute_local_to_global(cell_load, unknowns,
+                                                      top_load_);
+    }
+  }
+  top_load_.compress(dealii::VectorOperation::add);
+  far_area = dealii::Utilities::MPI::sum(far_area, MPI_COMM_WORLD);
+  top_load_ *= contact_.area() / far_area;
+}
+
+void BlockSystem::find_face_modulus() {
+  double largest = 0.0;
+  for (const auto& cell : space_.dof_handler().active_cell_iterators())
+    if (cell->is_locally_owned() && cell->at_boundary())
+      for (const auto& face : cell->face_iterators())
+        if (face->at_boundary() &&
+            face->boundary_id() == boundary_of(FaceGroup::contact))
+          largest = std::max(largest, moduli_of(cell).shear_modulus);
+  face_shear_modulus_ = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+}
+
+std::string BlockSystem::report() const {
+  const auto& triangulation = space_.triangulation();
+  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  std::string text = fmt::format(
+      "{} {} of order {}, {} unknowns, {} contact points ({}), {} {}\n",
+      triangulation.n_global_active_cells(),
+      triangulation.all_reference_cells_are_hyper_cube() ? "hexahedra"
+                                                         : "tetrahedra",
+      space_.element().degree, n_unknowns(),
+      dealii::Utilities::MPI::sum(contact_.size(), MPI_COMM_WORLD),
+      contact_.is_nodal() ? "nodes" : "Gauss points", n_ranks,
+      n_ranks == 1 ? "rank" : "ranks");
+  return text + quality_;
+}
+
+} // namespace asperity::fem

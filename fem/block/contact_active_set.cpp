@@ -1,0 +1,110 @@
+#include "fem/block/contact_newton.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+namespace {
+
+using dealii::Utilities::MPI::max;
+
+/// What a start from nothing presses with, in shear moduli a spacing.
+constexpr double first_spring = 1e3;
+
+/// Share of the tolerance below which an overlap or a pull is rounding.
+constexpr double slack = 0.1;
+
+/// A set that comes to rest does so within some ten steps; others cycle.
+constexpr int most_steps = 30;
+
+} // namespace
+
+/// p of held points from what holds them; 0 elsewhere.
+void ContactNewton::take_wall_pressure(const std::vector<bool>& active) {
+  std::fill(pressure_.begin(), pressure_.end(), 0.0);
+  find_imbalance(); // K u + P g alone
+  const ContactPoints& points = system_.contact();
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    if (active[i])
+      pressure_[i] = imbalance_(points[i].row.front().first) / points[i].area;
+}
+
+/// Leaves out what is pulled and takes in what overlaps.
+std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
+                                             double gap_tolerance) const {
+  double highest = 0.0;
+  for (const double pressure : pressure_)
+    highest = std::max(highest, pressure);
+  const double pull = slack * gap_tolerance * stiffness_scale_;
+  const double rounding = 1e-12 * max(highest, MPI_COMM_WORLD);
+  std::vector<bool> next(active.size());
+  for (std::size_t i = 0; i < next.size(); ++i)
+    next[i] = active[i] ? pressure_[i] >= -std::max(pull, rounding)
+                        : gap(i) < -slack * gap_tolerance;
+  return next;
+}
+
+/// The primal-dual active set: hold, balance, look who pulls and who overlaps.
+/// @return  whether the set came to rest; where it did not, the note says why
+bool ContactNewton::active_set(const BlockLoad& load,
+                               const BlockContact& contact,
+                               double gap_tolerance, BlockSolution& answer) {
+  const double spring = first_spring * stiffness_scale_;
+  const std::vector<double> no_springs(pressure_.size(), 0.0);
+  std::vector<bool> active(pressure_.size());
+  std::transform(pressure_.begin(), pressure_.end(), active.begin(),
+                 [](double pressure) { return pressure > 0.0; });
+  int refinements = 0;
+  const int last = std::min(contact.max_iterations, most_steps);
+  while (answer.iterations < last) {
+    ++answer.iterations;
+    if (load.control == cases::Control::nominal_pressure && !any(active)) {
+      rigid_gap_ = touching_gap(load.target, spring);
+      for (std::size_t i = 0; i < active.size(); ++i)
+        active[i] = gap(i) < 0.0;
+    }
+    for (std::size_t i = 0; i < active.size(); ++i)
+      pressure_[i] = active[i] ? pressure_[i] : 0.0;
+    if (!step(load, no_springs, active, contact.tolerance, refinements)) {
+      answer.note = solver_.failure();
+      return false;
+    }
+    take_wall_pressure(active);
+    const std::vector<bool> next = next_active(active, gap_tolerance);
+    if (!is_same(next, active)) {
+      refinements = 0;
+    } else if (unbalanced() <= contact.tolerance ||
+               refinements++ == most_refinements) {
+      return true;
+    }
+    active = next;
+  }
+  answer.note = "the active set did not come to rest";
+  return false;
+}
+
+/// The wall by the active set, else by springs and multipliers, which have the
+/// same answer.
+void ContactNewton::solve_wall(const BlockLoad& load,
+                               const BlockContact& contact, double height_scale,
+                               BlockSolution& answer) {
+  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
+  answer.converged =
+      active_set(load, contact, contact.tolerance * height_scale, answer);
+  // A pull is no contact, be it of the size of rounding or of a set that did
+  // not come to rest.
+  for (double& pressure : pressure_)
+    pressure = std::max(0.0, pressure);
+  answer.residual = violation(0.0) / height_scale;
+  if (answer.converged || answer.iterations >= contact.max_iterations)
+    return;
+  const std::string why = answer.note;
+  answer.note.clear();
+  solve_springs(load, contact, height_scale, answer);
+  answer.note = why + "; solved by the augmented Lagrangian" +
+                (answer.note.empty() ? "" : ": " + answer.note);
+}
+
+} // namespace asperity::fem

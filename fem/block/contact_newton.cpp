@@ -1,0 +1,257 @@
+#include "fem/block/contact_newton.hpp"
+
+#include "base/require.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::fem {
+namespace {
+
+using dealii::Utilities::MPI::max;
+using dealii::Utilities::MPI::min;
+using dealii::Utilities::MPI::sum;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+/// The springs that Newton's method is given, in shear moduli a spacing: with
+/// softer ones a multiplier takes many rounds, with stiffer ones the rounding
+/// of a gap is no longer small in the pressure.
+constexpr double softest_spring = 1e3;
+constexpr double stiffest_spring = 1e5;
+
+std::vector<bool> contact_set(const std::vector<double>& pressure) {
+  std::vector<bool> set(pressure.size());
+  std::transform(pressure.begin(), pressure.end(), set.begin(),
+                 [](double p) { return p > 0.0; });
+  return set;
+}
+
+} // namespace
+
+double larger_residual(double largest, double residual) {
+  if (std::isnan(residual))
+    return std::numeric_limits<double>::infinity();
+  return std::max(largest, residual);
+}
+
+ContactNewton::ContactNewton(const BlockSystem& system,
+                             LinearSolver linear_solver,
+                             std::unique_ptr<BlockPreconditioner> own)
+    : system_(system),
+      solver_(system, linear_solver, std::move(own)),
+      stiffness_scale_(system.face_shear_modulus() / system.grid().spacing_x()),
+      displacement_(system.space().make_vector()),
+      multiplier_(system.contact().size(), 0.0),
+      pressure_(system.contact().size(), 0.0),
+      heights_(system.contact().size(), 0.0),
+      face_displacement_(system.contact().size(), 0.0),
+      elastic_(displacement_),
+      imbalance_(displacement_),
+      by_imbalance_(displacement_),
+      by_approach_(displacement_),
+      by_top_(displacement_) {}
+
+bool ContactNewton::solve_linear(std::span<const double> pressure,
+                                 Vector& displacement) {
+  const ContactPoints& points = system_.contact();
+  std::vector<double> forces(points.size());
+  double total = 0.0;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    total += forces[i] = points[i].area * pressure[i];
+  Vector right = system_.space().make_vector();
+  points.add_force(forces, right);
+  right.add(-sum(total, MPI_COMM_WORLD) / area(), system_.top_load());
+  solver_.set_contact(std::vector<double>(points.size(), 0.0),
+                      std::vector<bool>(points.size(), false));
+  displacement = 0.0;
+  return solver_.solve(displacement, right, 1e-12 * right.l2_norm());
+}
+
+double ContactNewton::mean_gap() const {
+  double mean = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    mean += system_.contact()[i].area * gap(i);
+  return sum(mean, MPI_COMM_WORLD) / area();
+}
+
+double ContactNewton::borne() const {
+  double force = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    force += system_.contact()[i].area * pressure_[i];
+  return sum(force, MPI_COMM_WORLD);
+}
+
+bool ContactNewton::any(const std::vector<bool>& set) const {
+  const bool here = std::find(set.begin(), set.end(), true) != set.end();
+  return max(here ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
+
+bool ContactNewton::is_same(const std::vector<bool>& a,
+                            const std::vector<bool>& b) const {
+  return min(a == b ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
+
+/// The d at which the block as it is deformed now bears the pressure: a
+/// monotone equation, by bisection between just touching and all pressed in.
+double ContactNewton::touching_gap(double nominal_pressure,
+                                   double penalty) const {
+  double high = -1e300;
+  double low = 1e300;
+  for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    const double own =
+        heights_[i] - face_displacement_[i] + multiplier_[i] / penalty;
+    high = std::max(high, own);
+    low = std::min(low, own - nominal_pressure / penalty);
+  }
+  high = max(high, MPI_COMM_WORLD);
+  low = min(low, MPI_COMM_WORLD);
+  const auto bears = [&](double d) {
+    double force = 0.0;
+    for (std::size_t i = 0; i < pressure_.size(); ++i)
+      force +=
+          system_.contact()[i].area *
+          std::max(0.0, multiplier_[i] - penalty * (d + face_displacement_[i] -
+                                                    heights_[i]));
+    return sum(force, MPI_COMM_WORLD) / area();
+  };
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (bears(middle) > nominal_pressure ? low : high) = middle;
+  }
+  return low;
+}
+
+void ContactNewton::update_pressure(double penalty) {
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    pressure_[i] = std::max(0.0, multiplier_[i] - penalty * gap(i));
+}
+
+/// Newton to a standing contact set at fixed multipliers. Steps on the same set
+/// refine what the linear solver, or the rounding of a step from far away,
+/// left.
+bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
+                           BlockSolution& answer) {
+  int refinements = 0;
+  const std::vector<bool> nothing(pressure_.size(), false);
+  std::vector<double> springs(pressure_.size());
+  update_pressure(contact.penalty);
+  while (answer.iterations < contact.max_iterations) {
+    const std::vector<bool> before = contact_set(pressure_);
+    ++answer.iterations;
+    if (load.control == cases::Control::nominal_pressure && !any(before)) {
+      rigid_gap_ = touching_gap(load.target, contact.penalty);
+      update_pressure(contact.penalty);
+      continue;
+    }
+    for (std::size_t i = 0; i < springs.size(); ++i)
+      springs[i] =
+          before[i] ? contact.penalty * system_.contact()[i].area : 0.0;
+    if (!step(load, springs, nothing, contact.tolerance, refinements)) {
+      answer.note = solver_.failure();
+      return false;
+    }
+    update_pressure(contact.penalty);
+    if (!is_same(contact_set(pressure_), before))
+      refinements = 0;
+    else if (unbalanced() <= contact.tolerance ||
+             refinements++ == most_refinements)
+      return true;
+  }
+  answer.note = "the contact set did not come to rest";
+  return false;
+}
+
+/// The spring that Newton's method works with. A penalty within reach is its
+/// own; a wall ends at the same answer with any.
+double ContactNewton::own_spring(const BlockContact& contact) const {
+  const double low = contact.law == cases::ContactLaw::penalty
+                         ? 0.0
+                         : softest_spring * stiffness_scale_;
+  return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
+}
+
+/// Largest |gap + c p| in contact and overlap outside it: what the law still
+/// lacks.
+double ContactNewton::violation(double compliance) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    largest = larger_residual(largest,
+                              pressure_[i] > 0.0
+                                  ? std::abs(gap(i) + compliance * pressure_[i])
+                                  : -gap(i));
+  return max(largest, MPI_COMM_WORLD);
+}
+
+/// Heights are kept below the highest: what bears a small load lies near it,
+/// and the gap there is no difference of large numbers. The block stays where
+/// it was.
+void ContactNewton::take_heights(std::vector<double> heights, double highest) {
+  rigid_gap_ += highest_ - highest;
+  highest_ = highest;
+  heights_ = std::move(heights);
+  for (double& height : heights_)
+    height -= highest;
+}
+
+void ContactNewton::solve_springs(const BlockLoad& load,
+                                  const BlockContact& contact,
+                                  double height_scale, BlockSolution& answer) {
+  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
+  BlockContact spring = contact;
+  spring.penalty = own_spring(contact);
+  const double compliance =
+      contact.law == cases::ContactLaw::penalty ? 1.0 / contact.penalty : 0.0;
+  // The part of a pressure that the working spring does not show in the gap.
+  const bool is_own = contact.law == cases::ContactLaw::penalty &&
+                      spring.penalty == contact.penalty;
+  const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
+  do {
+    if (!newton(load, spring, answer))
+      break;
+    answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
+    answer.converged = answer.residual <= contact.tolerance;
+    if (!answer.converged)
+      for (std::size_t i = 0; i < multiplier_.size(); ++i)
+        multiplier_[i] = kept * pressure_[i];
+  } while (!answer.converged);
+}
+
+void ContactNewton::solve(std::vector<double> heights, double highest,
+                          double height_scale, const BlockLoad& load,
+                          const BlockContact& contact, BlockSolution& answer) {
+  take_heights(std::move(heights), highest);
+  const int iterations = solver_.iterations();
+  const int setups = solver_.setups();
+  if (contact.law == cases::ContactLaw::hard)
+    solve_wall(load, contact, height_scale, answer);
+  else
+    solve_springs(load, contact, height_scale, answer);
+
+  double touching = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    touching += pressure_[i] > 0.0 ? system_.contact()[i].area : 0.0;
+  answer.area_by_points = sum(touching, MPI_COMM_WORLD) / area();
+  answer.mean_gap = mean_gap();
+  answer.nominal_pressure = borne() / area();
+  answer.residual = larger_residual(answer.residual, unbalanced());
+  // Sums keep a NaN or an infinity of any point.
+  if (!std::isfinite(answer.mean_gap) ||
+      !std::isfinite(answer.nominal_pressure)) {
+    answer.residual = std::numeric_limits<double>::infinity();
+    answer.converged = false;
+    answer.note = "a gap or a pressure is not a finite number";
+  }
+  answer.linear_iterations = solver_.iterations() - iterations;
+  answer.preconditioner_setups = solver_.setups() - setups;
+  answer.linear_solver = solver_.name();
+  answer.memory = solver_.memory();
+  if (answer.converged && !(answer.residual <= contact.tolerance)) {
+    answer.converged = false;
+    answer.note = "the nodal forces are not balanced to the tolerance";
+  }
+}
+
+} // namespace asperity::fem

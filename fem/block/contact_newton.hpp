@@ -1,0 +1,124 @@
+#pragma once
+
+// The law of contact at the block's points and the state that its Newton
+// iteration moves. Include from .cpp files of fem/ only.
+
+#include "fem/block/block_solver.hpp"
+#include "fem/block/block_system.hpp"
+#include "fem/block/full_block.hpp"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Steps on a standing contact set after which no more precision is had.
+constexpr int most_refinements = 8;
+
+/// The larger of two residuals, infinite where the second is NaN: std::max
+/// would drop it, and MPI's maximum may.
+double larger_residual(double largest, double residual);
+
+/// (F.1) of full_block.hpp over the points of all ranks. contact_newton.cpp has
+/// springs (penalty, augmented), contact_active_set.cpp the wall and
+/// contact_step.cpp the linear step that both take.
+class ContactNewton {
+public:
+  /// @param system must outlive this
+  ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
+                std::unique_ptr<BlockPreconditioner> own = {});
+
+  /// Solves from the state the last call ended with, and writes what is no
+  /// field into the answer.
+  /// @param heights       of this rank's points [m]
+  /// @param highest       of all heights [m]
+  /// @param height_scale  what the tolerance of a gap is a share of [m] > 0
+  void solve(std::vector<double> heights, double highest, double height_scale,
+             const BlockLoad& load, const BlockContact& contact,
+             BlockSolution& answer);
+
+  /// u under given pressures [Pa] of this rank's points, balanced by the top;
+  /// the state does not change. Returns false if CG gave up.
+  [[nodiscard]] bool
+  solve_linear(std::span<const double> pressure,
+               dealii::TrilinosWrappers::MPI::Vector& displacement);
+
+  /// u [m]; zeros at constrained unknowns.
+  const dealii::TrilinosWrappers::MPI::Vector& displacement() const {
+    return displacement_;
+  }
+
+  const std::vector<double>& pressure() const { return pressure_; } ///< [Pa]
+
+  /// gap = rigid gap + w - (height - highest), all [m].
+  double rigid_gap() const { return rigid_gap_; }
+
+  double highest() const { return highest_; }
+
+  double gap(std::size_t i) const {
+    return rigid_gap_ + face_displacement_[i] - heights_[i];
+  }
+
+  double mean_gap() const; ///< over the area of all points [m]
+
+private:
+  /// What the residual of a linear solve is kept within.
+  struct Range {
+    double finest = 0.0;
+    double coarsest = std::numeric_limits<double>::infinity();
+    double share = 1.0; ///< of the usual part that is left
+  };
+
+  double area() const { return system_.contact().area(); }
+
+  double borne() const; ///< sum a p [N]
+  double touching_gap(double nominal_pressure, double penalty) const;
+  void take_heights(std::vector<double> heights, double highest);
+  double own_spring(const BlockContact& contact) const;
+  void update_pressure(double penalty);
+  bool any(const std::vector<bool>& set) const;
+  bool is_same(const std::vector<bool>& a, const std::vector<bool>& b) const;
+  void find_imbalance();
+  double largest_force() const; ///< of a point [N]
+  double unbalanced();
+  double violation(double compliance) const;
+  void solve_springs(const BlockLoad& load, const BlockContact& contact,
+                     double height_scale, BlockSolution& answer);
+  bool newton(const BlockLoad& load, const BlockContact& contact,
+              BlockSolution& answer);
+  void solve_wall(const BlockLoad& load, const BlockContact& contact,
+                  double height_scale, BlockSolution& answer);
+  bool active_set(const BlockLoad& load, const BlockContact& contact,
+                  double gap_tolerance, BlockSolution& answer);
+  std::vector<bool> next_active(const std::vector<bool>& active,
+                                double gap_tolerance) const;
+  void take_wall_pressure(const std::vector<bool>& active);
+  bool step(const BlockLoad& load, std::span<const double> springs,
+            const std::vector<bool>& held, double tolerance, int refinements);
+  bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
+                 const dealii::TrilinosWrappers::MPI::Vector& forces,
+                 std::span<const double> held_displacement, const Range& range);
+  double stiffness_of(std::span<const double> springs) const;
+  bool border(const BlockLoad& load, std::span<const double> springs,
+              const std::vector<bool>& held);
+
+  const BlockSystem& system_;
+  BlockSolver solver_;
+  double stiffness_scale_; ///< shear modulus of the face over the spacing
+  // The state (F.1) is solved for.
+  dealii::TrilinosWrappers::MPI::Vector displacement_; ///< u [m]
+  double rigid_gap_ = 0.0;    ///< d less the highest height [m]
+  double highest_ = 0.0;      ///< [m]
+  double top_pressure_ = 0.0; ///< P [Pa]
+  std::vector<double> multiplier_;
+  std::vector<double> pressure_;
+  std::vector<double> heights_;                     ///< less the highest [m]
+  std::vector<double> face_displacement_;           ///< B u [m]
+  dealii::TrilinosWrappers::MPI::Vector elastic_;   ///< K u [N]
+  dealii::TrilinosWrappers::MPI::Vector imbalance_; ///< K u + P g - B^T a p
+  // Responses of the last step, where the next one's iterations start.
+  dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_, by_top_;
+};
+
+} // namespace asperity::fem

@@ -1,0 +1,244 @@
+#include "fem/block/contact_points.hpp"
+
+#include "fem/block/block_triangulation.hpp"
+#include "fem/block/place_map.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+using dealii::Point;
+using dealii::types::global_dof_index;
+using dealii::Utilities::MPI::sum;
+using meshes::FaceGroup;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+constexpr double same_place = 1e-6; // spacings
+
+/// Calls `visit(cell, face number)` for the contact faces of the first body's
+/// own cells.
+template <typename Visitor>
+void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
+  for (const auto& cell : space.dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->center()[2] < 0.0)
+      continue;
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() &&
+          cell->face(f)->boundary_id() == boundary_of(FaceGroup::contact))
+        visit(cell, f);
+  }
+}
+
+} // namespace
+
+int grid_node_at(const Grid& grid, double x, double y) {
+  const double across = x / grid.spacing_x();
+  const double along = y / grid.spacing_y();
+  const long ix = std::lround(across);
+  const long iy = std::lround(along);
+  if (std::abs(across - static_cast<double>(ix)) > same_place ||
+      std::abs(along - static_cast<double>(iy)) > same_place)
+    return -1;
+  return static_cast<int>(grid.index(static_cast<int>(ix) % grid.points_x,
+                                     static_cast<int>(iy) % grid.points_y));
+}
+
+ContactPoints::ContactPoints(const BlockSpace& space,
+                             const BlockProblem& problem)
+    : space_(space),
+      is_nodal_(problem.contact_at == cases::ContactPoints::nodes),
+      has_counter_(problem.counter.has_value()) {
+  if (has_counter_)
+    find_counter();
+  if (is_nodal_)
+    take_nodes(problem.grid);
+  else
+    take_gauss_points(problem.grid);
+  finish(problem.grid);
+}
+
+/// Both contact faces are meshed alike, so nodes have partners; all ranks know
+/// all of them.
+void ContactPoints::find_counter() {
+  std::vector<double> mine;
+  for (const FaceNode& node : space_.face_nodes(FaceGroup::contact))
+    if (space_.owned().is_element(node.unknowns[2]) &&
+        !space_.constraints().is_constrained(node.unknowns[2]))
+      mine.insert(mine.end(),
+                  {node.place[0], node.place[1], node.is_counter ? 1.0 : 0.0,
+                   static_cast<double>(node.unknowns[2])});
+  const auto parts = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine);
+  PlaceMap first(space_.coordinate_tolerance());
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < part.size(); i += 4)
+      if (part[i + 2] == 0.0)
+        first.insert(Point<3>(part[i], part[i + 1], 0.0),
+                     static_cast<std::size_t>(part[i + 3]));
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < part.size(); i += 4)
+      if (part[i + 2] != 0.0)
+        if (const auto partner =
+                first.find(Point<3>(part[i], part[i + 1], 0.0)))
+          opposite_[static_cast<global_dof_index>(*partner)] =
+              static_cast<global_dof_index>(part[i + 3]);
+}
+
+FaceRow ContactPoints::with_counter(FaceRow row) const {
+  if (!has_counter_)
+    return row;
+  const std::size_t own = row.size();
+  for (std::size_t i = 0; i < own; ++i)
+    row.emplace_back(opposite_.at(row[i].first), -row[i].second);
+  return row;
+}
+
+FaceRow
+ContactPoints::row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
+                      const Point<3>& unit) const {
+  const dealii::FESystem<3>& element = space_.element();
+  std::vector<global_dof_index> unknowns(element.n_dofs_per_cell());
+  cell->get_dof_indices(unknowns);
+  FaceRow row;
+  for (unsigned int i = 0; i < unknowns.size(); ++i) {
+    if (element.system_to_component_index(i).first != 2)
+      continue;
+    const double value = element.shape_value(i, unit);
+    if (std::abs(value) > 1e-14) // functions that vanish on the face
+      row.emplace_back(unknowns[i], value);
+  }
+  return with_counter(space_.resolved(row));
+}
+
+void ContactPoints::take_nodes(const Grid& grid) {
+  Vector areas = space_.make_vector();
+  dealii::FEFaceValues<3> values(
+      space_.mapping(), space_.element(), space_.face_quadrature(),
+      dealii::update_values | dealii::update_JxW_values);
+  const dealii::FEValuesExtractors::Scalar vertical(2);
+  dealii::Vector<double> cell_load(space_.element().n_dofs_per_cell());
+  std::vector<global_dof_index> unknowns(cell_load.size());
+  for_contact_faces(space_, [&](const auto& cell, unsigned int f) {
+    values.reinit(cell, f);
+    cell_load = 0.0;
+    for (const unsigned int q : values.quadrature_point_indices())
+      for (const unsigned int i : values.dof_indices())
+        cell_load(i) += values[vertical].value(i, q) * values.JxW(q);
+    cell->get_dof_indices(unknowns);
+    space_.constraints().distribute_local_to_global(cell_load, unknowns, areas);
+  });
+  areas.compress(dealii::VectorOperation::add);
+  for (const FaceNode& node : space_.face_nodes(FaceGroup::contact)) {
+    const global_dof_index unknown = node.unknowns[2];
+    if (node.is_counter || !space_.owned().is_element(unknown) ||
+        space_.constraints().is_constrained(unknown))
+      continue;
+    points_.push_back({Point<2>(node.place[0], node.place[1]), areas(unknown),
+                       with_counter({{unknown, 1.0}}),
+                       grid_node_at(grid, node.place[0], node.place[1])});
+  }
+}
+
+void ContactPoints::take_gauss_points(const Grid& grid) {
+  dealii::FEFaceValues<3> values(
+      space_.mapping(), space_.element(), space_.face_quadrature(),
+      dealii::update_quadrature_points | dealii::update_JxW_values |
+          dealii::update_values);
+  const dealii::FEValuesExtractors::Scalar vertical(2);
+  std::vector<global_dof_index> unknowns(space_.element().n_dofs_per_cell());
+  for_contact_faces(space_, [&](const auto& cell, unsigned int f) {
+    values.reinit(cell, f);
+    cell->get_dof_indices(unknowns);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      FaceRow row;
+      for (const unsigned int i : values.dof_indices())
+        if (const double value = values[vertical].value(i, q);
+            std::abs(value) > 1e-14)
+          row.emplace_back(unknowns[i], value);
+      const Point<3> place = values.quadrature_point(q);
+      points_.push_back({Point<2>(place[0], place[1]), values.JxW(q),
+                         with_counter(space_.resolved(row)),
+                         grid_node_at(grid, place[0], place[1])});
+    }
+  });
+}
+
+void ContactPoints::finish(const Grid& grid) {
+  double own_area = 0.0;
+  double smallest = 1e300;
+  std::vector<double> count(grid.size(), 0.0);
+  std::vector<global_dof_index> of_others;
+  for (const ContactPoint& point : points_) {
+    own_area += point.area;
+    smallest = std::min(smallest, point.area);
+    if (point.grid_node >= 0)
+      count[static_cast<std::size_t>(point.grid_node)] += 1.0;
+    for (const auto& entry : point.row)
+      if (!space_.owned().is_element(entry.first))
+        of_others.push_back(entry.first);
+  }
+  std::sort(of_others.begin(), of_others.end());
+  needed_ = space_.owned();
+  needed_.add_indices(of_others.begin(), of_others.end());
+  needed_.compress();
+  area_ = sum(own_area, MPI_COMM_WORLD);
+  const std::size_t n_points = sum(points_.size(), MPI_COMM_WORLD);
+  if (n_points == 0)
+    throw std::domain_error("the mesh has no face of group contact");
+  smallest = dealii::Utilities::MPI::min(smallest, MPI_COMM_WORLD);
+  if (smallest <= 1e-9 * area_ / static_cast<double>(n_points))
+    throw std::domain_error(
+        "contact_at = nodes: a node of the contact face has no area (the "
+        "vertices of second-order tetrahedra have none); choose gauss");
+  sum(count, MPI_COMM_WORLD, count);
+  is_grid_ = is_nodal_ && n_points == grid.size() &&
+             std::all_of(count.begin(), count.end(),
+                         [](double n) { return n == 1.0; });
+  ghosted_.reinit(space_.owned(), needed_, MPI_COMM_WORLD);
+}
+
+void ContactPoints::take_displacement(const Vector& unknowns,
+                                      std::vector<double>& at_points) const {
+  ghosted_ = unknowns;
+  at_points.assign(points_.size(), 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    for (const auto& [unknown, value] : points_[i].row)
+      at_points[i] += value * ghosted_(unknown);
+}
+
+void ContactPoints::add_force(std::span<const double> forces,
+                              Vector& unknowns) const {
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (forces[i] != 0.0)
+      for (const auto& [unknown, value] : points_[i].row)
+        unknowns(unknown) += value * forces[i];
+  unknowns.compress(dealii::VectorOperation::add);
+}
+
+void ContactPoints::add_springs(
+    std::span<const double> springs,
+    dealii::TrilinosWrappers::SparseMatrix& matrix) const {
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (springs[k] != 0.0)
+      for (const auto& [i, value_i] : points_[k].row)
+        for (const auto& [j, value_j] : points_[k].row)
+          matrix.add(i, j, springs[k] * value_i * value_j);
+  matrix.compress(dealii::VectorOperation::add);
+}
+
+void ContactPoints::reserve(
+    dealii::TrilinosWrappers::SparsityPattern& pattern) const {
+  for (const ContactPoint& point : points_)
+    for (const auto& row : point.row)
+      for (const auto& column : point.row)
+        pattern.add(row.first, column.first);
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,233 @@
+#include "fem/block/full_block.hpp"
+
+#include "base/maximum.hpp"
+#include "base/require.hpp"
+#include "base/rms_height.hpp"
+#include "fem/block/block_output.hpp"
+#include "fem/block/block_problem.hpp"
+#include "fem/block/block_section.hpp"
+#include "fem/block/contact_newton.hpp"
+#include "fem/block/face_maps.hpp"
+#include "fem/block/lattice_preconditioner.hpp"
+#include "meshes/layered_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+/// rms height [m], or the spacing for a surface that is flat to rounding: what
+/// a gap's tolerance is a share of.
+double height_scale_of(std::span<const double> heights, double spacing) {
+  constexpr double rounding = 1e-12;
+  const double rms = rms_height(heights);
+  return rms > rounding * largest_magnitude(heights) ? rms : spacing;
+}
+
+/// Refused before anything is built.
+const BlockProblem& checked(const BlockProblem& problem) {
+  require_cells(problem.grid, 1);
+  if (!is_same_length(problem.mesh.length_x, problem.grid.length_x) ||
+      !is_same_length(problem.mesh.length_y, problem.grid.length_y))
+    refuse_argument("length of the mesh", problem.mesh.length_x,
+                    "that of the surface");
+  return problem;
+}
+
+/// The mesh is the boxes of its lattice and nothing else.
+bool is_lattice(const BlockProblem& problem) {
+  if (!problem.lattice || !problem.mesh.refine_below.empty() ||
+      problem.counter || problem.sides != cases::BlockSides::periodic)
+    return false;
+  const auto degree = static_cast<std::size_t>(problem.degree);
+  return problem.mesh.shape == meshes::CellShape::hexahedron &&
+         problem.mesh.cells.size() * degree * degree ==
+             problem.lattice->layers.size() * problem.grid.size();
+}
+
+/// The lattice's waves where they are asked for, or may serve a block too large
+/// for a direct solver; null otherwise.
+std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
+                                                const BlockSystem& system) {
+  const bool is_asked = problem.linear_solver == LinearSolver::fourier;
+  if (is_asked && !is_lattice(problem))
+    throw std::domain_error("linear_solver = fourier: the block is no periodic "
+                            "lattice of boxes");
+  const bool serves = problem.linear_solver == LinearSolver::automatic &&
+                      is_lattice(problem) &&
+                      system.n_unknowns() > most_direct_unknowns;
+  if (!is_asked && !serves)
+    return nullptr;
+  return std::make_unique<LatticePreconditioner>(system, problem.degree,
+                                                 *problem.lattice);
+}
+
+class MeshedBlock final : public FullBlock {
+public:
+  explicit MeshedBlock(const BlockProblem& problem)
+      : system_(checked(problem)),
+        maps_(system_),
+        weights_(maps_.weights()),
+        report_(system_.report()),
+        newton_(system_, problem.linear_solver, lattice_of(problem, system_)) {}
+
+  const Grid& grid() const override { return system_.grid(); }
+
+  std::size_t unknowns() const override { return system_.n_unknowns(); }
+
+  std::span<const double> nodal_weights() const override { return weights_; }
+
+  std::string report() const override { return report_; }
+
+  std::vector<double> displacement(std::span<const double> pressure) override;
+
+  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
+                      const BlockContact& contact) override;
+
+  StressPeak strongest_stress() const override {
+    return BlockStress(system_, newton_.displacement()).strongest();
+  }
+
+  std::vector<double> section(const SectionPlane& plane) const override {
+    BlockStress stress(system_, newton_.displacement());
+    return von_mises_in(plane, system_.space(), stress);
+  }
+
+  void write(const std::string& folder_and_stem) override {
+    BlockStress stress(system_, newton_.displacement());
+    output_.write(folder_and_stem, system_, stress, nominal_pressure_);
+  }
+
+private:
+  bool is_contact_on_grid(std::span<const double> pressure) const;
+
+  double weighted_mean(std::span<const double> field) const {
+    return std::inner_product(field.begin(), field.end(), weights_.begin(),
+                              0.0) /
+           static_cast<double>(field.size());
+  }
+
+  void require_field(const char* name, std::span<const double> field,
+                     const char* unit) const;
+  void require_arguments(std::span<const double> heights, const BlockLoad& load,
+                         const BlockContact& contact) const;
+
+  BlockSystem system_;
+  FaceMaps maps_;
+  std::vector<double> weights_;
+  std::string report_; ///< asked of all ranks at once
+  ContactNewton newton_;
+  BlockOutput output_;
+  double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
+};
+
+std::vector<double>
+MeshedBlock::displacement(std::span<const double> pressure) {
+  require_field("pressure", pressure, "Pa");
+  auto whole = system_.space().make_vector();
+  if (!newton_.solve_linear(maps_.at_points(pressure), whole))
+    return {};
+  std::vector<double> face = maps_.displacement(whole);
+  const double mean = weighted_mean(face);
+  for (double& value : face)
+    value -= mean;
+  return face;
+}
+
+/// One finite value a node of the grid.
+void MeshedBlock::require_field(const char* name, std::span<const double> field,
+                                const char* unit) const {
+  if (field.size() != grid().size())
+    refuse_argument(std::string("number of values of ") + name,
+                    static_cast<double>(field.size()),
+                    std::to_string(grid().size()));
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (!std::isfinite(field[i]))
+      refuse_argument(std::string(name) + " of node " + std::to_string(i),
+                      field[i], std::string("finite [") + unit + "]");
+}
+
+void MeshedBlock::require_arguments(std::span<const double> heights,
+                                    const BlockLoad& load,
+                                    const BlockContact& contact) const {
+  require_positive("penalty", contact.penalty, "Pa/m");
+  require_positive("tolerance", contact.tolerance, "1");
+  if (load.control == cases::Control::nominal_pressure)
+    require_positive("nominal pressure", load.target, "Pa");
+  else if (!std::isfinite(load.target))
+    refuse_argument("mean gap", load.target, "finite [m]");
+  require_field("height", heights, "m");
+  if (contact.law == cases::ContactLaw::hard && !system_.contact().is_nodal())
+    throw std::domain_error("law = hard with contact_at = gauss: Gauss points "
+                            "cannot be held one by one; choose augmented");
+  if (contact.law == cases::ContactLaw::hard && system_.has_counter())
+    throw std::domain_error(
+        "law = hard with two meshed bodies: a pair of nodes "
+        "cannot be held at one place; choose augmented");
+}
+
+/// @param pressure  the map
+bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
+  const ContactPoints& points = system_.contact();
+  const std::vector<double>& at_points = newton_.pressure();
+  unsigned int on_grid = 0;
+  unsigned int beside = 0;
+  for (std::size_t i = 0; i < at_points.size(); ++i)
+    if (at_points[i] > 0.0)
+      ++(points[i].grid_node < 0 ? beside : on_grid);
+  on_grid = dealii::Utilities::MPI::sum(on_grid, MPI_COMM_WORLD);
+  beside = dealii::Utilities::MPI::sum(beside, MPI_COMM_WORLD);
+  const auto on_map = static_cast<unsigned int>(
+      std::ranges::count_if(pressure, [](double p) { return p > 0.0; }));
+  return beside == 0 && on_grid == on_map;
+}
+
+BlockSolution MeshedBlock::solve(std::span<const double> heights,
+                                 const BlockLoad& load,
+                                 const BlockContact& contact) {
+  require_arguments(heights, load, contact);
+  BlockSolution answer;
+  newton_.solve(maps_.at_points(heights),
+                *std::max_element(heights.begin(), heights.end()),
+                height_scale_of(heights, grid().spacing_x()), load, contact,
+                answer);
+  nominal_pressure_ = answer.nominal_pressure;
+  answer.pressure = maps_.pressure(newton_.pressure());
+  answer.is_contact_on_grid = is_contact_on_grid(answer.pressure);
+  answer.gap = maps_.displacement(newton_.displacement());
+  for (std::size_t i = 0; i < answer.gap.size(); ++i)
+    answer.gap[i] += newton_.rigid_gap() - (heights[i] - newton_.highest());
+  return answer;
+}
+
+} // namespace
+
+std::unique_ptr<FullBlock> make_full_block(const BlockProblem& problem) {
+  return std::make_unique<MeshedBlock>(problem);
+}
+
+std::unique_ptr<FullBlock> make_full_block(const Grid& grid, int degree,
+                                           const LayeredBlock& block,
+                                           LinearSolver linear_solver) {
+  require_cells(grid, degree);
+  require_block(block);
+  Grid columns = grid;
+  columns.points_x /= degree;
+  columns.points_y /= degree;
+  std::vector<double> thickness;
+  for (const ElasticLayer& layer : block.layers)
+    thickness.push_back(layer.thickness);
+  BlockProblem problem{.grid = grid,
+                       .mesh = meshes::layered_mesh(columns, thickness),
+                       .degree = degree,
+                       .moduli = ModuliField(block),
+                       .top = block.top,
+                       .linear_solver = linear_solver,
+                       .lattice = block};
+  return make_full_block(problem);
+}
+
+} // namespace asperity::fem

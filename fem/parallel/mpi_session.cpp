@@ -1,0 +1,35 @@
+#include "fem/parallel/mpi_session.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector_memory.h>
+
+#include <stdexcept>
+
+namespace asperity::fem {
+
+void start_mpi() {
+  int is_running = 0;
+  MPI_Initialized(&is_running);
+  if (!is_running) {
+    static int argc = 1;
+    static char name[] = "asperity";
+    static char* arguments[] = {name, nullptr};
+    static char** argv = arguments;
+    // The session empties the pool of CG's vectors when it ends, so the pool
+    // must have been made before it.
+    const dealii::GrowingVectorMemory<dealii::TrilinosWrappers::MPI::Vector>
+        pool;
+    // Asks for MPI_THREAD_SERIALIZED.
+    static const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv,
+                                                                  1);
+  }
+  int level = MPI_THREAD_SINGLE;
+  MPI_Query_thread(&level);
+  if (level < MPI_THREAD_SERIALIZED)
+    throw std::runtime_error(
+        "MPI must be started with MPI_THREAD_SERIALIZED at least: the whole "
+        "block may be solved by another thread than the first");
+}
+
+} // namespace asperity::fem

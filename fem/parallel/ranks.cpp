@@ -1,0 +1,182 @@
+#include "fem/parallel/ranks.hpp"
+
+#include "base/require.hpp"
+#include "cases/case_error.hpp"
+#include "fem/parallel/mpi_session.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+namespace asperity::fem {
+namespace {
+
+constexpr int leader = 0;
+
+/// Kind, block, letters of the text, numbers.
+using Head = std::array<std::int64_t, 4>;
+
+using Clock = std::chrono::steady_clock;
+
+/// How long a rank that failed waits for the others to fail too, and how long
+/// one that did not waits for the end.
+constexpr std::chrono::seconds patience{5};
+
+/// The ranks again, for agreeing on failures: what is sent here never meets
+/// what a failed rank left undone in MPI_COMM_WORLD. Collective the first time.
+MPI_Comm agreement() {
+  static const MPI_Comm ranks = [] {
+    MPI_Comm made = MPI_COMM_NULL;
+    MPI_Comm_dup(MPI_COMM_WORLD, &made);
+    return made;
+  }();
+  return ranks;
+}
+
+/// Asleep rather than turning, so that a rank that waits leaves its core to
+/// others.
+/// @return  whether the request was done in time
+bool is_done_by(MPI_Request& request, Clock::time_point end) {
+  int is_done = 0;
+  MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+  while (!is_done && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+  }
+  return is_done != 0;
+}
+
+void broadcast_asleep(Head& head) {
+  agreement();
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibcast(head.data(), static_cast<int>(head.size()), MPI_INT64_T, leader,
+             MPI_COMM_WORLD, &request);
+  is_done_by(request, Clock::time_point::max());
+}
+
+void broadcast_body(Order& order) {
+  MPI_Bcast(order.text.data(), static_cast<int>(order.text.size()), MPI_CHAR,
+            leader, MPI_COMM_WORLD);
+  MPI_Bcast(order.numbers.data(), static_cast<int>(order.numbers.size()),
+            MPI_DOUBLE, leader, MPI_COMM_WORLD);
+}
+
+struct Failure {
+  std::string words;
+  int exit_code = 4;
+};
+
+Failure described(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const cases::CaseError& error) {
+    return {error.what(), 2};
+  } catch (const std::domain_error& error) {
+    return {error.what(), 2};
+  } catch (const std::exception& error) {
+    return {error.what()};
+  } catch (...) { // Trilinos throws numbers
+    return {"a library threw something that is no exception"};
+  }
+}
+
+/// How many ranks failed; -1 if they did not all say so in time.
+int count_failed(bool has_failed) {
+  static const int n = n_ranks();
+  int failed = has_failed ? 1 : 0;
+  if (n == 1)
+    return failed;
+  int all = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&failed, &all, 1, MPI_INT, MPI_SUM, agreement(), &request);
+  const auto end =
+      has_failed ? Clock::now() + patience : Clock::time_point::max();
+  return is_done_by(request, end) ? all : -1;
+}
+
+} // namespace
+
+int n_ranks() {
+  start_mpi();
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  return ranks;
+}
+
+int own_rank() {
+  start_mpi();
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+
+int mpi_count(std::size_t count, const char* what) {
+  if (count > std::numeric_limits<int>::max())
+    refuse_argument(fmt::format("number of {}", what),
+                    static_cast<double>(count),
+                    "below 2^31, which is all that MPI counts");
+  return static_cast<int>(count);
+}
+
+void end_all_ranks(const std::exception_ptr& failure) {
+  const auto [words, exit_code] = described(failure);
+  fmt::print(stderr, "asperity: rank {} of {}: {}\n", own_rank(), n_ranks(),
+             words);
+  std::fflush(stderr);
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  std::abort(); // not reached
+}
+
+void do_share(const std::function<void()>& share) {
+  std::exception_ptr failure;
+  try {
+    share();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const int n_failed = count_failed(failure != nullptr);
+  if (n_failed == 0)
+    return;
+  if (n_failed == n_ranks()) {
+    if (own_rank() == leader)
+      std::rethrow_exception(failure);
+    return;
+  }
+  if (!failure) { // another rank ends this one
+    std::this_thread::sleep_for(patience);
+    failure =
+        std::make_exception_ptr(std::runtime_error("another rank failed"));
+  }
+  end_all_ranks(failure);
+}
+
+void pass_on(const Order& order) {
+  if (n_ranks() == 1)
+    return;
+  // Refused before anything is sent.
+  Head head{static_cast<std::int64_t>(order.kind), order.block,
+            mpi_count(order.text.size(), "bytes of an order"),
+            mpi_count(order.numbers.size(), "numbers of an order")};
+  broadcast_asleep(head);
+  Order sent = order; // MPI takes no constant
+  broadcast_body(sent);
+}
+
+Order next_order() {
+  Head head{};
+  broadcast_asleep(head);
+  Order order{static_cast<OrderKind>(head[0]), static_cast<int>(head[1])};
+  order.text.resize(static_cast<std::size_t>(head[2]));
+  order.numbers.resize(static_cast<std::size_t>(head[3]));
+  broadcast_body(order);
+  return order;
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,54 @@
+#pragma once
+
+// deal.II's stiffness matrix of one box-shaped cell, its unknowns sorted by
+// place instead of by deal.II's numbering.
+
+#include "fem/waves/elastic_layers.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace asperity::fem {
+
+/// K of one cell dx * dy * thickness, FE_Q(degree) with QGauss(degree + 1):
+///
+///     K_rs = int_cell [ lambda div(phi_r) div(phi_s)
+///                       + 2 mu eps(phi_r) : eps(phi_s) ] dV        [N/m]
+///
+/// Row of component c (0..2) of the node at lattice place (a, b, k), each
+/// 0..degree and k = 0 the side of the contact face:
+/// ((k * (degree+1) + b) * (degree+1) + a) * 3 + c.
+struct CellStiffness {
+  int degree = 1;
+  std::vector<double> entries; ///< row-major, size() * size() [N/m]
+
+  std::size_t nodes_a_side() const {
+    return static_cast<std::size_t>(degree) + 1;
+  }
+
+  std::size_t size() const {
+    return 3 * nodes_a_side() * nodes_a_side() * nodes_a_side();
+  }
+
+  double at(std::size_t row, std::size_t column) const {
+    return entries[row * size() + column];
+  }
+
+  /// Row of a component of a node.
+  std::size_t row(std::size_t a, std::size_t b, std::size_t k,
+                  std::size_t component) const {
+    return ((k * nodes_a_side() + b) * nodes_a_side() + a) * 3 + component;
+  }
+};
+
+/// @param degree 1 or 2
+/// @param dx,dy  lateral sides of the cell [m] > 0
+CellStiffness cell_stiffness(int degree, double dx, double dy,
+                             const ElasticLayer& layer);
+
+/// Area of the nodes of a cell's face relative to their mean, from the row sums
+/// of deal.II's mass matrix of the face: by parity (a, b) of the lattice place,
+/// index a + 2 b; four ones for degree 1, (1, 2, 2, 4) * 4/9 for degree 2.
+std::vector<double> relative_nodal_areas(int degree);
+
+} // namespace asperity::fem

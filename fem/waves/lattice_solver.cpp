@@ -1,0 +1,286 @@
+#include "fem/waves/lattice_solver.hpp"
+
+#include "base/parallel_rows.hpp"
+#include "base/require.hpp"
+#include "fem/waves/spring_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+#include <vector>
+
+namespace asperity::fem {
+namespace {
+
+using Modes = std::span<std::complex<double>>;
+
+/// Columns of u_x, u_y become those of w, u = i w (or back); w_y turns its
+/// sign where jy does.
+void turn(std::size_t component, bool is_back, Pack* column) {
+  if (component == 2)
+    return;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double sign = (is_back != (component == 1 && side == 1)) ? -1.0 : 1.0;
+    Pack* const value = column + 2 * side;
+    const Pack real = value[0];
+    value[0] = sign * value[1];
+    value[1] = -sign * real;
+  }
+}
+
+/// Which part of a solve a sweep over the wavevectors does.
+enum class Sweep { whole, down_to_face, up_from_face };
+
+} // namespace
+
+struct LatticeSolver::Parts {
+  NodeLattice lattice;
+  cases::TopFace top;
+  int threads;
+  KindSpectra spectra;
+  LatticeShare share;
+  std::unique_ptr<const LatticeFactors> factors;
+  SpringFace face;
+  std::vector<std::complex<double>> modes;      ///< of every field
+  std::vector<std::complex<double>> face_modes; ///< of one
+  std::vector<double> face_field, forces;
+  std::vector<std::vector<double>> scratch; ///< a thread's
+  std::vector<std::vector<Pack>> values;    ///< a thread's batch
+
+  Parts(const Grid& grid, int degree, const LayeredBlock& block, int n_threads,
+        Among among)
+      : lattice{grid, degree,
+                block.layers.size() * static_cast<std::size_t>(degree) + 1},
+        top(block.top),
+        threads(n_threads),
+        spectra(grid, degree),
+        share(spectra, 3 * lattice.planes, among),
+        factors(make_lattice_factors(spectra, degree, block, share.rows(),
+                                     n_threads)),
+        face(spectra, *factors, share, top == cases::TopFace::pressure,
+             n_threads),
+        modes(3 * lattice.planes * spectra.size()),
+        face_modes(spectra.size()),
+        face_field(grid.size()),
+        forces(grid.size()),
+        scratch(static_cast<std::size_t>(n_threads)),
+        values(static_cast<std::size_t>(n_threads)) {
+    for (std::vector<Pack>& batch : values)
+      batch.resize(lattice.planes * 3 * spectra.kinds() * wave_columns);
+  }
+
+  bool is_held(std::size_t field) const {
+    return field / 3 + 1 == lattice.planes && holds(top, field % 3);
+  }
+
+  Modes field_modes(std::size_t field) {
+    return Modes(modes).subspan(field * spectra.size(), spectra.size());
+  }
+
+  /// First value of a field in a batch; its kinds are 3 rows apart.
+  std::size_t first_value(std::size_t field) const {
+    return (field / 3 * 3 * spectra.kinds() + field % 3) * wave_columns;
+  }
+
+  template <class DoField>
+  void each_field(const DoField& do_field); ///< of the own, with a scratch
+  double total_force(std::span<const double> force) const; ///< in z [N]
+  void transform(std::span<const double> force);
+  void transform_back(std::span<double> displacement, double shift);
+  void load(const WaveBatch& batch, Pack* batch_values);
+  void store(const WaveBatch& batch, Pack* batch_values);
+  void sweep(Sweep part);
+  void sweep_batch(Sweep part, const WaveBatch& batch, Pack* batch_values);
+};
+
+template <class DoField>
+void LatticeSolver::Parts::each_field(const DoField& do_field) {
+  const Range own = share.fields();
+  parallel_turns(static_cast<int>(own.size()), threads,
+                 [&](int turn, int worker) {
+                   do_field(own.begin + static_cast<std::size_t>(turn),
+                            scratch[static_cast<std::size_t>(worker)]);
+                 });
+}
+
+double LatticeSolver::Parts::total_force(std::span<const double> force) const {
+  std::vector<double> of_planes(lattice.planes, 0.0);
+  for (std::size_t plane = 0; plane < lattice.planes; ++plane)
+    if (const std::size_t field = 3 * plane + 2;
+        share.fields().contains(field)) {
+      const auto force_of_plane =
+          force.subspan(field * lattice.grid.size(), lattice.grid.size());
+      of_planes[plane] =
+          std::accumulate(force_of_plane.begin(), force_of_plane.end(), 0.0);
+    }
+  share.add_up(of_planes);
+  return std::accumulate(of_planes.begin(), of_planes.end(), 0.0);
+}
+
+void LatticeSolver::Parts::transform(std::span<const double> force) {
+  each_field([&](std::size_t field, std::vector<double>& own_scratch) {
+    if (!is_held(field))
+      spectra.forward(
+          force.subspan(field * lattice.grid.size(), lattice.grid.size()),
+          field_modes(field), own_scratch);
+  });
+  share.fields_to_rows(modes);
+}
+
+void LatticeSolver::Parts::transform_back(std::span<double> displacement,
+                                          double shift) {
+  share.rows_to_fields(modes);
+  each_field([&](std::size_t field, std::vector<double>& own_scratch) {
+    const std::span<double> answer =
+        displacement.subspan(field * lattice.grid.size(), lattice.grid.size());
+    if (is_held(field)) {
+      std::fill(answer.begin(), answer.end(), 0.0);
+      return;
+    }
+    spectra.backward(field_modes(field), answer, own_scratch);
+    if (shift != 0.0 && field % 3 == 2)
+      for (double& value : answer)
+        value += shift;
+  });
+}
+
+void LatticeSolver::Parts::load(const WaveBatch& batch, Pack* batch_values) {
+  for (std::size_t field = 0; field < 3 * lattice.planes; ++field) {
+    Pack* const first = batch_values + first_value(field);
+    if (!is_held(field))
+      spectra.load(field_modes(field), batch, 3, first);
+    for (std::size_t kind = 0; kind < spectra.kinds(); ++kind) {
+      Pack* const column = first + 3 * kind * wave_columns;
+      if (is_held(field))
+        std::fill_n(column, wave_columns, Pack{});
+      turn(field % 3, false, column);
+    }
+  }
+}
+
+void LatticeSolver::Parts::store(const WaveBatch& batch, Pack* batch_values) {
+  for (std::size_t field = 0; field < 3 * lattice.planes; ++field) {
+    if (is_held(field))
+      continue;
+    Pack* const first = batch_values + first_value(field);
+    for (std::size_t kind = 0; kind < spectra.kinds(); ++kind)
+      turn(field % 3, true, first + 3 * kind * wave_columns);
+    spectra.store(first, batch, 3, field_modes(field));
+  }
+}
+
+void LatticeSolver::Parts::sweep(Sweep part) {
+  const Range own = share.rows();
+  parallel_turns(
+      static_cast<int>(own.size()), threads, [&](int turn, int worker) {
+        const std::size_t row = own.begin + static_cast<std::size_t>(turn);
+        for (std::size_t i = 0; i < spectra.batches(); ++i)
+          sweep_batch(part, spectra.batch(row, i),
+                      values[static_cast<std::size_t>(worker)].data());
+      });
+}
+
+void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
+                                       Pack* batch_values) {
+  const std::size_t kinds = spectra.kinds();
+  const std::size_t face_packs = 3 * kinds * wave_columns;
+  constexpr std::size_t u_z = 2 * wave_columns;
+  load(batch, batch_values);
+  if (part != Sweep::up_from_face)
+    factors->go_down(batch, batch_values);
+  if (part == Sweep::down_to_face) {
+    std::array<Pack, 12 * wave_columns> face_values;
+    std::copy_n(batch_values, face_packs, face_values.data());
+    factors->solve_face(batch, face_values.data());
+    spectra.store(&face_values[u_z], batch, 3, face_modes);
+  }
+  if (part == Sweep::up_from_face) { // less what the springs bear
+    std::array<Pack, 4 * wave_columns> borne;
+    spectra.load(face_modes, batch, 1, borne.data());
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+      for (std::size_t j = 0; j < wave_columns; ++j)
+        batch_values[3 * kind * wave_columns + u_z + j] -=
+            borne[kind * wave_columns + j];
+  }
+  if (part != Sweep::down_to_face) {
+    factors->solve_face(batch, batch_values);
+    factors->go_up(batch, batch_values);
+  }
+  store(batch, batch_values);
+}
+
+LatticeSolver::LatticeSolver(const Grid& grid, int degree,
+                             const LayeredBlock& block, int threads,
+                             Among among) {
+  if (degree != 1 && degree != 2)
+    refuse_argument("degree", degree, "1 or 2");
+  if (threads < 1)
+    refuse_argument("threads", threads, "at least 1");
+  require_cells(grid, degree);
+  require_block(block);
+  parts_ = std::make_unique<Parts>(grid, degree, block, threads, among);
+}
+
+LatticeSolver::~LatticeSolver() = default;
+
+const NodeLattice& LatticeSolver::lattice() const {
+  return parts_->lattice;
+}
+
+const LatticeShare& LatticeSolver::share() const {
+  return parts_->share;
+}
+
+std::size_t LatticeSolver::bytes() const {
+  return parts_->factors->bytes() + parts_->face.bytes() +
+         parts_->modes.size() * sizeof(parts_->modes[0]);
+}
+
+void LatticeSolver::solve(std::span<const double> force,
+                          std::span<double> displacement) {
+  if (force.size() != lattice().size() || displacement.size() != force.size())
+    refuse_argument("size", static_cast<double>(force.size()),
+                    "the size of the lattice");
+  parts_->transform(force);
+  parts_->sweep(Sweep::whole);
+  parts_->transform_back(displacement, 0.0);
+}
+
+void LatticeSolver::set_springs(std::span<const double> springs) {
+  if (springs.size() != lattice().grid.size())
+    refuse_argument("springs.size()", static_cast<double>(springs.size()),
+                    "the size of the grid");
+  for (const double spring : springs)
+    if (!(spring >= 0.0))
+      refuse_argument("spring", spring, ">= 0 [N/m]");
+  parts_->face.set_springs(springs);
+}
+
+SpringSolve LatticeSolver::solve_with_springs(std::span<const double> force,
+                                              std::span<double> displacement,
+                                              double tolerance) {
+  require_positive("tolerance", tolerance, "1");
+  Parts& parts = *parts_;
+  if (parts.face.is_empty()) {
+    solve(force, displacement);
+    return {};
+  }
+  if (force.size() != lattice().size() || displacement.size() != force.size())
+    refuse_argument("size", static_cast<double>(force.size()),
+                    "the size of the lattice");
+  const double total_force = parts.total_force(force);
+  parts.transform(force);
+  parts.sweep(Sweep::down_to_face);
+  parts.share.rows_to_all(parts.face_modes);
+  parts.spectra.backward(parts.face_modes, parts.face_field, parts.scratch[0]);
+  double shift = 0.0;
+  const SpringSolve answer = parts.face.solve(parts.face_field, total_force,
+                                              tolerance, parts.forces, shift);
+  parts.spectra.forward(parts.forces, parts.face_modes, parts.scratch[0]);
+  parts.sweep(Sweep::up_from_face);
+  parts.transform_back(displacement, shift);
+  return answer;
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,92 @@
+#include "fem/waves/moduli_field.hpp"
+
+#include "base/require.hpp"
+#include "meshes/facets.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace asperity::fem {
+
+Moduli moduli(const cases::BodyModuli& body) {
+  const ElasticLayer layer =
+      elastic_layer(1.0, body.youngs_modulus, body.poisson_ratio);
+  return {layer.lame_modulus, layer.shear_modulus};
+}
+
+ModuliField::ModuliField(const LayeredBlock& block) {
+  require_block(block);
+  for (const ElasticLayer& layer : block.layers)
+    add_layer(layer.thickness, {layer.lame_modulus, layer.shear_modulus});
+  rest_ = layers_.back().moduli;
+}
+
+void ModuliField::add_layer(double thickness, const Moduli& layer) {
+  require_positive("thickness", thickness, "m");
+  const double below = layers_.empty() ? 0.0 : layers_.back().upper_side;
+  layers_.push_back({below + thickness, layer});
+}
+
+void ModuliField::set_sphere(const meshes::Place& centre, double radius,
+                             const Moduli& sphere) {
+  require_positive("radius", radius, "m");
+  sphere_ = Sphere{centre, radius, sphere};
+}
+
+Moduli ModuliField::without_factor(const meshes::Place& place) const {
+  if (sphere_ &&
+      std::hypot(place[0] - sphere_->centre[0], place[1] - sphere_->centre[1],
+                 place[2] - sphere_->centre[2]) < sphere_->radius)
+    return sphere_->moduli;
+  for (const Layer& layer : layers_)
+    if (place[2] < layer.upper_side)
+      return layer.moduli;
+  return rest_;
+}
+
+Moduli ModuliField::at(const meshes::Place& place) const {
+  Moduli found = without_factor(place);
+  if (!factor_)
+    return found;
+  const double factor = factor_(place);
+  if (!std::isfinite(factor) || factor <= 0.0)
+    refuse_argument("material.variation: factor of the modulus at " +
+                        meshes::place_text(place),
+                    factor, "finite and > 0 [1]");
+  found.lame_modulus *= factor;
+  found.shear_modulus *= factor;
+  return found;
+}
+
+ModuliField moduli_field(const cases::MaterialSpec& material,
+                         const cases::Scales& scales,
+                         const cases::BodyModuli& block, const Grid& grid,
+                         double depth) {
+  ModuliField field(moduli(block));
+  for (const cases::MaterialLayer& layer : material.layers)
+    field.add_layer(layer.thickness.in_si(scales), moduli(layer.moduli));
+  if (material.inclusion)
+    field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0,
+                      material.inclusion->depth.in_si(scales)},
+                     material.inclusion->radius.in_si(scales),
+                     moduli(material.inclusion->moduli));
+  if (!material.variation)
+    return field;
+  const cases::MaterialVariation& variation = *material.variation;
+  switch (variation.kind) {
+  case cases::VariationKind::function:
+    field.set_factor(expression_factor(variation.factor, grid.length_x));
+    break;
+  case cases::VariationKind::random:
+    field.set_factor(
+        random_factor(variation.spread, variation.seed, grid.spacing_x()));
+    break;
+  case cases::VariationKind::table:
+    field.set_factor(table_factor(read_factor_table(
+        variation.file, {grid.length_x, grid.length_y, depth})));
+    break;
+  }
+  return field;
+}
+
+} // namespace asperity::fem

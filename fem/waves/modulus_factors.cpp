@@ -1,0 +1,74 @@
+#include "base/require.hpp"
+#include "cases/expression.hpp"
+#include "fem/waves/moduli_field.hpp"
+
+#include <Random123/philox.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace asperity::fem {
+namespace {
+
+/// The counter's word of a length: its place in eighths of the spacing.
+std::uint32_t eighths(double place, double spacing) {
+  return static_cast<std::uint32_t>(
+      static_cast<std::int32_t>(std::lround(8.0 * place / spacing)));
+}
+
+} // namespace
+
+ModulusFactor expression_factor(const std::string& expression, double length) {
+  require_positive("length", length, "m");
+  return [factor = cases::Expression(expression),
+          length](const meshes::Place& place) {
+    return factor.at({place[0] / length, place[1] / length, place[2] / length});
+  };
+}
+
+ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing) {
+  require_between("spread", spread, 0.0, 0.99, "1");
+  require_positive("spacing", spacing, "m");
+  return [=](const meshes::Place& place) {
+    // Reserved: the last word of the counter, for a second number of a cell.
+    const r123::Philox4x32::ctr_type counter = {
+        {eighths(place[0], spacing), eighths(place[1], spacing),
+         eighths(place[2], spacing), 0U}};
+    const r123::Philox4x32::key_type key = {
+        {static_cast<std::uint32_t>(seed),
+         static_cast<std::uint32_t>(seed >> 32)}};
+    const auto words = r123::Philox4x32()(counter, key);
+    const double uniform = (words[0] + 0.5) * 0x1p-32;
+    return 1.0 + spread * (2.0 * uniform - 1.0);
+  };
+}
+
+ModulusFactor table_factor(FactorTable table) {
+  std::size_t expected = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    require_between("boxes", table.boxes[i], 1.0, 1e5, "1");
+    require_positive("length", table.lengths[i], "m");
+    expected *= static_cast<std::size_t>(table.boxes[i]);
+  }
+  if (table.factors.size() != expected)
+    refuse_argument("number of factors",
+                    static_cast<double>(table.factors.size()),
+                    std::to_string(expected));
+  for (const double factor : table.factors)
+    require_positive("factor of the modulus", factor, "1");
+  return [table = std::move(table)](const meshes::Place& place) {
+    std::array<std::size_t, 3> box{};
+    for (std::size_t i = 0; i < 3; ++i)
+      box[i] = static_cast<std::size_t>(
+          std::clamp(static_cast<int>(std::floor(place[i] / table.lengths[i] *
+                                                 table.boxes[i])),
+                     0, table.boxes[i] - 1));
+    const auto nx = static_cast<std::size_t>(table.boxes[0]);
+    const auto ny = static_cast<std::size_t>(table.boxes[1]);
+    return table.factors[(box[2] * ny + box[1]) * nx + box[0]];
+  };
+}
+
+} // namespace asperity::fem

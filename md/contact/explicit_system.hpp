@@ -1,0 +1,62 @@
+#pragma once
+
+// The block of all its atoms over the substrate: bulk explicit. Owns how block,
+// interface and load add up.
+
+#include "md/dynamics/inertial_system.hpp"
+#include "md/lattice/block_solver.hpp"
+#include "md/lattice/multiscale_block.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace asperity::md {
+
+/// State: MultiscaleBlock's. Under pressure the plate is pushed down with
+/// p_0 A_0; under Kind::height it is free and the mean z of the lowest layer
+/// is held, which differs by a uniform strain of the block alone: coarse or
+/// not, that strain meets no other displacement.
+///
+/// The mean x and y of the lowest layer never move. precondition is the exact
+/// inverse of BlockSolver, its factors kept until contact stiffness or kind of
+/// load change: one thread at a time.
+class ExplicitSystem final : public InertialSystem {
+public:
+  /// @param atom_mass  of an atom of level 0 [kg] > 0
+  /// @throws std::domain_error  as MultiscaleBlock; an interface of another
+  ///                            layer
+  ExplicitSystem(const Crystal& crystal, const BlockShape& shape,
+                 Interface interface, double atom_mass, int threads = 1);
+
+  const Grid& layer() const override { return block_.shape().layer; }
+
+  std::size_t size() const override { return block_.size(); }
+
+  void set_load(const Load& load) override { load_ = load; }
+
+  std::vector<double> undeformed(double height) const override;
+  Evaluation energy_and_forces(std::span<const double> state,
+                               std::span<double> forces) const override;
+  void precondition(std::span<const double> forces, double contact_stiffness,
+                    std::span<double> step) const override;
+  double elastic_energy(std::span<const double> state) const override;
+
+  const Interface& interface() const override { return interface_; }
+
+  std::span<const double> masses() const override { return masses_; }
+
+  void hold(std::span<double> velocities) const override;
+
+  const MultiscaleBlock& block() const { return block_; }
+
+private:
+  MultiscaleBlock block_;
+  Interface interface_;
+  std::vector<double> masses_;
+  Load load_;
+  int threads_;
+  mutable std::unique_ptr<BlockSolver> solver_;
+};
+
+} // namespace asperity::md

@@ -1,0 +1,55 @@
+#include "md/contact/step_reading.hpp"
+
+#include "base/field_sums.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace asperity::md {
+namespace {} // namespace
+
+void read_step(const System& system, std::span<const double> state,
+               std::span<const double> normal_forces,
+               const ReadingDistances& distances, AtomStep& step) {
+  const Grid& layer = system.layer();
+  const LayerView atoms = layer_of(system, state);
+  const std::vector<double> surface = system.interface().heights_below(atoms);
+  step.pressure.resize(layer.size());
+  step.gap.resize(layer.size());
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    step.pressure[i] = normal_forces[i] / layer.cell_area();
+    step.gap[i] = atoms.z[i] - surface[i] - distances.contact;
+  }
+  step.nominal_pressure = mean(step.pressure);
+  step.mean_gap = mean(atoms.z) - distances.contact;
+  step.inspection =
+      system.interface().inspect(atoms, distances.close, distances.contact);
+  step.contact_count =
+      step.inspection.in_contact / static_cast<double>(layer.size());
+  step.elastic_energy = system.elastic_energy(state) / layer.area();
+
+  std::vector<double> forces(3 * layer.size());
+  const std::span all(forces);
+  step.interface_energy = system.interface().energy_and_forces(
+                              atoms, {all.subspan(0, layer.size()),
+                                      all.subspan(layer.size(), layer.size()),
+                                      all.subspan(2 * layer.size())}) /
+                          layer.area();
+}
+
+std::string fault_of(const Inspection& inspection, std::size_t atoms) {
+  const double share =
+      100.0 * inspection.below_substrate / static_cast<double>(atoms);
+  if (inspection.below_substrate > 0)
+    return fmt::format("{:.3g} % of the atoms are below the substrate, and {} "
+                       "pairs are too near: atoms went through",
+                       share, inspection.close_pairs);
+  if (inspection.close_pairs > 0)
+    return fmt::format("{} pairs are too near, the nearest at {:.3g} m: atoms "
+                       "are going through",
+                       inspection.close_pairs, inspection.shortest_distance);
+  return "";
+}
+
+} // namespace asperity::md

@@ -1,0 +1,63 @@
+#include "md/interface/interaction.hpp"
+
+#include "base/require.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::md {
+
+void require_sound(const Interaction& interaction) {
+  require_positive("energy", interaction.energy, "J");
+  require_positive("distance", interaction.distance, "m");
+  require_positive("taper_begin", interaction.taper_begin, "m");
+  require_positive("cutoff", interaction.cutoff, "m");
+  require_between("attraction", interaction.attraction, 0.0, 1.0, "1");
+  if (interaction.cutoff <= interaction.taper_begin)
+    refuse_argument(
+        "cutoff", interaction.cutoff,
+        fmt::format("> taper_begin = {:.6g} m", interaction.taper_begin));
+}
+
+PairTerm pair_term(const Interaction& interaction, double distance) {
+  require_sound(interaction);
+  require_positive("distance", distance, "m");
+  const auto sixth_power = [&](double r) {
+    return std::pow(interaction.distance / r, 6);
+  };
+  const double y = sixth_power(distance);
+  const double y_begin = sixth_power(interaction.taper_begin);
+  const double y_end = sixth_power(interaction.cutoff);
+  if (y <= y_end)
+    return {};
+
+  const double width = y_begin - y_end;
+  const double full = y_begin - interaction.attraction;
+  double steepness = y - interaction.attraction; // of U/2 over y
+  double energy = 0.0;
+  if (y < y_begin) {
+    const double t = (y - y_end) / width;
+    steepness = t * t * ((3.0 - 2.0 * t) * full - (1.0 - t) * width);
+    energy = 2.0 * width * t * t * t *
+             ((1.0 - 0.5 * t) * full - (1.0 / 3.0 - 0.25 * t) * width);
+  } else
+    energy = width * (full - width / 6.0) +
+             (y - y_begin) * (y + y_begin - 2.0 * interaction.attraction);
+  return {interaction.energy * energy,
+          12.0 * interaction.energy * y * steepness / (distance * distance)};
+}
+
+double wall_pressure(const Interaction& interaction, double atom_area,
+                     double substrate_area, double height) {
+  require_sound(interaction);
+  require_positive("atom_area", atom_area, "m^2");
+  require_positive("substrate_area", substrate_area, "m^2");
+  require_positive("height", height, "m");
+  return 2.0 * std::numbers::pi * interaction.energy * interaction.distance /
+         (atom_area * substrate_area) *
+         std::pow(interaction.distance / height, 11);
+}
+
+} // namespace asperity::md

@@ -1,0 +1,282 @@
+#include "md/interface/interface.hpp"
+
+#include "base/parallel_rows.hpp"
+#include "base/require.hpp"
+#include "md/interface/interface_kernel.hpp"
+#include "md/interface/substrate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace asperity::md {
+namespace {
+
+/// The sites of one side of the layer in the substrate's lattice, site i at
+/// i n_s / n_l, split in integers so that nothing is lost.
+std::vector<double> sites_of(int layer_points, int substrate_points) {
+  std::vector<double> sites;
+  for (std::int64_t i = 0; i < layer_points; ++i) {
+    const std::int64_t product = i * substrate_points;
+    sites.push_back(static_cast<double>(product / layer_points) +
+                    static_cast<double>(product % layer_points) / layer_points);
+  }
+  return sites;
+}
+
+/// A coordinate brought into 0 <= c < points.
+double wrapped(double coordinate, int points) {
+  if (coordinate >= 0.0 && coordinate < points)
+    return coordinate;
+  const double inside = coordinate - points * std::floor(coordinate / points);
+  return inside < points ? std::max(inside, 0.0) : 0.0;
+}
+
+bool is_finite(double x, double y, double z) {
+  return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+}
+
+void require_length(const char* name, std::size_t size, std::size_t expected) {
+  if (size != expected)
+    refuse_argument(fmt::format("size of {}", name), static_cast<double>(size),
+                    fmt::format("{}, one value a site", expected));
+}
+
+template <class Planes>
+void require_planes(const char* name, const Planes& planes, const Grid& grid) {
+  for (const auto size : {planes.x.size(), planes.y.size(), planes.z.size()})
+    require_length(name, size, grid.size());
+}
+
+void require_square(const char* name, const Grid& grid) {
+  require_positive(name, grid.length_x, "m");
+  if (grid.points_x < 1 || !grid.is_square())
+    refuse_argument(name, grid.length_y,
+                    fmt::format("a square lattice: {:.6g} m of {} atoms in "
+                                "both directions",
+                                grid.length_x, grid.points_x));
+}
+
+} // namespace
+
+struct Interface::Kernel {
+  Interaction interaction;
+  Grid layer;
+  Grid substrate_grid;
+  int threads = 1;
+  ReducedLaw law;
+  Substrate substrate;
+
+  std::vector<double> sites; ///< along a side, in substrate spacings
+
+  LatticePoint point(const LayerView& atoms, int ix, int iy) const {
+    const int points = substrate_grid.points_x;
+    const double spacing = substrate_grid.spacing_x();
+    const std::size_t i = layer.index(ix, iy);
+    const auto coordinate = [&](int site, double displacement) {
+      return wrapped(sites[static_cast<std::size_t>(site)] +
+                         displacement / spacing,
+                     points);
+    };
+    return {coordinate(ix, atoms.x[i]), coordinate(iy, atoms.y[i])};
+  }
+
+  AtomSum sum_of_atom(const LayerView& atoms, int ix, int iy) const;
+  double sum_of_row(const LayerView& atoms, const LayerForces& forces,
+                    int iy) const;
+  void second_derivatives_of_row(const LayerView& atoms,
+                                 std::span<SymmetricBlock> blocks,
+                                 int iy) const;
+  Inspection inspect_row(const LayerView& atoms, int iy, double close_distance,
+                         double contact_distance) const;
+};
+
+AtomSum Interface::Kernel::sum_of_atom(const LayerView& atoms, int ix,
+                                       int iy) const {
+  const std::size_t i = layer.index(ix, iy);
+  if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan, nan, nan};
+  }
+  const double z = atoms.z[i] / interaction.distance;
+  return sum_window(law, substrate.window(point(atoms, ix, iy), z),
+                    substrate.spacing(), z);
+}
+
+double Interface::Kernel::sum_of_row(const LayerView& atoms,
+                                     const LayerForces& forces, int iy) const {
+  const double unit = 12.0 * interaction.energy / interaction.distance;
+  double energy = 0.0;
+  for (int ix = 0; ix < layer.points_x; ++ix) {
+    const AtomSum sum = sum_of_atom(atoms, ix, iy);
+    const std::size_t i = layer.index(ix, iy);
+    forces.x[i] = unit * sum.x;
+    forces.y[i] = unit * sum.y;
+    forces.z[i] = unit * sum.z;
+    energy += sum.energy;
+  }
+  return interaction.energy * energy;
+}
+
+void Interface::Kernel::second_derivatives_of_row(
+    const LayerView& atoms, std::span<SymmetricBlock> blocks, int iy) const {
+  const double unit =
+      12.0 * interaction.energy / (interaction.distance * interaction.distance);
+  for (int ix = 0; ix < layer.points_x; ++ix) {
+    const std::size_t i = layer.index(ix, iy);
+    SymmetricBlock& block = blocks[i];
+    if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      block = {nan, nan, nan, nan, nan, nan};
+      continue;
+    }
+    const double z = atoms.z[i] / interaction.distance;
+    const SymmetricBlock sum = sum_second_derivatives(
+        law, substrate.window(point(atoms, ix, iy), z), substrate.spacing(), z);
+    block = {unit * sum.xx, unit * sum.yy, unit * sum.zz,
+             unit * sum.xy, unit * sum.xz, unit * sum.yz};
+  }
+}
+
+Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
+                                          double close_distance,
+                                          double contact_distance) const {
+  Inspection found{.shortest_distance =
+                       std::numeric_limits<double>::infinity()};
+  for (int ix = 0; ix < layer.points_x; ++ix) {
+    const std::size_t i = layer.index(ix, iy);
+    if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
+      ++found.below_substrate;
+      continue;
+    }
+    const double z = atoms.z[i] / interaction.distance;
+    const LatticePoint under = point(atoms, ix, iy);
+    found.below_substrate += z < substrate.height_at(under) ? 1 : 0;
+
+    const Window window = substrate.window(under, z);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Strip& strip : window.strips)
+      for (int lane = 0; lane < strip_width; ++lane) {
+        const double distance =
+            interaction.distance *
+            std::hypot(window.x - strip.x - lane * substrate.spacing(),
+                       window.y - strip.y,
+                       z - window.heights[strip.height + lane]);
+        found.close_pairs += distance < close_distance ? 1 : 0;
+        shortest = std::min(shortest, distance);
+      }
+    found.in_contact += shortest < contact_distance ? 1 : 0;
+    if (shortest < interaction.cutoff)
+      found.shortest_distance = std::min(found.shortest_distance, shortest);
+  }
+  return found;
+}
+
+Interface::Interface(const Interaction& interaction, const Grid& layer,
+                     const Grid& substrate, std::span<const double> heights,
+                     int threads) {
+  require_sound(interaction);
+  require_square("layer", layer);
+  require_square("substrate", substrate);
+  if (!is_same_length(substrate.length_x, layer.length_x))
+    refuse_argument("length of the substrate", substrate.length_x,
+                    fmt::format("{:.6g} m, as of the layer", layer.length_x));
+  require_length("heights", heights.size(), substrate.size());
+  for (const double height : heights)
+    require_between("a height", height, -std::numeric_limits<double>::max(),
+                    std::numeric_limits<double>::max(), "m");
+  if (2.0 * interaction.cutoff > layer.length_x)
+    refuse_argument(
+        "cutoff", interaction.cutoff,
+        fmt::format("at most half of the period {:.6g} m", layer.length_x));
+  require_positive("threads", threads, "1");
+  kernel_ = std::make_unique<Kernel>(Kernel{
+      interaction, layer, substrate, threads, reduced(interaction),
+      Substrate(substrate, heights, interaction.cutoff, interaction.distance),
+      sites_of(layer.points_x, substrate.points_x)});
+}
+
+Interface::~Interface() = default;
+Interface::Interface(Interface&&) noexcept = default;
+
+const Grid& Interface::layer() const {
+  return kernel_->layer;
+}
+
+const Interaction& Interface::interaction() const {
+  return kernel_->interaction;
+}
+
+double Interface::energy_and_forces(const LayerView& atoms,
+                                    const LayerForces& forces) const {
+  require_planes("atoms", atoms, kernel_->layer);
+  require_planes("forces", forces, kernel_->layer);
+  const int n_rows = kernel_->layer.points_y;
+  std::vector<double> row_energies(static_cast<std::size_t>(n_rows));
+  parallel_rows(n_rows, kernel_->threads, [&](int iy) {
+    row_energies[static_cast<std::size_t>(iy)] =
+        kernel_->sum_of_row(atoms, forces, iy);
+  });
+  double energy = 0.0;
+  for (const double row_energy : row_energies)
+    energy += row_energy;
+  return energy;
+}
+
+void Interface::second_derivatives(const LayerView& atoms,
+                                   std::span<SymmetricBlock> blocks) const {
+  require_planes("atoms", atoms, kernel_->layer);
+  require_length("blocks", blocks.size(), kernel_->layer.size());
+  parallel_rows(kernel_->layer.points_y, kernel_->threads, [&](int iy) {
+    kernel_->second_derivatives_of_row(atoms, blocks, iy);
+  });
+}
+
+Inspection Interface::inspect(const LayerView& atoms, double close_distance,
+                              double contact_distance) const {
+  require_planes("atoms", atoms, kernel_->layer);
+  const double cutoff = kernel_->interaction.cutoff;
+  require_between("close_distance", close_distance, 0.0, cutoff, "m");
+  require_between("contact_distance", contact_distance, 0.0, cutoff, "m");
+  const int n_rows = kernel_->layer.points_y;
+  std::vector<Inspection> rows(static_cast<std::size_t>(n_rows));
+  parallel_rows(n_rows, kernel_->threads, [&](int iy) {
+    rows[static_cast<std::size_t>(iy)] =
+        kernel_->inspect_row(atoms, iy, close_distance, contact_distance);
+  });
+
+  Inspection sum{.shortest_distance = std::numeric_limits<double>::infinity()};
+  for (const Inspection& row : rows) {
+    sum.below_substrate += row.below_substrate;
+    sum.close_pairs += row.close_pairs;
+    sum.in_contact += row.in_contact;
+    sum.shortest_distance =
+        std::min(sum.shortest_distance, row.shortest_distance);
+  }
+  return sum;
+}
+
+std::vector<double> Interface::heights_below(const LayerView& atoms) const {
+  require_planes("atoms", atoms, kernel_->layer);
+  const Grid& layer = kernel_->layer;
+  std::vector<double> heights;
+  heights.reserve(layer.size());
+  for (int iy = 0; iy < layer.points_y; ++iy)
+    for (int ix = 0; ix < layer.points_x; ++ix)
+      heights.push_back(
+          kernel_->interaction.distance *
+          kernel_->substrate.height_at(kernel_->point(atoms, ix, iy)));
+  return heights;
+}
+
+int incommensurate_atoms(int layer_atoms) {
+  require_positive("layer_atoms", layer_atoms, "1");
+  return 2 *
+         static_cast<int>(std::lround(0.5 * std::numbers::phi * layer_atoms));
+}
+
+} // namespace asperity::md

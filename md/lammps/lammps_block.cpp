@@ -1,0 +1,95 @@
+#include "md/lammps/lammps_block.hpp"
+
+#include "base/require.hpp"
+#include "cases/case_error.hpp"
+#include "md/contact/request_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::md {
+namespace {
+
+/// What LAMMPS' own parts cannot be, said before anything is computed.
+void require_supported(const cases::MdSettings& settings,
+                       double poisson_ratio) {
+  const auto refuse = [](const std::string& what) {
+    throw cases::CaseError("[md] engine = \"lammps\" " + what);
+  };
+  if (settings.lattice != cases::AtomLattice::central ||
+      std::abs(poisson_ratio - 0.25) > 1e-12)
+    refuse("needs lattice = \"central\" and poisson_ratio = 0.25: its harmonic "
+           "bonds are springs between pairs of atoms, which fix Poisson's "
+           "ratio; \"isotropic\" and \"born\" need more than pairs");
+  if (settings.modes != cases::AtomModes::vector)
+    refuse("moves its atoms in all three directions, so modes = \"normal\" is "
+           "only for engine = \"asperity\"");
+  if (settings.bulk != cases::AtomBulk::green)
+    refuse("always has the whole block in one spacing down to `depth`: leave "
+           "out bulk = \"explicit\", levels and layers");
+  if (settings.minimizer == cases::AtomMinimizer::dynamics)
+    refuse("only seeks the balance of forces: minimizer = \"dynamics\" is for "
+           "engine = \"asperity\"");
+}
+
+} // namespace
+
+double LammpsBlock::bond_stiffness() const {
+  return crystal.youngs_modulus / (2.0 * (1.0 + crystal.poisson_ratio)) *
+         crystal.spacing;
+}
+
+LammpsBlock lammps_block(const AtomRequest& request) {
+  const cases::MdSettings& settings = request.settings;
+  require_supported(settings, request.poisson_ratio);
+  require_positive("youngs_modulus", request.youngs_modulus, "Pa");
+  require_positive("length", request.layer.length_x, "m");
+  if (!request.layer.is_square() || request.layer.points_x < 3)
+    refuse_argument("layer.points_x", request.layer.points_x,
+                    "at least 3 and the same in y");
+  if (request.heights.size() != request.substrate.size())
+    refuse_argument("heights", static_cast<double>(request.heights.size()),
+                    "one for each of the substrate's atoms");
+
+  LammpsBlock block;
+  block.layer = request.layer;
+  block.substrate = request.substrate;
+  block.heights = request.heights;
+  block.crystal = crystal_of(request);
+  block.interaction = interaction_of(settings);
+  const double depth = settings.depth.in_si(request.scales);
+  require_positive("depth", depth, "m");
+  block.cells =
+      std::max(1, static_cast<int>(std::lround(depth / block.crystal.spacing)));
+  return block;
+}
+
+BlockVectors undeformed(const LammpsBlock& block, double height) {
+  BlockVectors positions;
+  positions.reserve(block.atoms());
+  for (int k = 0; k <= block.cells; ++k)
+    for (int iy = 0; iy < block.layer.points_y; ++iy)
+      for (int ix = 0; ix < block.layer.points_x; ++ix)
+        positions.push_back({ix * block.layer.spacing_x(),
+                             iy * block.layer.spacing_y(),
+                             height + k * block.crystal.spacing});
+  return positions;
+}
+
+double mean_height(const LammpsBlock& block, const BlockVectors& positions) {
+  const std::size_t n = block.layer.size();
+  double sum = 0.0;
+  for (std::size_t atom = 0; atom < n; ++atom)
+    sum += positions[atom][2];
+  return sum / static_cast<double>(n);
+}
+
+double residual(const LammpsBlock& block, double force_norm,
+                double contact_force) {
+  if (force_norm == 0.0)
+    return 0.0;
+  return force_norm * std::sqrt(static_cast<double>(block.layer.size()) / 3.0) /
+         contact_force;
+}
+
+} // namespace asperity::md

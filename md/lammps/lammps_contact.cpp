@@ -1,0 +1,223 @@
+#include "md/lammps/lammps_contact.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/require.hpp"
+#include "md/contact/request_parts.hpp"
+#include "md/contact/step_reading.hpp"
+#include "md/lammps/lammps_answer.hpp"
+#include "md/lammps/lammps_block.hpp"
+#include "md/lammps/lammps_input.hpp"
+#include "md/lammps/lammps_run.hpp"
+#include "md/lattice/slab_symbol.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity::md {
+namespace {
+
+using cases::Control;
+
+double height_above(const LammpsBlock& block) {
+  return *std::max_element(block.heights.begin(), block.heights.end()) +
+         start_clearance;
+}
+
+/// Displacements from the lattice sites, heights.
+struct Layer {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> z;
+
+  LayerView view() const { return {x, y, z}; }
+};
+
+Layer lowest_layer(const LammpsBlock& block, const BlockVectors& positions) {
+  const BlockVectors sites = undeformed(block, 0.0);
+  Layer layer;
+  for (std::size_t i = 0; i < block.layer.size(); ++i) {
+    layer.x.push_back(positions[i][0] - sites[i][0]);
+    layer.y.push_back(positions[i][1] - sites[i][1]);
+    layer.z.push_back(positions[i][2]);
+  }
+  return layer;
+}
+
+double norm(const BlockVectors& vectors) {
+  double sum = 0.0;
+  for (const auto& [x, y, z] : vectors)
+    sum += x * x + y * y + z * z;
+  return std::sqrt(sum);
+}
+
+class LammpsContact final : public AtomicContact {
+public:
+  explicit LammpsContact(AtomRequest request);
+
+  AtomStep solve(Control control, double amount, int step,
+                 const Watch& watch) override;
+  std::string description() const override;
+  double shown_contact_modulus() const override;
+
+private:
+  void write_inputs(Control control, double amount) const;
+  bool go_on(const std::string& log, const Watch& watch) const;
+  void fill(const LammpsAnswer& answer, Control control,
+            AtomStep& result) const;
+  void judge(AtomStep& result) const;
+
+  AtomRequest request_;
+  LammpsBlock block_;
+  Interface interface_;
+  std::filesystem::path folder_;
+  LammpsProgram program_;
+  BlockVectors start_; ///< of the next step: above, then the last sound answer
+};
+
+LammpsContact::LammpsContact(AtomRequest request)
+    : request_(std::move(request)),
+      block_(lammps_block(request_)),
+      interface_(block_.interaction, block_.layer, block_.substrate,
+                 block_.heights, request_.threads),
+      folder_(request_.scratch / "lammps"),
+      program_(find_lammps(request_.settings.ranks, folder_)),
+      start_(undeformed(block_, height_above(block_))) {
+  write_file_atomically(folder_ / lammps_file::block,
+                        data_file(block_, height_above(block_)));
+  write_file_atomically(folder_ / lammps_file::table,
+                        pair_table(block_.interaction));
+}
+
+AtomStep LammpsContact::solve(Control control, double amount, int step,
+                              const Watch& watch) {
+  if (control == Control::nominal_pressure)
+    require_positive("nominal pressure", amount, "Pa");
+  write_inputs(control, amount);
+
+  const std::string log = fmt::format("step-{:04}.log", step);
+  const LammpsRun run = run_lammps(
+      program_, folder_, lammps_file::input, log,
+      [&](const std::string& so_far) { return go_on(so_far, watch); });
+  AtomStep result;
+  result.evaluations = evaluations_in(file_text(folder_ / log));
+  result.note = run.note;
+  if (!run.finished)
+    return result;
+  try {
+    LammpsAnswer answer = read_answer(block_, folder_);
+    fill(answer, control, result);
+    judge(result);
+    if (fault_of(result.inspection, block_.layer.size()).empty())
+      start_ = std::move(answer.positions);
+    if (request_.settings.dump)
+      std::filesystem::rename(folder_ / lammps_file::answer,
+                              folder_ / fmt::format("step-{:04}.dump", step));
+  } catch (const std::runtime_error& error) {
+    result.note =
+        fmt::format("{} (see {})", error.what(), (folder_ / log).string());
+  }
+  return result;
+}
+
+/// Nothing of an earlier step may be taken for an answer to this one.
+void LammpsContact::write_inputs(Control control, double amount) const {
+  const cases::MdSettings& settings = request_.settings;
+  LammpsTask task;
+  task.control = control;
+  task.amount = control == Control::mean_gap
+                    ? amount + settings.contact_distance
+                    : amount;
+  task.start_height = mean_height(block_, start_);
+  task.tolerance = settings.tolerance;
+  task.max_evaluations = settings.max_evaluations;
+  task.minimizer = settings.minimizer;
+  write_file_atomically(folder_ / lammps_file::start,
+                        positions_file(block_, start_));
+  write_file_atomically(folder_ / lammps_file::input,
+                        input_script(block_, task));
+  for (const char* name :
+       {lammps_file::answer, lammps_file::contact, lammps_file::energies})
+    std::filesystem::remove(folder_ / name);
+}
+
+bool LammpsContact::go_on(const std::string& log, const Watch& watch) const {
+  if (!watch)
+    return true;
+  const std::optional<LammpsProgress> progress = progress_in(log);
+  if (!progress)
+    return watch({0, 0.0, std::numeric_limits<double>::infinity()});
+  return watch(
+      {progress->iterations, progress->energy,
+       residual(block_, progress->force_norm, std::abs(progress->push))});
+}
+
+void LammpsContact::fill(const LammpsAnswer& answer, Control control,
+                         AtomStep& result) const {
+  const std::size_t n = block_.layer.size();
+  const double area = block_.layer.area();
+  const Layer layer = lowest_layer(block_, answer.positions);
+  const std::vector<double> surface = interface_.heights_below(layer.view());
+  result.pressure.resize(n);
+  result.gap.resize(n);
+  double contact_force = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.pressure[i] = answer.contact[i][2] / block_.layer.cell_area();
+    result.gap[i] =
+        layer.z[i] - surface[i] - request_.settings.contact_distance;
+    result.nominal_pressure += result.pressure[i] / static_cast<double>(n);
+    contact_force += std::abs(answer.contact[i][2]);
+  }
+  result.mean_gap = mean_height(block_, answer.positions) -
+                    request_.settings.contact_distance;
+  result.inspection =
+      interface_.inspect(layer.view(), close_distance(request_.settings),
+                         request_.settings.contact_distance);
+  result.contact_count = result.inspection.in_contact / static_cast<double>(n);
+  result.elastic_energy = answer.bond_energy / area;
+  result.interface_energy = answer.pair_energy / area;
+  // A held block out of reach is in balance; a load is not, with nothing there
+  // to bear it.
+  const bool is_free = control == Control::mean_gap &&
+                       std::isinf(result.inspection.shortest_distance);
+  result.residual =
+      is_free ? 0.0 : residual(block_, norm(answer.forces), contact_force);
+}
+
+void LammpsContact::judge(AtomStep& result) const {
+  const double tolerance = request_.settings.tolerance;
+  result.note = fault_of(result.inspection, block_.layer.size());
+  if (result.note.empty() && !(result.residual <= tolerance))
+    result.note = fmt::format("residual {:.3g} after {} evaluations, but must "
+                              "be at most {:.3g}",
+                              result.residual, result.evaluations, tolerance);
+  result.converged = result.note.empty();
+}
+
+std::string LammpsContact::description() const {
+  return fmt::format("central lattice {0} x {0} x {1} by LAMMPS {2}, {3}, E* "
+                     "shown at q a = 0.1: {4:.5g} Pa",
+                     block_.layer.points_x, block_.cells + 1, program_.version,
+                     program_.ranks == 1
+                         ? "one process"
+                         : fmt::format("{} processes", program_.ranks),
+                     shown_contact_modulus());
+}
+
+double LammpsContact::shown_contact_modulus() const {
+  constexpr double angle = 0.1;
+  return SlabSymbol(block_.crystal).contact_modulus(angle, 0.0, block_.cells);
+}
+
+} // namespace
+
+std::unique_ptr<AtomicContact> make_lammps_contact(AtomRequest request) {
+  return std::make_unique<LammpsContact>(std::move(request));
+}
+
+} // namespace asperity::md

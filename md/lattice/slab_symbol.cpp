@@ -1,0 +1,155 @@
+#include "md/lattice/slab_symbol.hpp"
+
+#include "base/require.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+
+namespace asperity::md {
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+
+/// A slab that is its own mirror image in z.
+struct Slab {
+  Matrix alike;  ///< F: force on the lower face, both faces moving alike
+  Matrix across; ///< B: force on the lower face, the upper one moving
+};
+
+/// R M R with R = diag(1, 1, -1): the same seen from above.
+Matrix mirrored(Matrix matrix) {
+  matrix.row(2) = -matrix.row(2);
+  matrix.col(2) = -matrix.col(2);
+  return matrix;
+}
+
+/// Eliminates the common face: with M its stiffness,
+///
+///     B = -B_lower M^-1 B_upper
+///     F = F_lower - B_lower M^-1 (R F_lower R + F_upper)
+///
+/// the second from F = (lower face) + B and M = R (F_lower - B_lower) R +
+/// F_upper - B_upper, by hand, so that no large terms are subtracted.
+Slab stacked(const Slab& lower, const Slab& upper) {
+  const Matrix common =
+      mirrored(lower.alike - lower.across) + upper.alike - upper.across;
+  const Matrix transfer = -lower.across * common.inverse();
+  return {lower.alike + transfer * (mirrored(lower.alike) + upper.alike),
+          transfer * upper.across};
+}
+
+/// The upper face no longer matters to the lower one.
+bool is_deep(const Slab& slab) {
+  return slab.across.cwiseAbs().maxCoeff() <
+         1e-18 * slab.alike.cwiseAbs().maxCoeff();
+}
+
+SymmetricBlock block_of(const Matrix& matrix) {
+  return {matrix(0, 0),
+          matrix(1, 1),
+          matrix(2, 2),
+          0.5 * (matrix(0, 1) + matrix(1, 0)),
+          0.5 * (matrix(0, 2) + matrix(2, 0)),
+          0.5 * (matrix(1, 2) + matrix(2, 1))};
+}
+
+/// Whether the entry (row, column) joins a lateral axis and z: imaginary and
+/// odd in the wavevector, where all others are real and even.
+bool is_odd(std::size_t row, std::size_t column) {
+  return (row == 2) != (column == 2);
+}
+
+} // namespace
+
+SymmetricBlock inverse(const SymmetricBlock& block, double added_lateral,
+                       double added_normal) {
+  const double xx = block.xx + added_lateral;
+  const double yy = block.yy + added_lateral;
+  const double zz = block.zz + added_normal;
+  const double minor_x = yy * zz - block.yz * block.yz;
+  const double minor_xy = block.xz * block.yz - block.xy * zz;
+  const double minor_xz = block.xy * block.yz - block.xz * yy;
+  const double factor =
+      1.0 / (xx * minor_x + block.xy * minor_xy + block.xz * minor_xz);
+  return {factor * minor_x,
+          factor * (xx * zz - block.xz * block.xz),
+          factor * (xx * yy - block.xy * block.xy),
+          factor * minor_xy,
+          factor * minor_xz,
+          factor * (block.xy * block.xz - xx * block.yz)};
+}
+
+SlabSymbol::SlabSymbol(const Crystal& crystal) : spacing_(crystal.spacing) {
+  const CellStiffness cell = cell_stiffness(crystal);
+  for (std::size_t lower = 0; lower < 4; ++lower) {
+    for (std::size_t other = 0; other < 8; ++other) {
+      const int x = static_cast<int>(other & 1U) - static_cast<int>(lower & 1U);
+      const int y = static_cast<int>((other >> 1U) & 1U) -
+                    static_cast<int>((lower >> 1U) & 1U);
+      Offset& offset = offsets_[static_cast<std::size_t>(3 * (y + 1) + x + 1)];
+      offset.x = x;
+      offset.y = y;
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          const double term = cell[(3 * lower + i) * 24 + 3 * other + j];
+          offset.moving_alike[3 * i + j] += term;
+          if (other >= 4)
+            offset.across[3 * i + j] += term;
+        }
+      }
+    }
+  }
+}
+
+SymmetricBlock SlabSymbol::clamped(double angle_x, double angle_y,
+                                   int cells) const {
+  if (cells < 1)
+    refuse_argument("cells", cells, ">= 1");
+  Slab power{Matrix::Zero(), Matrix::Zero()};
+  for (const Offset& offset : offsets_) {
+    const double angle = offset.x * angle_x + offset.y * angle_y;
+    const double half = std::sin(0.5 * angle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(j);
+        const double alike = offset.moving_alike[3 * i + j];
+        const double across = offset.across[3 * i + j];
+        // Multiplied by i or -i the odd entries become real: K_xz = -i S_xz.
+        const double sine = (i == 2 ? -1.0 : 1.0) * std::sin(angle);
+        // The sum of moving_alike over the offsets is 0 where it is even, so
+        // cos(angle) - 1 stands for cos(angle).
+        power.alike(row, column) +=
+            alike * (is_odd(i, j) ? sine : -2.0 * half * half);
+        power.across(row, column) +=
+            across * (is_odd(i, j) ? sine : std::cos(angle));
+      }
+    }
+  }
+
+  // The binary digits of `cells`, the largest power lowest.
+  Slab whole;
+  bool is_begun = false;
+  for (int rest = cells;; power = stacked(power, power)) {
+    if (is_deep(power))
+      return block_of(power.alike);
+    if (rest & 1) {
+      whole = is_begun ? stacked(power, whole) : power;
+      is_begun = true;
+    }
+    rest >>= 1;
+    if (rest == 0)
+      return block_of(whole.alike - whole.across);
+  }
+}
+
+double SlabSymbol::contact_modulus(double angle_x, double angle_y,
+                                   int cells) const {
+  const double compliance = inverse(clamped(angle_x, angle_y, cells)).zz;
+  return 2.0 / (std::hypot(angle_x, angle_y) * spacing_ * compliance);
+}
+
+} // namespace asperity::md

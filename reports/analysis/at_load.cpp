@@ -1,0 +1,99 @@
+#include "reports/analysis/at_load.hpp"
+
+#include "cases/quantity_at_load.hpp"
+#include "reports/analysis/comparison.hpp"
+#include "reports/analysis/rough.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+using results::MethodRecord;
+
+constexpr const char* excess = "area_excess";
+
+/// The column that a quantity's area is read from.
+AreaColumn area_column(const std::string& quantity) {
+  if (quantity.ends_with("_fit"))
+    return &CurvePoint::area_fraction_fit;
+  if (quantity.ends_with("_moment"))
+    return &CurvePoint::area_fraction_moment;
+  if (quantity.ends_with("_corrected"))
+    return &CurvePoint::area_fraction_corrected;
+  return &CurvePoint::area_fraction;
+}
+
+/// NaN where the curve does not have it.
+double number_at(const std::string& quantity, double pressure,
+                 const results::Curve& curve, const results::Curve* theory,
+                 const SurfaceScales& scales) {
+  const CurveFunction function(curve.points, area_column(quantity));
+  if (quantity == "reduced_mean_gap")
+    return function.gap(pressure) / scales.rms_height;
+  const double area = function.area_fraction(pressure);
+  if (!quantity.starts_with(excess))
+    return area;
+  return area / CurveFunction(theory->points).area_fraction(pressure) - 1.0;
+}
+
+bool is_answered(const cases::ExpectationName& known,
+                 const MethodRecord& method, const MethodRecord* reference) {
+  return (method.kind == "theory" ? known.theory_answers
+                                  : !known.theory_only) &&
+         (!known.needs_theory || reference != nullptr);
+}
+
+} // namespace
+
+std::vector<std::string>
+names_at_load(std::span<const cases::Expectation> expectations,
+              std::span<const cases::ReferenceValue> references) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (cases::read_quantity_at_load(name).at_load &&
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  };
+  for (const cases::Expectation& expectation : expectations)
+    add(expectation.quantity);
+  for (const cases::ReferenceValue& reference : references)
+    add(reference.quantity);
+  return names;
+}
+
+void add_quantities_at_load(const results::Result& result,
+                            const cases::Case& contact_case,
+                            const MethodRecord& method,
+                            const MethodRecord* reference,
+                            std::span<const std::string> names,
+                            MethodSummary& summary) {
+  for (const std::string& name : names) {
+    if (!is_answered(*cases::expectation_called(name), method, reference))
+      continue;
+    const cases::QuantityAtLoad asked =
+        *cases::read_quantity_at_load(name).at_load;
+    if (asked.magnification)
+      continue; // of the studies
+    const double pressure =
+        asked.nominal_pressure.in_si({result.contact_modulus, 0.0, 0.0, 0.0});
+    std::vector<FittedValue> values;
+    for (std::size_t r = 0; r < method.realizations.size(); ++r)
+      values.push_back(
+          {number_at(asked.quantity, pressure, method.realizations[r],
+                     reference == nullptr ? nullptr : &curve_of(*reference, r),
+                     scales_of(result, contact_case, method, r)),
+           not_a_number, 0});
+    Estimate& estimate = summary.quantities[name];
+    estimate = mean_over_realizations(values);
+    if (!estimate.has_value())
+      estimate.remark =
+          fmt::format("no {} at p/E* = {:.4g} in the loading rows",
+                      asked.quantity, pressure / result.contact_modulus);
+  }
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,261 @@
+#include "reports/analysis/claims.hpp"
+
+#include "cases/expectations.hpp"
+#include "reports/analysis/comparison.hpp"
+#include "reports/analysis/determined.hpp"
+#include "reports/analysis/rough.hpp"
+#include "reports/analysis/tail_of_surface.hpp"
+#include "reports/analysis/two_faces.hpp"
+#include "theory/persson.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+using results::MethodRecord;
+using results::SurfaceRecord;
+
+using NumberOf = std::function<double(std::size_t realization)>;
+
+void add_mean(MethodSummary& summary, const std::string& name,
+              std::size_t realizations, const std::string& missing,
+              const NumberOf& number) {
+  std::vector<FittedValue> values;
+  for (std::size_t r = 0; r < realizations; ++r)
+    values.push_back({number(r), not_a_number, 0});
+  Estimate& estimate = summary.quantities[name];
+  estimate = mean_over_realizations(values);
+  if (!estimate.has_value())
+    estimate.remark = missing;
+}
+
+double log_linearity(std::span<const CurvePoint> points, double rms_height) {
+  std::vector<double> log_pressure;
+  std::vector<double> gap;
+  for (const CurvePoint& row : loading_rows(points))
+    if (const double reduced = row.mean_gap / rms_height;
+        reduced >= log_linear_from && reduced <= log_linear_to) {
+      log_pressure.push_back(std::log(row.nominal_pressure));
+      gap.push_back(reduced);
+    }
+  return gap.size() < 4 ? not_a_number
+                        : fit_line(log_pressure, gap).largest_residual;
+}
+
+double area_linearity(std::span<const CurvePoint> points) {
+  std::vector<double> ratios;
+  double sum = 0.0;
+  for (const CurvePoint& row : loading_rows(points))
+    if (row.area_fraction_corrected > 0.0 &&
+        row.area_fraction_corrected <= linear_area) {
+      ratios.push_back(row.area_fraction_corrected / row.nominal_pressure);
+      sum += ratios.back();
+    }
+  if (ratios.size() < 2)
+    return not_a_number;
+  const double mean = sum / static_cast<double>(ratios.size());
+  double largest = 0.0;
+  for (const double ratio : ratios)
+    largest = std::max(largest, std::abs(ratio / mean - 1.0));
+  return largest;
+}
+
+double area_at_highest_load(std::span<const CurvePoint> points) {
+  const std::vector<CurvePoint> rows = loading_rows(points);
+  return rows.empty() ? not_a_number : rows.back().area_fraction_corrected;
+}
+
+double gap_shortfall(std::span<const CurvePoint> points,
+                     const CurveFunction& reference, double rms_height) {
+  for (const Deviation& row : deviations(points, reference))
+    if (std::isfinite(row.reference_gap)) // in ascending pressure
+      return (row.reference_gap - row.gap) / rms_height;
+  return not_a_number;
+}
+
+FittedValue fractal_dimension(const SurfaceRecord& surface,
+                              const cases::SurfaceSpec& spec, double highest) {
+  std::vector<double> log_wavevector;
+  std::vector<double> log_spectrum;
+  for (const results::SpectrumPoint& point : surface.spectrum)
+    if (point.spectrum > 0.0 && point.wavevector >= spec.wavevector_roll_off &&
+        point.wavevector <= highest) {
+      log_wavevector.push_back(std::log(point.wavevector));
+      log_spectrum.push_back(std::log(point.spectrum));
+    }
+  const LineFit line = fit_line(log_wavevector, log_spectrum);
+  // C ~ q^(-2-2H), D = 3 - H
+  return {4.0 + 0.5 * line.slope, 0.5 * line.slope_error, line.points - 2};
+}
+
+void add_surface_quantities(const results::Result& result,
+                            const cases::Case& contact_case,
+                            const MethodRecord& method,
+                            MethodSummary& summary) {
+  const std::size_t count = method.realizations.size();
+  const auto of_surface = [&](const char* name, auto number) {
+    add_mean(
+        summary, name, count, "the surface is not in the result",
+        [&](std::size_t r) { return number(*surface_of(result, method, r)); });
+  };
+  of_surface("rms_height",
+             [](const SurfaceRecord& surface) { return surface.rms_height; });
+  of_surface("highest_asperity", [](const SurfaceRecord& surface) {
+    return surface.highest / surface.rms_height;
+  });
+  if (contact_case.surface.kind != cases::SurfaceKind::self_affine)
+    return;
+  double highest = contact_case.surface.wavevector_high;
+  if (const auto zeta = magnification_of(contact_case, method))
+    highest =
+        std::min(highest, *zeta * contact_case.surface.wavevector_roll_off);
+  std::vector<FittedValue> dimensions;
+  for (std::size_t r = 0; r < count; ++r)
+    dimensions.push_back(fractal_dimension(*surface_of(result, method, r),
+                                           contact_case.surface, highest));
+  summary.quantities["fractal_dimension"] =
+      determined(mean_over_realizations(dimensions), positive_range);
+}
+
+// Of one value: the two surfaces are one pair.
+void add_sum_quantities(const results::Result& result,
+                        const cases::SurfaceSpec& surface,
+                        MethodSummary& summary) {
+  const auto sum = sum_of_two_faces(result);
+  if (!sum)
+    return;
+  const auto add = [&](const char* name, double value) {
+    Estimate& estimate = summary.quantities[name];
+    estimate.value = value;
+    estimate.realizations = 1;
+    estimate.remark = "of both surfaces together";
+  };
+  add("sum_rms_height", sum->rms_height);
+  if (surface.kind == cases::SurfaceKind::self_affine)
+    add("sum_spectrum_ratio",
+        sum_spectrum_ratio(result, *sum, surface.wavevector_roll_off,
+                           surface.wavevector_high));
+}
+
+void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
+  const std::size_t count = method.realizations.size();
+  add_mean(summary, "log_linearity", count,
+           "fewer than 4 rows with 1 <= u / h_rms <= 2", [&](std::size_t r) {
+             return log_linearity(method.realizations[r].points,
+                                  summary.fits[r].scales.rms_height);
+           });
+  add_mean(summary, "area_linearity", count,
+           "fewer than 2 rows at so light a load", [&](std::size_t r) {
+             return area_linearity(method.realizations[r].points);
+           });
+  add_mean(summary, "area_at_highest_load", count, "no rows",
+           [&](std::size_t r) {
+             return area_at_highest_load(method.realizations[r].points);
+           });
+}
+
+const std::vector<std::pair<std::string, std::string>>& meanings() {
+  static const std::vector<std::pair<std::string, std::string>> table = {
+      {"area_scale_lower_half", "area_scale over the lighter half of the "
+                                "loads [1]."},
+      {"area_scale_upper_half", "area_scale over the heavier half of the "
+                                "loads [1]."},
+      {"area_scale_corrected_lower_half",
+       "area_scale_corrected over the lighter half of the loads [1]."},
+      {"area_scale_corrected_upper_half",
+       "area_scale_corrected over the heavier half of the loads [1]."},
+      {"epsilon", "eps of (16) at the case's gamma [1]."},
+      {"log_linearity", "Largest |u - line| / h_rms of the least-squares line "
+                        "of u over ln p where 1 < u / h_rms < 2 [1]."},
+      {"gap_deviation_to_2", "Largest |u - u of theory| / h_rms where "
+                             "0.2 < u / h_rms < 2 [1]."},
+      {"area_linearity", "Largest |(A/p) / mean - 1| up to 10 % contact [1]."},
+      {"area_at_highest_load", "A/A_0 at the highest load of the case [1]."},
+      {"pressure_offset",
+       "Median of ln p / p of theory at equal u, where 0.3 < "
+       "u / h_rms < 1.5 [1]."},
+      {"departure_low",
+       "u / h_rms below which ln p / p of theory at equal u is "
+       "over 0.1 from its median [1]."},
+      {"departure_high", "u / h_rms above which ln p / p of theory at equal u "
+                         "is over 0.1 from its median [1]."},
+      {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
+      {"asperity_shortfall", "(Theory's u - u) / h_rms at the lightest load, u "
+                             "that of separate asperities without end [1]."},
+      {"highest_asperity", "Largest height / h_rms [1]."},
+      {"rms_height", "Root mean square of the heights [m]."},
+      {"sum_rms_height", "h_rms of the sum of both surfaces [m]."},
+      {"sum_spectrum_ratio", "Mean of C(q) of the sum of both surfaces over "
+                             "C_0 + C_1, roll-off to cut-off [1]."},
+      {"fractal_dimension", "3 - H of the measured spectrum [1]."}};
+  return table;
+}
+
+} // namespace
+
+void add_claim_quantities(const results::Result& result,
+                          const cases::Case& contact_case,
+                          const MethodRecord& method,
+                          const MethodRecord* reference,
+                          MethodSummary& summary) {
+  const auto gamma = summary.quantities.find("gamma_theory");
+  if (method.kind == "theory" && gamma != summary.quantities.end() &&
+      gamma->second.has_value()) {
+    Estimate& epsilon = summary.quantities["epsilon"];
+    epsilon.value = theory::persson_epsilon(gamma->second.value); // (16)
+    epsilon.realizations = 1;
+    epsilon.remark = "(16) at the gamma of the case";
+  }
+  add_tail_quantities(result, contact_case, method, summary);
+  if (!uses_formula(contact_case, method) &&
+      surface_of(result, method, 0) != nullptr) {
+    add_surface_quantities(result, contact_case, method, summary);
+    add_sum_quantities(result, contact_case.surface, summary);
+  }
+  add_curve_quantities(method, summary);
+  if (method.kind == "theory" || reference == nullptr)
+    return;
+  add_mean(summary, "gap_shortfall", method.realizations.size(),
+           "no load that the theory also has", [&](std::size_t r) {
+             return gap_shortfall(method.realizations[r].points,
+                                  CurveFunction(curve_of(*reference, r).points),
+                                  summary.fits[r].scales.rms_height);
+           });
+  add_mean(summary, "gap_deviation_to_2", method.realizations.size(),
+           "no such row that the theory also has", [&](std::size_t r) {
+             return largest_gap_deviation(
+                 deviations(method.realizations[r].points,
+                            CurveFunction(curve_of(*reference, r).points)),
+                 summary.fits[r].scales.rms_height, 0.2, 2.0);
+           });
+  const auto departure_part = [&](const char* name, const char* missing,
+                                  double Departure::*part) {
+    add_mean(
+        summary, name, method.realizations.size(), missing, [&](std::size_t r) {
+          return departure_from(method.realizations[r].points,
+                                CurveFunction(curve_of(*reference, r).points),
+                                summary.fits[r].scales.rms_height).*
+                 part;
+        });
+  };
+  const char* together = "together as far as the rows go, or not at h_rms";
+  departure_part("pressure_offset", "no row in the comparison's range",
+                 &Departure::offset);
+  departure_part("departure_low", together, &Departure::low);
+  departure_part("departure_high", together, &Departure::high);
+}
+
+std::string meaning_of(const std::string& quantity) {
+  if (const auto* known = cases::expectation_called(quantity))
+    return known->description;
+  for (const auto& [name, meaning] : meanings())
+    if (name == quantity)
+      return meaning;
+  return "";
+}
+
+} // namespace asperity::reports

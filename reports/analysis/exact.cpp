@@ -1,0 +1,103 @@
+#include "reports/analysis/exact.hpp"
+
+#include "reports/analysis/fits.hpp"
+#include "reports/analysis/stress_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::reports {
+namespace {
+
+using cases::SurfaceKind;
+using results::CurvePoint;
+
+// What the method answers, in the terms of the exact solution.
+ExactPoint answer_of(const CurvePoint& point, const cases::SurfaceSpec& surface,
+                     double contact_modulus, double surface_top) {
+  ExactPoint answer;
+  answer.mean_gap = point.mean_gap;
+  answer.area_fraction = point.area_fraction_corrected;
+  if (surface.kind != SurfaceKind::sphere)
+    return answer;
+  const double side = surface.length.value_or(not_a_number);
+  answer.contact_radius =
+      side * std::sqrt(answer.area_fraction / std::numbers::pi);
+  answer.approach = surface_top - point.mean_gap +
+                    periodic_approach(point.nominal_pressure * side * side,
+                                      side, contact_modulus);
+  return answer;
+}
+
+struct LargestErrors {
+  double mean_gap = not_a_number;
+  double area_fraction = not_a_number;
+  double contact_radius = not_a_number;
+  double approach = not_a_number;
+};
+
+void widen(double& largest, double error) {
+  largest = std::fmax(largest, std::abs(error)); // ignores NaN
+}
+
+Estimate largest_estimate(double largest, const char* missing) {
+  Estimate estimate;
+  estimate.value = largest;
+  estimate.realizations = estimate.has_value() ? 1 : 0;
+  estimate.remark =
+      estimate.has_value() ? "largest of the load steps" : missing;
+  return estimate;
+}
+
+LargestErrors errors_of(const results::Result& result,
+                        const cases::SurfaceSpec& surface,
+                        const results::MethodRecord& method) {
+  const double modulus = result.contact_modulus;
+  const results::SurfaceRecord* map = surface_of(result, method, 0);
+  const double top = map == nullptr ? not_a_number : map->highest;
+  LargestErrors largest;
+  for (const CurvePoint& row :
+       loading_rows(method.realizations.front().points)) {
+    const ExactPoint exact =
+        exact_point(surface, modulus, row.nominal_pressure, top);
+    const ExactPoint answer = answer_of(row, surface, modulus, top);
+    const double height = surface.kind == SurfaceKind::sphere
+                              ? exact.approach
+                              : surface.amplitude;
+    widen(largest.mean_gap, (answer.mean_gap - exact.mean_gap) / height);
+    widen(largest.area_fraction, answer.area_fraction - exact.area_fraction);
+    widen(largest.contact_radius,
+          answer.contact_radius / exact.contact_radius - 1.0);
+    widen(largest.approach, answer.approach / exact.approach - 1.0);
+  }
+  return largest;
+}
+
+} // namespace
+
+void add_exact_quantities(const results::Result& result,
+                          const cases::Case& exact_case,
+                          const results::MethodRecord& method,
+                          MethodSummary& summary) {
+  if (method.kind == "theory" || method.realizations.empty())
+    return; // Persson's theory is no answer to a single shape
+  const cases::SurfaceSpec& surface = exact_case.surface;
+  const LargestErrors errors = errors_of(result, surface, method);
+  auto& quantities = summary.quantities;
+  quantities["area_error"] = largest_estimate(
+      errors.area_fraction, "no load has an exact contact fraction");
+  if (surface.kind == SurfaceKind::sphere) {
+    quantities["contact_radius_error"] =
+        largest_estimate(errors.contact_radius, "no row in contact");
+    quantities["approach_error"] =
+        largest_estimate(errors.approach, "the surface is not in the result");
+    add_stress_quantities(result, exact_case, method, summary);
+    return;
+  }
+  quantities["mean_gap_error"] = largest_estimate(
+      errors.mean_gap, "no exact mean gap is known for this shape");
+}
+
+} // namespace asperity::reports

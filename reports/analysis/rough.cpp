@@ -1,0 +1,223 @@
+#include "reports/analysis/rough.hpp"
+
+#include "reports/analysis/area_scale.hpp"
+#include "reports/analysis/comparison.hpp"
+#include "reports/analysis/determined.hpp"
+#include "reports/analysis/surface_theory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace asperity::reports {
+namespace {
+
+using results::MethodRecord;
+using results::Result;
+
+double set_gamma(const cases::Case& rough_case, const MethodRecord& method) {
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
+        theory != nullptr && spec.name == method.name)
+      return theory->gamma;
+  return not_a_number;
+}
+
+SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
+                         const MethodRecord& method, std::size_t realization) {
+  if (uses_formula(rough_case, method)) {
+    const auto magnification = magnification_of(rough_case, method);
+    std::optional<double> highest;
+    if (magnification)
+      highest = *magnification * rough_case.surface.wavevector_roll_off;
+    return theory_of_formula(rough_case.surface, result.contact_modulus,
+                             highest);
+  }
+  if (!method.realizations[realization].own_surface &&
+      realization >= result.surfaces.size())
+    return {};
+  return theory_of_surface(*surface_of(result, method, realization),
+                           result.contact_modulus);
+}
+
+bool is_positive(double number) {
+  return number > 0.0 && std::isfinite(number);
+}
+
+// The fits that hold the curve against the theory of its own surface.
+void add_theory_fits(const Result& result, const cases::Case& rough_case,
+                     const MethodRecord& method, std::size_t realization,
+                     RealizationFits& fits) {
+  const double height = fits.scales.rms_height;
+  const SurfaceTheory theory =
+      theory_for(result, rough_case, method, realization);
+  if (method.kind == "theory") { // its parameter is an input
+    fits.asymptotic_slope =
+        set_gamma(rough_case, method) * theory.decay_length / height;
+    return;
+  }
+  if (!theory.gap) {
+    fits.parameter.reason = "the heights are not in the result";
+    return;
+  }
+  fits.parameter = fit_parameter(method.realizations[realization].points,
+                                 fits.scales, theory.gap);
+  const FittedValue& gamma = fits.parameter.gamma_theory;
+  if (why_undetermined(gamma, gamma_range).empty())
+    fits.asymptotic_slope = gamma.value * theory.decay_length / height;
+}
+
+RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
+                        const MethodRecord& method, std::size_t realization) {
+  RealizationFits fits;
+  fits.scales = scales_of(result, rough_case, method, realization);
+  if (!is_positive(fits.scales.rms_height) ||
+      !is_positive(fits.scales.rms_slope)) {
+    fits.slope.reason = fits.parameter.reason = fits.area.reason =
+        "h_rms or the rms slope of the surface is not known, or is 0";
+    return fits;
+  }
+  const auto& points = method.realizations[realization].points;
+  fits.slope = fit_slope(points, fits.scales);
+  fits.area = fit_area(points, fits.scales);
+  try {
+    add_theory_fits(result, rough_case, method, realization, fits);
+  } catch (const std::domain_error& error) { // of heights that have no theory
+    fits.parameter = {};
+    fits.parameter.reason =
+        fmt::format("there is no theory of this surface: {}", error.what());
+  }
+  return fits;
+}
+
+// Mean of one fitted value over realisations, if it is a result. The mean is
+// judged and not each realisation: leaving out those outside the range would
+// pull the mean into it.
+template <class Fit>
+Estimate mean_of(const std::vector<RealizationFits>& fits,
+                 Fit RealizationFits::*fit, FittedValue Fit::*fitted,
+                 const MeaningfulRange& range) {
+  std::vector<FittedValue> values;
+  for (const RealizationFits& realization : fits) {
+    values.push_back((realization.*fit).*fitted);
+    if (values.back().reason.empty())
+      values.back().reason = (realization.*fit).reason;
+  }
+  return determined(mean_over_realizations(values), range);
+}
+
+Estimate largest_of(const std::vector<double>& values,
+                    const std::string& missing) {
+  Estimate estimate;
+  for (const double number : values) {
+    estimate.value = std::fmax(estimate.value, number);
+    estimate.realizations += std::isfinite(number);
+  }
+  estimate.remark =
+      estimate.has_value()
+          ? fmt::format("largest of {} realisation{}", estimate.realizations,
+                        estimate.realizations == 1 ? "" : "s")
+          : missing;
+  return estimate;
+}
+
+Estimate area_excess_of(const MethodRecord& method,
+                        const MethodRecord& reference, AreaColumn area) {
+  std::vector<FittedValue> excesses;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const CurveFunction theory(curve_of(reference, r).points);
+    const std::vector<Deviation> rows =
+        deviations(method.realizations[r].points, theory, area);
+    excesses.push_back({light_load_area_excess(rows), not_a_number, 0});
+  }
+  Estimate excess = mean_over_realizations(excesses);
+  if (!excess.has_value())
+    excess.remark = "no row with A/A_0 <= 15 % that the theory also has";
+  return excess;
+}
+
+Estimate gap_deviation_of(const MethodRecord& method,
+                          const MethodRecord& reference,
+                          const std::vector<RealizationFits>& fits) {
+  std::vector<double> largest;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const CurveFunction theory(curve_of(reference, r).points);
+    largest.push_back(
+        largest_gap_deviation(deviations(method.realizations[r].points, theory),
+                              fits[r].scales.rms_height));
+  }
+  return largest_of(largest,
+                    fmt::format("no row with {} < u/h_rms < {} that the theory "
+                                "also has",
+                                comparison_gap_low, comparison_gap_high));
+}
+
+Estimate pressure_difference_to(const MethodRecord& method,
+                                const MethodRecord& base) {
+  std::vector<double> largest;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r)
+    largest.push_back(
+        largest_pressure_difference(method.realizations[r].points,
+                                    CurveFunction(curve_of(base, r).points)));
+  return largest_of(largest, "no load that " + base.name + " also has");
+}
+
+Estimate set_parameter(const cases::Case& rough_case,
+                       const MethodRecord& method) {
+  Estimate estimate;
+  estimate.value = set_gamma(rough_case, method);
+  estimate.remark =
+      estimate.has_value() ? "set in the case" : "not set in the case";
+  estimate.is_input = estimate.has_value();
+  return estimate;
+}
+
+} // namespace
+
+const results::Curve& curve_of(const MethodRecord& method,
+                               std::size_t realization) {
+  return method
+      .realizations[std::min(realization, method.realizations.size() - 1)];
+}
+
+void add_rough_quantities(const Result& result, const cases::Case& rough_case,
+                          const MethodRecord& method,
+                          const MethodRecord* reference,
+                          MethodSummary& summary) {
+  for (std::size_t r = 0; r < method.realizations.size(); ++r)
+    summary.fits.push_back(fits_of(result, rough_case, method, r));
+  auto& quantities = summary.quantities;
+  quantities["gamma_slope"] = mean_of(summary.fits, &RealizationFits::slope,
+                                      &SlopeFit::gamma_slope, gamma_range);
+  quantities["beta"] = mean_of(summary.fits, &RealizationFits::slope,
+                               &SlopeFit::beta, positive_range);
+  quantities["kappa"] = mean_of(summary.fits, &RealizationFits::area,
+                                &AreaFit::kappa, positive_range);
+  quantities["kappa_counted"] =
+      mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted,
+              positive_range);
+  if (method.kind == "theory") {
+    quantities["gamma_theory"] = set_parameter(rough_case, method);
+    return;
+  }
+  quantities["gamma_theory"] =
+      mean_of(summary.fits, &RealizationFits::parameter,
+              &ParameterFit::gamma_theory, gamma_range);
+  if (const MethodRecord* base = base_method(result, method))
+    quantities["pressure_difference"] = pressure_difference_to(method, *base);
+  if (reference == nullptr)
+    return;
+  quantities["gap_deviation"] =
+      gap_deviation_of(method, *reference, summary.fits);
+  add_area_scales(method, *reference, result.contact_modulus, summary);
+  quantities["area_excess"] =
+      area_excess_of(method, *reference, &results::CurvePoint::area_fraction);
+  quantities["area_excess_fit"] = area_excess_of(
+      method, *reference, &results::CurvePoint::area_fraction_fit);
+  quantities["area_excess_moment"] = area_excess_of(
+      method, *reference, &results::CurvePoint::area_fraction_moment);
+}
+
+} // namespace asperity::reports

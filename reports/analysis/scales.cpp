@@ -1,0 +1,110 @@
+#include "reports/analysis/summary.hpp"
+#include "surfaces/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using cases::SurfaceKind;
+using cases::SurfaceSpec;
+
+SurfaceScales formula_scales(const SurfaceSpec& surface) {
+  SurfaceScales scales{0.0, not_a_number, not_a_number};
+  if (surface.kind != SurfaceKind::self_affine)
+    return scales;
+  const surfaces::IsotropicSpectrum spectrum =
+      surfaces::formula_spectrum(surface);
+  scales.rms_height = std::sqrt(spectrum.mean_square_height);
+  scales.rms_slope = std::sqrt(spectrum.mean_square_slope);
+  return scales;
+}
+
+} // namespace
+
+bool uses_formula(const cases::Case& rough_case,
+                  const results::MethodRecord& method) {
+  if (method.kind != "theory")
+    return false;
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (spec.name == method.name)
+      if (const auto* theory =
+              std::get_if<cases::TheorySettings>(&spec.settings))
+        return theory->spectrum == cases::TheorySpectrum::formula;
+  return false;
+}
+
+bool is_exact_shape(const cases::Case& contact_case) {
+  const SurfaceKind kind = contact_case.surface.kind;
+  return contact_case.material.is_uniform() &&
+         (kind == SurfaceKind::sphere || kind == SurfaceKind::wave_1d ||
+          kind == SurfaceKind::wave_2d);
+}
+
+const results::SurfaceRecord* surface_of(const results::Result& result,
+                                         const results::MethodRecord& method,
+                                         std::size_t realization) {
+  if (realization < method.realizations.size() &&
+      method.realizations[realization].own_surface)
+    return &*method.realizations[realization].own_surface;
+  if (result.surfaces.empty())
+    return nullptr;
+  return &result.surfaces[std::min(realization, result.surfaces.size() - 1)];
+}
+
+SurfaceScales scales_of(const results::Result& result,
+                        const cases::Case& rough_case,
+                        const results::MethodRecord& method,
+                        std::size_t realization) {
+  SurfaceScales scales = formula_scales(rough_case.surface);
+  const bool formula_is_known = std::isfinite(scales.rms_height);
+  const results::SurfaceRecord* surface =
+      surface_of(result, method, realization);
+  const bool is_own = realization < method.realizations.size() &&
+                      method.realizations[realization].own_surface;
+  if (surface != nullptr &&
+      (is_own || !(uses_formula(rough_case, method) && formula_is_known))) {
+    scales.rms_height = surface->rms_height;
+    scales.rms_slope = surface->rms_slope;
+  }
+  scales.contact_modulus = result.contact_modulus;
+  return scales;
+}
+
+std::optional<double> magnification_of(const cases::Case& rough_case,
+                                       const results::MethodRecord& method) {
+  for (const cases::MethodSpec& spec : rough_case.methods)
+    if (spec.name == method.name)
+      return spec.magnification;
+  return std::nullopt;
+}
+
+const results::MethodRecord*
+reference_theory(const results::Result& result, const cases::Case& rough_case,
+                 const results::MethodRecord& method) {
+  const std::optional<double> seen = magnification_of(rough_case, method);
+  const results::MethodRecord* first = nullptr;
+  for (const results::MethodRecord& theory : result.methods) {
+    if (theory.kind != "theory" || theory.realizations.empty() ||
+        magnification_of(rough_case, theory) != seen)
+      continue;
+    if (theory.name == "theory")
+      return &theory;
+    if (first == nullptr)
+      first = &theory;
+  }
+  return first;
+}
+
+const results::MethodRecord* base_method(const results::Result& result,
+                                         const results::MethodRecord& method) {
+  const std::size_t dot = method.name.find('.');
+  for (const results::MethodRecord& base : result.methods)
+    if (dot != std::string::npos && base.name == method.name.substr(0, dot) &&
+        !base.realizations.empty())
+      return &base;
+  return nullptr;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,76 @@
+#include "reports/analysis/stress_quantities.hpp"
+
+#include "theory/hertz.hpp"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity::reports {
+namespace {
+
+Estimate largest(double value) {
+  Estimate estimate;
+  estimate.value = value;
+  estimate.realizations = 1;
+  estimate.remark = "largest of the maps kept";
+  return estimate;
+}
+
+} // namespace
+
+std::string stress_table_name(const std::string& method) {
+  return "stress-inside-" + method;
+}
+
+std::string stress_section_name(const std::string& method) {
+  return "stress-section-" + method;
+}
+
+HertzStrength hertz_strength(double poisson_ratio) {
+  // E* = 3/4 and F = R = 1 make a = 1; p_0 = 3/(2 pi).
+  const theory::HertzContact contact = theory::hertz_contact(1.0, 1.0, 0.75);
+  const auto [depth, lowest] = boost::math::tools::brent_find_minima(
+      [&](double z) {
+        const theory::AxisStress stress =
+            theory::hertz_axis_stress(contact, z, poisson_ratio);
+        return -std::abs(stress.radial - stress.axial);
+      },
+      0.0, 2.0, std::numeric_limits<double>::digits / 2);
+  return {-lowest / contact.peak_pressure, depth};
+}
+
+void add_stress_quantities(const results::Result& result,
+                           const cases::Case& exact_case,
+                           const results::MethodRecord& method,
+                           MethodSummary& summary) {
+  const results::Table* table = result.table(stress_table_name(method.name));
+  const cases::SurfaceSpec& surface = exact_case.surface;
+  if (table == nullptr || surface.kind != cases::SurfaceKind::sphere ||
+      !exact_case.material.poisson_ratio)
+    return;
+  const double side = surface.length.value_or(not_a_number);
+  const HertzStrength exact =
+      hertz_strength(*exact_case.material.poisson_ratio);
+  const std::vector<double> pressures = table->values("nominal_pressure");
+  const std::vector<double> strengths = table->values("von_mises");
+  const std::vector<double> depths = table->values("depth");
+  if (strengths.size() != pressures.size() || depths.size() != pressures.size())
+    return; // not a table of ours
+  double strength_error = not_a_number;
+  double depth_error = not_a_number;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    const theory::HertzContact contact = theory::hertz_contact(
+        pressures[i] * side * side, surface.radius, result.contact_modulus);
+    const double strength = exact.von_mises * contact.peak_pressure;
+    const double depth = exact.depth * contact.contact_radius;
+    strength_error =
+        std::fmax(strength_error, std::abs(strengths[i] / strength - 1.0));
+    depth_error = std::fmax(depth_error, std::abs(depths[i] / depth - 1.0));
+  }
+  summary.quantities["von_mises_error"] = largest(strength_error);
+  summary.quantities["von_mises_depth_error"] = largest(depth_error);
+}
+
+} // namespace asperity::reports

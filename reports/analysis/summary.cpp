@@ -1,0 +1,160 @@
+#include "reports/analysis/summary.hpp"
+
+#include "reports/analysis/at_load.hpp"
+#include "reports/analysis/claims.hpp"
+#include "reports/analysis/exact.hpp"
+#include "reports/analysis/rough.hpp"
+#include "reports/analysis/study_quantities.hpp"
+#include "reports/analysis/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
+
+namespace asperity::reports {
+namespace {
+
+using results::MethodRecord;
+using results::Result;
+
+double median(std::vector<double> numbers) {
+  if (numbers.empty())
+    return not_a_number;
+  std::sort(numbers.begin(), numbers.end());
+  const std::size_t half = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[half]
+                                 : 0.5 * (numbers[half - 1] + numbers[half]);
+}
+
+Cost cost_of(const MethodRecord& method) {
+  Cost cost;
+  std::vector<double> step_times;
+  for (const results::Curve& curve : method.realizations) {
+    cost.setup_cpu_time += curve.setup_cpu_time;
+    for (const results::CurvePoint& point : curve.points) {
+      ++cost.steps;
+      cost.failed_steps +=
+          point.status == results::StepStatus::not_converged ? 1 : 0;
+      cost.largest_iterations =
+          std::max(cost.largest_iterations, point.iterations);
+      cost.cpu_time += point.cpu_time;
+      step_times.push_back(point.cpu_time);
+    }
+  }
+  cost.cpu_time += cost.setup_cpu_time;
+  cost.step_cpu_time = median(step_times);
+  return cost;
+}
+
+// Deepest overlap of the kept gap maps, in h_rms of realisation r.
+Estimate penetration_of(const Result& result, const MethodRecord& method) {
+  Estimate estimate;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const results::SurfaceRecord* surface = surface_of(result, method, r);
+    if (surface == nullptr)
+      break;
+    const double rms_height = surface->rms_height;
+    bool has_map = false;
+    for (const results::Fields& fields : method.realizations[r].fields) {
+      if (fields.gap.empty())
+        continue;
+      const double lowest =
+          *std::min_element(fields.gap.begin(), fields.gap.end());
+      estimate.value =
+          std::fmax(estimate.value, std::fmax(0.0, -lowest) / rms_height);
+      has_map = true;
+    }
+    estimate.realizations += has_map ? 1 : 0;
+  }
+  estimate.remark = estimate.has_value() ? "deepest of the kept maps"
+                                         : "no gap map is in the result";
+  return estimate;
+}
+
+// Whatever a quantity meets in a curve or a map, the other quantities and the
+// report do not depend on it.
+template <class Work>
+void attempt(MethodSummary& summary, const char* what, const Work& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    throw; // of the machine, not of the numbers
+  } catch (const std::exception& error) {
+    summary.problems.push_back(fmt::format("{}: {}", what, error.what()));
+  }
+}
+
+MethodSummary summarize_method(const Result& result,
+                               const cases::Case& rough_case,
+                               const MethodRecord& method,
+                               const MethodRecord* reference) {
+  MethodSummary summary;
+  summary.name = method.name;
+  summary.kind = method.kind;
+  summary.description = method.description;
+  summary.cost = cost_of(method);
+  if (is_exact_shape(rough_case))
+    attempt(summary, "exact solution",
+            [&] { add_exact_quantities(result, rough_case, method, summary); });
+  else {
+    attempt(summary, "fits", [&] {
+      add_rough_quantities(result, rough_case, method, reference, summary);
+    });
+    summary.fits.resize(method.realizations.size());
+    attempt(summary, "claims", [&] {
+      add_claim_quantities(result, rough_case, method, reference, summary);
+    });
+  }
+  if (method.kind != "theory") {
+    Estimate iterations;
+    iterations.value = summary.cost.largest_iterations;
+    iterations.realizations = static_cast<int>(method.realizations.size());
+    iterations.remark = "largest of all steps";
+    summary.quantities["iterations_max"] = iterations;
+    summary.quantities["penetration"] = penetration_of(result, method);
+  }
+  return summary;
+}
+
+} // namespace
+
+Summary summarize(const Result& result, const cases::Case& rough_case) {
+  Summary summary;
+  summary.case_name = result.case_name;
+  summary.case_title = result.case_title;
+  summary.case_hash = result.case_hash;
+  summary.status = result.status;
+  summary.provenance = result.provenance;
+  const MethodRecord* whole = reference_theory(result, rough_case, {});
+  if (whole != nullptr)
+    summary.reference_method = whole->name;
+  std::vector<cases::ReferenceValue> references;
+  if (!result.reference.empty())
+    references = cases::read_reference_text(result.reference,
+                                            result.path + ": reference");
+  const std::vector<std::string> at_load =
+      names_at_load(rough_case.expectations, references);
+  for (const MethodRecord& method : result.methods) {
+    const MethodRecord* reference =
+        reference_theory(result, rough_case, method);
+    summary.methods.push_back(
+        summarize_method(result, rough_case, method, reference));
+    MethodSummary& mine = summary.methods.back();
+    attempt(mine, "quantities at a load", [&] {
+      add_quantities_at_load(result, rough_case, method, reference, at_load,
+                             mine);
+    });
+    attempt(mine, "studies", [&] {
+      add_study_quantities(result, rough_case, method, at_load, mine);
+    });
+  }
+  summary.verdicts = judge(rough_case.expectations, summary.methods,
+                           result.status == "complete");
+  summary.published = beside_ours(references, summary.methods);
+  return summary;
+}
+
+} // namespace asperity::reports

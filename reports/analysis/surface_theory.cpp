@@ -1,0 +1,61 @@
+#include "reports/analysis/surface_theory.hpp"
+
+#include "surfaces/build.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "theory/persson.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::reports {
+namespace {
+
+// The finest shells there are: lengths of wavevector on a square grid, roots of
+// integers, are hardly ever as close as this to each other.
+constexpr double shell_width = 1e-6; // of ln q
+
+std::vector<theory::SpectrumShell>
+shells_of(const results::SurfaceRecord& surface) {
+  std::vector<theory::SpectrumShell> shells;
+  for (const surfaces::Shell& shell :
+       surfaces::spectral_shells({surface.grid, surface.heights}, shell_width))
+    shells.push_back({shell.wavevector, shell.mean_square_height});
+  return shells;
+}
+
+SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
+                       double contact_modulus) {
+  const auto contact =
+      std::make_shared<theory::PerssonContact>(spectrum, contact_modulus, 1.0);
+  SurfaceTheory prepared;
+  prepared.decay_length = contact->gap_decay_length();
+  prepared.gap = [contact](double nominal_pressure) {
+    const theory::GammaParts parts = contact->mean_gap_parts(nominal_pressure);
+    return GapSplit{parts.linear, parts.cubic};
+  };
+  return prepared;
+}
+
+} // namespace
+
+SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
+                                double contact_modulus) {
+  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
+    return {};
+  return prepared(theory::HeightSpectrum(shells_of(surface)), contact_modulus);
+}
+
+SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
+                                double contact_modulus,
+                                std::optional<double> highest) {
+  if (surface.kind != cases::SurfaceKind::self_affine)
+    return {};
+  const surfaces::IsotropicSpectrum formula =
+      surfaces::formula_spectrum(surface);
+  const theory::HeightSpectrum spectrum(
+      theory::SpectrumFormula{formula.density, formula.kinks});
+  return prepared(highest ? spectrum.between(0.0, *highest) : spectrum,
+                  contact_modulus);
+}
+
+} // namespace asperity::reports

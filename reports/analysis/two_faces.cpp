@@ -1,0 +1,76 @@
+#include "reports/analysis/two_faces.hpp"
+
+#include "reports/analysis/estimate.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+// Shells of one grid have one place each, but the middle of their own power.
+double density_near(const results::SurfaceRecord& surface, double wavevector) {
+  const auto nearest = std::min_element(
+      surface.spectrum.begin(), surface.spectrum.end(),
+      [&](const results::SpectrumPoint& a, const results::SpectrumPoint& b) {
+        return std::abs(a.wavevector - wavevector) <
+               std::abs(b.wavevector - wavevector);
+      });
+  return nearest == surface.spectrum.end() ? not_a_number : nearest->spectrum;
+}
+
+} // namespace
+
+std::optional<results::SurfaceRecord>
+sum_of_two_faces(const results::Result& result) {
+  const bool is_pressed = std::any_of(
+      result.methods.begin(), result.methods.end(),
+      [](const results::MethodRecord& m) { return m.kind != "theory"; });
+  if (is_pressed || result.surfaces.size() != 2)
+    return std::nullopt;
+  const results::SurfaceRecord& first = result.surfaces[0];
+  const results::SurfaceRecord& second = result.surfaces[1];
+  if (!(first.grid == second.grid) || first.heights.empty() ||
+      first.heights.size() != first.grid.size() ||
+      second.heights.size() != second.grid.size())
+    return std::nullopt;
+  surfaces::HeightMap map{first.grid, first.heights};
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    map.heights[i] += second.heights[i];
+  const surfaces::Statistics numbers = surfaces::statistics(map);
+  results::SurfaceRecord sum;
+  sum.grid = map.grid;
+  sum.rms_height = numbers.rms_height;
+  sum.rms_slope = numbers.rms_slope;
+  sum.rms_curvature = numbers.rms_curvature;
+  sum.skewness = numbers.skewness;
+  sum.kurtosis = numbers.kurtosis;
+  sum.highest = numbers.highest;
+  for (const surfaces::Shell& shell : surfaces::spectral_shells(map))
+    sum.spectrum.push_back(
+        {shell.wavevector, surfaces::shell_density(shell, map.grid)});
+  sum.heights = std::move(map.heights);
+  return sum;
+}
+
+double sum_spectrum_ratio(const results::Result& result,
+                          const results::SurfaceRecord& sum, double low,
+                          double high) {
+  double total = 0.0;
+  int shells = 0;
+  for (const results::SpectrumPoint& point : sum.spectrum) {
+    if (point.wavevector < low || point.wavevector > high)
+      continue;
+    const double both = density_near(result.surfaces[0], point.wavevector) +
+                        density_near(result.surfaces[1], point.wavevector);
+    if (!(both > 0.0)) // also of NaN
+      continue;
+    total += point.spectrum / both;
+    ++shells;
+  }
+  return shells > 0 ? total / shells : not_a_number;
+}
+
+} // namespace asperity::reports

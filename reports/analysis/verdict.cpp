@@ -1,0 +1,166 @@
+#include "reports/analysis/verdict.hpp"
+
+#include "reports/analysis/determined.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+const MethodSummary* find_method(std::span<const MethodSummary> methods,
+                                 const std::string& name) {
+  const auto found =
+      std::find_if(methods.begin(), methods.end(),
+                   [&](const MethodSummary& m) { return m.name == name; });
+  return found == methods.end() ? nullptr : &*found;
+}
+
+Outcome outcome_of(const Estimate& estimate, double low, double high) {
+  const double half = estimate.has_interval() ? estimate.half_width : 0.0;
+  const double least = estimate.value - half;
+  const double largest = estimate.value + half;
+  if (least >= low && largest <= high)
+    return Outcome::ok;
+  return largest < low || least > high ? Outcome::failed : Outcome::undecided;
+}
+
+// Why a method has no such quantity.
+std::string why_missing(const MethodSummary& method) {
+  return method.problems.empty()
+             ? "the method does not answer this"
+             : fmt::format("{}", fmt::join(method.problems, "; "));
+}
+
+Verdict judge_one(const cases::Expectation& expectation,
+                  const std::string& method_name,
+                  std::span<const MethodSummary> methods, bool is_complete) {
+  Verdict verdict;
+  verdict.quantity = expectation.quantity;
+  verdict.method = method_name;
+  verdict.low = expectation.low;
+  verdict.high = expectation.high;
+  verdict.passes_if_undecided = expectation.passes_if_undecided;
+  const MethodSummary* method = find_method(methods, method_name);
+  if (method == nullptr) {
+    // A run names all its methods at its start, so a complete result lacks
+    // only what was left out on purpose.
+    if (is_complete)
+      verdict.outcome = Outcome::skipped;
+    verdict.estimate.remark = "the method is not in the result";
+    return verdict;
+  }
+  const auto found = method->quantities.find(expectation.quantity);
+  if (found == method->quantities.end()) {
+    verdict.estimate.remark = why_missing(*method);
+    return verdict;
+  }
+  verdict.estimate = found->second;
+  if (verdict.estimate.has_value())
+    verdict.outcome =
+        outcome_of(verdict.estimate, expectation.low, expectation.high);
+  return verdict;
+}
+
+std::string value_text(const Estimate& estimate) {
+  if (!estimate.has_value())
+    return undetermined_word;
+  std::string text = fmt::format("{:.4g}", estimate.value);
+  if (estimate.has_interval())
+    text += fmt::format(" +- {:.2g}", estimate.half_width);
+  return text;
+}
+
+} // namespace
+
+std::vector<Verdict> judge(std::span<const cases::Expectation> expectations,
+                           std::span<const MethodSummary> methods,
+                           bool is_complete) {
+  std::vector<Verdict> verdicts;
+  for (const cases::Expectation& expectation : expectations)
+    for (const std::string& method : expectation.methods)
+      verdicts.push_back(judge_one(expectation, method, methods, is_complete));
+  return verdicts;
+}
+
+const char* outcome_word(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::ok:
+    return "ok";
+  case Outcome::failed:
+    return "failed";
+  case Outcome::undecided:
+    return "undecided";
+  case Outcome::skipped:
+    return "skipped";
+  case Outcome::missing:
+    break;
+  }
+  return "missing";
+}
+
+std::string band_text(double low, double high) {
+  if (std::isfinite(low) && std::isfinite(high))
+    return fmt::format("{:.4g}..{:.4g}", low, high);
+  if (std::isfinite(high))
+    return fmt::format("<= {:.4g}", high);
+  if (std::isfinite(low))
+    return fmt::format(">= {:.4g}", low);
+  return "any value";
+}
+
+bool Verdict::is_passed() const {
+  return outcome == Outcome::ok ||
+         (outcome == Outcome::undecided && passes_if_undecided);
+}
+
+bool Summary::all_ok() const {
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) {
+    return v.is_passed() || v.outcome == Outcome::skipped;
+  });
+}
+
+int Summary::n_judged() const {
+  return static_cast<int>(
+      std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) {
+        return v.outcome != Outcome::skipped;
+      }));
+}
+
+std::string why_nothing_checked(const Summary& summary) {
+  if (summary.n_judged() > 0)
+    return "";
+  if (summary.verdicts.empty())
+    return "nothing was checked: the case states no expectation; put one under "
+           "[expect], such as gamma_slope = { value = 0.4, within = 0.05 }";
+  std::vector<std::string> methods;
+  for (const Verdict& verdict : summary.verdicts)
+    if (std::find(methods.begin(), methods.end(), verdict.method) ==
+        methods.end())
+      methods.push_back(verdict.method);
+  return fmt::format("nothing was checked: the expectations concern {}, which "
+                     "the result does not have; run the case with them",
+                     fmt::join(methods, ", "));
+}
+
+std::string check_line(const Verdict& verdict) {
+  const bool has_value = verdict.estimate.has_value();
+  const std::string band = band_text(verdict.low, verdict.high);
+  const bool is_range =
+      std::isfinite(verdict.low) && std::isfinite(verdict.high);
+  std::string remark = has_value ? "" : "; " + verdict.estimate.remark;
+  if (verdict.outcome == Outcome::undecided)
+    remark =
+        verdict.passes_if_undecided
+            ? "; its interval reaches over an end, which the case lets pass"
+            : "; its interval reaches over an end: not passed";
+  return fmt::format("{:<9}  {:<14} {:<20} {} {}{}{}",
+                     outcome_word(verdict.outcome), verdict.method,
+                     verdict.quantity, value_text(verdict.estimate),
+                     is_range ? "in " : "", band, remark);
+}
+
+} // namespace asperity::reports

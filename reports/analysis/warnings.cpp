@@ -1,0 +1,137 @@
+#include "reports/analysis/warnings.hpp"
+
+#include "surfaces/assumptions.hpp"
+#include "surfaces/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::reports {
+namespace {
+
+using results::Result;
+using results::SurfaceRecord;
+using Limits = WarningLimits;
+
+/// Over the realisations that have the number; NaN if none has.
+double mean_of(const Result& result, double SurfaceRecord::*number) {
+  double sum = 0.0;
+  int count = 0;
+  for (const SurfaceRecord& surface : result.surfaces)
+    if (std::isfinite(surface.*number)) {
+      sum += surface.*number;
+      ++count;
+    }
+  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+void add_moments(const Result& result, std::vector<Warning>& warnings) {
+  const double skewness = mean_of(result, &SurfaceRecord::skewness);
+  const double kurtosis = mean_of(result, &SurfaceRecord::kurtosis);
+  if (!(std::abs(skewness) > Limits::skewness ||
+        kurtosis < Limits::kurtosis_low || kurtosis > Limits::kurtosis_high))
+    return;
+  warnings.push_back(
+      {"not_gaussian",
+       fmt::format("The surface is not Gaussian: skewness {:.3g} and kurtosis "
+                   "{:.3g}, but a Gaussian surface has 0 and 3 (limits: {} to "
+                   "{}, {} to {}).",
+                   skewness, kurtosis, -Limits::skewness, Limits::skewness,
+                   Limits::kurtosis_low, Limits::kurtosis_high),
+       "Persson's theory assumes Gaussian heights and does not describe this "
+       "surface. Nor does its pressure distribution: do not use "
+       "area_fraction_fit, area_fraction_moment or gamma_theory."});
+}
+
+void add_slope(const Result& result, std::vector<Warning>& warnings) {
+  const double slope = mean_of(result, &SurfaceRecord::rms_slope);
+  if (!(slope > Limits::rms_slope))
+    return;
+  warnings.push_back(
+      {"too_steep",
+       fmt::format("The surface is too steep for small strain: rms slope "
+                   "{:.2g} (limit: {}).",
+                   slope, Limits::rms_slope),
+       "The elastic methods and the theory are linear: the terms that they "
+       "leave out grow with the square of the slope."});
+}
+
+void add_resolution(const SurfaceRecord& surface,
+                    std::vector<Warning>& warnings) {
+  const double share =
+      surfaces::unresolved_slope_share({surface.grid, surface.heights});
+  if (!(share > Limits::unresolved_slope))
+    return;
+  warnings.push_back(
+      {"not_resolved",
+       fmt::format("The surface is not resolved: {:.0f} % of its mean square "
+                   "slope lies above half the Nyquist wavevector, in waves of "
+                   "fewer than four nodes (limit: {:.0f} %).",
+                   100.0 * share, 100.0 * Limits::unresolved_slope),
+       "Slope, contact area and stiffness are those of this grid, not of the "
+       "surface: they change with every refinement of the measurement."});
+}
+
+void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
+  const double ratio =
+      surfaces::line_offset_ratio({surface.grid, surface.heights});
+  const double larger = std::max(ratio, 1.0 / ratio);
+  if (!(larger > Limits::line_offset))
+    return;
+  warnings.push_back(
+      {"scan_lines",
+       fmt::format("The map is marked by scan lines or grooves along {}: "
+                   "neighbouring lines differ {:.1f} times as much in height "
+                   "as those of the other direction (limit: {}).",
+                   ratio > 1.0 ? "x" : "y", larger, Limits::line_offset),
+       "Artefacts of the scan are pressed as if they were the surface. "
+       "Persson's theory assumes the same roughness in all directions and does "
+       "not describe this map."});
+}
+
+void add_window(const Result& result, std::vector<Warning>& warnings) {
+  for (const auto& [key, fact] : result.provenance)
+    if (key == "window")
+      warnings.push_back(
+          {"windowed",
+           "The map was windowed before it was pressed: " + fact + ".",
+           "What was pressed is not the measured surface; edges = \"mirror\" "
+           "keeps its roughness."});
+}
+
+} // namespace
+
+std::vector<Warning> warnings_of(const Result& result,
+                                 const cases::Case& contact_case) {
+  std::vector<Warning> warnings;
+  const cases::SurfaceKind kind = contact_case.surface.kind;
+  const bool is_measured = kind == cases::SurfaceKind::measured;
+  if (!is_measured && !surfaces::is_random(kind))
+    return warnings;
+  add_window(result, warnings);
+  add_moments(result, warnings);
+  add_slope(result, warnings);
+  if (result.surfaces.empty())
+    return warnings;
+  const SurfaceRecord& first = result.surfaces.front();
+  if (first.heights.empty() || first.heights.size() != first.grid.size())
+    return warnings;
+  add_resolution(first, warnings);
+  if (is_measured)
+    add_lines(first, warnings);
+  return warnings;
+}
+
+std::string warning_lines(const Result& result,
+                          const cases::Case& contact_case) {
+  std::string lines;
+  for (const Warning& warning : warnings_of(result, contact_case))
+    lines +=
+        fmt::format("warning: {}: {}\n", result.case_name, warning.headline);
+  return lines;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,131 @@
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::Table;
+
+struct Curve {
+  const char* column;
+  const char* title;
+  const char* style;
+};
+
+const char* const red = "linewidth 1.6 linecolor rgb '#D55E00'";
+const char* const green = "linewidth 1.6 linecolor rgb '#009E73'";
+const char* const blue = "linewidth 1.6 linecolor rgb '#0072B2'";
+const char* const dashed = " dashtype 2";
+
+/// The table's curves against one of its columns, a series each.
+Figure figure_of(const Table& rows, const std::string& name,
+                 const std::string& x_column, double x_scale,
+                 const std::string& x_name, const std::vector<Curve>& curves) {
+  Figure figure;
+  figure.name = name;
+  CsvTable table({"curve", "index", x_name, "value [1]"});
+  std::vector<std::string> plots;
+  const std::vector<double> x = rows.values(x_column);
+  for (const Curve& curve : curves) {
+    const std::vector<double> y = rows.values(curve.column);
+    const std::size_t index = plots.size();
+    for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
+      table.add(curve.title,
+                {static_cast<double>(index), x[i] * x_scale, y[i]});
+    plots.push_back(fmt::format("'{}.csv' {} with lines {} title {}", name,
+                                of_series(index, "$3:4"), curve.style,
+                                gnuplot_text(curve.title)));
+  }
+  figure.data = table.text();
+  figure.script = "set yrange [-0.2:1.05]\nset arrow from graph 0, first 0 to "
+                  "graph 1, first 0 nohead linewidth 0.8 linecolor rgb "
+                  "'#888888'\n" +
+                  plot_of(plots);
+  return figure;
+}
+
+void label_axes(Figure& figure, const std::string& x, const std::string& y) {
+  figure.script = "set xlabel " + gnuplot_markup(x) + "\nset ylabel " +
+                  gnuplot_markup(y) + "\n" + figure.script;
+}
+
+const char* const ratio_axis = "h_{rms} / h_{rms0}";
+const char* const both_axis = "γ_{eff}(1) / Δγ,  A/A_0";
+
+Figure branches_figure(const Table& rows) {
+  const std::string area = std::string(red) + dashed;
+  Figure figure = figure_of(
+      rows, "adhesion-branches", "height_ratio", 1.0, "h_rms/h_rms0 [1]",
+      {{"binding_partial", "γ_eff/Δγ, partial contact", red},
+       {"binding_complete", "γ_eff/Δγ, complete contact", green},
+       {"area_fraction_partial", "A/A₀, partial contact", area.c_str()}});
+  figure.title = "Both branches of adhesive contact";
+  figure.caption = "The effective binding energy at the lowest magnification "
+                   "and the true area, against the height of the roughness, at "
+                   "no external pressure. The state is the branch with more "
+                   "binding.";
+  label_axes(figure, ratio_axis, both_axis);
+  return figure;
+}
+
+Figure equilibrium_figure(const Table& rows, const Table* flip) {
+  const std::string area = std::string(blue) + dashed;
+  Figure figure = figure_of(
+      rows, "adhesion-equilibrium", "height_ratio", 1.0, "h_rms/h_rms0 [1]",
+      {{"binding_equilibrium", "γ_eff/Δγ", blue},
+       {"area_fraction_equilibrium", "A/A₀", area.c_str()}});
+  figure.title = "Adhesive contact in equilibrium";
+  const std::vector<double> ratio =
+      flip == nullptr ? std::vector<double>{} : flip->values("height_ratio");
+  const std::vector<double> left =
+      flip == nullptr ? std::vector<double>{} : flip->values("area_fraction");
+  figure.caption =
+      ratio.size() == 1 && left.size() == 1 && std::isfinite(ratio.front())
+          ? fmt::format("Contact flips from complete to A/A₀ = {:.3g} at "
+                        "h_rms/h_rms0 = {:.4g}.",
+                        left.front(), ratio.front())
+          : std::string("There is no flip between two ratios of the study.");
+  figure.caption += " Where there is no curve the surfaces part, or the "
+                    "partial contact did not converge. " +
+                    rows.title + ".";
+  label_axes(figure, ratio_axis, both_axis);
+  return figure;
+}
+
+Figure height_figure(const Table& rows) {
+  const double in_um = 1e6;
+  Figure figure =
+      figure_of(rows, "adhesion-height", "rms_height", in_um, "h_rms [um]",
+                {{"binding_complete", "complete contact", blue},
+                 {"binding_equilibrium", "equilibrium", red}});
+  figure.title = "Binding energy against roughness";
+  figure.caption = "γ_eff/Δγ, what is left of the binding energy of flat "
+                   "faces; the pull-off force of a ball goes with it.";
+  const std::vector<double> heights = rows.values("rms_height");
+  const std::vector<double> forces = rows.values("pull_off_force");
+  if (!forces.empty() && forces.size() == heights.size())
+    figure.caption += fmt::format(
+        " For the case's ball it falls from {:.3g} N at {:.3g} µm to {:.3g} N "
+        "at {:.3g} µm.",
+        forces.front(), heights.front() * in_um, forces.back(),
+        heights.back() * in_um);
+  label_axes(figure, "h_{rms}  [µm]", "γ_{eff}(1) / Δγ");
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> adhesion_figures(const ReportEntry& entry) {
+  const Table* rows = entry.result->table("adhesion");
+  if (rows == nullptr)
+    return {};
+  return {branches_figure(*rows),
+          equilibrium_figure(*rows, entry.result->table("adhesion-flip")),
+          height_figure(*rows)};
+}
+
+} // namespace asperity::reports

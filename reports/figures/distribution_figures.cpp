@@ -1,0 +1,250 @@
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "results/distributions.hpp"
+#include "results/pressure_fit.hpp"
+#include "theory/pressure_distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::Fields;
+using results::Histogram;
+using results::PressureFit;
+
+constexpr int most_bins = 2000;
+constexpr int gap_bins = 60;
+
+// In h_rms: below it what is pressed together is closed, whatever a solver's
+// tolerance leaves.
+constexpr double closed_gap = 1e-4;
+
+/// One load of a figure: the map, what is fitted to it, its histogram.
+struct Load {
+  const Fields* fields = nullptr;
+  PressureFit fit;
+  double variance = 0.0; ///< of the fit, else of the theory [Pa^2]
+  double area = 0.0;     ///< (21), else the histogram's own [1]
+  Histogram histogram;
+};
+
+Load load_of(const Fields& fields, double theory_variance) {
+  Load load;
+  load.fields = &fields;
+  load.fit = results::fit_pressure_distribution(fields.pressure);
+  const bool is_fitted = load.fit.variance > 0.0;
+  load.variance = is_fitted ? load.fit.variance : theory_variance;
+  const double bin = std::sqrt(2.0 * load.variance) / 8.0; // as the fit's
+  const double highest =
+      *std::max_element(fields.pressure.begin(), fields.pressure.end());
+  load.histogram = results::pressure_histogram(
+      fields.pressure,
+      static_cast<int>(std::fmin(std::fmax(std::ceil(highest / bin), 1.0),
+                                 static_cast<double>(most_bins))));
+  double counted = 0.0;
+  for (const double density : load.histogram.density)
+    counted += density * load.histogram.bin_width();
+  load.area = is_fitted ? load.fit.area_fraction : counted;
+  return load;
+}
+
+/// Rows of (1) or (20), divided by their own area, as far as 6 of their
+/// spreads s reach. Returns the largest.
+double add_curve(CsvTable& table, const std::string& label, double index,
+                 double pressure, double variance, double stress) {
+  if (!(pressure > 0.0))
+    return 0.0; // pulled: the theory has no such load
+  const double spread = std::sqrt(2.0 * variance);
+  const double start = std::max(0.0, pressure - 6.0 * spread);
+  const double area = theory::area_fraction(pressure, variance);
+  double largest = 0.0;
+  for (int k = 0; k <= 160; ++k) {
+    const double sigma = start + (pressure + 6.0 * spread - start) * k / 160.0;
+    const double density =
+        stress / area * theory::pressure_density(sigma, pressure, variance);
+    table.add(label, {index, sigma / stress, density});
+    largest = std::max(largest, density);
+  }
+  return largest;
+}
+
+/// The rows of a histogram that are not empty. Returns the largest beyond the
+/// first bin, where weak pressures pile up.
+double add_histogram(CsvTable& table, const std::string& label, double index,
+                     const Load& load, double stress) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < load.histogram.density.size(); ++i) {
+    const double density = load.histogram.density[i] * stress / load.area;
+    if (!(density > 0.0))
+      continue;
+    table.add(label, {index, load.histogram.bin_centre(i) / stress, density});
+    if (i > 0)
+      largest = std::max(largest, density);
+  }
+  return largest;
+}
+
+std::string curve_plot(const std::string& name, std::size_t index,
+                       const std::string& style, const std::string& title) {
+  return fmt::format(
+      "'{}.csv' using ($2=={} ? $3 : NaN):4 {} {}", name, index, style,
+      title.empty() ? "notitle" : "title " + gnuplot_text(title));
+}
+
+std::string legend_of(const Load& load, double modulus, double variance) {
+  std::string words =
+      fmt::format("p/E* = {:.3g}", load.fields->nominal_pressure / modulus);
+  if (load.fit.variance > 0.0)
+    words += fmt::format(", A/A₀ = {:.3g}, r = {:.2f}", load.fit.area_fraction,
+                         load.fit.variance / variance);
+  return words;
+}
+
+Figure pressure_figure(const std::string& method,
+                       const std::vector<const Fields*>& maps,
+                       const SurfaceScales& scales) {
+  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  const double variance =
+      theory::stress_variance(scales.contact_modulus, scales.rms_slope); // (2)
+  Figure figure;
+  figure.name = "pressure-distribution-" + file_word(method);
+  figure.title = "Distribution of the contact pressure, " + method;
+  CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' A_0/A [1]"});
+  std::vector<std::string> plots;
+  double furthest = 0.0;
+  double top = 0.0;
+  std::size_t index = 0;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const Load load = load_of(*maps[i], variance);
+    const std::string name = legend_of(load, scales.contact_modulus, variance);
+    const double pressure = load.fit.nominal_pressure;
+    plots.push_back(
+        curve_plot(figure.name, index, "with points " + load_sign(i), name));
+    top = std::max(top,
+                   add_histogram(table, method + ", " + name,
+                                 static_cast<double>(index++), load, stress));
+    plots.push_back(
+        curve_plot(figure.name, index,
+                   "with lines linewidth 0.9 dashtype 2 " + load_color(i),
+                   i + 1 == maps.size() ? "theory, (1)" : ""));
+    add_curve(table, "theory, " + name, static_cast<double>(index++), pressure,
+              variance, stress);
+    furthest =
+        std::max(furthest, pressure + 4.0 * std::sqrt(2.0 * load.variance));
+    if (!(load.fit.variance > 0.0))
+      continue;
+    plots.push_back(curve_plot(figure.name, index,
+                               "with lines linewidth 1.5 " + load_color(i),
+                               i + 1 == maps.size() ? "fitted, (20)" : ""));
+    top = std::max(top, add_curve(table, "(20), " + name,
+                                  static_cast<double>(index++), pressure,
+                                  load.fit.variance, stress));
+  }
+  figure.caption = fmt::format(
+      "Signs: realisation 0 in bins of an eighth of √(2 G̃); lines: (20) fitted "
+      "to them by least squares, from which A/A₀ follows by (21); dashed: the "
+      "theory's (1) at the same load, G of the slope {:.3g}. r = G̃/G. Each is "
+      "divided by its contact fraction, so that the shapes compare.",
+      scales.rms_slope);
+  figure.script = fmt::format(
+      "set key top right\nset xlabel {}\nset ylabel {}\nset xrange [0:{:.4g}]\n"
+      "set yrange [0:{:.4g}]\n{}",
+      gnuplot_markup("contact pressure σ / (E* h')"),
+      gnuplot_markup("P(σ) E* h' A_0 / A"), furthest / stress,
+      top > 0.0 ? 1.15 * top : 1.0, plot_of(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+Histogram open_gaps(const Fields& fields, double rms_height) {
+  std::vector<double> holding = fields.pressure; // 0 where the faces are apart
+  for (std::size_t i = 0; i < holding.size(); ++i)
+    if (fields.gap[i] > closed_gap * rms_height)
+      holding[i] = 0.0;
+  return results::gap_histogram(fields.gap, holding, gap_bins);
+}
+
+Figure gap_figure(const std::string& method,
+                  const std::vector<const Fields*>& maps,
+                  const SurfaceScales& scales) {
+  Figure figure;
+  figure.name = "gap-distribution-" + file_word(method);
+  figure.title = "Distribution of the separation, " + method;
+  CsvTable table({"curve", "index", "u/h_rms [1]", "P_u h_rms [1]"});
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const Histogram histogram = open_gaps(*maps[i], scales.rms_height);
+    double open = 0.0;
+    for (const double density : histogram.density)
+      open += density * histogram.bin_width();
+    const std::string name =
+        fmt::format("p/E* = {:.3g}, {:.3g} % closed",
+                    maps[i]->nominal_pressure / scales.contact_modulus,
+                    100.0 * std::max(0.0, 1.0 - open));
+    for (std::size_t k = 0; k < histogram.density.size(); ++k)
+      if (histogram.density[k] > 0.0)
+        table.add(method + ", " + name,
+                  {static_cast<double>(i),
+                   histogram.bin_centre(k) / scales.rms_height,
+                   histogram.density[k] * scales.rms_height});
+    if (!histogram.density.empty())
+      plots.push_back(
+          curve_plot(figure.name, i, "with linespoints " + load_sign(i), name));
+  }
+  figure.caption = fmt::format(
+      "P_u of (26) where the faces are apart, realisation 0, in {} bins up to "
+      "the widest gap; the closed part is a peak at zero, or, of a penalty or "
+      "of atoms, below it. h_rms = {:.3g} nm.",
+      gap_bins, scales.rms_height * 1e9);
+  figure.script = fmt::format(
+      "set key top right\nset logscale y\nset format y '10^{{%T}}'\nset xlabel "
+      "{}\nset ylabel {}\nset xrange [0:*]\n{}",
+      gnuplot_markup("separation u / h_{rms}"), gnuplot_markup("P_u h_{rms}"),
+      plots.empty() ? "" : plot_of(plots));
+  figure.data = table.text();
+  return plots.empty() ? Figure{} : figure;
+}
+
+/// Up to three whole maps of a method, some of it in contact.
+std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
+  std::vector<const Fields*> maps = whole_maps(method);
+  std::erase_if(maps, [](const Fields* fields) {
+    return std::none_of(fields->pressure.begin(), fields->pressure.end(),
+                        [](double pressure) { return pressure > 0.0; });
+  });
+  std::vector<const Fields*> chosen;
+  for (const std::size_t i : three_of(maps.size()))
+    chosen.push_back(maps[i]);
+  return chosen;
+}
+
+/// draw(name, maps, scales) of every method that has maps.
+template <class Draw>
+std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
+  std::vector<Figure> figures;
+  for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
+    const std::vector<const Fields*> maps = chosen_maps(*method);
+    const SurfaceScales scales =
+        scales_of(*entry.result, *entry.contact_case, *method, 0);
+    if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
+      figures.push_back(draw(method->name, maps, scales));
+  }
+  std::erase_if(figures, [](const Figure& one) { return one.name.empty(); });
+  return figures;
+}
+
+} // namespace
+
+std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry) {
+  return figure_a_method(entry, pressure_figure);
+}
+
+std::vector<Figure> gap_distribution_figures(const ReportEntry& entry) {
+  return figure_a_method(entry, gap_figure);
+}
+
+} // namespace asperity::reports

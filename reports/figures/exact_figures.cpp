@@ -1,0 +1,130 @@
+#include "reports/analysis/exact.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using cases::SurfaceKind;
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+Range pressures_of(std::span<const Series> series) {
+  Range range{INFINITY, 0.0};
+  for (const Series& one : series)
+    for (const SeriesRow& row : one.rows) {
+      range.low = std::min(range.low, row.pressure);
+      range.high = std::max(range.high, row.pressure);
+    }
+  return range;
+}
+
+// One quantity against p/E*, methods as signs and the exact solution as a line.
+struct Curves {
+  std::string name;
+  std::string title;
+  std::string axis;   // gnuplot markup
+  std::string column; // with its unit
+  std::string caption;
+  double (*of_row)(const SeriesRow&);
+  double (*of_exact)(const ExactPoint&);
+  double unit = 1.0; // of the exact number
+};
+
+Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
+                     const Curves& curves) {
+  Figure figure;
+  figure.name = curves.name;
+  figure.title = curves.title;
+  figure.caption = curves.caption;
+  CsvTable table({"curve", "index", "p/E* [1]", curves.column});
+  const std::string file = "'" + curves.name + ".csv' ";
+  const double modulus = entry.result->contact_modulus;
+  const double top = entry.result->surfaces.empty()
+                         ? not_a_number
+                         : entry.result->surfaces.front().highest;
+  const Range range = pressures_of(series);
+  for (int k = 0; k <= 300; ++k) {
+    const double pressure =
+        range.low * std::pow(range.high / range.low, k / 300.0);
+    const ExactPoint exact = exact_point(entry.contact_case->surface, modulus,
+                                         pressure * modulus, top);
+    table.add("exact", {0.0, pressure, curves.of_exact(exact) / curves.unit});
+  }
+  std::vector<std::string> plots{
+      file + "using ($2==0 ? $3 : NaN):4 with lines linewidth 1.5 linecolor "
+             "rgb '#222222' title 'exact'"};
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const Series& one = series[i];
+    if (one.is_theory() || one.rows.empty())
+      continue;
+    for (const SeriesRow& row : one.rows)
+      table.add(one.label,
+                {static_cast<double>(i + 1), row.pressure, curves.of_row(row)});
+    if (!one.is_drawn)
+      continue;
+    plots.push_back(
+        fmt::format("{}using ($2=={} ? $3 : NaN):4 with points {} title {}",
+                    file, i + 1, point_style(one), gnuplot_text(one.legend)));
+  }
+  figure.script = "set xlabel " + gnuplot_markup("p / E*") + "\nset ylabel " +
+                  gnuplot_markup(curves.axis) +
+                  fmt::format("\nset xrange [0:*]\nset xtics 0,{:g}\n",
+                              round_step(range.high / 6.0)) +
+                  plot_of(plots);
+  figure.caption += joined_words(series);
+  figure.data = table.text();
+  return figure;
+}
+
+std::string error_words(const ReportEntry& entry, const std::string& quantity) {
+  std::string words;
+  for (const MethodSummary& method : entry.summary.methods) {
+    const auto found = method.quantities.find(quantity);
+    if (found != method.quantities.end() && found->second.has_value())
+      words += fmt::format("{}{} {:.2g}", words.empty() ? "" : ", ",
+                           method.name, found->second.value);
+  }
+  return words;
+}
+
+} // namespace
+
+std::vector<Figure> exact_figures(const ReportEntry& entry) {
+  const std::vector<Series> series = series_of(std::span(&entry, 1));
+  std::vector<Figure> figures;
+  if (!(pressures_of(series).high > 0.0))
+    return figures;
+  const std::string area_errors = error_words(entry, "area_error");
+  figures.push_back(curves_figure(
+      entry, series,
+      {"exact-area", "Contact fraction against the exact solution", "A / A_0",
+       "A/A_0 [1]",
+       "The corrected area. Largest error: " +
+           (area_errors.empty() ? "unknown" : area_errors) + ".",
+       [](const SeriesRow& row) { return row.area_corrected; },
+       [](const ExactPoint& exact) { return exact.area_fraction; }}));
+  if (entry.contact_case->surface.kind == SurfaceKind::sphere ||
+      entry.result->surfaces.empty())
+    return figures;
+  figures.push_back(curves_figure(
+      entry, series,
+      {"exact-gap", "Mean gap against the exact solution", "u / h_{rms}",
+       "u/h_rms [1]",
+       "Largest error in amplitudes: " + error_words(entry, "mean_gap_error") +
+           ".",
+       [](const SeriesRow& row) { return row.gap; },
+       [](const ExactPoint& exact) { return exact.mean_gap; },
+       entry.result->surfaces.front().rms_height}));
+  return figures;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,129 @@
+#include "reports/figures/figures.hpp"
+
+#include "reports/figures/height_figure.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <new>
+
+namespace asperity::reports {
+namespace {
+
+void append(std::vector<Figure>& figures, Figure figure) {
+  figures.push_back(std::move(figure));
+}
+
+void append(std::vector<Figure>& figures, std::optional<Figure> figure) {
+  if (figure)
+    figures.push_back(std::move(*figure));
+}
+
+void append(std::vector<Figure>& figures, std::vector<Figure> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(figures));
+}
+
+// What a builder makes, or a figure that says why it makes none: whatever it
+// meets in the result, the report goes on.
+template <class Build>
+void add(std::vector<Figure>& figures, const char* name, const Build& build) {
+  try {
+    append(figures, build());
+  } catch (const std::bad_alloc&) {
+    throw; // of the machine, not of the numbers
+  } catch (const std::exception& error) {
+    Figure none;
+    none.name = none.title = name;
+    none.problem = error.what();
+    figures.push_back(std::move(none));
+  }
+}
+
+// The case's name as a folder's, behind its number, which no other has.
+std::string folder_name(std::size_t index, const std::string& name) {
+  return fmt::format("{}-{}", index + 1, file_word(name));
+}
+
+FigureGroup shared_curves(std::span<const ReportEntry> entries,
+                          std::span<const Series> series) {
+  FigureGroup group{"The curves", "", {}};
+  const bool has_rough =
+      std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
+        return !is_exact_shape(*e.contact_case);
+      });
+  if (!has_rough)
+    return group;
+  auto& figures = group.figures;
+  add(figures, "pressure-gap",
+      [&] { return pressure_gap_figure(entries, series); });
+  add(figures, "gap-deviation", [&] { return gap_deviation_figure(series); });
+  add(figures, "area-pressure", [&] { return area_figure(series); });
+  add(figures, "area-coefficient",
+      [&] { return area_coefficient_figure(series); });
+  add(figures, "area-theory", [&] { return area_theory_figure(series); });
+  return group;
+}
+
+FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
+                           bool is_one_of_many) {
+  FigureGroup group{"Surface and contact", "", {}};
+  if (is_one_of_many) {
+    group.heading += ": " + entry.summary.case_name;
+    group.folder = folder_name(index, entry.summary.case_name);
+  }
+  auto& figures = group.figures;
+  const bool is_exact = is_exact_shape(*entry.contact_case);
+  if (is_exact)
+    add(figures, "exact", [&] { return exact_figures(entry); });
+  add(figures, "surface", [&] { return surface_figure(entry); });
+  add(figures, "two-faces", [&] { return two_faces_figure(entry); });
+  add(figures, "spectrum", [&] { return spectrum_figure(entry); });
+  add(figures, "height-distribution", [&] { return height_figure(entry); });
+  if (!is_exact) {
+    add(figures, "pressure-distribution",
+        [&] { return pressure_distribution_figures(entry); });
+    add(figures, "gap-distribution",
+        [&] { return gap_distribution_figures(entry); });
+  }
+  add(figures, "maps", [&] { return map_figures(entry); });
+  add(figures, "stress-inside", [&] { return stress_figures(entry); });
+  return group;
+}
+
+/// What the studies of one result draw; empty if it has none.
+FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
+                          bool is_one_of_many) {
+  FigureGroup group{"Magnification and adhesion", "", {}};
+  if (is_one_of_many) {
+    group.heading += ": " + entry.summary.case_name;
+    group.folder = folder_name(index, entry.summary.case_name);
+  }
+  add(group.figures, "magnification",
+      [&] { return magnification_figures(entry); });
+  add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
+  return group;
+}
+
+} // namespace
+
+std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
+  const std::vector<Series> series = series_of(entries);
+  const bool has_many = entries.size() > 1;
+  std::vector<FigureGroup> groups;
+  groups.push_back(shared_curves(entries, series));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    groups.push_back(figures_of_one(entries[i], i, has_many));
+    groups.push_back(study_figures(entries[i], i, has_many));
+  }
+  FigureGroup cost{"Cost", "", {}};
+  add(cost.figures, "cost", [&] { return cost_figure(series); });
+  groups.push_back(std::move(cost));
+  std::erase_if(groups,
+                [](const FigureGroup& group) { return group.figures.empty(); });
+  return groups;
+}
+
+} // namespace asperity::reports

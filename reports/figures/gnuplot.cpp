@@ -1,0 +1,170 @@
+#include "reports/figures/gnuplot.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/child_process.hpp"
+#include "base/plain_text.hpp"
+#include "base/read_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+namespace asperity::reports {
+namespace {
+
+constexpr const char* shared_settings = R"(set encoding utf8
+set datafile separator comma
+set border 3 linewidth 0.8 linecolor rgb '#444444'
+set tics nomirror out scale 0.6 textcolor rgb '#333333'
+set grid linewidth 0.5 linecolor rgb '#e4e4e4'
+set key below center horizontal height 0.7 noopaque reverse Left samplen 1.6 spacing 1.25 textcolor rgb '#222222'
+set errorbars 0
+)";
+
+// The fonts a browser should try, in place of the one name gnuplot can hold.
+constexpr const char* font_list =
+    "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
+
+// gnuplot 5.4 misreads a doubled quote at the start of a quoted string, so a
+// quote becomes a typographic one, which ends nothing.
+std::string in_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      quoted += "’";
+    else
+      quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+void replace_all(std::string& text, const std::string& from,
+                 const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// These names go into scripts, between quotes.
+void require_file_word(const char* what, const std::string& name) {
+  if (name.empty() || name.find_first_not_of(
+                          "abcdefghijklmnopqrstuvwxyz0123456789-") != name.npos)
+    throw std::domain_error(fmt::format(
+        "{} = \"{}\", but must be of the letters a-z, digits and hyphens", what,
+        printable(name)));
+}
+
+// Far beyond what a figure takes.
+constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+constexpr ChildLimits limits{
+    .wall_time = 600.0,
+    .memory = static_cast<std::uintmax_t>(8 * gibibyte),
+    .file_size = static_cast<std::uintmax_t>(gibibyte)};
+
+// Runs `program script` inside `folder`; returns what went wrong, or "".
+std::string run(const std::string& program, const std::string& script,
+                const std::filesystem::path& folder) {
+  try {
+    const ChildAnswer answer = run_child(
+        {.words = {program, script}, .folder = folder, .limits = limits});
+    return answer.end.failure.empty()
+               ? ""
+               : fmt::format("{} ended with {}: {}", program,
+                             answer.end.failure, answer.output);
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+}
+
+} // namespace
+
+DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
+                 const std::string& program) {
+  require_file_word("figure.name", figure.name);
+  for (const auto& [suffix, matrix] : figure.maps)
+    require_file_word("figure.maps", suffix);
+  DrawnFigure drawn{figure.name, figure.title, figure.caption, "",
+                    figure.problem};
+  if (!drawn.problem.empty())
+    return drawn;
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / (figure.name + ".csv"), figure.data);
+  for (const auto& [suffix, matrix] : figure.maps)
+    write_file_atomically(
+        folder / fmt::format("{}-{}.csv", figure.name, suffix), matrix);
+  const std::string svg_name = figure.name + ".svg";
+  const std::string script_name = figure.name + ".gp";
+  write_file_atomically(
+      folder / script_name,
+      fmt::format("# gnuplot {}\nset terminal svg size {},{} fixed enhanced "
+                  "font 'Helvetica,12' background '#ffffff'\nset output "
+                  "'{}'\n{}{}set output\n",
+                  script_name, figure.width, figure.height, svg_name,
+                  shared_settings, figure.script));
+
+  const std::filesystem::path svg_path = folder / svg_name;
+  std::error_code ignored;
+  std::filesystem::remove(svg_path, ignored);
+  drawn.problem = run(program, script_name, folder);
+  if (!drawn.problem.empty())
+    return drawn;
+  drawn.svg = std::filesystem::exists(svg_path)
+                  ? read_file(svg_path, limits.file_size)
+                  : "";
+  if (drawn.svg.find("</svg>") == std::string::npos) {
+    drawn.svg.clear();
+    drawn.problem = program + " drew nothing";
+    return drawn;
+  }
+  replace_all(drawn.svg, "font-family=\"Helvetica\"",
+              fmt::format("font-family=\"{}\"", font_list));
+  replace_all(drawn.svg, "<title>Gnuplot</title>",
+              "<title>" + figure.name + "</title>");
+  write_file_atomically(svg_path, drawn.svg);
+  return drawn;
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\^_{}@&~").find(c) != std::string_view::npos)
+      escaped += '\\';
+    escaped += c;
+  }
+  return in_quotes(escaped);
+}
+
+std::string gnuplot_markup(const std::string& text) {
+  return in_quotes(text);
+}
+
+const char* method_color(std::size_t index) {
+  static constexpr std::array<const char*, 6> colors{
+      "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+  return colors[index % colors.size()];
+}
+
+CsvTable::CsvTable(const std::vector<std::string>& header) {
+  for (const std::string& name : header)
+    text_ += (text_.empty() ? "" : ",") + name;
+  text_ += "\n";
+}
+
+void CsvTable::add(const std::string& label,
+                   const std::vector<double>& numbers) {
+  text_ += '"';
+  for (const char c : label)
+    text_ +=
+        c == '"'
+            ? std::string("\"\"")
+            : std::string(1, static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
+  text_ += '"';
+  for (const double number : numbers)
+    text_ += std::isfinite(number) ? fmt::format(",{:.10g}", number) : ",nan";
+  text_ += "\n";
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,90 @@
+#include "reports/figures/height_figure.hpp"
+
+#include "reports/analysis/two_faces.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace asperity::reports {
+namespace {
+
+constexpr std::size_t most_curves = 4;
+constexpr double bin_width = 0.2;    // of h_rms
+constexpr double furthest_bin = 1e6; // of heights that rms_height is not of
+constexpr double gaussian_end = 4.0; // of h_rms
+constexpr int gaussian_points = 160;
+
+std::map<int, double> densities(const results::SurfaceRecord& surface) {
+  std::map<int, double> density;
+  const double share =
+      1.0 / (bin_width * static_cast<double>(surface.heights.size()));
+  for (const double height : surface.heights)
+    if (const double bin = std::floor(height / surface.rms_height / bin_width);
+        std::abs(bin) <= furthest_bin)
+      density[static_cast<int>(bin)] += share;
+  return density;
+}
+
+std::string capital(std::string text) {
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+} // namespace
+
+std::optional<Figure> height_figure(const ReportEntry& entry) {
+  if (is_exact_shape(*entry.contact_case))
+    return std::nullopt;
+  Figure figure;
+  figure.name = "height-distribution";
+  figure.title = "Distribution of its height";
+  figure.caption = "P_h in units of 1/h_rms; line: the Gaussian of the same "
+                   "h_rms.";
+  CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
+  std::vector<std::string> plots;
+  const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,
+                       const std::string& name) {
+    if (surface.heights.empty() || !(surface.rms_height > 0.0) ||
+        plots.size() == most_curves)
+      return;
+    for (const auto& [bin, density] : densities(surface))
+      table.add(name,
+                {static_cast<double>(r), (bin + 0.5) * bin_width, density});
+    plots.push_back(fmt::format(
+        "'height-distribution.csv' using ($2=={} ? $3 : NaN):4 with points "
+        "pointtype 6 pointsize 0.6 linewidth 1.3 linecolor rgb '{}' title {}",
+        r, method_color(r), gnuplot_text(name)));
+    figure.caption += fmt::format(
+        " {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} h_rms.",
+        capital(name), surface.skewness, surface.kurtosis,
+        surface.highest / surface.rms_height);
+  };
+  const auto& surfaces = entry.result->surfaces;
+  for (std::size_t r = 0; r < surfaces.size(); ++r)
+    add(surfaces[r], r, fmt::format("realisation {}", r));
+  if (const auto sum = sum_of_two_faces(*entry.result))
+    add(*sum, surfaces.size(), "sum of both");
+  if (plots.empty())
+    return std::nullopt;
+  for (int k = 0; k <= gaussian_points; ++k) {
+    const double h = gaussian_end * (2.0 * k / gaussian_points - 1.0);
+    table.add(
+        "Gaussian",
+        {-1.0, h, std::exp(-0.5 * h * h) / std::sqrt(2.0 * std::numbers::pi)});
+  }
+  plots.push_back("'height-distribution.csv' using ($2==-1 ? $3 : NaN):4 with "
+                  "lines linewidth 1.5 linecolor rgb '#222222' title "
+                  "'Gaussian'");
+  figure.script = fmt::format("set xlabel {}\nset ylabel {}\n{}",
+                              gnuplot_markup("h/h_{rms}"),
+                              gnuplot_markup("P_h h_{rms}"), plot_of(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace asperity::reports

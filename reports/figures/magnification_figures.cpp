@@ -1,0 +1,270 @@
+#include "reports/analysis/magnified.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "results/distributions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+// P_u stands beside the distribution (27) of a load this near to its own.
+constexpr double nearest_load_ratio = 1.25;
+constexpr int shown_gap_bins = 60;
+constexpr double widest_gap = 4.0; ///< of the distributions, in h_rms
+
+std::string pressure_text(double pressure) {
+  return pressure >= 1e9   ? fmt::format("{:.3g} GPa", pressure * 1e-9)
+         : pressure >= 1e3 ? fmt::format("{:.3g} MPa", pressure * 1e-6)
+                           : fmt::format("{:.3g} Pa", pressure);
+}
+
+double log_or_none(double number) {
+  return number > 0.0 && std::isfinite(number) ? std::log10(number)
+                                               : not_a_number;
+}
+
+std::string lines(const std::string& figure, std::size_t index,
+                  const std::string& columns, const std::string& style,
+                  const std::string& title) {
+  return fmt::format(
+      "'{}.csv' {} with lines {} {}", figure, of_series(index, columns), style,
+      title.empty() ? "notitle" : "title " + gnuplot_text(title));
+}
+
+std::string colored(std::size_t load, const std::string& more = "") {
+  return fmt::format("linewidth 1.6 linecolor rgb '{}' {}", method_color(load),
+                     more);
+}
+
+/// log10 u/h_rms against log10 zeta, a curve a load.
+Figure separation_figure(const MagnifiedStudy& study) {
+  Figure figure;
+  figure.name = "magnification-separation";
+  figure.title = "Separation in the apparent contact";
+  CsvTable table({"load", "index", "log10 zeta [1]", "log10 u/h_rms [1]"});
+  std::vector<std::string> plots;
+  for (const MagnifiedLoad& load : study.loads) {
+    const std::string name = "p = " + pressure_text(load.pressure);
+    const std::vector<double> zeta = load.seen->values("magnification");
+    const std::vector<double> gap = load.seen->values("mean_gap");
+    for (std::size_t i = 0; i < zeta.size(); ++i)
+      table.add(name, {static_cast<double>(load.index), std::log10(zeta[i]),
+                       log_or_none(gap[i] / study.rms_height)});
+    plots.push_back(
+        lines(figure.name, load.index, "$3:4", colored(load.index), name));
+  }
+  figure.caption = "u(ζ), (23): how far the surfaces are apart on average "
+                   "where they seem to touch at the magnification ζ = q/q_ref, "
+                   "in the rms height of the whole surface.";
+  figure.script = "set xlabel " + gnuplot_markup("log_{10} ζ") +
+                  "\nset ylabel " + gnuplot_markup("log_{10} u / h_{rms}") +
+                  "\nset yrange [-4:*]\nset offsets 0, 0, graph 0.05, 0\n" +
+                  plot_of(plots);
+  figure.data = table.text();
+  return figure;
+}
+
+/// log10 of A, h_rms and u against log10 zeta.
+Figure parts_figure(const MagnifiedStudy& study) {
+  Figure figure;
+  figure.name = "magnification-parts";
+  figure.title = "Area, roughness and separation";
+  CsvTable table({"load", "index", "log10 zeta [1]", "log10 A/A_0 [1]",
+                  "log10 u/h_rms [1]", "log10 h_rms(zeta)/h_rms [1]"});
+  std::vector<std::string> plots;
+  for (const std::size_t chosen : three_of(study.loads.size())) {
+    const MagnifiedLoad& load = study.loads[chosen];
+    const std::string name = "p = " + pressure_text(load.pressure);
+    const std::vector<double> zeta = load.seen->values("magnification");
+    const std::vector<double> area = load.seen->values("area_fraction");
+    const std::vector<double> gap = load.seen->values("mean_gap");
+    const std::vector<double> height = load.seen->values("rms_height");
+    for (std::size_t i = 0; i < zeta.size(); ++i)
+      table.add(name,
+                {static_cast<double>(load.index), std::log10(zeta[i]),
+                 log_or_none(area[i]), log_or_none(gap[i] / study.rms_height),
+                 log_or_none(height[i] / study.rms_height)});
+    if (plots.empty())
+      plots.push_back(lines(figure.name, load.index, "$3:6",
+                            "linewidth 1.6 linecolor rgb '#222222'",
+                            "h_rms(ζ)/h_rms"));
+    plots.push_back(lines(figure.name, load.index, "$3:4", colored(load.index),
+                          "A/A₀, " + name));
+    plots.push_back(lines(figure.name, load.index, "$3:5",
+                          colored(load.index, "dashtype 2"),
+                          "u/h_rms, " + name));
+  }
+  figure.caption = "Solid: the area that seems to touch at the magnification "
+                   "ζ, (4) with the roughness up to ζ q_ref; dashed: the "
+                   "separation in it; black: the rms height still hidden.";
+  figure.script =
+      "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
+      gnuplot_markup("log_{10} A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}") +
+      "\nset yrange [-4:*]\nset offsets 0, 0, graph 0.05, 0\n" + plot_of(plots);
+  figure.data = table.text();
+  return figure;
+}
+
+/// u and u_1 in nm against zeta, with A on the right.
+Figure opening_figure(const MagnifiedStudy& study) {
+  Figure figure;
+  figure.name = "magnification-opening";
+  figure.title = "Where the surfaces part";
+  CsvTable table(
+      {"load", "index", "log10 zeta [1]", "u [nm]", "u_1 [nm]", "A/A_0 [1]"});
+  std::vector<std::string> plots;
+  double top = 0.0;
+  for (const std::size_t chosen : three_of(study.loads.size())) {
+    const MagnifiedLoad& load = study.loads[chosen];
+    const std::string name = ", p = " + pressure_text(load.pressure);
+    const std::vector<double> zeta = load.seen->values("magnification");
+    const std::vector<double> gap = load.seen->values("mean_gap");
+    const std::vector<double> opening = load.seen->values("opening_gap");
+    const std::vector<double> area = load.seen->values("area_fraction");
+    for (std::size_t i = 0; i < zeta.size(); ++i) {
+      table.add(pressure_text(load.pressure),
+                {static_cast<double>(load.index), std::log10(zeta[i]),
+                 gap[i] * 1e9,
+                 std::isfinite(opening[i]) ? opening[i] * 1e9 : not_a_number,
+                 area[i]});
+      top = std::max(top, 2.0 * gap[i] * 1e9);
+    }
+    plots.push_back(lines(figure.name, load.index, "$3:4", colored(load.index),
+                          "u" + name));
+    plots.push_back(lines(figure.name, load.index, "$3:5",
+                          colored(load.index, "dashtype 2"), "u₁" + name));
+    plots.push_back(lines(figure.name, load.index, "$3:6",
+                          colored(load.index, "dashtype 3 axes x1y2"),
+                          "A/A₀" + name));
+  }
+  figure.caption =
+      "u₁(ζ), (25): the separation of what seems to come into contact as ζ "
+      "falls; it rises without bound at small ζ, where hardly any area "
+      "(dotted, right) is left to open. Drawn to twice the mean gap.";
+  figure.script =
+      "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
+      gnuplot_markup("u, u_1  [nm]") + "\nset y2label " +
+      gnuplot_markup("A/A_0") + fmt::format("\nset yrange [0:{:.6g}]\n", top) +
+      "set y2range [0:1]\nset y2tics\nset border 11\n" + plot_of(plots);
+  figure.data = table.text();
+  return figure;
+}
+
+const results::Fields* nearest_map(const results::MethodRecord& method,
+                                   double pressure) {
+  const results::Fields* nearest = nullptr;
+  double least = std::log(nearest_load_ratio);
+  for (const results::Fields* fields : whole_maps(method)) {
+    const double ratio =
+        std::abs(std::log(fields->nominal_pressure / pressure));
+    if (ratio <= least) { // false for a NaN
+      nearest = fields;
+      least = ratio;
+    }
+  }
+  return nearest;
+}
+
+/// P_u of the methods' maps near the load, a series each.
+void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
+              double rms_height, Figure& figure, CsvTable& table,
+              std::vector<std::string>& plots) {
+  for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
+    const results::Fields* map = nearest_map(*method, load.pressure);
+    if (map == nullptr)
+      continue;
+    const std::size_t index = plots.size();
+    const results::Histogram histogram =
+        results::gap_histogram(map->gap, map->pressure, shown_gap_bins);
+    double open = 0.0;
+    for (std::size_t i = 0; i < histogram.density.size(); ++i) {
+      open += histogram.density[i] * histogram.bin_width();
+      table.add(method->name, {static_cast<double>(index),
+                               histogram.bin_centre(i) / rms_height,
+                               histogram.density[i] * rms_height});
+    }
+    plots.push_back(
+        lines(figure.name, index, "$3:4", colored(index - 1, "dashtype 2"),
+              fmt::format("P_u, {} at {}, {:.3g} at u = 0", method->name,
+                          pressure_text(map->nominal_pressure), 1.0 - open)));
+  }
+}
+
+/// The distribution of u_1 beside P_u of maps at the nearest load.
+Figure distribution_figure(const ReportEntry& entry,
+                           const MagnifiedStudy& study,
+                           const MagnifiedLoad& load) {
+  Figure figure;
+  figure.name = fmt::format("separation-distributions-{}", load.index + 1);
+  figure.title =
+      "Distributions of the separation, p = " + pressure_text(load.pressure);
+  CsvTable table({"curve", "index", "u/h_rms [1]", "P h_rms [1]"});
+  const std::vector<double> gap = load.gaps->values("gap");
+  const std::vector<double> density = load.gaps->values("density");
+  double top = 0.0;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    const double reduced = gap[i] / study.rms_height;
+    table.add("P_u1", {0.0, std::isfinite(reduced) ? reduced : not_a_number,
+                       density[i] * study.rms_height});
+    if (reduced > 0.2)
+      top = std::max(top, density[i] * study.rms_height);
+  }
+  std::vector<std::string> plots{
+      lines(figure.name, 0, "$3:4", "linewidth 1.6 linecolor rgb '#222222'",
+            fmt::format("theory, (27), {:.3g} at u = 0", load.contact_weight))};
+  add_maps(entry, load, study.rms_height, figure, table, plots);
+  figure.caption = fmt::format(
+      "Solid: the theory's density of u₁, a mean over what opens at one "
+      "magnification, so narrower than (26); its delta function at u = 0 has "
+      "the weight A(ζ₁)/A₀ = {:.4g}.{}",
+      load.contact_weight,
+      plots.size() > 1 ? " Dashed: P_u of (26) of the kept map at the nearest "
+                         "load; the rest of it is at u = 0, or below for a "
+                         "penalty and for atoms."
+                       : "");
+  figure.script = fmt::format(
+      "set xlabel {}\nset ylabel {}\nset xrange [0:{:g}]\nset yrange "
+      "[0:{:.4g}]\n{}",
+      gnuplot_markup("separation u / h_{rms}"), gnuplot_markup("P h_{rms}"),
+      widest_gap, 1.3 * top, plot_of(plots));
+  figure.data = table.text();
+  return figure;
+}
+
+void add_leaks(const results::Result& result, Figure& figure) {
+  const results::Table* leak = result.table("leak");
+  if (leak == nullptr)
+    return;
+  const std::vector<double> pressures = leak->values("nominal_pressure");
+  const std::vector<double> flows = leak->values("mass_flow");
+  const std::vector<double> gaps = leak->values("pore_gap");
+  figure.caption += " Leak through the one pore where the open area "
+                    "percolates:";
+  for (std::size_t i = 0; i < pressures.size() && i < flows.size(); ++i)
+    figure.caption += (i == 0 ? " " : "; ") + pressure_text(pressures[i]) +
+                      (std::isfinite(flows[i])
+                           ? fmt::format(", {:.2g} kg/s at u₁ = {:.3g} nm",
+                                         flows[i], gaps[i] * 1e9)
+                           : std::string(", none"));
+  figure.caption += ".";
+}
+
+} // namespace
+
+std::vector<Figure> magnification_figures(const ReportEntry& entry) {
+  const MagnifiedStudy study = study_of(*entry.result);
+  if (study.loads.empty())
+    return {};
+  std::vector<Figure> figures{separation_figure(study), parts_figure(study),
+                              opening_figure(study)};
+  add_leaks(*entry.result, figures.back());
+  for (const std::size_t chosen : three_of(study.loads.size()))
+    figures.push_back(distribution_figure(entry, study, study.loads[chosen]));
+  return figures;
+}
+
+} // namespace asperity::reports

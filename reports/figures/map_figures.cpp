@@ -1,0 +1,216 @@
+#include "reports/analysis/two_faces.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+constexpr int largest_picture = 256; // points a side
+
+// Perceptually even palettes: dark to light for what is >= 0, blue to red with
+// a light middle for heights.
+constexpr const char* sequential_palette =
+    "set palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
+    "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\n";
+constexpr const char* gap_palette =
+    "set palette maxcolors 128 defined (0 '#08203a', 0.25 '#1f5a8c', 0.5 "
+    "'#5b9fc7', 0.75 '#b5d7e8', 1 '#f7fbfd')\n";
+constexpr const char* height_palette =
+    "set palette maxcolors 128 defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 "
+    "'#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n";
+
+struct Picture {
+  std::string csv;
+  int columns = 0;
+  int rows = 0;
+  double least = 0.0;
+  double largest = 0.0;
+};
+
+// The map divided by `unit`, block means down to at most 256 points a side, as
+// a CSV matrix with the row iy = 0 first.
+Picture picture_of(const Grid& grid, const std::vector<double>& map,
+                   double unit) {
+  const int block_x = (grid.points_x + largest_picture - 1) / largest_picture;
+  const int block_y = (grid.points_y + largest_picture - 1) / largest_picture;
+  Picture picture;
+  picture.columns = grid.points_x / block_x;
+  picture.rows = grid.points_y / block_y;
+  for (int row = 0; row < picture.rows; ++row) {
+    for (int column = 0; column < picture.columns; ++column) {
+      double sum = 0.0;
+      for (int iy = row * block_y; iy < (row + 1) * block_y; ++iy)
+        for (int ix = column * block_x; ix < (column + 1) * block_x; ++ix)
+          sum += map[grid.index(ix, iy)];
+      const double mean = sum / (block_x * block_y) / unit;
+      picture.csv += fmt::format("{}{:.4g}", column == 0 ? "" : ",", mean);
+      const bool is_first = row == 0 && column == 0;
+      picture.least = is_first ? mean : std::min(picture.least, mean);
+      picture.largest = is_first ? mean : std::max(picture.largest, mean);
+    }
+    picture.csv += "\n";
+  }
+  return picture;
+}
+
+// "plot" of a matrix in micrometres of the grid.
+std::string image_of(const std::string& file, const Grid& grid,
+                     const Picture& picture) {
+  return fmt::format(
+      "set xrange [0:{0:.6g}]\nset yrange [0:{1:.6g}]\nplot '{2}' matrix using "
+      "(($1+0.5)*{3:.9g}):(($2+0.5)*{4:.9g}):3 with image notitle\n",
+      grid.length_x * 1e6, grid.length_y * 1e6, file,
+      grid.length_x * 1e6 / picture.columns,
+      grid.length_y * 1e6 / picture.rows);
+}
+
+constexpr const char* map_style =
+    "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset size "
+    "ratio -1\nset colorbox\nset cbtics scale 0.4\n";
+
+Figure map_figure(const std::string& method,
+                  const std::vector<const results::Fields*>& maps,
+                  const SurfaceScales& scales) {
+  const std::vector<std::size_t> chosen = three_of(maps.size());
+  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  Figure figure;
+  figure.name = "maps-" + file_word(method);
+  figure.title = "Pressure and gap, " + method;
+  figure.width = 330 * static_cast<int>(chosen.size()) + 20;
+  figure.height = 590;
+  CsvTable table({"map", "step", "nominal_pressure [Pa]"});
+  std::string pressures;
+  std::string gaps;
+  for (const std::size_t i : chosen) {
+    const results::Fields& fields = *maps[i];
+    const double load = fields.nominal_pressure / scales.contact_modulus;
+    table.add(fmt::format("{}", i),
+              {static_cast<double>(fields.step), fields.nominal_pressure});
+    const Picture pressure = picture_of(fields.grid, fields.pressure, stress);
+    const Picture gap = picture_of(fields.grid, fields.gap, scales.rms_height);
+    const std::string pressure_name = fmt::format("pressure-{}", fields.step);
+    const std::string gap_name = fmt::format("gap-{}", fields.step);
+    pressures +=
+        fmt::format("set title {}\nset cbrange [0:{:.4g}]\n",
+                    gnuplot_markup(fmt::format("p / E* = {:.3g}", load)),
+                    std::max(pressure.largest, 1e-12));
+    pressures += image_of(figure.name + "-" + pressure_name + ".csv",
+                          fields.grid, pressure);
+    gaps += fmt::format("unset title\nset cbrange [0:{:.4g}]\n",
+                        std::max(gap.largest, 1e-12));
+    gaps += image_of(figure.name + "-" + gap_name + ".csv", fields.grid, gap);
+    figure.maps.emplace_back(pressure_name, pressure.csv);
+    figure.maps.emplace_back(gap_name, gap.csv);
+  }
+  figure.caption = fmt::format(
+      "Realisation 0 at {} loads. Above: pressure over E* h' ({:.3g} MPa), "
+      "white where there is none; below: gap over h_rms ({:.3g} nm), dark "
+      "where "
+      "the faces touch. Sides in µm.",
+      chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
+  figure.script = fmt::format("{}set multiplot layout 2,{} margins "
+                              "0.05,0.94,0.05,0.94 spacing 0.09,0.05\n{}{}{}{}"
+                              "unset multiplot\n",
+                              map_style, chosen.size(), sequential_palette,
+                              pressures, gap_palette, gaps);
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> map_figures(const ReportEntry& entry) {
+  std::vector<Figure> figures;
+  for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
+    const std::vector<const results::Fields*> maps = whole_maps(*method);
+    const SurfaceScales scales =
+        scales_of(*entry.result, *entry.contact_case, *method, 0);
+    if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
+      figures.push_back(map_figure(method->name, maps, scales));
+  }
+  return figures;
+}
+
+std::optional<Figure> surface_figure(const ReportEntry& entry) {
+  if (entry.result->surfaces.empty())
+    return std::nullopt;
+  const results::SurfaceRecord& surface = entry.result->surfaces.front();
+  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
+    return std::nullopt;
+  const Picture picture = picture_of(surface.grid, surface.heights, 1e-9);
+  const double span = std::max(std::abs(picture.least), picture.largest);
+  Figure figure;
+  figure.name = "surface";
+  figure.title = "The surface";
+  figure.maps.emplace_back("map", picture.csv);
+  CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
+                  "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
+                  "highest [m]"});
+  for (std::size_t r = 0; r < entry.result->surfaces.size(); ++r) {
+    const results::SurfaceRecord& one = entry.result->surfaces[r];
+    table.add(std::to_string(r),
+              {one.rms_height, one.rms_slope, one.rms_curvature, one.skewness,
+               one.kurtosis, one.highest});
+  }
+  figure.data = table.text();
+  figure.caption = fmt::format(
+      "Heights in nm of realisation 0 over {:.4g} × {:.4g} µm, {} × {} points: "
+      "rms height {:.4g} nm, rms slope {:.3g}, skewness {:.2f}, kurtosis "
+      "{:.2f}.",
+      surface.grid.length_x * 1e6, surface.grid.length_y * 1e6,
+      surface.grid.points_x, surface.grid.points_y, surface.rms_height * 1e9,
+      surface.rms_slope, surface.skewness, surface.kurtosis);
+  figure.script = fmt::format(
+      "{}{}set cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [nm]'\nset xlabel "
+      "'x [µm]'\nset ylabel 'y [µm]'\n{}",
+      map_style, height_palette, -span, span,
+      image_of("surface-map.csv", surface.grid, picture));
+  return figure;
+}
+
+std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
+  const auto sum = sum_of_two_faces(*entry.result);
+  if (!sum)
+    return std::nullopt;
+  Figure figure;
+  figure.name = "two-faces";
+  figure.title = "Both faces and their sum";
+  figure.width = 1010;
+  figure.height = 330;
+  figure.script = fmt::format("{}{}set multiplot layout 1,3 margins "
+                              "0.05,0.94,0.08,0.9 spacing 0.09,0.05\n",
+                              map_style, height_palette);
+  CsvTable table({"face", "rms_height [m]", "rms_slope [1]", "skewness [1]",
+                  "kurtosis [1]", "highest [m]"});
+  const auto add = [&](const results::SurfaceRecord& face,
+                       const std::string& name, const std::string& title) {
+    const Picture picture = picture_of(face.grid, face.heights, 1e-9);
+    const double span = std::max(std::abs(picture.least), picture.largest);
+    figure.maps.emplace_back(name, picture.csv);
+    table.add(name, {face.rms_height, face.rms_slope, face.skewness,
+                     face.kurtosis, face.highest});
+    figure.script +=
+        fmt::format("set title {}\nset cbrange [{:.4g}:{:.4g}]\n",
+                    gnuplot_text(fmt::format("{}, {:.3g} nm rms", title,
+                                             face.rms_height * 1e9)),
+                    -span, span);
+    figure.script += image_of("two-faces-" + name + ".csv", face.grid, picture);
+  };
+  add(entry.result->surfaces[0], "first", "realisation 0");
+  add(entry.result->surfaces[1], "second", "realisation 1");
+  add(*sum, "sum", "sum of both");
+  figure.script += "unset multiplot\n";
+  figure.caption =
+      "Heights in nm, sides in µm. The sum is what a flat block of the two "
+      "bodies' combined stiffness meets.";
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,127 @@
+#include "reports/figures/plot_parts.hpp"
+
+#include "base/field_sums.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity::reports {
+
+std::string of_series(std::size_t index, const std::string& columns) {
+  const std::size_t x_end = columns.find(':');
+  return fmt::format("using ($2=={} ? {} : NaN):{}", index,
+                     columns.substr(0, x_end), columns.substr(x_end + 1));
+}
+
+std::string plot_of(const std::vector<std::string>& parts) {
+  std::string text = "plot ";
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : ", \\\n  ") + parts[i];
+  return text + "\n";
+}
+
+double round_step(double step) {
+  if (!(step > 0.0) || !std::isfinite(step))
+    return 1.0; // of nothing: any will do
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= step)
+      return digit * power;
+  return 10.0 * power;
+}
+
+std::string joined_words(std::span<const Series> series) {
+  std::string names;
+  for (const Series& one : series)
+    if (!one.is_drawn)
+      names += (names.empty() ? "" : ", ") + one.label;
+  return names.empty() ? ""
+                       : fmt::format(" Not drawn because they would lie on the "
+                                     "signs of their method: {}.",
+                                     names);
+}
+
+const Estimate& quantity(const Series& series, const std::string& name) {
+  static const Estimate none;
+  const auto found = series.method->quantities.find(name);
+  return found == series.method->quantities.end() ? none : found->second;
+}
+
+const Series* first_numerical(std::span<const Series> series) {
+  for (const Series& one : series)
+    if (!one.is_theory() && !one.rows.empty())
+      return &one;
+  return nullptr;
+}
+
+const Series* theory_of(std::span<const Series> series, const Series& method) {
+  for (const Series& one : series)
+    if (one.is_theory() && one.entry == method.entry && !one.rows.empty())
+      return &one;
+  return nullptr;
+}
+
+std::vector<const results::MethodRecord*>
+methods_with_maps(const results::Result& result) {
+  std::vector<const results::MethodRecord*> methods;
+  for (const results::MethodRecord& method : result.methods) {
+    const std::string base = method.name.substr(0, method.name.find('.'));
+    const bool is_shown = std::any_of(methods.begin(), methods.end(),
+                                      [&](const results::MethodRecord* other) {
+                                        return other->name == base;
+                                      });
+    if (!is_shown && !method.realizations.empty() &&
+        !method.realizations.front().fields.empty())
+      methods.push_back(&method);
+  }
+  return methods;
+}
+
+namespace {} // namespace
+
+std::vector<const results::Fields*>
+whole_maps(const results::MethodRecord& method) {
+  std::vector<const results::Fields*> whole;
+  for (const results::Fields& fields : method.realizations.front().fields)
+    if (const std::size_t size = fields.grid.size();
+        size > 0 && fields.pressure.size() == size &&
+        fields.gap.size() == size && fields.grid.length_x > 0.0 &&
+        all_finite(fields.pressure) && all_finite(fields.gap))
+      whole.push_back(&fields);
+  return whole;
+}
+
+std::string file_word(std::string name) {
+  for (char& letter : name) {
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter - 'A' + 'a');
+    const bool is_good =
+        (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    letter = is_good ? letter : '-';
+  }
+  return name.substr(0, 60);
+}
+
+std::string load_color(std::size_t load) {
+  constexpr std::array colors{"#56B4E9", "#0072B2", "#35102b"};
+  return fmt::format("linecolor rgb '{}'", colors[load % colors.size()]);
+}
+
+std::string load_sign(std::size_t load) {
+  constexpr std::array signs{8, 4, 6};
+  return fmt::format("pointtype {} pointsize 0.6 linewidth 1.2 {}",
+                     signs[load % signs.size()], load_color(load));
+}
+
+std::vector<std::size_t> three_of(std::size_t count) {
+  std::vector<std::size_t> chosen;
+  for (const std::size_t i : {std::size_t{0}, count / 2, count - 1})
+    if (count > 0 && (chosen.empty() || chosen.back() < i))
+      chosen.push_back(i);
+  return chosen;
+}
+
+} // namespace asperity::reports

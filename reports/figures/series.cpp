@@ -1,0 +1,173 @@
+#include "reports/figures/series.hpp"
+
+#include "reports/analysis/comparison.hpp"
+#include "reports/analysis/rough.hpp"
+#include "reports/figures/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+using results::MethodRecord;
+
+struct Sum {
+  SeriesRow row;
+  int count = 0;
+  int with_theory = 0;
+};
+
+void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
+               const CurveFunction& theory) {
+  const double theory_gap = theory.gap(point.nominal_pressure);
+  const double gap = point.mean_gap / scales.rms_height;
+  SeriesRow& row = sum.row;
+  row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
+  row.gap_high = sum.count == 0 ? gap : std::max(row.gap_high, gap);
+  const double area = point.area_fraction;
+  row.area_low = sum.count == 0 ? area : std::min(row.area_low, area);
+  row.area_high = sum.count == 0 ? area : std::max(row.area_high, area);
+  const double pressure = point.nominal_pressure / scales.contact_modulus;
+  row.pressure += pressure;
+  row.pressure_slope += pressure / scales.rms_slope;
+  row.gap += gap;
+  row.area += area;
+  row.area_corrected += point.area_fraction_corrected;
+  row.area_fit += point.area_fraction_fit;
+  row.theory_area += theory.area_fraction(point.nominal_pressure);
+  row.iterations += point.iterations;
+  row.cpu_time += point.cpu_time;
+  ++sum.count;
+  if (std::isfinite(theory_gap)) {
+    row.theory_gap = (sum.with_theory == 0 ? 0.0 : row.theory_gap) +
+                     theory_gap / scales.rms_height;
+    ++sum.with_theory;
+  }
+}
+
+SeriesRow mean_of(const Sum& sum) {
+  SeriesRow row = sum.row;
+  const double count = sum.count;
+  for (double* number : {&row.pressure, &row.pressure_slope, &row.gap,
+                         &row.area, &row.area_corrected, &row.area_fit,
+                         &row.theory_area, &row.iterations, &row.cpu_time})
+    *number /= count;
+  row.theory_gap =
+      sum.with_theory == sum.count ? row.theory_gap / count : not_a_number;
+  return row;
+}
+
+std::vector<SeriesRow> rows_of(const ReportEntry& entry,
+                               const MethodRecord& method) {
+  const MethodRecord* reference =
+      reference_theory(*entry.result, *entry.contact_case, method);
+  std::map<int, Sum> steps;
+  for (std::size_t r = 0; r < method.realizations.size(); ++r) {
+    const SurfaceScales scales =
+        scales_of(*entry.result, *entry.contact_case, method, r);
+    const CurveFunction theory(reference != nullptr
+                                   ? std::span(curve_of(*reference, r).points)
+                                   : std::span<const CurvePoint>());
+    for (const CurvePoint& point : method.realizations[r].points) {
+      if (point.status != results::StepStatus::converged ||
+          point.nominal_pressure <= 0.0)
+        continue;
+      add_point(steps[point.step], point, scales, theory);
+    }
+  }
+  std::vector<SeriesRow> rows;
+  for (const auto& [step, sum] : steps)
+    rows.push_back(mean_of(sum));
+  return rows;
+}
+
+bool is_near(double one, double other, double relative) {
+  return std::abs(one - other) <= relative * std::abs(other);
+}
+
+bool would_lie_on(const Series& variant, const Series& method) {
+  return variant.rows.size() == method.rows.size() &&
+         std::equal(variant.rows.begin(), variant.rows.end(),
+                    method.rows.begin(),
+                    [](const SeriesRow& a, const SeriesRow& b) {
+                      return std::abs(a.gap - b.gap) <= 0.002 &&
+                             is_near(a.pressure, b.pressure, 0.005) &&
+                             is_near(a.area, b.area, 0.01) &&
+                             is_near(a.area_corrected, b.area_corrected, 0.01);
+                    });
+}
+
+void join_variants(std::vector<Series>& all) {
+  for (Series& variant : all) {
+    const std::string& name = variant.method->name;
+    const std::size_t dot = name.find('.');
+    if (variant.is_theory() || dot == std::string::npos)
+      continue;
+    for (Series& method : all)
+      if (method.entry == variant.entry &&
+          method.method->name == name.substr(0, dot) &&
+          would_lie_on(variant, method)) {
+        variant.is_drawn = false;
+        method.legend += ", " + name;
+      }
+  }
+}
+
+} // namespace
+
+std::vector<Series> series_of(std::span<const ReportEntry> entries) {
+  std::vector<Series> all;
+  std::size_t colors = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const ReportEntry& entry = entries[i];
+    for (std::size_t m = 0; m < entry.result->methods.size(); ++m) {
+      const MethodRecord& record = entry.result->methods[m];
+      Series series;
+      series.kind = record.kind;
+      series.label = entries.size() > 1
+                         ? entry.summary.case_name + ": " + record.name
+                         : record.name;
+      series.legend = series.label;
+      series.entry = i;
+      series.color = series.is_theory() ? i : colors++;
+      series.method = &entry.summary.methods[m];
+      series.rows = rows_of(entry, record);
+      all.push_back(std::move(series));
+    }
+  }
+  join_variants(all);
+  std::stable_partition(all.begin(), all.end(),
+                        [](const Series& s) { return s.is_theory(); });
+  return all;
+}
+
+const char* series_color(const Series& series) {
+  return series.is_theory() ? "#222222" : method_color(series.color);
+}
+
+std::string line_style(const Series& series) {
+  if (series.is_theory())
+    return fmt::format("linewidth 1.8 dashtype {} linecolor rgb '#222222'",
+                       series.color + 1);
+  return fmt::format("linewidth 1 linecolor rgb '{}'",
+                     method_color(series.color));
+}
+
+std::string point_style(const Series& series) {
+  // open signs of different size stay visible on top of each other
+  static constexpr std::array<const char*, 6> signs{
+      "pointtype 6 pointsize 0.95", "pointtype 2 pointsize 0.7",
+      "pointtype 8 pointsize 1.1",  "pointtype 4 pointsize 0.8",
+      "pointtype 12 pointsize 1.1", "pointtype 1 pointsize 0.9"};
+  return fmt::format("{} linewidth 1.3 linecolor rgb '{}'",
+                     signs[series.color % signs.size()],
+                     method_color(series.color));
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,160 @@
+#include "reports/analysis/stress_quantities.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+/// What is known of a method's strongest points: its own, or the continuum's
+/// under its pressure.
+struct Strength {
+  std::string title;
+  std::vector<double> von_mises, depth; ///< [Pa], [m]
+  std::vector<double> largest_shear;    ///< [Pa]; empty where not known
+  bool is_beside = false; ///< the continuum's, of a block that knows its own
+};
+
+/// Those with a stress and a depth at each load.
+std::vector<Strength> strengths_of(const results::Table& table,
+                                   const std::string& method) {
+  std::vector<Strength> strengths{{method, table.values("von_mises"),
+                                   table.values("depth"),
+                                   table.values("largest_shear"), false}};
+  if (std::vector<double> beside = table.values("von_mises_from_pressure");
+      !beside.empty())
+    strengths.push_back({method + ", from its pressure",
+                         std::move(beside),
+                         table.values("depth_from_pressure"),
+                         {},
+                         true});
+  const std::size_t loads = table.values("nominal_pressure").size();
+  std::erase_if(strengths, [&](const Strength& one) {
+    return one.von_mises.size() != loads || one.depth.size() != loads;
+  });
+  for (Strength& one : strengths)
+    if (one.largest_shear.size() != loads)
+      one.largest_shear.clear();
+  return strengths;
+}
+
+/// Strongest von Mises stress against the load, and its depth below.
+Figure strength_figure(const ReportEntry& entry) {
+  Figure figure;
+  figure.name = "stress-inside";
+  figure.title = "The strongest stress below the face";
+  const double modulus = entry.result->contact_modulus;
+  CsvTable table({"method", "index", "log10 p/E* [1]", "von Mises/E* [1]",
+                  "depth [um]", "largest shear/von Mises [1]"});
+  std::vector<std::string> strengths;
+  std::vector<std::string> depths;
+  bool has_whole = false;
+  std::size_t color = 0;
+  for (const results::MethodRecord& method : entry.result->methods) {
+    const results::Table* found =
+        entry.result->table(stress_table_name(method.name));
+    if (found == nullptr)
+      continue;
+    const std::vector<double> pressure = found->values("nominal_pressure");
+    for (const Strength& one : strengths_of(*found, method.name)) {
+      has_whole = has_whole || one.is_beside;
+      const std::size_t index = strengths.size();
+      for (std::size_t i = 0; i < pressure.size(); ++i)
+        table.add(one.title, {static_cast<double>(index),
+                              std::log10(pressure[i] / modulus),
+                              one.von_mises[i] / modulus, one.depth[i] * 1e6,
+                              one.largest_shear.empty()
+                                  ? not_a_number
+                                  : one.largest_shear[i] / one.von_mises[i]});
+      const std::string style = fmt::format(
+          "with linespoints pointtype {} linewidth 1.4 {}linecolor rgb '{}'",
+          4 + 2 * color, one.is_beside ? "dashtype 2 " : "",
+          method_color(color));
+      strengths.push_back(fmt::format("'{}.csv' {} {} title {}", figure.name,
+                                      of_series(index, "$3:4"), style,
+                                      gnuplot_text(one.title)));
+      depths.push_back(fmt::format("'{}.csv' {} {} notitle", figure.name,
+                                   of_series(index, "$3:5"), style));
+    }
+    ++color;
+  }
+  figure.height = 560;
+  figure.caption =
+      "The largest von Mises stress anywhere in the block under each kept "
+      "pressure map, and how deep below the face it lies (below). Worked out "
+      "from the pressure as in a continuum, a wave at a time.";
+  if (has_whole)
+    figure.caption += " A whole block shows its own, the largest at a "
+                      "quadrature point of its cells; dashed is what its "
+                      "pressure gives in the continuum.";
+  figure.script =
+      "set multiplot layout 2,1 spacing 0.02,0.11\nset logscale y\nset "
+      "ylabel " +
+      gnuplot_markup("σ_{vM} / E*") + "\n" + plot_of(strengths) +
+      "set xlabel " + gnuplot_markup("log_{10} p / E*") +
+      "\nset ylabel 'depth [µm]'\n" + plot_of(depths) + "unset multiplot\n";
+  figure.data = table.text();
+  return figure;
+}
+
+/// The von Mises stress in a plane of x and depth, as an image.
+std::optional<Figure> section_figure(const ReportEntry& entry,
+                                     const results::MethodRecord& method) {
+  const results::Table* section =
+      entry.result->table(stress_section_name(method.name));
+  if (section == nullptr)
+    return std::nullopt;
+  const std::vector<double> depth = section->values("depth");
+  const std::vector<double> x = section->values("x");
+  const std::vector<double> strength = section->values("von_mises");
+  if (strength.empty() || depth.size() != strength.size() ||
+      x.size() != strength.size())
+    return std::nullopt;
+  Figure figure;
+  figure.name = "stress-section-" + file_word(method.name);
+  figure.title = "A section below the face, " + method.name;
+  const double modulus = entry.result->contact_modulus;
+  CsvTable table({"method", "depth [um]", "x [um]", "von Mises/E* [1]"});
+  for (std::size_t i = 0; i < strength.size(); ++i)
+    table.add(method.name, {depth[i] * 1e6, x[i] * 1e6, strength[i] / modulus});
+  const auto strongest = std::max_element( // places without stress are NaN
+      strength.begin(), strength.end(), [](double a, double b) {
+        return b > a || (std::isnan(a) && !std::isnan(b));
+      });
+  const std::size_t at = static_cast<std::size_t>(strongest - strength.begin());
+  figure.width = 660;
+  figure.height = 330;
+  figure.caption = fmt::format(
+      "{}. The plane through the strongest point; at most {:.3g} E*, at a "
+      "depth of {:.3g} µm; the face is the upper edge.",
+      section->title, *strongest / modulus, depth[at] * 1e6);
+  figure.script = fmt::format(
+      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
+      "palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
+      "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\nset cbrange "
+      "[0:{:.6g}]\nset cblabel {}\nset xrange [{:.6g}:{:.6g}]\nset yrange "
+      "[{:.6g}:0]\nset xlabel 'x [µm]'\nset ylabel 'depth [µm]'\nplot '{}.csv' "
+      "using 3:2:4 with image notitle\n",
+      *strongest / modulus, gnuplot_markup("σ_{vM} / E*"), x.front() * 1e6,
+      x.back() * 1e6, depth.back() * 1e6, figure.name);
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> stress_figures(const ReportEntry& entry) {
+  std::vector<Figure> figures;
+  for (const results::MethodRecord& method : entry.result->methods)
+    if (std::optional<Figure> section = section_figure(entry, method))
+      figures.push_back(std::move(*section));
+  if (!figures.empty())
+    figures.insert(figures.begin(), strength_figure(entry));
+  return figures;
+}
+
+} // namespace asperity::reports

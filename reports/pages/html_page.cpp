@@ -1,0 +1,240 @@
+#include "reports/analysis/determined.hpp"
+#include "reports/pages/html_report.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/report_template.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+
+// The cell of one fitted number; why there is none is added to `reasons`.
+void set_fitted(Value& row, const char* column, const char* name,
+                const FittedValue& fitted, const MeaningfulRange& range,
+                std::vector<std::string>& reasons) {
+  const FittedValue shown = determined(fitted, range);
+  const bool has_value = std::isfinite(shown.value);
+  row.set(column,
+          has_value ? fmt::format("{:.3g}", shown.value) : undetermined_word);
+  if (!has_value && !shown.reason.empty())
+    reasons.push_back(fmt::format("{}: {}", name, shown.reason));
+}
+
+Value fit_row(const Series& series, std::size_t realization,
+              const RealizationFits& fits) {
+  const Window& window = fits.slope.window;
+  Value row;
+  row.set("method", series.label);
+  row.set("realization", std::to_string(realization));
+  std::vector<std::string> reasons;
+  for (const std::string& reason :
+       {fits.slope.reason, fits.parameter.reason, fits.area.reason})
+    if (!reason.empty() &&
+        std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+      reasons.push_back(reason);
+  set_fitted(row, "slope", "u₀/h_rms", fits.slope.gamma_slope, gamma_range,
+             reasons);
+  set_fitted(row, "beta", "β", fits.slope.beta, positive_range, reasons);
+  set_fitted(row, "kappa", "κ", fits.area.kappa, positive_range, reasons);
+  set_fitted(row, "kappa_counted", "κ, counted", fits.area.kappa_counted,
+             positive_range, reasons);
+  if (series.is_theory())
+    row.set("gamma", "–"); // set in the case
+  else
+    set_fitted(row, "gamma", "γ", fits.parameter.gamma_theory, gamma_range,
+               reasons);
+  row.set("asymptote", std::isfinite(fits.asymptotic_slope)
+                           ? fmt::format("{:.3g}", fits.asymptotic_slope)
+                           : "–");
+  const bool has_window = window.points > 0;
+  const double height = fits.scales.rms_height;
+  row.set("window",
+          has_window ? fmt::format("{:.2f} … {:.2f}", window.gap_low / height,
+                                   window.gap_high / height)
+                     : "–");
+  row.set("rows", has_window ? std::to_string(window.points) : "–");
+  row.set("deviation", has_window
+                           ? fmt::format("{:.2g} of {:.2g}",
+                                         100.0 * window.largest_deviation,
+                                         100.0 * window.tolerance)
+                           : "–");
+  if (!reasons.empty())
+    row.set("reason", fmt::format("{}", fmt::join(reasons, "; ")));
+  return row;
+}
+
+bool is_wide(const std::string& svg) {
+  const std::size_t at = svg.find("width=\"");
+  return at != std::string::npos &&
+         std::strtol(svg.c_str() + at + 7, nullptr, 10) > 700;
+}
+
+// The picture as a data URI. Percent-encoding leaves an embedded PNG's base64
+// as it is, where base64 again would add a third.
+std::string data_uri(const std::string& svg) {
+  std::string uri = "data:image/svg+xml;charset=utf-8,";
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain =
+        byte > 0x20 && byte < 0x7f &&
+        std::string_view("%#\"<>&'`{}|\\^").find(c) == std::string_view::npos;
+    if (is_plain)
+      uri += c;
+    else
+      uri += fmt::format("%{:02X}", byte);
+  }
+  return uri;
+}
+
+/// The parts of a step's note.
+std::vector<std::string> parts_of(const std::string& note) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start < note.size();) {
+    const std::size_t end = std::min(note.find("; ", start), note.size());
+    parts.push_back(note.substr(start, end - start));
+    start = end + 2;
+  }
+  return parts;
+}
+
+/// A part that is in the table of what is not determined.
+bool is_of_observable(const std::string& part) {
+  return part.find(" is not determined: ") != std::string::npos;
+}
+
+/// Observables that are NaN, with the reason and in how many steps.
+List undetermined_rows(std::span<const ReportEntry> entries) {
+  std::map<std::pair<std::string, std::string>, int> steps;
+  for (const ReportEntry& entry : entries)
+    for (const results::MethodRecord& method : entry.result->methods)
+      for (const results::Curve& curve : method.realizations)
+        for (const results::CurvePoint& point : curve.points)
+          for (const std::string& part : parts_of(point.note))
+            if (is_of_observable(part))
+              ++steps[{method.name, part}];
+  List rows;
+  for (const auto& [key, count] : steps) {
+    Value row;
+    row.set("method", key.first);
+    row.set("what", key.second);
+    row.set("steps", std::to_string(count));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+} // namespace
+
+List fit_rows(std::span<const Series> series) {
+  List rows;
+  for (const Series& one : series)
+    for (std::size_t r = 0; r < one.method->fits.size(); ++r)
+      rows.push_back(fit_row(one, r, one.method->fits[r]));
+  return rows;
+}
+
+/// Steps that did not converge, or those that did but have a note: another way
+/// than the method's own led to the answer.
+List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
+  List rows;
+  for (const ReportEntry& entry : entries)
+    for (const results::MethodRecord& method : entry.result->methods)
+      for (std::size_t r = 0; r < method.realizations.size(); ++r)
+        for (const results::CurvePoint& point : method.realizations[r].points) {
+          const bool has_converged =
+              point.status == results::StepStatus::converged;
+          const std::vector<std::string> parts = parts_of(point.note);
+          const bool says_more =
+              !std::all_of(parts.begin(), parts.end(), is_of_observable);
+          if (has_converged != converged || (converged && !says_more))
+            continue;
+          Value row;
+          row.set("method", method.name);
+          row.set("realization", std::to_string(r));
+          row.set("step", std::to_string(point.step));
+          row.set("pressure",
+                  fmt::format("{:.3g}", point.nominal_pressure /
+                                            entry.result->contact_modulus));
+          row.set("residual", fmt::format("{:.2g}", point.residual));
+          row.set("note", point.note);
+          rows.push_back(row);
+        }
+  return rows;
+}
+
+List group_data(std::span<const DrawnGroup> groups) {
+  List list;
+  for (const DrawnGroup& group : groups) {
+    List figures;
+    for (const DrawnFigure& drawn : group.figures) {
+      Value figure;
+      figure.set("title", drawn.title);
+      figure.set("caption", drawn.caption);
+      figure.set("is_wide", is_wide(drawn.svg));
+      if (!drawn.svg.empty())
+        figure.set("picture", data_uri(drawn.svg));
+      else
+        figure.set("problem", drawn.problem);
+      figures.push_back(figure);
+    }
+    Value entry;
+    entry.set("heading", group.heading);
+    entry.set("figures", figures);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+std::string html_page(std::span<const ReportEntry> entries,
+                      std::span<const DrawnGroup> groups) {
+  const std::vector<Series> series = series_of(entries);
+  const bool has_many = entries.size() > 1;
+  Value page;
+  page.set("page_title",
+           has_many ? fmt::format("{} results compared", entries.size())
+                    : entries.front().summary.case_title);
+  List list;
+  for (const ReportEntry& entry : entries)
+    list.push_back(entry_data(entry, series, has_many));
+  page.set("entries", list);
+  page.set("groups", group_data(groups));
+  page.set("fits", fit_rows(series));
+  const List failed = noted_step_rows(entries, false);
+  page.set("has_failed_steps", !failed.empty());
+  page.set("failed_steps", failed);
+  const List undetermined = undetermined_rows(entries);
+  page.set("has_undetermined", !undetermined.empty());
+  page.set("undetermined", undetermined);
+  const List noted = noted_step_rows(entries, true);
+  page.set("has_noted_steps", !noted.empty());
+  page.set("noted_steps", noted);
+  kainjow::mustache::mustache view{std::string(report_template)};
+  return view.render(page);
+}
+
+kainjow::mustache::data text_item(const std::string& text) {
+  kainjow::mustache::data item;
+  item.set("text", text);
+  return item;
+}
+
+std::string shared_style() {
+  const std::string page(report_template);
+  const std::size_t start = page.find("<style>");
+  const std::string end = "</style>";
+  return page.substr(start, page.find(end) + end.size() - start);
+}
+
+} // namespace asperity::reports

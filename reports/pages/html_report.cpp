@@ -1,0 +1,247 @@
+#include "reports/analysis/number_text.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/analysis/warnings.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/pages/theory_agreement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+
+// A column of the table of methods.
+struct Column {
+  const char* quantity;
+  const char* head;
+  const char* unit;
+  bool is_percent;
+};
+
+const std::vector<Column>& columns_of(bool is_exact) {
+  static const std::vector<Column> rough{
+      {"gamma_slope", "u₀/h_rms", "slope of ln p(u)", false},
+      {"gamma_theory", "γ", "parameter of (10)", false},
+      {"kappa", "κ", "of the corrected area", false},
+      {"gap_deviation", "u against theory", "largest, of h_rms", true},
+      {"area_excess", "area against theory", "counted, light load", true}};
+  static const std::vector<Column> exact{
+      {"mean_gap_error", "mean gap", "largest error, of amplitude", false},
+      {"area_error", "contact fraction", "largest error", false},
+      {"contact_radius_error", "contact radius", "largest relative", false},
+      {"approach_error", "approach", "largest relative", false},
+      {"von_mises_error", "von Mises", "largest relative", false},
+      {"von_mises_depth_error", "its depth", "largest relative", false}};
+  return is_exact ? exact : rough;
+}
+
+// The columns that some method has a word on.
+std::vector<Column> answered(std::vector<Column> columns,
+                             const Summary& summary) {
+  std::erase_if(columns, [&](const Column& column) {
+    return std::none_of(summary.methods.begin(), summary.methods.end(),
+                        [&](const MethodSummary& method) {
+                          return method.quantities.contains(column.quantity);
+                        });
+  });
+  return columns;
+}
+
+std::string remark_of(const Estimate& estimate) {
+  if (estimate.has_value() && estimate.realizations > 1 &&
+      estimate.has_interval())
+    return fmt::format("{} realisations", estimate.realizations);
+  if (estimate.has_value() && estimate.has_interval())
+    return "± of the one fit";
+  return estimate.remark;
+}
+
+Value cell(const std::string& text, const std::string& small) {
+  Value value;
+  value.set("text", text);
+  value.set("small", small);
+  return value;
+}
+
+std::string seconds_text(double seconds) {
+  return std::isfinite(seconds) ? fmt::format("{:.2g} s", seconds) : "–";
+}
+
+Value method_row(const MethodSummary& method, const char* color,
+                 const std::vector<Column>& columns) {
+  Value row;
+  row.set("name", method.name);
+  row.set("description", method.description);
+  row.set("color", color);
+  List cells;
+  for (const Column& column : columns) {
+    const auto found = method.quantities.find(column.quantity);
+    if (found == method.quantities.end())
+      cells.push_back(cell("–", ""));
+    else
+      cells.push_back(cell(column.is_percent ? percent_text(found->second)
+                                             : number_text(found->second),
+                           remark_of(found->second)));
+  }
+  const Cost& cost = method.cost;
+  cells.push_back(cell(seconds_text(cost.step_cpu_time),
+                       fmt::format("{} in all", seconds_text(cost.cpu_time))));
+  cells.push_back(
+      cell(fmt::format("{} of {}", cost.steps - cost.failed_steps, cost.steps),
+           cost.largest_iterations > 0
+               ? fmt::format("≤ {} iterations", cost.largest_iterations)
+               : ""));
+  row.set("cells", cells);
+  return row;
+}
+
+List heads_of(const std::vector<Column>& columns) {
+  List heads;
+  const auto add = [&heads](const char* head, const char* unit) {
+    Value value;
+    value.set("head", head);
+    value.set("unit", unit);
+    heads.push_back(value);
+  };
+  for (const Column& column : columns)
+    add(column.head, column.unit);
+  add("CPU time a step", "median");
+  add("steps", "converged");
+  return heads;
+}
+
+// Published number, unit and "±" for a page.
+std::string typeset_published(const cases::ReferenceValue& reference) {
+  std::string text = published_text(reference);
+  if (const std::size_t at = text.find("+-"); at != std::string::npos)
+    text.replace(at, 2, "±");
+  return text;
+}
+
+List published_rows(const Summary& summary) {
+  List rows;
+  for (const PublishedValue& published : summary.published) {
+    Value row;
+    row.set("quantity", published.reference.quantity);
+    row.set("source", published.reference.source);
+    row.set("value", typeset_published(published.reference));
+    row.set("exact", published.reference.uncertainty > 0.0 ? "" : "exact");
+    List cells;
+    for (const MethodSummary& method : summary.methods)
+      if (!published.ours.empty()) {
+        const auto found = std::find_if(
+            published.ours.begin(), published.ours.end(),
+            [&](const OurValue& ours) { return ours.method == method.name; });
+        cells.push_back(found == published.ours.end()
+                            ? cell("–", "not computed")
+                            : cell(number_text(found->estimate),
+                                   remark_of(found->estimate)));
+      }
+    row.set("cells", cells);
+    if (published.ours.empty())
+      row.set("not_computed", std::to_string(summary.methods.size()));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+List notices_of(const ReportEntry& entry) {
+  const Summary& summary = entry.summary;
+  List notices;
+  const auto add = [&notices](const std::string& text) {
+    Value value;
+    value.set("text", text);
+    notices.push_back(value);
+  };
+  for (const Warning& warning : warnings_of(*entry.result, *entry.contact_case))
+    add(warning.headline + " " + warning.consequence);
+  if (summary.status != "complete")
+    add(fmt::format("The run is not complete (status: {}); this is what was "
+                    "done.",
+                    summary.status));
+  for (const MethodSummary& method : summary.methods)
+    if (method.cost.failed_steps > 0)
+      add(fmt::format("{}: {} of {} steps did not converge; they are listed "
+                      "below and in no fit.",
+                      method.name, method.cost.failed_steps,
+                      method.cost.steps));
+  for (const std::string& sentence : theory_disagreements(entry))
+    add(sentence);
+  for (const MethodSummary& method : summary.methods)
+    for (const std::string& problem : method.problems)
+      add(fmt::format("{}: what could not be worked out: {}.", method.name,
+                      problem));
+  for (const auto& [key, fact] : summary.provenance)
+    if (key.find("dirty") != std::string::npos &&
+        (fact == "yes" || fact == "true" || fact == "1"))
+      add("The program was built from sources with changes that were not "
+          "committed: do not quote these numbers.");
+  return notices;
+}
+
+void add_fact(List& facts, const std::string& key, const std::string& fact) {
+  Value value;
+  value.set("key", key);
+  value.set("fact", fact);
+  facts.push_back(value);
+}
+
+List facts_of(const Summary& summary) {
+  List facts;
+  add_fact(facts, "case hash", summary.case_hash);
+  add_fact(facts, "status", summary.status);
+  for (const auto& [key, fact] : summary.provenance)
+    add_fact(facts, key, fact);
+  return facts;
+}
+
+} // namespace
+
+Value entry_data(const ReportEntry& entry, std::span<const Series> series,
+                 bool is_one_of_many) {
+  const Summary& summary = entry.summary;
+  const bool is_exact = is_exact_shape(*entry.contact_case);
+  const std::vector<Column> columns = answered(columns_of(is_exact), summary);
+  Value page;
+  page.set("name", summary.case_name);
+  page.set("title", summary.case_title);
+  page.set("is_one_of_many", is_one_of_many);
+  page.set("sentence", case_sentence(entry));
+  page.set("notices", notices_of(entry));
+  page.set("banner_class", banner_class(summary));
+  page.set("banner", banner_words(summary));
+  const List heads = heads_of(columns);
+  page.set("columns", heads);
+  page.set("method_columns", std::to_string(heads.size() + 1));
+  List methods;
+  for (const MethodSummary& method : summary.methods)
+    for (const Series& one : series)
+      if (one.method == &method)
+        methods.push_back(method_row(method, series_color(one), columns));
+  page.set("methods", methods);
+  page.set("method_note",
+           is_exact ? "Errors are the largest over the load steps, against the "
+                      "exact solution."
+                    : "± is the 95 % interval over realisations, or of the one "
+                      "fit where there is one realisation.");
+  page.set("has_verdicts", !summary.verdicts.empty());
+  page.set("verdicts", verdict_rows(summary));
+  page.set("has_published", !summary.published.empty());
+  page.set("published", published_rows(summary));
+  page.set("published_columns", std::to_string(summary.methods.size() + 2));
+  page.set("facts", facts_of(summary));
+  page.set("has_skipped", !entry.result->skipped.empty());
+  page.set("skipped", skipped_rows(*entry.result));
+  const List block_costs = block_cost_rows(*entry.result);
+  page.set("has_whole_block", !block_costs.empty());
+  page.set("block_costs", block_costs);
+  page.set("case_text", entry.result->case_text);
+  return page;
+}
+
+} // namespace asperity::reports

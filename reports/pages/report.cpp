@@ -1,0 +1,101 @@
+#include "reports/pages/report.hpp"
+
+#include "base/atomic_file.hpp"
+#include "cases/read_case.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/analysis/warnings.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/pages/html_report.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace asperity::reports {
+namespace {
+
+/// What a result without a case text says of its case: no formula, no
+/// expectations, a surface that is known by its map alone.
+cases::Case case_without_text(const results::Result& result) {
+  cases::Case contact_case;
+  contact_case.path = result.path;
+  contact_case.name = result.case_name;
+  contact_case.title = result.case_title;
+  contact_case.surface.kind = cases::SurfaceKind::measured;
+  contact_case.material.contact_modulus = result.contact_modulus;
+  return contact_case;
+}
+
+/// A folder in which no figure of `taken` has that name: the names of two
+/// methods can become the same word.
+std::filesystem::path own_folder(const std::filesystem::path& folder,
+                                 const std::string& name,
+                                 std::set<std::filesystem::path>& taken) {
+  std::filesystem::path own = folder;
+  for (int i = 2; !taken.insert(own / name).second; ++i)
+    own = folder / std::to_string(i);
+  return own;
+}
+
+} // namespace
+
+ReportEntry entry_of(const results::Result& result,
+                     const cases::Case& contact_case) {
+  return {&result, &contact_case, summarize(result, contact_case)};
+}
+
+cases::Case case_of(const results::Result& result) {
+  if (result.case_text.empty())
+    return case_without_text(result);
+  cases::Case contact_case =
+      cases::read_case_text(result.case_text, result.path);
+  contact_case.name = result.case_name;
+  return contact_case;
+}
+
+std::vector<std::string> write_report(std::span<const results::Result> results,
+                                      const std::filesystem::path& folder,
+                                      const std::string& gnuplot) {
+  std::vector<cases::Case> contact_cases;
+  for (const results::Result& result : results)
+    contact_cases.push_back(case_of(result));
+  std::vector<ReportEntry> entries;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    entries.push_back(entry_of(results[i], contact_cases[i]));
+  return write_report(entries, folder, gnuplot);
+}
+
+std::vector<std::string> write_report(std::span<const ReportEntry> entries,
+                                      const std::filesystem::path& folder,
+                                      const std::string& gnuplot) {
+  if (entries.empty())
+    return {};
+  std::filesystem::create_directories(folder);
+  std::vector<std::string> problems;
+  std::vector<DrawnGroup> drawn_groups;
+  std::set<std::filesystem::path> taken;
+  for (const FigureGroup& group : figures_of(entries)) {
+    DrawnGroup drawn{group.heading, {}};
+    for (const Figure& figure : group.figures) {
+      drawn.figures.push_back(draw(
+          figure,
+          own_folder(folder / "figures" / group.folder, figure.name, taken),
+          gnuplot));
+      if (!drawn.figures.back().problem.empty())
+        problems.push_back(
+            fmt::format("{}: {}", figure.name, drawn.figures.back().problem));
+    }
+    drawn_groups.push_back(std::move(drawn));
+  }
+  if (entries.size() == 1)
+    write_file_atomically(
+        folder / "summary.json",
+        summary_json(entries.front().summary,
+                     warnings_of(*entries.front().result,
+                                 *entries.front().contact_case)));
+  write_file_atomically(folder / "report.html",
+                        html_page(entries, drawn_groups));
+  return problems;
+}
+
+} // namespace asperity::reports

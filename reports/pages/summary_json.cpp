@@ -1,0 +1,149 @@
+#include "reports/analysis/determined.hpp"
+#include "reports/analysis/warnings.hpp"
+#include "reports/pages/published_json.hpp"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Estimate& estimate) {
+  return {{"value", json_number(estimate.value)},
+          {"half_width_95", json_number(estimate.half_width)},
+          {"realizations", estimate.realizations},
+          {"remark", estimate.remark}};
+}
+
+Json to_json(const Window& window) {
+  return {{"mean_gap_low [m]", json_number(window.gap_low)},
+          {"mean_gap_high [m]", json_number(window.gap_high)},
+          {"nominal_pressure_low [Pa]", json_number(window.pressure_low)},
+          {"nominal_pressure_high [Pa]", json_number(window.pressure_high)},
+          {"largest_deviation [h_rms]", json_number(window.largest_deviation)},
+          {"tolerance [h_rms]", json_number(window.tolerance)},
+          {"points", window.points}};
+}
+
+// A number that is no result is its reason and nothing else, as a fit is.
+Json to_json(const FittedValue& fitted, const MeaningfulRange& range) {
+  const FittedValue shown = determined(fitted, range);
+  if (!std::isfinite(shown.value))
+    return {{"value", nullptr}, {"reason", shown.reason}};
+  return {{"value", json_number(shown.value)},
+          {"standard_error", json_number(shown.standard_error)},
+          {"degrees_of_freedom", shown.degrees_of_freedom}};
+}
+
+struct Named {
+  const char* name;
+  const FittedValue& fitted;
+  MeaningfulRange range;
+};
+
+// A fit without an answer is its reason and nothing else.
+template <class Fit>
+Json fit_json(const Fit& fit, std::initializer_list<Named> numbers) {
+  if (!fit.reason.empty())
+    return {{"reason", fit.reason}};
+  Json json;
+  for (const Named& one : numbers)
+    json[one.name] = to_json(one.fitted, one.range);
+  json["window"] = to_json(fit.window);
+  return json;
+}
+
+Json to_json(const RealizationFits& fits, bool is_theory) {
+  Json json = {
+      {"rms_height [m]", json_number(fits.scales.rms_height)},
+      {"rms_slope [1]", json_number(fits.scales.rms_slope)},
+      {"asymptotic_slope (18)", json_number(fits.asymptotic_slope)},
+      {"slope", fit_json(fits.slope,
+                         {{"gamma_slope", fits.slope.gamma_slope, gamma_range},
+                          {"beta", fits.slope.beta, positive_range}})},
+      {"area", fit_json(fits.area, {{"kappa", fits.area.kappa, positive_range},
+                                    {"kappa_counted", fits.area.kappa_counted,
+                                     positive_range}})}};
+  if (!is_theory)
+    json["parameter"] =
+        fit_json(fits.parameter,
+                 {{"gamma_theory", fits.parameter.gamma_theory, gamma_range}});
+  return json;
+}
+
+Json to_json(const Cost& cost) {
+  return {{"steps", cost.steps},
+          {"failed_steps", cost.failed_steps},
+          {"largest_iterations", cost.largest_iterations},
+          {"cpu_time [s]", json_number(cost.cpu_time)},
+          {"setup_cpu_time [s]", json_number(cost.setup_cpu_time)},
+          {"median_step_cpu_time [s]", json_number(cost.step_cpu_time)}};
+}
+
+Json to_json(const MethodSummary& method) {
+  Json json = {{"name", method.name},
+               {"kind", method.kind},
+               {"description", method.description},
+               {"quantities", Json::object()},
+               {"fits", Json::array()},
+               {"cost", to_json(method.cost)}};
+  for (const auto& [name, estimate] : method.quantities)
+    json["quantities"][name] = to_json(estimate);
+  for (const RealizationFits& fits : method.fits)
+    json["fits"].push_back(to_json(fits, method.kind == "theory"));
+  if (!method.problems.empty())
+    json["problems"] = method.problems;
+  return json;
+}
+
+Json to_json(const Verdict& verdict) {
+  return {{"quantity", verdict.quantity},
+          {"method", verdict.method},
+          {"value", json_number(verdict.estimate.value)},
+          {"half_width_95", json_number(verdict.estimate.half_width)},
+          {"low", json_number(verdict.low)},
+          {"high", json_number(verdict.high)},
+          {"verdict", outcome_word(verdict.outcome)},
+          {"remark", verdict.estimate.remark},
+          {"line", check_line(verdict)}};
+}
+
+} // namespace
+
+std::string summary_json(const Summary& summary) {
+  return summary_json(summary, {});
+}
+
+std::string summary_json(const Summary& summary,
+                         std::span<const Warning> warnings) {
+  Json json = {{"format", "asperity-summary"},
+               {"format_version", 1},
+               {"case", summary.case_name},
+               {"title", summary.case_title},
+               {"case_hash", summary.case_hash},
+               {"status", summary.status},
+               {"reference_theory", summary.reference_method},
+               {"all_ok", summary.all_ok()},
+               {"warnings", Json::array()},
+               {"expectations", Json::array()},
+               {"published", Json::array()},
+               {"methods", Json::array()},
+               {"provenance", Json::object()}};
+  for (const Warning& warning : warnings)
+    json["warnings"].push_back({{"kind", warning.kind},
+                                {"headline", warning.headline},
+                                {"consequence", warning.consequence}});
+  for (const Verdict& verdict : summary.verdicts)
+    json["expectations"].push_back(to_json(verdict));
+  for (const PublishedValue& published : summary.published)
+    json["published"].push_back(published_json(published));
+  for (const MethodSummary& method : summary.methods)
+    json["methods"].push_back(to_json(method));
+  for (const auto& [key, fact] : summary.provenance)
+    json["provenance"][key] = fact;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,102 @@
+#include "md/engines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "robustness/kinds.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+/// Of the paper (Sec. 4): a block of atoms has lengths and energies of its own,
+/// which no unit system takes away.
+constexpr double contact_distance = 4.3615e-10;           // [m]
+constexpr double interaction_distance = 3.28e-10;         // [m]
+constexpr double cutoff = 10e-10;                         // [m]
+constexpr double interaction_energy = 1.192021805256e-20; // [J], 74.4 meV
+
+/// Root mean square force relative to the load an atom [1].
+constexpr double force_tolerance = 1e-8;
+
+md::AtomRequest request_of(const Scene& scene) {
+  md::AtomRequest request;
+  request.settings.interaction_energy = interaction_energy;
+  request.settings.interaction_distance = interaction_distance;
+  request.settings.cutoff = cutoff;
+  request.settings.contact_distance = contact_distance;
+  request.settings.tolerance = force_tolerance;
+  request.settings.modes = scene.index % 2 == 0 ? cases::AtomModes::vector
+                                                : cases::AtomModes::normal;
+  request.layer = grid_of(scene);
+  const int substrate_points = md::incommensurate_atoms(scene.points);
+  request.substrate = {substrate_points, substrate_points, scene.length,
+                       scene.length};
+  request.scales = {scene.contact_modulus, scene.length, scene.spacing(),
+                    scene.rms_slope * scene.spacing()};
+  request.youngs_modulus =
+      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
+  request.poisson_ratio = scene.poisson_ratio;
+  request.heights = surface_of(scene, request.substrate).map.heights;
+  return request;
+}
+
+StepSummary summary_of(const Scene& scene, const md::AtomStep& step) {
+  StepSummary summary;
+  summary.nominal_pressure = step.nominal_pressure;
+  summary.mean_gap = step.mean_gap;
+  summary.energy = step.elastic_energy + step.interface_energy;
+  // Forces left over move the longest wave most, by L/(pi E*) a pressure.
+  summary.tolerance =
+      force_tolerance *
+      (contact_distance + step.nominal_pressure * scene.length /
+                              (std::numbers::pi * scene.contact_modulus));
+  return summary;
+}
+
+std::optional<Failure> verify_forces(const md::AtomStep& step, double asked) {
+  double sum = 0.0;
+  for (const double pressure : step.pressure)
+    sum += pressure;
+  const double mean = sum / static_cast<double>(step.pressure.size());
+  // The mean of the residual is below its root mean square.
+  if (std::abs(mean - asked) > 2.0 * force_tolerance * asked)
+    return Failure{"balance", "the atoms do not carry the load"};
+  const double lowest =
+      *std::min_element(step.pressure.begin(), step.pressure.end());
+  if (lowest < 0.0)
+    return Failure{"pressure sign", "a repulsive atom pulls"};
+  return {};
+}
+
+} // namespace
+
+void run_atoms(const Scene& scene, SceneReport& report) {
+  const std::unique_ptr<md::AtomicContact> atoms =
+      md::make_atomic_contact(request_of(scene));
+  std::vector<StepSummary> steps;
+  for (const double factor : {0.5, 1.0, 1.01}) {
+    const double pressure =
+        factor * scene.load * scene.contact_modulus * scene.rms_slope;
+    const md::AtomStep step =
+        atoms->solve(cases::Control::nominal_pressure, pressure,
+                     static_cast<int>(steps.size()));
+    report.iterations += step.evaluations;
+    if (!step.converged) {
+      report.outcome = Outcome::gave_up;
+      report.reason = step.note;
+      return;
+    }
+    if (const auto failure = verify_forces(step, pressure))
+      return fail(report, *failure);
+    const StepSummary summary = summary_of(scene, step);
+    if (!steps.empty())
+      if (const auto failure = verify_pair(steps.back(), summary))
+        return fail(report, *failure);
+    steps.push_back(summary);
+  }
+  report.area = 0.0; // atoms have a fitted area, not a counted one
+  report.reduced_gap = steps[1].mean_gap / (scene.rms_slope * scene.spacing());
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,89 @@
+#include "robustness/case_scene.hpp"
+
+#include "surfaces/build.hpp"
+#include "surfaces/maps/statistics.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::robustness {
+namespace {
+
+void take_surface(const cases::SurfaceSpec& surface, Scene& scene) {
+  if (surface.kind == cases::SurfaceKind::self_affine) {
+    const double longest = 2.0 * std::numbers::pi / *surface.length;
+    scene.length = *surface.length;
+    scene.hurst = surface.hurst;
+    scene.roll_off = surface.wavevector_roll_off / longest;
+    if (surface.points)
+      scene.shortest_wave = *surface.points * longest / surface.wavevector_high;
+    scene.rms_slope =
+        std::sqrt(surfaces::formula_spectrum(surface).mean_square_slope);
+    return;
+  }
+  const surfaces::HeightMap map = surfaces::build_surface(surface, 0);
+  scene.length = map.grid.length_x;
+  scene.rms_slope = surfaces::statistics(map).rms_slope;
+}
+
+void take_contact(const cases::ContactSettings& contact,
+                  const cases::Scales& scales, Scene& scene) {
+  scene.law = contact.law;
+  scene.penalty =
+      contact.penalty.in_si(scales) * scales.spacing / scales.contact_modulus;
+}
+
+void take_method(const cases::HalfspaceSettings& half,
+                 const cases::Scales& scales, Scene& scene) {
+  scene.family = half.thickness ? Family::slab : Family::halfspace;
+  if (half.thickness)
+    scene.thickness = half.thickness->in_si(scales) / scales.length;
+  scene.top = half.top;
+  take_contact(half.contact, scales, scene);
+}
+
+void take_method(const cases::FemSettings& block, const cases::Scales& scales,
+                 Scene& scene) {
+  scene.family = block.element == cases::Element::q1 ? Family::condensed_q1
+                                                     : Family::condensed_q2;
+  if (block.solver == cases::FemSolver::full)
+    scene.family = Family::full_block;
+  scene.degree = block.element == cases::Element::q1 ? 1 : 2;
+  scene.thickness = block.depth.in_si(scales) / scales.length;
+  scene.growth = block.growth;
+  scene.top = block.top;
+  take_contact(block.contact, scales, scene);
+}
+
+void take_method(const cases::TheorySettings& theory,
+                 const cases::Scales& /*scales*/, Scene& scene) {
+  scene.family = Family::theory;
+  scene.gamma = theory.gamma;
+}
+
+void take_method(const cases::MdSettings& /*atoms*/,
+                 const cases::Scales& /*scales*/, Scene& scene) {
+  scene.family = Family::atoms;
+}
+
+} // namespace
+
+Scene scene_of_case(const cases::Case& rough_case) {
+  Scene scene;
+  take_surface(rough_case.surface, scene);
+  scene.contact_modulus = rough_case.material.contact_modulus;
+  scene.poisson_ratio = rough_case.material.poisson_ratio.value_or(0.3);
+  const int points = rough_case.surface.points.value_or(scene.points);
+  const cases::Scales scales{scene.contact_modulus, scene.length,
+                             scene.length / points,
+                             scene.rms_slope * scene.length / points};
+  // Last to first: what the first method says stands.
+  for (auto method = rough_case.methods.rbegin();
+       method != rough_case.methods.rend(); ++method)
+    std::visit(
+        [&](const auto& settings) { take_method(settings, scales, scene); },
+        method->settings);
+  return scene;
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,157 @@
+#include "base/special_numbers.hpp"
+#include "cases/read_case.hpp"
+#include "contact/solvers/load_sequence.hpp"
+#include "surfaces/formats/map_file.hpp"
+
+#include "robustness/kinds.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+/// What a half-space or a slab is built of; a half-space has no thickness.
+void spoil_block(Scene& scene) {
+  switch (scene.flaw) {
+  case Flaw::zero_modulus:
+    scene.contact_modulus = 0.0;
+    break;
+  case Flaw::nan_modulus:
+    scene.contact_modulus = not_a_number;
+    break;
+  case Flaw::infinite_modulus:
+    scene.contact_modulus = infinity;
+    break;
+  case Flaw::nan_thickness:
+    scene.family = Family::slab;
+    scene.thickness = not_a_number;
+    break;
+  case Flaw::nan_poisson_ratio:
+    scene.family = Family::slab;
+    scene.poisson_ratio = not_a_number;
+    break;
+  default:
+    break;
+  }
+}
+
+/// A contact in the scene's numbers with one of them spoilt.
+void solve_spoilt(Scene scene) {
+  scene.family = scene.index % 2 == 0 ? Family::halfspace : Family::slab;
+  const Grid grid = grid_of(scene);
+  SceneSurface surface = surface_of(scene, grid);
+  double& spoilt_height =
+      surface.map.heights[static_cast<std::size_t>(scene.index) % grid.size()];
+  contact::Interface interface {
+    contact::Law::penalty,
+        scene.penalty* scene.contact_modulus / grid.spacing_x()
+  };
+  double tolerance = relative_tolerance * surface.height_scale;
+  contact::LoadTarget target{contact::LoadTarget::Kind::nominal_pressure,
+                             scene.contact_modulus * scene.rms_slope};
+  switch (scene.flaw) {
+  case Flaw::nan_height:
+    spoilt_height = not_a_number;
+    break;
+  case Flaw::infinite_height:
+    spoilt_height = scene.index % 3 == 0 ? -infinity : infinity;
+    break;
+  case Flaw::zero_load:
+    target.amount = 0.0;
+    break;
+  case Flaw::negative_load:
+    target.amount = -target.amount;
+    break;
+  case Flaw::infinite_load:
+    target.amount = infinity;
+    break;
+  case Flaw::closed_wall_gap:
+    interface.law = contact::Law::hard;
+    target = {contact::LoadTarget::Kind::mean_gap, 0.0};
+    break;
+  case Flaw::zero_penalty:
+    interface.penalty = 0.0;
+    break;
+  case Flaw::infinite_penalty:
+    interface.penalty = infinity;
+    break;
+  case Flaw::zero_tolerance:
+    tolerance = 0.0;
+    break;
+  case Flaw::nan_load:
+    target.amount = not_a_number;
+    break;
+  case Flaw::nan_penalty:
+    interface.penalty = not_a_number;
+    break;
+  case Flaw::nan_tolerance:
+    tolerance = not_a_number;
+    break;
+  default: // of the block: already in the scene
+    break;
+  }
+  spoil_block(scene);
+  contact::LoadSequence(operator_of(scene, grid, 1), surface.map.heights,
+                        interface, tolerance, 100)
+      .solve(target);
+}
+
+void build_spoilt_block(Scene scene) {
+  scene.thickness = 1.0;
+  if (scene.flaw == Flaw::sliver)
+    scene.coating_stiffness = 1.0; // its interface would divide the layers
+  int degree = scene.index % 2 == 0 ? 1 : 2;
+  Grid grid = grid_of(scene);
+  if (scene.flaw == Flaw::odd_q2_grid) {
+    degree = 2;
+    grid = {scene.points + 1, scene.points + 1, scene.length, scene.length};
+  }
+  fem::BlockRequest request = block_request(scene, grid, degree, 1);
+  if (scene.flaw == Flaw::incompressible)
+    request.poisson_ratio = 0.5;
+  if (scene.flaw == Flaw::shrinking_layers)
+    request.settings.growth = 0.5;
+  if (scene.flaw == Flaw::sliver)
+    request.settings.depth = {1.25 * degree, cases::Yardstick::spacing};
+  fem::load_fem_room().condensed(request);
+}
+
+void read_spoilt_map(Flaw flaw) {
+  surfaces::read_height_map_text(
+      flaw == Flaw::nan_in_file ? "0 1 2\n3 nan 5\n6 7 8\n"
+                                : "0 1 2\n3 4 inf\n6 7 8\n",
+      "map.txt", cases::MapFormat::plain, {1e-6, 1e-9});
+}
+
+void read_spoilt_case() {
+  cases::read_case_text("schema = 1\n[surface]\nkind = \"wave-1d\"\n"
+                        "length = nan\npoints = 16\namplitude = \"1 nm\"\n"
+                        "wavelength = \"1 length\"\n[material]\n"
+                        "contact_modulus = \"1 GPa\"\n[load]\n"
+                        "nominal_pressure = [\"0.1 E*\"]\n[halfspace]\n",
+                        "spoilt/case.toml");
+}
+
+} // namespace
+
+void run_flawed(const Scene& scene, SceneReport& report) {
+  switch (scene.flaw) {
+  case Flaw::incompressible:
+  case Flaw::shrinking_layers:
+  case Flaw::sliver:
+  case Flaw::odd_q2_grid:
+    build_spoilt_block(scene);
+    break;
+  case Flaw::nan_in_file:
+  case Flaw::infinity_in_file:
+    read_spoilt_map(scene.flaw);
+    break;
+  case Flaw::nan_in_case:
+    read_spoilt_case();
+    break;
+  default:
+    solve_spoilt(scene);
+    break;
+  }
+  fail(report, {"refusal", name_of(scene.flaw) + " was not refused"});
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,101 @@
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "robustness/kinds.hpp"
+#include "robustness/verify_observables.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+/// Of unbalanced nodal forces, relative to the largest: what the block's
+/// Newton method promises.
+constexpr double load_tolerance_of_block = 1e-8;
+
+/// The spring of a hard wall's augmentation, as a case's default has it [E*/h].
+constexpr double wall_spring = 100.0;
+
+contact::ContactSolution as_contact(fem::BlockSolution block,
+                                    const Displace& displace) {
+  contact::ContactSolution solution;
+  solution.pressure = std::move(block.pressure);
+  solution.gap = std::move(block.gap);
+  solution.displacement.resize(solution.gap.size());
+  displace(solution.pressure, solution.displacement);
+  solution.nominal_pressure = block.nominal_pressure;
+  solution.mean_gap = block.mean_gap;
+  solution.iterations = block.iterations;
+  solution.converged = block.converged;
+  solution.note = std::move(block.note);
+  return solution;
+}
+
+} // namespace
+
+void run_full_block(const Scene& scene, SceneReport& report) {
+  const Grid grid = grid_of(scene);
+  const SceneSurface surface = surface_of(scene, grid);
+  const std::unique_ptr<fem::FullBlock> block =
+      fem::load_fem_room().uncondensed(
+          block_request(scene, grid, scene.degree, 1));
+  const Displace displace = [&](auto pressure, auto displacement) {
+    const std::vector<double> answer = block->displacement(pressure);
+    if (answer.size() != displacement.size())
+      throw std::runtime_error("the block's linear solver gave up");
+    std::copy(answer.begin(), answer.end(), displacement.begin());
+  };
+  const ComplianceRange range = compliance_range(grid, displace);
+  const bool is_hard = scene.law == cases::ContactLaw::hard;
+  const double spring = (is_hard ? wall_spring : scene.penalty) *
+                        scene.contact_modulus / grid.spacing_x();
+  AskedContact asked{surface.map.heights, block->nodal_weights()};
+  asked.local_compliance =
+      scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
+  asked.long_wave_compliance = range.longest;
+  asked.short_wave_compliance = range.shortest;
+  asked.load_tolerance = load_tolerance_of_block;
+
+  // A flat surface's tolerance is the block's own, a share of the spacing.
+  const double tolerance_scale =
+      scene.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
+  std::vector<StepSummary> summaries;
+  for (const contact::LoadTarget& target :
+       targets_of(scene, surface.height_scale)) {
+    const bool by_pressure =
+        target.kind == contact::LoadTarget::Kind::nominal_pressure;
+    const contact::ContactSolution solution =
+        as_contact(block->solve(surface.map.heights,
+                                {by_pressure ? cases::Control::nominal_pressure
+                                             : cases::Control::mean_gap,
+                                 target.amount},
+                                {scene.law, spring, relative_tolerance, 2000}),
+                   displace);
+    report.iterations += solution.iterations;
+    if (!solution.converged) {
+      report.outcome = Outcome::gave_up;
+      report.reason = solution.note;
+      return;
+    }
+    // The forces' tolerance is one of the gap as well, through C.
+    asked.gap_tolerance = relative_tolerance * tolerance_scale +
+                          load_tolerance_of_block * range.longest *
+                              *std::max_element(solution.pressure.begin(),
+                                                solution.pressure.end());
+    if (const auto failure = verify_step(asked, target, solution, displace))
+      return fail(report, *failure);
+    if (const auto failure =
+            verify_observables(grid, asked, solution, scene.contact_modulus))
+      return fail(report, *failure);
+    summaries.push_back(summary_of(asked, solution));
+  }
+  report.area = summaries[load_step(scene)].area;
+  report.reduced_gap =
+      summaries[load_step(scene)].mean_gap / surface.height_scale;
+  report.reduced_tolerance =
+      summaries[load_step(scene)].tolerance / surface.height_scale;
+  if (const auto failure = verify_program(scene, summaries))
+    fail(report, *failure);
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,57 @@
+#include "robustness/locking.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "robustness/kinds.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+/// The wave's part in what its own pressure moves: C of the wave [m/Pa].
+double compliance_of(const Scene& scene, int waves) {
+  const Grid grid = grid_of(scene);
+  const std::unique_ptr<contact::SurfaceOperator> block =
+      operator_of(scene, grid, 1);
+  std::vector<double> wave(grid.size());
+  for (std::size_t i = 0; i < wave.size(); ++i)
+    wave[i] = std::cos(2.0 * std::numbers::pi * waves * static_cast<double>(i) /
+                       grid.points_x);
+  std::vector<double> answer(grid.size());
+  block->displacement(wave, answer);
+  const std::span<const double> weights = block->nodal_weights();
+  double moved = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    const double weight = weights.empty() ? 1.0 : weights[i];
+    moved += weight * wave[i] * answer[i];
+    square += weight * wave[i] * wave[i];
+  }
+  return moved / square;
+}
+
+} // namespace
+
+std::vector<LockingRow> locking_table() {
+  std::vector<LockingRow> rows;
+  for (const double thickness : {1.0, 0.1})
+    for (const int waves : {1, 4})
+      for (const double poisson_ratio : {0.0, 0.3, 0.49, 0.4999}) {
+        Scene scene;
+        scene.points = 32;
+        scene.growth = 1.2;
+        scene.thickness = thickness;
+        scene.poisson_ratio = poisson_ratio;
+        scene.family = Family::slab;
+        const double exact = compliance_of(scene, waves);
+        scene.family = Family::condensed_q1;
+        const double q1 = compliance_of(scene, waves);
+        scene.family = Family::condensed_q2;
+        const double q2 = compliance_of(scene, waves);
+        rows.push_back({poisson_ratio, thickness, waves, q1 / exact - 1.0,
+                        q2 / exact - 1.0});
+      }
+  return rows;
+}
+
+} // namespace asperity::robustness

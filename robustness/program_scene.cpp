@@ -1,0 +1,145 @@
+#include "base/atomic_file.hpp"
+#include "base/child_process.hpp"
+#include "results/result_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "robustness/kinds.hpp"
+#include "robustness/verify_observables.hpp"
+#include "robustness/written_case.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, gone with the object.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    std::string name =
+        (fs::temp_directory_path() / "asperity-robustness-XXXXXX");
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("robustness: no folder for a case in " + name);
+    path_ = name;
+  }
+
+  ~ScratchFolder() {
+    std::error_code ignored; // nothing depends on what stays in /tmp
+    fs::remove_all(path_, ignored);
+  }
+
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+/// Our own, without what an MPI that this process has started left there: a
+/// second mpirun would take it for its own.
+std::vector<std::string> environment_of_the_program() {
+  std::vector<std::string> environment = own_environment();
+  std::erase_if(environment, [](const std::string& variable) {
+    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_") ||
+           variable.starts_with("ORTE_");
+  });
+  for (const char* variable :
+       {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+        "OMPI_MCA_mpi_yield_when_idle=1", "OMP_NUM_THREADS=1"})
+    environment.emplace_back(variable);
+  return environment;
+}
+
+ChildAnswer run_case_in(const fs::path& folder, const fs::path& program,
+                        const Scene& scene) {
+  ChildCommand command;
+  command.folder = folder;
+  if (scene.path == Path::two_ranks)
+    command.words = {"mpirun", "-np", "2", "--oversubscribe"};
+  for (const char* word : {program.c_str(), "run", "case.toml", "--out", "out",
+                           "--no-cache", "--threads"})
+    command.words.emplace_back(word);
+  command.words.push_back(std::to_string(scene.threads));
+  if (scene.path != Path::report)
+    command.words.emplace_back("--no-report");
+  command.environment = environment_of_the_program();
+  return run_child(command);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Every row in its range, and at the scene's load the mean gap that the
+/// library found: two answers, each within the tolerance.
+std::optional<Failure> verify_result(const Scene& scene,
+                                     const results::Result& result,
+                                     const SceneReport& report) {
+  if (result.status != "complete" || result.methods.size() != 1 ||
+      result.methods[0].realizations.size() != 1)
+    return Failure{"program", "the result is not one complete curve"};
+  const auto& rows = result.methods[0].realizations[0].points;
+  const SceneSurface surface = surface_of(scene, grid_of(scene));
+  if (rows.size() != targets_of(scene, surface.height_scale).size())
+    return Failure{"program", fmt::format("{} rows", rows.size())};
+  for (const results::CurvePoint& row : rows)
+    if (auto failure = verify_row(row))
+      return failure;
+  const double gap = rows[load_step(scene)].mean_gap / surface.height_scale;
+  if (std::abs(gap - report.reduced_gap) <= 2.0 * report.reduced_tolerance)
+    return {};
+  return Failure{"program",
+                 fmt::format("mean gap {:.17g} h_rms, but {:.17g} +- {:.2g} by "
+                             "the library",
+                             gap, report.reduced_gap,
+                             2.0 * report.reduced_tolerance)};
+}
+
+/// What a report consists of is there and whole.
+std::optional<Failure> verify_report(const fs::path& folder,
+                                     const std::string& output) {
+  if (output.find("not drawn") != std::string::npos)
+    return Failure{"report", output};
+  if (text_of(folder / "report.html").find("</html>") == std::string::npos)
+    return Failure{"report", "report.html is not whole"};
+  for (const char* name : {"curves.csv", "summary.json"})
+    if (text_of(folder / name).empty())
+      return Failure{"report", std::string(name) + " is empty"};
+  return {};
+}
+
+} // namespace
+
+void run_program(const Scene& scene, const fs::path& program,
+                 SceneReport& report) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch.path() / "map.txt", map_text_of(scene));
+  write_file_atomically(scratch.path() / "case.toml", case_text_of(scene));
+  const ChildAnswer answer = run_case_in(scratch.path(), program, scene);
+  constexpr int bad_input = 2;
+  if (answer.end.exit_code == bad_input)
+    throw std::domain_error(answer.output);
+  if (answer.end.exit_code != 0)
+    return fail(report, {"program", answer.end.failure + ": " + answer.output});
+  if (scene.family == Family::flawed)
+    return fail(report, {"refusal", name_of(scene.flaw) + " was not refused"});
+  const fs::path folder = scratch.path() / "out";
+  if (const auto failure =
+          verify_result(scene, results::read_result(folder), report))
+    return fail(report, *failure);
+  if (scene.path == Path::report)
+    if (const auto failure = verify_report(folder, answer.output))
+      fail(report, *failure);
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,301 @@
+#include "robustness/scene.hpp"
+
+#include "base/require.hpp"
+#include "surfaces/maps/random_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+namespace asperity::robustness {
+namespace {
+
+/// The counters of the axes: part of what a seed means, never renumbered.
+enum class Stream {
+  family = 1,
+  shape,
+  law,
+  control,
+  top,
+  program,
+  twin,
+  flaw,
+  points,
+  length,
+  hurst,
+  roll_off,
+  shortest_wave,
+  rms_slope,
+  contact_modulus,
+  poisson_ratio,
+  thickness,
+  growth,
+  penalty,
+  load,
+  gamma,
+  degree,
+  coating_stiffness,
+  coating_thickness,
+  path,
+  threads,
+  later_flaw,
+};
+
+/// Of a block of atoms, the paper's (Sec. 4) [m].
+constexpr double atom_spacing = 2.6e-10;
+
+/// The random numbers of one scene.
+class Draw {
+public:
+  Draw(std::uint64_t seed, int index)
+      : key_{seed, 0, surfaces::RandomStream::stress_scenes}, index_(index) {}
+
+  double uniform(Stream axis, double low, double high) const {
+    return low + (high - low) * pair(axis).first;
+  }
+
+  double log_uniform(Stream axis, double low, double high) const {
+    return std::exp(uniform(axis, std::log(low), std::log(high)));
+  }
+
+  /// An axis' second, independent number is a coin.
+  bool coin(Stream axis) const { return pair(axis).second < 0.5; }
+
+  template <class Value>
+  Value pick(Stream axis, std::initializer_list<Value> values) const {
+    const auto count = static_cast<double>(values.size());
+    return values.begin()[static_cast<std::size_t>(uniform(axis, 0.0, count))];
+  }
+
+  /// One of the values, as likely as its weight says.
+  template <class Value>
+  Value
+  weigh(Stream axis,
+        std::initializer_list<std::pair<Value, double>> weighted_values) const {
+    double sum = 0.0;
+    for (const auto& [value, weight] : weighted_values)
+      sum += weight;
+    double left = uniform(axis, 0.0, sum);
+    for (const auto& [value, weight] : weighted_values)
+      if ((left -= weight) < 0.0)
+        return value;
+    return weighted_values.begin()->first;
+  }
+
+private:
+  surfaces::UniformPair pair(Stream axis) const {
+    return surfaces::draw_mode(key_, index_, static_cast<int>(axis));
+  }
+
+  surfaces::RandomKey key_;
+  int index_;
+};
+
+Family draw_family(const Draw& draw) {
+  return draw.weigh<Family>(Stream::family, {{Family::halfspace, 25.0},
+                                             {Family::slab, 21.0},
+                                             {Family::condensed_q1, 16.0},
+                                             {Family::condensed_q2, 14.0},
+                                             {Family::full_block, 2.0},
+                                             {Family::atoms, 1.0},
+                                             {Family::theory, 11.0},
+                                             {Family::flawed, 10.0}});
+}
+
+Shape draw_shape(const Draw& draw) {
+  return draw.weigh<Shape>(Stream::shape, {{Shape::rough, 8.0},
+                                           {Shape::wave, 1.0},
+                                           {Shape::paraboloid, 1.0},
+                                           {Shape::spike, 1.0},
+                                           {Shape::step, 1.0},
+                                           {Shape::sawtooth, 1.0},
+                                           {Shape::terraces, 1.0},
+                                           {Shape::checkerboard, 1.0},
+                                           {Shape::flat, 1.0}});
+}
+
+/// The first seventeen have an axis of their own, which those added later leave
+/// as it was.
+Flaw draw_flaw(const Draw& draw) {
+  constexpr int first_later = static_cast<int>(Flaw::nan_load);
+  constexpr int n_flaws = static_cast<int>(Flaw::infinite_modulus);
+  const int later =
+      static_cast<int>(draw.uniform(Stream::later_flaw, 0, n_flaws));
+  if (first_later + later <= n_flaws)
+    return static_cast<Flaw>(first_later + later);
+  constexpr int first = static_cast<int>(Flaw::nan_height);
+  return static_cast<Flaw>(draw.uniform(Stream::flaw, first, first_later));
+}
+
+/// A process and a result file cost as much as some hundred scenes.
+Path draw_path(const Draw& draw, Family family) {
+  const double place = draw.uniform(Stream::path, 0.0, 1.0);
+  switch (family) {
+  case Family::full_block:
+    return place < 0.1 ? Path::two_ranks : Path::library;
+  case Family::flawed:
+    return place < 0.1 ? Path::program : Path::library;
+  case Family::atoms:
+  case Family::theory:
+    return Path::library;
+  default:
+    return place < 0.01   ? Path::program
+           : place < 0.02 ? Path::report
+                          : Path::library;
+  }
+}
+
+/// Pressures fill the decades evenly, half of the draws where contact changes
+/// most; gaps lie where surfaces touch.
+double draw_load(const Draw& draw, const Scene& scene) {
+  if (scene.family == Family::theory)
+    return draw.log_uniform(Stream::load, 1e-12, 100.0);
+  if (scene.control == cases::Control::mean_gap)
+    return scene.law == cases::ContactLaw::penalty && draw.coin(Stream::load)
+               ? draw.uniform(Stream::load, -1.0, 3.0)
+               : draw.log_uniform(Stream::load, 1e-3, 4.0);
+  return draw.coin(Stream::load) ? draw.log_uniform(Stream::load, 1e-9, 100.0)
+                                 : draw.log_uniform(Stream::load, 1e-3, 10.0);
+}
+
+void draw_surface(const Draw& draw, Scene& scene) {
+  scene.shape = draw_shape(draw);
+  scene.points = draw.pick<int>(Stream::points, {8, 16, 24, 32, 48, 64});
+  scene.length = draw.log_uniform(Stream::length, 1e-12, 1e6);
+  // Both ends are values of their own: there a piece of a moment is a
+  // logarithm.
+  scene.hurst = std::clamp(draw.uniform(Stream::hurst, -0.1, 1.1), 0.0, 1.0);
+  scene.roll_off = draw.uniform(Stream::roll_off, 1.0, 4.0);
+  scene.shortest_wave =
+      draw.pick<double>(Stream::shortest_wave, {2.0, 2.1, 2.1, 3.0, 4.0, 8.0});
+  scene.rms_slope = draw.log_uniform(Stream::rms_slope, 1e-6, 10.0);
+}
+
+void draw_block(const Draw& draw, Scene& scene) {
+  scene.contact_modulus = draw.log_uniform(Stream::contact_modulus, 1.0, 1e12);
+  scene.poisson_ratio =
+      draw.pick<double>(Stream::poisson_ratio, {0.0, 0.3, 0.49, 0.4999});
+  scene.thickness = draw.log_uniform(Stream::thickness, 0.01, 10.0);
+  scene.growth = std::max(1.0, draw.uniform(Stream::growth, 0.8, 3.0));
+  scene.degree = draw.pick<int>(Stream::degree, {1, 2});
+  scene.coating_stiffness =
+      draw.coin(Stream::coating_stiffness)
+          ? draw.log_uniform(Stream::coating_stiffness, 0.05, 20.0)
+          : 1.0;
+  scene.coating_thickness = draw.uniform(Stream::coating_thickness, 0.02, 0.5);
+  scene.top = draw.pick<cases::TopFace>(
+      Stream::top, {cases::TopFace::clamped, cases::TopFace::sliding,
+                    cases::TopFace::pressure});
+}
+
+/// A case presses surfaces that are not flat, to positive mean gaps.
+Scene within_reach_of_a_case(Scene scene) {
+  if (scene.shape == Shape::flat)
+    scene.shape = Shape::wave;
+  if (scene.control == cases::Control::mean_gap)
+    scene.load = std::max(scene.load, 1e-3);
+  return scene;
+}
+
+} // namespace
+
+Scene draw_scene(std::uint64_t seed, int index) {
+  require_not_negative("index", index, "1");
+  const Draw draw(seed, index);
+  Scene scene;
+  scene.seed = seed;
+  scene.index = index;
+  scene.family = draw_family(draw);
+  draw_surface(draw, scene);
+  draw_block(draw, scene);
+  scene.law = draw.weigh<cases::ContactLaw>(
+      Stream::law, {{cases::ContactLaw::penalty, 4.0},
+                    {cases::ContactLaw::hard, 3.0},
+                    {cases::ContactLaw::augmented, 2.0}});
+  scene.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
+  scene.control = draw.weigh<cases::Control>(
+      Stream::control, {{cases::Control::nominal_pressure, 7.0},
+                        {cases::Control::mean_gap, 3.0}});
+  scene.load = draw_load(draw, scene);
+  scene.program = draw.pick<Program>(
+      Stream::program, {Program::increments, Program::jump, Program::cycle});
+  scene.twin =
+      draw.pick<Twin>(Stream::twin, {Twin::none, Twin::binary_units,
+                                     Twin::decimal_units, Twin::threads});
+  scene.gamma = draw.log_uniform(Stream::gamma, 0.01, 1.0);
+  scene.path = draw_path(draw, scene.family);
+  // Up to here a scene had three threads wherever it had a twin of that kind.
+  scene.threads = draw.pick<int>(Stream::threads, {1, 2, 3});
+  if (scene.twin == Twin::threads && scene.threads == 1)
+    scene.threads = 3;
+  if (scene.family == Family::flawed)
+    scene.flaw = draw_flaw(draw);
+  return within_reach(scene);
+}
+
+Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
+  const Scene drawn = draw_scene(seed, index);
+  const Draw draw(seed, index);
+  Scene scene = drawn;
+  const auto keep = [&](Stream axis, auto member) {
+    if (draw.coin(axis))
+      scene.*member = base.*member;
+  };
+  keep(Stream::shape, &Scene::shape);
+  keep(Stream::law, &Scene::law);
+  keep(Stream::top, &Scene::top);
+  keep(Stream::length, &Scene::length);
+  keep(Stream::hurst, &Scene::hurst);
+  keep(Stream::roll_off, &Scene::roll_off);
+  keep(Stream::shortest_wave, &Scene::shortest_wave);
+  keep(Stream::rms_slope, &Scene::rms_slope);
+  keep(Stream::contact_modulus, &Scene::contact_modulus);
+  keep(Stream::poisson_ratio, &Scene::poisson_ratio);
+  keep(Stream::thickness, &Scene::thickness);
+  keep(Stream::growth, &Scene::growth);
+  keep(Stream::penalty, &Scene::penalty);
+  keep(Stream::gamma, &Scene::gamma);
+  if (scene.law != drawn.law && scene.control == cases::Control::mean_gap)
+    scene.load = std::abs(scene.load); // a wall has no negative gap
+  if (scene.family != Family::flawed && draw.coin(Stream::family))
+    scene.family = base.family;
+  return within_reach(scene);
+}
+
+Scene within_reach(Scene scene) {
+  const bool is_full = scene.family == Family::full_block;
+  if (is_full || scene.family == Family::atoms) {
+    scene.points = scene.points <= 48 ? 8 : 16;
+    scene.twin = Twin::none;
+  }
+  if (is_full) {
+    scene.thickness =
+        std::clamp(scene.thickness, 0.1, scene.points == 8 ? 2.0 : 0.5);
+    scene.growth = std::max(scene.growth, 1.5);
+  }
+  if (scene.family == Family::atoms) {
+    scene.law = cases::ContactLaw::penalty; // its soft potential
+    scene.control = cases::Control::nominal_pressure;
+    scene.program = Program::increments;
+    scene.load = std::clamp(scene.load, 1e-3, 0.3);
+    scene.rms_slope = std::clamp(scene.rms_slope, 1e-3, 0.2);
+    scene.length = scene.points * atom_spacing;
+    scene.contact_modulus = std::clamp(scene.contact_modulus, 1e10, 1e11);
+    scene.poisson_ratio = std::min(scene.poisson_ratio, 0.49);
+    scene.shape = Shape::rough;
+    scene.shortest_wave = std::max(scene.shortest_wave, 4.0);
+  }
+  if (scene.path == Path::two_ranks && !is_full)
+    scene.path = Path::library;
+  if (scene.path != Path::library)
+    scene = within_reach_of_a_case(scene);
+  // At least two waves of the spectrum lie between its ends.
+  scene.roll_off =
+      std::min(scene.roll_off, 0.5 * scene.points / scene.shortest_wave);
+  scene.roll_off = std::max(scene.roll_off, 1.0);
+  scene.shortest_wave = std::min(scene.shortest_wave, 0.5 * scene.points);
+  return scene;
+}
+
+} // namespace asperity::robustness

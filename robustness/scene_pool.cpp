@@ -1,0 +1,172 @@
+#include "robustness/scene_pool.hpp"
+
+#include "base/child_process.hpp"
+#include "base/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <poll.h>
+#include <stdexcept>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace asperity::robustness {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One forked process: it runs scenes first, first + stride, ... and writes a
+/// line for each.
+struct Worker {
+  std::optional<ChildProcess> child;
+  std::size_t next = 0; ///< the scene it is at
+  std::string text;     ///< received, not yet a line
+  Clock::time_point since;
+  double seconds_before = 0.0; ///< of CPU time, up to this scene
+};
+
+void write_all(int pipe, const std::string& text) {
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const ssize_t n = write(pipe, text.data() + written, text.size() - written);
+    if (n <= 0)
+      throw std::runtime_error("the reports of the scenes cannot be written");
+    written += static_cast<std::size_t>(n);
+  }
+}
+
+class Pool {
+public:
+  Pool(std::span<const Scene> scenes, const PoolSettings& settings,
+       const std::function<void(const SceneReport&)>& take,
+       const RunOne& run_one)
+      : scenes_(scenes),
+        settings_(settings),
+        take_(take),
+        run_one_(run_one),
+        stride_(std::min(scenes.size(), processes_of(settings))) {}
+
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  void run() {
+    for (std::size_t first = 0; first < stride_; ++first)
+      start(workers_.emplace_back(), first);
+    while (std::any_of(workers_.begin(), workers_.end(), is_running))
+      wait_and_read();
+  }
+
+private:
+  static bool is_running(const Worker& worker) {
+    return worker.child.has_value();
+  }
+
+  static std::size_t processes_of(const PoolSettings& settings) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return static_cast<std::size_t>(
+        std::max(1, settings.processes > 0 ? settings.processes : cores));
+  }
+
+  void start(Worker& worker, std::size_t first) {
+    worker = Worker{};
+    worker.next = first;
+    if (first >= scenes_.size())
+      return;
+    worker.child = ChildProcess::forked([this, first](int pipe) {
+      for (std::size_t i = first; i < scenes_.size(); i += stride_)
+        write_all(pipe, to_line(run_one_(scenes_[i])) + "\n");
+    });
+    worker.since = Clock::now();
+  }
+
+  void wait_and_read() {
+    std::vector<pollfd> waiting;
+    for (const Worker& worker : workers_)
+      waiting.push_back(
+          {is_running(worker) ? worker.child->output_pipe() : -1, POLLIN, 0});
+    poll(waiting.data(), waiting.size(), 100);
+    for (std::size_t i = 0; i < workers_.size(); ++i) {
+      Worker& worker = workers_[i];
+      if (!is_running(worker))
+        continue;
+      if ((waiting[i].revents & (POLLIN | POLLHUP)) != 0)
+        read_from(worker);
+      else if (is_overdue(worker))
+        report_and_restart(worker, Outcome::timed_out,
+                           fmt::format("longer than {:g} s of CPU time",
+                                       settings_.scene_seconds));
+    }
+  }
+
+  /// By CPU time: a crowded machine is no fault of a scene.
+  bool is_overdue(const Worker& worker) const {
+    constexpr double patience = 10.0; // a process that waits uses no time
+    const double waited =
+        std::chrono::duration<double>(Clock::now() - worker.since).count();
+    return worker.child->cpu_time() - worker.seconds_before >
+               settings_.scene_seconds ||
+           waited > patience * settings_.scene_seconds;
+  }
+
+  void read_from(Worker& worker) {
+    char buffer[65536];
+    const ssize_t n = read(worker.child->output_pipe(), buffer, sizeof buffer);
+    if (n <= 0) {
+      finish(worker);
+      return;
+    }
+    worker.text.append(buffer, static_cast<std::size_t>(n));
+    for (std::size_t end_of_line = worker.text.find('\n');
+         end_of_line != std::string::npos;
+         end_of_line = worker.text.find('\n')) {
+      take_(from_line(worker.text.substr(0, end_of_line)));
+      worker.text.erase(0, end_of_line + 1);
+      worker.next += stride_;
+      worker.since = Clock::now();
+      worker.seconds_before = worker.child->cpu_time();
+    }
+  }
+
+  /// Its pipe is closed: it is through, or it died at a scene.
+  void finish(Worker& worker) {
+    if (worker.next < scenes_.size())
+      report_and_restart(worker, Outcome::crashed,
+                         worker.child->wait().failure);
+    else
+      worker.child.reset();
+  }
+
+  void report_and_restart(Worker& worker, Outcome outcome,
+                          const std::string& reason) {
+    SceneReport report;
+    report.index = scenes_[worker.next].index;
+    report.outcome = outcome;
+    report.reason = reason;
+    take_(report);
+    worker.child->kill(); // a scene without end does not listen
+    start(worker, worker.next + stride_);
+  }
+
+  std::span<const Scene> scenes_;
+  const PoolSettings& settings_;
+  const std::function<void(const SceneReport&)>& take_;
+  const RunOne& run_one_;
+  std::size_t stride_;
+  std::vector<Worker> workers_;
+};
+
+} // namespace
+
+void run_scenes(std::span<const Scene> scenes, const PoolSettings& settings,
+                const std::function<void(const SceneReport&)>& take,
+                const RunOne& run_one) {
+  require_positive("scene_seconds", settings.scene_seconds, "s");
+  if (!scenes.empty())
+    Pool(scenes, settings, take, run_one).run();
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,106 @@
+#include "robustness/scene_surface.hpp"
+
+#include "surfaces/maps/exact_shapes.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/realization.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity::robustness {
+namespace {
+
+using surfaces::HeightMap;
+
+constexpr int terrace_heights = 4;
+
+/// Heights by a function of the node, in units of the spacing.
+template <class Height>
+HeightMap heights_by_node(const Grid& grid, const Height& height) {
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      map.heights[grid.index(ix, iy)] = grid.spacing_x() * height(ix, iy);
+  return map;
+}
+
+/// Rounds every height to one of a few, evenly from the lowest to the highest.
+HeightMap terraces_of(HeightMap map) {
+  const auto [lowest, highest] =
+      std::minmax_element(map.heights.begin(), map.heights.end());
+  const double low = *lowest;
+  const double step = (*highest - low) / (terrace_heights - 1);
+  for (double& height : map.heights)
+    height = std::round((height - low) / step) * step;
+  return map;
+}
+
+HeightMap rough_heights(const Scene& scene, const Grid& grid) {
+  return surfaces::realize(spectrum_of(scene), grid, {scene.seed, scene.index});
+}
+
+HeightMap unscaled(const Scene& scene, const Grid& grid) {
+  const int n = grid.points_x;
+  switch (scene.shape) {
+  case Shape::rough:
+    return rough_heights(scene, grid);
+  case Shape::terraces:
+    return terraces_of(rough_heights(scene, grid));
+  case Shape::wave:
+    return surfaces::wave_2d(grid, grid.length_x, grid.length_x);
+  case Shape::paraboloid:
+    return surfaces::paraboloid(grid, grid.length_x);
+  case Shape::spike:
+    return heights_by_node(
+        grid, [](int ix, int iy) { return ix == 0 && iy == 0 ? 1.0 : 0.0; });
+  case Shape::step:
+    return heights_by_node(
+        grid, [n](int ix, int /*iy*/) { return 2 * ix < n ? 1.0 : 0.0; });
+  case Shape::sawtooth:
+    return heights_by_node(
+        grid, [n](int ix, int /*iy*/) { return ix % std::max(2, n / 4); });
+  case Shape::checkerboard:
+    return heights_by_node(
+        grid, [](int ix, int iy) { return (ix + iy) % 2 == 0 ? 1.0 : -1.0; });
+  case Shape::flat:
+    break;
+  }
+  return heights_by_node(grid, [](int /*ix*/, int /*iy*/) { return 0.0; });
+}
+
+} // namespace
+
+Grid grid_of(const Scene& scene) {
+  return {scene.points, scene.points, scene.length, scene.length};
+}
+
+surfaces::IsotropicSpectrum spectrum_of(const Scene& scene) {
+  const double longest = 2.0 * std::numbers::pi / scene.length;
+  const double shortest =
+      2.0 * std::numbers::pi / (scene.shortest_wave * scene.spacing());
+  // The shortest wave of a small grid may be the roll-off's.
+  return surfaces::SelfAffineSpectrum::with_rms_slope(
+             {scene.hurst, 0.99 * longest,
+              std::min(scene.roll_off * longest, shortest),
+              std::max(1.01 * longest, shortest)},
+             scene.rms_slope)
+      .isotropic();
+}
+
+SceneSurface surface_of(const Scene& scene, const Grid& grid) {
+  SceneSurface surface;
+  surface.map = unscaled(scene, grid);
+  surfaces::remove_mean(surface.map);
+  const double slope = surfaces::statistics(surface.map).rms_slope;
+  if (slope > 0.0)
+    for (double& height : surface.map.heights)
+      height *= scene.rms_slope / slope;
+  surface.height_scale = surfaces::statistics(surface.map).rms_height;
+  if (!(surface.height_scale > 0.0))
+    surface.height_scale = scene.rms_slope * grid.spacing_x();
+  return surface;
+}
+
+} // namespace asperity::robustness

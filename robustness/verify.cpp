@@ -1,0 +1,247 @@
+#include "robustness/verify.hpp"
+
+#include "base/field_sums.hpp"
+#include "results/observables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::robustness {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Sums over N nodes and transforms lose some ten eps; the rest is a margin.
+constexpr double rounding_of_a_field = 64.0 * eps;
+
+using contact::ContactSolution;
+using contact::LoadTarget;
+
+double largest(std::span<const double> field) {
+  double most = 0.0;
+  for (const double value : field)
+    most = std::max(most, std::abs(value));
+  return most;
+}
+
+std::optional<Failure> verify_finite(const ContactSolution& solution) {
+  for (const auto* field :
+       {&solution.pressure, &solution.gap, &solution.displacement})
+    if (!all_finite(*field))
+      return Failure{"finite", "a field holds a number that is not finite"};
+  if (!std::isfinite(solution.nominal_pressure) ||
+      !std::isfinite(solution.mean_gap))
+    return Failure{"finite", "a mean is not finite"};
+  return {};
+}
+
+std::optional<Failure> verify_sign(const ContactSolution& solution) {
+  const double lowest =
+      *std::min_element(solution.pressure.begin(), solution.pressure.end());
+  if (lowest < 0.0)
+    return Failure{"pressure sign", fmt::format("p = {:.3g} Pa", lowest)};
+  return {};
+}
+
+std::optional<Failure> verify_balance(const AskedContact& asked,
+                                      const LoadTarget& target,
+                                      const ContactSolution& solution) {
+  const double mean = results::weighted_mean(solution.pressure, asked.weights);
+  const bool by_pressure = target.kind == LoadTarget::Kind::nominal_pressure;
+  const double asked_pressure =
+      by_pressure ? target.amount : solution.nominal_pressure;
+  const double off = std::abs(mean - asked_pressure);
+  if (off > asked.load_tolerance * std::abs(asked_pressure))
+    return Failure{"balance", fmt::format("mean pressure {:.17g} Pa, asked or "
+                                          "said {:.17g} Pa",
+                                          mean, asked_pressure)};
+  const double gap_off = std::abs(solution.mean_gap - target.amount);
+  const double allowed = asked.gap_tolerance + gap_rounding(asked, solution);
+  if (!by_pressure && gap_off > allowed)
+    return Failure{"balance",
+                   fmt::format("mean gap off by {:.3g} m, allowed {:.3g} m",
+                               gap_off, allowed)};
+  return {};
+}
+
+std::optional<Failure> verify_gap_field(const AskedContact& asked,
+                                        const ContactSolution& solution,
+                                        std::span<const double> displacement) {
+  const double mean_height =
+      results::weighted_mean(asked.heights, asked.weights);
+  double off = 0.0;
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    off = std::max(off, std::abs(solution.mean_gap + displacement[i] -
+                                 (asked.heights[i] - mean_height) -
+                                 solution.gap[i]));
+  const double allowed = asked.gap_tolerance + gap_rounding(asked, solution);
+  if (off > allowed)
+    return Failure{"gap field", fmt::format("off by {:.3g} m, allowed {:.3g} m",
+                                            off, allowed)};
+  return {};
+}
+
+/// What is kept apart carries nothing. (With a pressure that runs away the
+/// rounding of a gap, which grows with it, would hide everything else.)
+std::optional<Failure> verify_apart(const AskedContact& asked,
+                                    const LoadTarget& target,
+                                    const ContactSolution& solution) {
+  const double clearance =
+      target.amount + results::weighted_mean(asked.heights, asked.weights) -
+      *std::max_element(asked.heights.begin(), asked.heights.end());
+  const double rounding = rounding_of_a_field * largest(asked.heights);
+  const double highest = largest(solution.pressure);
+  if (target.kind == LoadTarget::Kind::mean_gap && clearance > rounding &&
+      highest > 0.0)
+    return Failure{"apart", fmt::format("p = {:.3g} Pa at {:.3g} m from the "
+                                        "highest node",
+                                        highest, clearance)};
+  return {};
+}
+
+std::optional<Failure> verify_contact(const AskedContact& asked,
+                                      const ContactSolution& solution) {
+  double overlap = 0.0;
+  double open_contact = 0.0;
+  for (std::size_t i = 0; i < solution.gap.size(); ++i) {
+    const double clearance =
+        solution.gap[i] + asked.local_compliance * solution.pressure[i];
+    overlap = std::max(overlap, -clearance);
+    if (solution.pressure[i] > 0.0)
+      open_contact = std::max(open_contact, std::abs(clearance));
+  }
+  const double allowed =
+      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  const auto says = [&](double found) {
+    return fmt::format("{:.3g} m, allowed {:.3g} m", found, allowed);
+  };
+  if (overlap > allowed)
+    return Failure{"overlap", says(overlap)};
+  if (open_contact > allowed)
+    return Failure{"complementarity", says(open_contact)};
+  return {};
+}
+
+double energy_of(const AskedContact& asked, const ContactSolution& solution) {
+  return results::elastic_energy(solution.pressure, solution.displacement,
+                                 asked.weights) +
+         results::contact_energy(solution.pressure, asked.local_compliance,
+                                 asked.weights);
+}
+
+} // namespace
+
+double gap_rounding(const AskedContact& asked,
+                    const ContactSolution& solution) {
+  const double pressure = largest(solution.pressure);
+  // Roundings of equal terms are alike: a plain sum of N loses some N/8 eps.
+  const double sum = 0.125 * eps * static_cast<double>(solution.gap.size());
+  return rounding_of_a_field *
+             (largest(asked.heights) + std::abs(solution.mean_gap) +
+              pressure * asked.long_wave_compliance) +
+         (rounding_of_a_field + sum) * pressure * asked.local_compliance;
+}
+
+std::optional<Failure> verify_step(const AskedContact& asked,
+                                   const LoadTarget& target,
+                                   const ContactSolution& solution,
+                                   const Displace& displace) {
+  if (auto failure = verify_finite(solution))
+    return failure;
+  if (auto failure = verify_sign(solution))
+    return failure;
+  if (auto failure = verify_apart(asked, target, solution))
+    return failure;
+  if (auto failure = verify_balance(asked, target, solution))
+    return failure;
+  std::vector<double> displacement(solution.pressure.size());
+  displace(solution.pressure, displacement);
+  if (auto failure = verify_gap_field(asked, solution, displacement))
+    return failure;
+  return verify_contact(asked, solution);
+}
+
+StepSummary summary_of(const AskedContact& asked,
+                       const ContactSolution& solution) {
+  StepSummary summary;
+  summary.nominal_pressure = solution.nominal_pressure;
+  summary.mean_gap = solution.mean_gap;
+  summary.energy = energy_of(asked, solution);
+  summary.area =
+      results::counted_area_fraction(solution.pressure, asked.weights);
+  summary.tolerance =
+      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  // What lifts a node by the tolerance, and the rounding of the pressures.
+  const double lifting =
+      10.0 * summary.tolerance /
+          (asked.short_wave_compliance + asked.local_compliance) +
+      rounding_of_a_field * largest(solution.pressure);
+  const auto marginal = std::count_if(
+      solution.pressure.begin(), solution.pressure.end(),
+      [&](double pressure) { return pressure > 0.0 && pressure <= lifting; });
+  summary.marginal = static_cast<double>(marginal) /
+                     static_cast<double>(solution.pressure.size());
+  return summary;
+}
+
+std::optional<Failure> verify_pair(const StepSummary& first,
+                                   const StepSummary& second) {
+  // Where nothing touches, equal pressures lie at different gaps.
+  const bool is_ordered = first.nominal_pressure < second.nominal_pressure ||
+                          (first.nominal_pressure == second.nominal_pressure &&
+                           first.mean_gap >= second.mean_gap);
+  const StepSummary& a = is_ordered ? first : second;
+  const StepSummary& b = is_ordered ? second : first;
+  const double tolerance = 2.0 * std::max(a.tolerance, b.tolerance);
+  const double closing = a.mean_gap - b.mean_gap;
+  if (closing < -tolerance)
+    return Failure{"monotone gap",
+                   fmt::format("the gap opens by {:.3g} m under more load, "
+                               "allowed {:.3g} m",
+                               -closing, tolerance)};
+  if (b.area < a.area - 2.0 * a.marginal - rounding_of_a_field)
+    return Failure{"monotone area",
+                   fmt::format("the area falls by {:.3g} under more load, "
+                               "allowed {:.3g}",
+                               a.area - b.area, 2.0 * a.marginal)};
+  const double gained = b.energy - a.energy;
+  const double allowed =
+      2.0 * b.nominal_pressure * tolerance +
+      rounding_of_a_field * (std::abs(a.energy) + std::abs(b.energy));
+  if (gained < a.nominal_pressure * closing - allowed ||
+      gained > b.nominal_pressure * closing + allowed)
+    return Failure{"energy",
+                   fmt::format("U gains {:.6g} J/m^2, but p du is {:.6g} to "
+                               "{:.6g} J/m^2, allowed {:.3g} J/m^2",
+                               gained, a.nominal_pressure * closing,
+                               b.nominal_pressure * closing, allowed)};
+  return {};
+}
+
+std::optional<Failure> verify_same(const StepSummary& first,
+                                   const StepSummary& second,
+                                   double length_ratio, double pressure_ratio) {
+  const double tolerance =
+      2.0 * std::max(first.tolerance, second.tolerance / length_ratio);
+  const double gap_off =
+      std::abs(second.mean_gap / length_ratio - first.mean_gap);
+  if (!(gap_off <= tolerance))
+    return Failure{"same answer", fmt::format("gaps differ by {:.3g} m, "
+                                              "allowed {:.3g} m",
+                                              gap_off, tolerance)};
+  const double energy_off =
+      std::abs(second.energy / (length_ratio * pressure_ratio) - first.energy);
+  const double allowed = 2.0 * first.nominal_pressure * tolerance +
+                         2.0 * rounding_of_a_field * std::abs(first.energy);
+  if (!(energy_off <= allowed))
+    return Failure{"same answer",
+                   fmt::format("energies differ by {:.3g} J/m^2, allowed "
+                               "{:.3g} J/m^2",
+                               energy_off, allowed)};
+  return {};
+}
+
+} // namespace asperity::robustness

@@ -1,0 +1,236 @@
+#include "robustness/written_case.hpp"
+
+#include "base/special_numbers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "robustness/kinds.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+/// The numbers of a case that a flaw may spoil, in SI but for those over h.
+struct CaseNumbers {
+  double length = 0.0;
+  double contact_modulus = 0.0;
+  double poisson_ratio = 0.0;
+  double thickness = 0.0;
+  double growth = 0.0;
+  double penalty = 0.0;
+  double tolerance = relative_tolerance;
+  bool has_elements = false;
+  bool is_slab = false;
+  bool by_pressure = true;
+  cases::ContactLaw law = cases::ContactLaw::hard;
+  std::vector<double> loads;
+};
+
+CaseNumbers numbers_of(const Scene& scene) {
+  CaseNumbers numbers{.length = scene.length,
+                      .contact_modulus = scene.contact_modulus,
+                      .poisson_ratio = scene.poisson_ratio,
+                      .thickness = scene.thickness * scene.length,
+                      .growth = scene.growth,
+                      .law = scene.law,
+                      .loads = {}};
+  numbers.penalty = scene.penalty * scene.contact_modulus / scene.spacing();
+  numbers.has_elements = scene.family == Family::condensed_q1 ||
+                         scene.family == Family::condensed_q2 ||
+                         scene.family == Family::full_block;
+  numbers.is_slab = scene.family == Family::slab;
+  numbers.by_pressure = scene.control == cases::Control::nominal_pressure;
+  const double scale = surface_of(scene, grid_of(scene)).height_scale;
+  for (const contact::LoadTarget& target : targets_of(scene, scale))
+    numbers.loads.push_back(target.amount);
+  return numbers;
+}
+
+/// Flaws of the loads and of the interface.
+void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
+  switch (flaw) {
+  case Flaw::zero_load:
+    numbers.loads[0] = 0.0;
+    break;
+  case Flaw::negative_load:
+    numbers.loads[0] *= -1.0;
+    break;
+  case Flaw::infinite_load:
+    numbers.loads[0] = infinity;
+    break;
+  case Flaw::nan_load:
+    numbers.loads[0] = not_a_number;
+    break;
+  case Flaw::closed_wall_gap:
+    numbers.law = cases::ContactLaw::hard;
+    numbers.by_pressure = false;
+    numbers.loads = {0.0};
+    break;
+  case Flaw::zero_penalty:
+    numbers.penalty = 0.0;
+    break;
+  case Flaw::infinite_penalty:
+    numbers.penalty = infinity;
+    break;
+  case Flaw::nan_penalty:
+    numbers.penalty = not_a_number;
+    break;
+  case Flaw::zero_tolerance:
+    numbers.tolerance = 0.0;
+    break;
+  case Flaw::nan_tolerance:
+    numbers.tolerance = not_a_number;
+    break;
+  default:
+    break;
+  }
+}
+
+/// Flaws of the block; some need finite elements or a slab to be seen.
+void spoil_block(const Scene& scene, CaseNumbers& numbers) {
+  switch (scene.flaw) {
+  case Flaw::zero_modulus:
+    numbers.contact_modulus = 0.0;
+    break;
+  case Flaw::nan_modulus:
+    numbers.contact_modulus = not_a_number;
+    break;
+  case Flaw::infinite_modulus:
+    numbers.contact_modulus = infinity;
+    break;
+  case Flaw::nan_in_case:
+    numbers.length = not_a_number;
+    break;
+  case Flaw::nan_poisson_ratio:
+    numbers.is_slab = true;
+    numbers.poisson_ratio = not_a_number;
+    break;
+  case Flaw::nan_thickness:
+    numbers.is_slab = true;
+    numbers.thickness = not_a_number;
+    break;
+  case Flaw::incompressible:
+    numbers.has_elements = true;
+    numbers.poisson_ratio = 0.5;
+    break;
+  case Flaw::shrinking_layers:
+    numbers.has_elements = true;
+    numbers.growth = 0.5;
+    break;
+  case Flaw::sliver:
+    numbers.has_elements = true;
+    numbers.thickness = 1.25 * scene.spacing();
+    break;
+  case Flaw::odd_q2_grid:
+    numbers.has_elements = true;
+    break;
+  default:
+    break;
+  }
+}
+
+/// TOML asks for a point or an exponent, which {} leaves out of whole numbers.
+std::string number(double value) {
+  return fmt::format("{:.17e}", value);
+}
+
+int degree_of(const Scene& scene) {
+  if (scene.family == Family::full_block)
+    return scene.degree;
+  return scene.family == Family::condensed_q1 || scene.flaw == Flaw::sliver ? 1
+                                                                            : 2;
+}
+
+/// The coating stands on the thickness of the block itself, which no flaw has.
+std::string coating_text(const Scene& scene) {
+  const double youngs_modulus =
+      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
+  return fmt::format(
+      "layers = [{{ thickness = {}, youngs_modulus = {}, poisson_ratio = {} "
+      "}}]\n",
+      number(scene.coating_thickness * scene.thickness * scene.length),
+      number(scene.coating_stiffness * youngs_modulus),
+      number(scene.poisson_ratio));
+}
+
+std::string method_text(const Scene& scene, const CaseNumbers& numbers) {
+  std::string text;
+  if (numbers.has_elements) {
+    const int degree = degree_of(scene);
+    const double depth = scene.flaw == Flaw::sliver
+                             ? 1.0
+                             : block_request(scene, grid_of(scene), degree, 1)
+                                   .settings.surface_cell_depth;
+    text = fmt::format(
+        "[fem]\nelement = \"Q{}\"\nsolver = \"{}\"\n"
+        "surface_cell_depth = {}\ngrowth = {}\ndepth = {}\n",
+        degree, scene.family == Family::full_block ? "full" : "condensed",
+        number(depth), number(numbers.growth), number(numbers.thickness));
+  } else {
+    text = "[halfspace]\n";
+    if (numbers.is_slab)
+      text += "thickness = " + number(numbers.thickness) + "\n";
+  }
+  if (numbers.has_elements || numbers.is_slab)
+    text += "top = \"" + name_of(scene.top) + "\"\n";
+  text += "contact = \"" + name_of(numbers.law) + "\"\n";
+  if (numbers.law != cases::ContactLaw::hard)
+    text += "penalty = " + number(numbers.penalty) + "\n";
+  return text + "tolerance = " + number(numbers.tolerance) + "\n";
+}
+
+bool needs_penalty(Flaw flaw) {
+  return flaw == Flaw::zero_penalty || flaw == Flaw::infinite_penalty ||
+         flaw == Flaw::nan_penalty;
+}
+
+} // namespace
+
+std::string map_text_of(const Scene& scene) {
+  Scene wanted = scene;
+  wanted.points += scene.flaw == Flaw::odd_q2_grid ? 1 : 0;
+  const Grid grid = grid_of(wanted);
+  std::vector<double> heights = surface_of(wanted, grid).map.heights;
+  double& spoilt = heights[static_cast<std::size_t>(scene.index) % grid.size()];
+  if (scene.flaw == Flaw::nan_height || scene.flaw == Flaw::nan_in_file)
+    spoilt = not_a_number;
+  if (scene.flaw == Flaw::infinite_height ||
+      scene.flaw == Flaw::infinity_in_file)
+    spoilt = scene.index % 3 == 0 ? -infinity : infinity;
+  std::string text;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      text += fmt::format("{:.17e}{}", heights[grid.index(ix, iy)],
+                          ix + 1 == grid.points_x ? '\n' : ' ');
+  return text;
+}
+
+std::string case_text_of(const Scene& scene) {
+  CaseNumbers numbers = numbers_of(scene);
+  spoil_contact(scene.flaw, numbers);
+  spoil_block(scene, numbers);
+  if (needs_penalty(scene.flaw))
+    numbers.law = cases::ContactLaw::penalty;
+  std::vector<std::string> loads;
+  for (const double load : numbers.loads)
+    loads.push_back(number(load));
+  return fmt::format(
+      "schema = 1\ntitle = \"scene {}\"\n\n"
+      "[surface]\nkind = \"measured\"\nfile = \"map.txt\"\n"
+      "format = \"plain\"\nlevel = \"none\"\nedges = \"periodic\"\n"
+      "height_unit = 1.0\nlength = {}\n\n"
+      "[material]\ncontact_modulus = {}\npoisson_ratio = {}\n{}\n"
+      "[load]\n{} = [{}]\n\n{}",
+      scene.index, number(numbers.length), number(numbers.contact_modulus),
+      number(numbers.poisson_ratio),
+      numbers.has_elements && scene.flaw == Flaw::none &&
+              scene.coating_stiffness != 1.0
+          ? coating_text(scene)
+          : "",
+      numbers.by_pressure ? "nominal_pressure" : "mean_gap",
+      fmt::join(loads, ", "), method_text(scene, numbers));
+}
+
+} // namespace asperity::robustness

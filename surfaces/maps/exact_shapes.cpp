@@ -1,0 +1,83 @@
+#include "surfaces/maps/exact_shapes.hpp"
+
+#include "base/require.hpp"
+#include "surfaces/maps/isotropic_spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+/// cos(2 pi x/wavelength) at the nodes of one side. The phase is reduced in
+/// integers, so that equal heights are equal to the last bit.
+std::vector<double> cosine_along(const char* length_name, double length,
+                                 int points, double wavelength) {
+  const double waves = std::round(length / wavelength);
+  if (waves < 1.0 ||
+      std::abs(length / wavelength - waves) > printed_rounding * waves)
+    refuse_argument(
+        length_name, length,
+        fmt::format("a whole multiple of wavelength = {:.6g} m", wavelength));
+  if (2.0 * waves >= points)
+    refuse_argument("wavelength", wavelength,
+                    fmt::format("longer than two node spacings, {:.6g} m",
+                                2.0 * length / points));
+  std::vector<double> cosine(static_cast<std::size_t>(points));
+  for (int i = 0; i < points; ++i) {
+    const auto step = static_cast<std::int64_t>(waves) * i % points;
+    cosine[static_cast<std::size_t>(i)] =
+        std::cos(2.0 * std::numbers::pi * static_cast<double>(step) / points);
+  }
+  return cosine;
+}
+
+template <class Height>
+HeightMap map_of(const Grid& grid, Height height) {
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      map.heights[grid.index(ix, iy)] = height(ix, iy);
+  remove_mean(map);
+  return map;
+}
+
+} // namespace
+
+HeightMap paraboloid(const Grid& grid, double radius) {
+  require_positive("radius", radius, "m");
+  return map_of(grid, [&](int ix, int iy) {
+    const double x = (ix - grid.points_x / 2) * grid.spacing_x();
+    const double y = (iy - grid.points_y / 2) * grid.spacing_y();
+    return -(x * x + y * y) / (2.0 * radius);
+  });
+}
+
+HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength) {
+  require_positive("amplitude", amplitude, "m");
+  require_positive("wavelength", wavelength, "m");
+  const std::vector<double> along_x =
+      cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
+  return map_of(grid, [&](int ix, int) {
+    return amplitude * along_x[static_cast<std::size_t>(ix)];
+  });
+}
+
+HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength) {
+  require_positive("amplitude", amplitude, "m");
+  require_positive("wavelength", wavelength, "m");
+  const std::vector<double> along_x =
+      cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
+  const std::vector<double> along_y =
+      cosine_along("length_y", grid.length_y, grid.points_y, wavelength);
+  return map_of(grid, [&](int ix, int iy) {
+    return amplitude * along_x[static_cast<std::size_t>(ix)] *
+           along_y[static_cast<std::size_t>(iy)];
+  });
+}
+
+} // namespace asperity::surfaces

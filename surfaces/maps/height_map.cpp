@@ -1,0 +1,22 @@
+#include "surfaces/maps/height_map.hpp"
+
+#include <numeric>
+
+namespace asperity::surfaces {
+
+double mean_height(const HeightMap& map) {
+  const double sum =
+      std::accumulate(map.heights.begin(), map.heights.end(), 0.0);
+  return sum / static_cast<double>(map.heights.size());
+}
+
+void remove_mean(HeightMap& map) {
+  // The second pass takes away the rounding of a large first mean.
+  for (int pass = 0; pass < 2; ++pass) {
+    const double mean = mean_height(map);
+    for (double& height : map.heights)
+      height -= mean;
+  }
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,40 @@
+#pragma once
+
+// The isotropic spectrum of a map as it is: its power in shells of |q|. Owns
+// the grouping, from which the theory's shells and the plotted C(q) both come.
+
+#include "surfaces/maps/height_map.hpp"
+
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// The modes of a map with about the same |q|. Summed over shells, both
+///
+///     sum mean_square_height                 = <h^2>
+///     sum wavevector^2 * mean_square_height  = <|grad h|^2>
+///
+/// are those of the map (statistics.hpp) to rounding: a sum over shells of
+/// q^n f takes the place of 2 pi int q^(1+n) C f dq.
+struct Shell {
+  double wavevector = 0.0;         ///< q [rad/m]: q^2 is the mean of |q|^2,
+                                   ///< weighted by power
+  double mean_square_height = 0.0; ///< sum of |a_q|^2 [m^2] > 0
+  int modes = 0;                   ///< number of q in the shell, -q counted
+};
+
+/// Shells in ascending wavevector. Up to 8 times the longest wave of the cell
+/// every distinct |q| has its own; above, they are equal steps of ln q, the
+/// same for every grid of these lengths: some 200 in all on 1024 points a side.
+/// Shells without power (below 1e-28 of the whole: rounding) are left out.
+/// @param relative_width  the step of ln q [1] > 0
+/// @throws std::domain_error  relative_width is outside its range
+std::vector<Shell> spectral_shells(const HeightMap& map,
+                                   double relative_width = 0.025);
+
+/// C(q) [m^4] of the shell, the mean over its modes:
+///
+///     C = mean_square_height * L_x L_y / ((2 pi)^2 modes)
+double shell_density(const Shell& shell, const Grid& grid);
+
+} // namespace asperity::surfaces

@@ -1,0 +1,44 @@
+#pragma once
+
+// What a height map is, in numbers: moments of the heights, spectral slope and
+// curvature, height distribution. Owns their definitions.
+
+#include "surfaces/maps/height_map.hpp"
+
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// Averages over the nodes, <h> subtracted; with a_q the Fourier coefficients
+/// of the map (mode_power.hpp says how Nyquist modes count):
+///
+///     rms_height     sqrt <h^2>
+///     rms_slope      sqrt sum q^2 |a_q|^2      of grad h, both directions
+///     rms_curvature  sqrt(sum q^4 |a_q|^2)/2   of half the Laplacian, the mean
+///                                              of the principal curvatures
+///     skewness       <h^3>/<h^2>^(3/2), kurtosis <h^4>/<h^2>^2 (3: Gaussian)
+struct Statistics {
+  double rms_height = 0.0;    ///< h_rms [m]
+  double rms_slope = 0.0;     ///< [1]
+  double rms_curvature = 0.0; ///< [1/m]
+  double skewness = 0.0;      ///< [1], NaN for a flat map
+  double kurtosis = 0.0;      ///< [1], NaN for a flat map
+  double highest = 0.0;       ///< max h - <h> [m]
+  double lowest = 0.0;        ///< min h - <h> [m]
+};
+
+Statistics statistics(const HeightMap& map);
+
+/// One bar of the height distribution.
+struct HeightBin {
+  double height = 0.0;  ///< centre of the bin, above the mean [m]
+  double density = 0.0; ///< P_h [1/m]
+};
+
+/// P_h as a histogram of equal bins from the lowest to the highest node; the
+/// sum of density * bin width is 1. Empty for a flat map.
+/// @param bins  >= 1
+/// @throws std::domain_error  bins < 1
+std::vector<HeightBin> height_distribution(const HeightMap& map, int bins = 50);
+
+} // namespace asperity::surfaces

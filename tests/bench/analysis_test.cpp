@@ -1,0 +1,181 @@
+// Claims about the analysis of a benchmark, held against runs made by formula:
+// an error c h^p of a known limit, a cost c n^e.
+#include "cases/read_case.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+#include "bench/analysis/bench_analysis.hpp"
+#include "bench/pages/bench_report.hpp"
+
+namespace asperity::reports {
+namespace {
+
+constexpr double gap_order = 2.0;
+constexpr double area_order = 1.0;
+constexpr double cost_exponent = 2.2;
+constexpr double stiff = 0.01; ///< of the "fem": its own limit's error
+
+const std::string rough = R"(schema = 1
+title = "rough"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 256
+seed = 3
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.25 length"
+wavelength_short = "0.1 length"
+[material]
+contact_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = [1e6, 2e6]
+[halfspace]
+[fem]
+)";
+
+BenchPoint point_on(const std::string& method, int points, double bias) {
+  const double h = 1.0 / points;
+  BenchPoint point;
+  point.method = point.kind = method;
+  point.label = std::to_string(points) + " points";
+  point.points = points;
+  point.answer.pressure = {1e6, 2e6};
+  point.answer.rms_height = 1.0;
+  point.answer.values["mean_gap"] = {1.0 + bias + 3.0 * std::pow(h, gap_order),
+                                     0.5 + bias + 2.0 * std::pow(h, gap_order)};
+  const double area = 1.0 + 5.0 * std::pow(h, area_order);
+  point.answer.values["area_fraction"] = {0.1 * area, 0.2 * area};
+  point.answer.values["area_fraction_corrected"] = {0.1, 0.2};
+  point.cpu = {1e-5 * std::pow(points, cost_exponent), 0.0, 0.0};
+  point.phases.solving = point.cpu.median;
+  point.repeats = 1;
+  return point;
+}
+
+Bench made_up() {
+  Bench bench;
+  bench.case_name = "rough, \"quoted\"";
+  bench.case_hash = std::string(64, 'a');
+  for (const char* method : {"halfspace", "fem"}) {
+    BenchSeries series{
+        .method = method, .axis = "surface.points", .title = "points"};
+    for (const int points : {64, 128, 256, 512}) {
+      const bool is_fem = std::string(method) == "fem";
+      if (is_fem && points == 512)
+        continue;
+      series.points.push_back(bench.points.size());
+      series.coordinates.push_back(1.0 / points);
+      bench.points.push_back(point_on(method, points, is_fem ? stiff : 0.0));
+      bench.points.back().is_own = points == 256;
+      bench.points.back().is_truth = points == 512;
+    }
+    bench.series.push_back(series);
+  }
+  bench.truth.series = 0;
+  return bench;
+}
+
+class BenchAnalysis : public ::testing::Test {
+protected:
+  BenchAnalysis() {
+    analyse(bench, cases::read_case_text(rough, "rough/case.toml"));
+  }
+
+  Bench bench = made_up();
+};
+
+// Claim: orders and cost exponent come out as they were put in. Tolerance: 40
+// bits of a root from differences that are 1e-4 of the values; of the slope,
+// rounding, since the limit is the truth.
+TEST_F(BenchAnalysis, FindsOrdersAndCost) {
+  const BenchSeries& series = bench.series[0];
+
+  EXPECT_NEAR(series.orders.at("mean_gap").by_differences, gap_order, 1e-5);
+  EXPECT_NEAR(series.orders.at("mean_gap").error.exponent, gap_order, 1e-4);
+  EXPECT_NEAR(series.orders.at("area_fraction").error.exponent, area_order,
+              1e-9);
+  EXPECT_NEAR(series.cost.exponent, cost_exponent, 1e-9);
+}
+
+// Claim: an error of its own limit shows against the truth and not against
+// the method's own limit. Tolerance: the sizes of the two are 1e-2 and 5e-5.
+TEST_F(BenchAnalysis, TellsTheMethodsLimitFromTheTruth) {
+  const BenchPoint& finest_fem = bench.points[bench.series[1].points.back()];
+
+  EXPECT_NEAR(finest_fem.errors.at("mean_gap"), stiff, 1e-4);
+  EXPECT_LT(finest_fem.own_errors.at("mean_gap"), 1e-4);
+}
+
+// Claim: every estimator is compared with the corrected area. 5 h is put in.
+TEST_F(BenchAnalysis, HasOneReferenceForAllEstimators) {
+  EXPECT_NEAR(bench.points[0].errors.at("area_fraction"), 5.0 / 64, 1e-12);
+  EXPECT_EQ(bench.points[0].errors.at("area_fraction_corrected"), 0.0);
+}
+
+// Claim: the front holds the half-space at 64, 128 and 256 points: the finite
+// elements cost as much and err by 0.01 more; the reference's own run at 512
+// points, the most accurate of all, does not compete. Where all answers are
+// exact, only the cheapest remains.
+TEST_F(BenchAnalysis, PutsTheBestSettingsOnTheFront) {
+  EXPECT_EQ(bench.fronts.at("mean_gap"), (std::vector<std::size_t>{0, 1, 2}));
+  const auto& exact = bench.fronts.at("area_fraction_corrected");
+  ASSERT_EQ(exact.size(), 1u);
+  EXPECT_EQ(bench.points[exact[0]].points, 64);
+}
+
+// Claim: a setting without an answer leaves the others what they are.
+TEST(BenchAnalysisWithoutAnAnswer, LeavesItOut) {
+  Bench bench = made_up();
+  BenchPoint& broken = bench.points[4]; // the coarsest of the fem
+  broken.problem = "ended with exit code 2: too few points";
+  broken.answer = {};
+
+  analyse(bench, cases::read_case_text(rough, "rough/case.toml"));
+
+  EXPECT_TRUE(std::isnan(broken.errors.at("mean_gap")));
+  EXPECT_NEAR(bench.series[1].cost.exponent, cost_exponent, 1e-9);
+  EXPECT_EQ(bench.series[1].cost.points, 2);
+}
+
+// Claim: the page names every setting, also one without an answer and one with
+// marks that HTML would read.
+TEST(BenchPage, NamesEverySetting) {
+  Bench bench = made_up();
+  bench.points[4].problem = "ended with exit code 2: 3 < 4 points";
+  bench.points[4].answer = {};
+  analyse(bench, cases::read_case_text(rough, "rough/case.toml"));
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) /
+      ("asperity_bench_page_" + std::to_string(::getpid()));
+
+  write_bench_report(bench, folder);
+
+  std::ifstream file(folder / "report.html");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  std::filesystem::remove_all(folder);
+  EXPECT_NE(page.find("3 &lt; 4 points"), std::string::npos);
+  for (const BenchPoint& point : bench.points)
+    EXPECT_NE(page.find(point.label), std::string::npos) << point.label;
+}
+
+// Claim: what is not known is null in the file, and numbers come back.
+TEST_F(BenchAnalysis, IsWrittenAsJson) {
+  const auto json = nlohmann::json::parse(bench_json(bench));
+
+  EXPECT_EQ(json["case"], bench.case_name);
+  EXPECT_TRUE(json["points"][0]["transform_pair [s]"].is_null());
+  EXPECT_EQ(json["points"][2]["errors"]["mean_gap"].get<double>(),
+            bench.points[2].errors.at("mean_gap"));
+}
+
+} // namespace
+} // namespace asperity::reports

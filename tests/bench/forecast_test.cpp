@@ -1,0 +1,195 @@
+// Claims about what coarse runs promise of finer ones, held against runs made
+// by formula: an error c h^p, a cost a + b n^e.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/analysis/forecast.hpp"
+
+namespace asperity::app {
+namespace {
+
+constexpr double limit = 2.0;
+constexpr double order = 1.5;
+constexpr double cost_exponent = 2.3;
+
+/// A run whose kappa errs by 30 / n^1.5 and costs 0.5 s and 1e-6 n^2.3.
+reports::BenchPoint run_on(int points) {
+  reports::BenchPoint run;
+  run.points = points;
+  run.answer.values["kappa"] = {limit + 30.0 * std::pow(points, -order)};
+  run.answer.rms_height = 1.0;
+  run.phases.solving = 1e-6 * std::pow(points, cost_exponent);
+  run.cpu.median = 0.5 + run.phases.solving;
+  return run;
+}
+
+Forecast forecast_from(const std::vector<reports::BenchPoint>& coarse) {
+  Forecast forecast;
+  add_runs(forecast, coarse, std::vector<std::string>{"kappa"});
+  return forecast;
+}
+
+// Claim: order, error and cost at any finer grid. Tolerance: the error is
+// relative to the finest coarse answer, which is off the limit by 4 %.
+TEST(Forecast, FindsOrderErrorAndCost) {
+  const Forecast forecast =
+      forecast_from({run_on(32), run_on(64), run_on(128)});
+
+  EXPECT_NEAR(forecast.terms.at("kappa").order, order, 1e-6);
+  const double expected = 30.0 * std::pow(1024.0, -order) / limit;
+  EXPECT_NEAR(forecast.error("kappa", 1024, 1.0) / expected, 1.0, 0.04);
+  EXPECT_NEAR(forecast.cpu_time(1024) /
+                  (0.5 + 1e-6 * std::pow(1024.0, cost_exponent)),
+              1.0, 1e-9);
+}
+
+// Claim: from two runs the order is taken as 1, so the promise of a faster
+// series is too careful and never too bold.
+TEST(Forecast, OfTwoRunsIsCareful) {
+  const Forecast forecast = forecast_from({run_on(64), run_on(128)});
+
+  const double error = 30.0 * std::pow(1024.0, -order) / limit;
+  EXPECT_EQ(forecast.terms.at("kappa").order, 1.0);
+  EXPECT_GT(forecast.error("kappa", 1024, 1.0), error);
+}
+
+// Claim: of the layers' growth, second order in its logarithm, a run with half
+// of it tells all: 4/3 of the difference as it is, a quarter of that at half.
+// Tolerance: rounding.
+TEST(Forecast, AddsTheFloorOfTheLayers) {
+  Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
+  forecast.growth = 1.2;
+  const double before = forecast.error("kappa", 4096, 1.0);
+  reports::BenchPoint as_it_is = run_on(32);
+  reports::BenchPoint halved = as_it_is;
+  as_it_is.answer.values["kappa"] = {limit + 4.0 * 0.01};
+  halved.answer.values["kappa"] = {limit + 0.01};
+
+  add_growth(forecast, as_it_is, halved);
+
+  const double floor = 0.04 / (limit + 0.01);
+  EXPECT_NEAR(forecast.error("kappa", 4096, 1.0) - before, floor, 1e-12);
+  EXPECT_NEAR(forecast.error("kappa", 4096, 0.5) - before, floor / 4.0, 1e-12);
+}
+
+/// Of runs with an order, held against an exact answer off their limit.
+Forecast held_against(double exact_value) {
+  const std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64),
+                                                run_on(128)};
+  Forecast forecast = forecast_from(coarse);
+  reports::BenchAnswer exact;
+  exact.values["kappa"] = {exact_value};
+  add_exact(forecast, coarse, std::vector<reports::BenchAnswer>(3, exact));
+  return forecast;
+}
+
+// Claim: what the limit of the runs is off the exact solution stays however
+// fine the grid. Tolerance: what is left at 2^20 points, 1e-8 of kappa, and
+// that both errors are relative to the exact value.
+TEST(Forecast, KeepsWhatStaysUnderRefinement) {
+  const double exact_value = 0.9 * limit;
+  const double staying = limit / exact_value - 1.0;
+
+  const Forecast forecast = held_against(exact_value);
+
+  EXPECT_NEAR(forecast.error("kappa", 1 << 20, 1.0), staying, 1e-6);
+  EXPECT_NEAR(forecast.parts("kappa", 1 << 20, 1.0).staying, staying, 1e-6);
+  EXPECT_NEAR(forecast.error("kappa", 128, 1.0),
+              staying + 30.0 * std::pow(128.0, -order) / exact_value, 1e-3);
+}
+
+// Claim: where the runs tend to the exact answer nothing stays. Tolerance:
+// rounding of the order.
+TEST(Forecast, KeepsNothingWhereTheRunsTendToTheExactAnswer) {
+  EXPECT_NEAR(held_against(limit).terms.at("kappa").bias, 0.0, 1e-9);
+}
+
+// Claim: of what stays at the case's growth the layers have their part, which
+// half of the growth takes away.
+TEST(Forecast, CountsTheLayersOnce) {
+  std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
+  const double layers = 0.04;
+  for (reports::BenchPoint& run : coarse)
+    run.answer.values["kappa"].front() += limit * layers;
+  Forecast forecast = forecast_from(coarse);
+  forecast.terms.at("kappa").floor = layers;
+  reports::BenchAnswer exact;
+  exact.values["kappa"] = {limit};
+
+  add_exact(forecast, coarse, std::vector<reports::BenchAnswer>(3, exact));
+
+  EXPECT_NEAR(forecast.error("kappa", 1 << 20, 1.0), layers, 1e-6);
+  EXPECT_NEAR(forecast.error("kappa", 1 << 20, 0.5), layers / 4.0, 1e-6);
+}
+
+// Claim: what a verification finds beyond the prediction is predicted from
+// then on; it falls with the points at first, and stays where it was found
+// again. A better answer than predicted changes nothing.
+TEST(Forecast, LearnsFromABrokenPromise) {
+  Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
+  const double lucky = forecast.error("kappa", 512, 1.0);
+
+  forecast.learn("kappa", 512, 1.0, 0.5 * lucky);
+  EXPECT_EQ(forecast.error("kappa", 512, 1.0), lucky);
+
+  forecast.learn("kappa", 512, 1.0, 0.03);
+  EXPECT_NEAR(forecast.error("kappa", 512, 1.0), 0.03, 1e-15);
+  EXPECT_NEAR(forecast.error("kappa", 2048, 1.0) / 0.03, std::pow(4.0, -order),
+              1e-6);
+
+  forecast.learn("kappa", 2048, 1.0, 0.03);
+  EXPECT_NEAR(forecast.error("kappa", 2048, 1.0), 0.03, 1e-15);
+  EXPECT_GT(forecast.error("kappa", 1 << 20, 1.0), 0.02);
+}
+
+// Claim: what a run takes besides its steps may grow with the points too
+// (maps, the stress inside) and is then not taken for a constant.
+TEST(Forecast, CountsWhatGrowsBesidesTheSteps) {
+  std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
+  for (reports::BenchPoint& run : coarse)
+    run.cpu.median += 9.0 * run.phases.solving; // ten times the steps in all
+  coarse.front().cpu.median -= 9.0 * coarse.front().phases.solving;
+
+  const Forecast forecast = forecast_from(coarse);
+
+  const double steps = 1e-6 * std::pow(1024.0, cost_exponent);
+  EXPECT_GT(forecast.cpu_time(1024), 9.0 * steps);
+}
+
+// Claim: asked for the area, the estimator that errs least serves.
+TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
+  Forecast forecast;
+  forecast.finest = 64;
+  forecast.terms["area_fraction"] = {.error = 0.1, .order = 1.0};
+  forecast.terms["area_fraction_corrected"] = {.error = 0.02, .order = 1.0};
+
+  EXPECT_NEAR(forecast.error(any_area, 128, 1.0), 0.01, 1e-15);
+  EXPECT_EQ(forecast.best_column(any_area, 128, 1.0),
+            "area_fraction_corrected");
+}
+
+// Claim: an estimator that converges fast to another area than the corrected
+// count is not taken for it: its bias stays, however fine the grid. Tolerance:
+// the two errors that are granted, 5e-3 and 1e-4 of the area.
+TEST(Forecast, IsNotFooledByABiasedEstimator) {
+  std::vector<reports::BenchPoint> coarse;
+  for (const int points : {32, 64, 128}) {
+    reports::BenchPoint run = run_on(points);
+    run.answer.values["area_fraction_corrected"] = {0.1 *
+                                                    (1.0 + 0.64 / points)};
+    run.answer.values["area_fraction_moment"] = {0.114 *
+                                                 (1.0 + 1.0 / points / points)};
+    coarse.push_back(run);
+  }
+  Forecast forecast;
+
+  add_runs(forecast, coarse, std::vector<std::string>{any_area});
+
+  EXPECT_NEAR(forecast.error("area_fraction_moment", 4096, 1.0), 0.14, 0.015);
+  EXPECT_EQ(forecast.error(any_area, 4096, 1.0),
+            forecast.error("area_fraction_corrected", 4096, 1.0));
+}
+
+} // namespace
+} // namespace asperity::app

@@ -1,0 +1,83 @@
+// Claims about robustness/axes.hpp and robustness/matrix.hpp: every label is a
+// bin of its axis, a filter takes what it names, and counts add up.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "robustness/axes.hpp"
+#include "robustness/matrix.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+TEST(Axes, HoldEveryLabelOfEveryScene) {
+  for (int index = 0; index < 2000; ++index) {
+    const std::vector<std::string> labels = labels_of(draw_scene(2, index));
+    ASSERT_EQ(labels.size(), axes().size());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const auto& known = axes()[i].labels;
+      EXPECT_TRUE(labels[i].empty() || std::find(known.begin(), known.end(),
+                                                 labels[i]) != known.end())
+          << axes()[i].name << "=" << labels[i];
+    }
+  }
+}
+
+TEST(Axes, FilterTakesWhatItNames) {
+  const SceneFilter slabs("slab");
+  const SceneFilter stiff("penalty=1e+06..1e+09");
+  int n_slabs = 0;
+  for (int index = 0; index < 500; ++index) {
+    const Scene scene = draw_scene(2, index);
+    EXPECT_TRUE(SceneFilter().takes(scene));
+    EXPECT_EQ(slabs.takes(scene), scene.family == Family::slab);
+    n_slabs += slabs.takes(scene);
+    if (stiff.takes(scene)) {
+      EXPECT_GE(scene.penalty, 1e6);
+      EXPECT_LT(scene.penalty, 1e9);
+    }
+  }
+  EXPECT_GT(n_slabs, 0);
+}
+
+TEST(Axes, FilterSaysWhatThereIs) {
+  try {
+    SceneFilter("law=soft");
+    FAIL();
+  } catch (const std::domain_error& error) {
+    EXPECT_STREQ(error.what(), "only = law=soft, but must be one of: "
+                               "law=penalty, law=hard, law=augmented");
+  }
+  EXPECT_THROW(SceneFilter("colour=red"), std::domain_error);
+}
+
+TEST(Matrix, CountsEverySceneInEachOfItsBins) {
+  Matrix matrix;
+  for (int index = 0; index < 300; ++index) {
+    SceneResult result{draw_scene(2, index), {}};
+    result.report.index = index;
+    result.report.iterations = index;
+    result.report.outcome =
+        index % 100 == 7 ? Outcome::crashed : Outcome::verified;
+    matrix.add(result);
+  }
+
+  EXPECT_EQ(matrix.total().all(), 300);
+  EXPECT_EQ(matrix.total().others(), 3);
+  ASSERT_EQ(matrix.others().size(), 3u);
+  EXPECT_EQ(matrix.others()[1].report.index, 107);
+  int in_families = 0;
+  for (const std::string& family : axes().front().labels)
+    in_families += matrix.of("family", family).all();
+  EXPECT_EQ(in_families, 300);
+  EXPECT_EQ(matrix.of("family", "slab", "law", "hard").all(),
+            matrix.of("law", "hard", "family", "slab").all());
+  EXPECT_LT(matrix.of("family", "slab", "law", "hard").all(),
+            matrix.of("family", "slab").all());
+  ASSERT_EQ(matrix.slowest().size(), 10u);
+  EXPECT_EQ(matrix.slowest().front().report.iterations, 299);
+}
+
+} // namespace
+} // namespace asperity::robustness

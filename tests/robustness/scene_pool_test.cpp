@@ -1,0 +1,109 @@
+// Claims about robustness/scene_pool.hpp and the line a report travels in:
+// every scene is reported once, whatever the processes do.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "robustness/scene_pool.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+std::vector<Scene> scenes(int count) {
+  std::vector<Scene> all(static_cast<std::size_t>(count));
+  for (int index = 0; index < count; ++index)
+    all[static_cast<std::size_t>(index)].index = index;
+  return all;
+}
+
+std::map<int, SceneReport> run(int count, const PoolSettings& settings,
+                               const RunOne& run_one) {
+  std::map<int, SceneReport> reports;
+  run_scenes(
+      scenes(count), settings,
+      [&](const SceneReport& report) {
+        EXPECT_TRUE(reports.emplace(report.index, report).second);
+      },
+      run_one);
+  return reports;
+}
+
+SceneReport sound(const Scene& scene) {
+  SceneReport report;
+  report.index = scene.index;
+  report.iterations = 10 * scene.index;
+  return report;
+}
+
+TEST(ScenePool, ReportsEverySceneOnceFromAnyNumberOfProcesses) {
+  for (const int processes : {1, 3, 50}) {
+    const auto reports = run(20, {processes, 60.0}, sound);
+
+    ASSERT_EQ(reports.size(), 20u);
+    for (const auto& [index, report] : reports)
+      EXPECT_EQ(report.iterations, 10 * index);
+  }
+  EXPECT_TRUE(run(0, {2, 60.0}, sound).empty());
+}
+
+TEST(ScenePool, OutlivesCrashes) {
+  const auto reports = run(12, {2, 60.0}, [](const Scene& scene) {
+    if (scene.index == 0 || scene.index == 7)
+      std::abort();
+    if (scene.index == 11)
+      std::_Exit(5);
+    return sound(scene);
+  });
+
+  ASSERT_EQ(reports.size(), 12u);
+  for (const auto& [index, report] : reports) {
+    const bool is_killed = index == 0 || index == 7 || index == 11;
+    EXPECT_EQ(report.outcome == Outcome::crashed, is_killed) << index;
+  }
+  EXPECT_EQ(reports.at(7).reason, "signal 6 (Aborted)");
+  EXPECT_EQ(reports.at(11).reason, "exit code 5");
+}
+
+TEST(ScenePool, StopsASceneWithoutEnd) {
+  const auto reports = run(6, {2, 0.2}, [](const Scene& scene) {
+    for (volatile bool is_running = scene.index == 3; is_running;) {
+    }
+    return sound(scene);
+  });
+
+  ASSERT_EQ(reports.size(), 6u);
+  EXPECT_EQ(reports.at(3).outcome, Outcome::timed_out);
+  EXPECT_EQ(reports.at(5).outcome, Outcome::verified);
+}
+
+TEST(ScenePool, RefusesNoTime) {
+  EXPECT_THROW(run(1, {1, 0.0}, sound), std::domain_error);
+}
+
+TEST(SceneReport, ComesOutOfItsLineAsItWentIn) {
+  SceneReport report;
+  report.index = 12;
+  report.outcome = Outcome::check_failed;
+  report.check = "energy";
+  report.reason = "\"quoted\", 3 < 4\nand a second line";
+  report.iterations = 7;
+  report.area = 0.1;
+  report.reduced_gap = -1.0 / 3.0;
+  report.has_twin = true;
+  report.twin_difference = 1e-17;
+
+  const std::string line = to_line(report);
+  const SceneReport read = from_line(line);
+
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  EXPECT_EQ(to_line(read), line);
+  EXPECT_EQ(read.reason, report.reason);
+  EXPECT_EQ(read.reduced_gap, report.reduced_gap);
+  EXPECT_FALSE(is_good(read.outcome));
+}
+
+} // namespace
+} // namespace asperity::robustness

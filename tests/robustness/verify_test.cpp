@@ -1,0 +1,190 @@
+// Claims about robustness/verify.hpp: a true answer passes, and each check
+// fails by its own name on an answer with that one thing broken.
+#include "contact/operators/halfspace.hpp"
+#include "contact/solvers/load_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "robustness/verify.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+using contact::ContactSolution;
+using contact::LoadTarget;
+
+constexpr double load = 0.02; // [Pa], E* = 1 Pa
+
+class Verify : public ::testing::Test {
+protected:
+  Verify() {
+    for (std::size_t i = 0; i < heights_.size(); ++i) {
+      const double x = static_cast<double>(i % 32) / 32.0;
+      const double y = static_cast<double>(i / 32) / 32.0;
+      heights_[i] = 0.01 * std::cos(2.0 * std::numbers::pi * x) *
+                    std::cos(2.0 * std::numbers::pi * y);
+    }
+    asked_.heights = heights_;
+    asked_.gap_tolerance = 1e-10;
+    asked_.long_wave_compliance = 1.0 / std::numbers::pi;
+    asked_.short_wave_compliance = asked_.long_wave_compliance / 16.0;
+    answer_ = solved(load);
+  }
+
+  contact::FourierOperator half_space() const {
+    return contact::halfspace_operator(
+        grid_, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+  }
+
+  ContactSolution solved(double pressure) const {
+    contact::FourierOperator elasticity = half_space();
+    return contact::solve_contact(
+        elasticity, {heights_, 0.0, asked_.gap_tolerance, 500},
+        {LoadTarget::Kind::nominal_pressure, pressure});
+  }
+
+  /// The name of the first check that fails on the answer as it is now.
+  std::string failing_check() const {
+    contact::FourierOperator elasticity = half_space();
+    const auto failure =
+        verify_step(asked_, {LoadTarget::Kind::nominal_pressure, load}, answer_,
+                    [&](auto pressure, auto displacement) {
+                      elasticity.displacement(pressure, displacement);
+                    });
+    return failure ? failure->check : "";
+  }
+
+  /// A node in contact, and one far from it.
+  std::size_t touching() const { return 0; }
+
+  std::size_t apart() const { return 16; }
+
+  Grid grid_{32, 32, 1.0, 1.0};
+  std::vector<double> heights_ = std::vector<double>(grid_.size());
+  AskedContact asked_;
+  ContactSolution answer_;
+};
+
+TEST_F(Verify, PassesATrueAnswer) {
+  ASSERT_TRUE(answer_.converged);
+  ASSERT_GT(answer_.pressure[touching()], 0.0);
+  ASSERT_EQ(answer_.pressure[apart()], 0.0);
+  EXPECT_EQ(failing_check(), "");
+  EXPECT_FALSE(verify_pair(summary_of(asked_, answer_),
+                           summary_of(asked_, solved(1.01 * load))));
+  EXPECT_FALSE(verify_same(summary_of(asked_, answer_),
+                           summary_of(asked_, solved(load))));
+}
+
+TEST_F(Verify, SeesWhatIsNotANumber) {
+  answer_.gap[apart()] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(failing_check(), "finite");
+}
+
+TEST_F(Verify, SeesATensilePressure) {
+  answer_.pressure[apart()] = -1e-12;
+  EXPECT_EQ(failing_check(), "pressure sign");
+}
+
+TEST_F(Verify, SeesAPressureOnWhatIsKeptApart) {
+  contact::FourierOperator elasticity = half_space();
+  const double above_the_crest = 0.0101;
+  const auto failure =
+      verify_step(asked_, {LoadTarget::Kind::mean_gap, above_the_crest},
+                  answer_, [&](auto pressure, auto displacement) {
+                    elasticity.displacement(pressure, displacement);
+                  });
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->check, "apart");
+}
+
+TEST_F(Verify, SeesALoadThatIsNotBorne) {
+  for (double& pressure : answer_.pressure)
+    pressure *= 1.0 + 1e-9;
+  EXPECT_EQ(failing_check(), "balance");
+}
+
+TEST_F(Verify, SeesAMeanGapThatIsNotTheAskedOne) {
+  contact::FourierOperator elasticity = half_space();
+  const auto failure =
+      verify_step(asked_, {LoadTarget::Kind::mean_gap, answer_.mean_gap + 1e-8},
+                  answer_, [&](auto pressure, auto displacement) {
+                    elasticity.displacement(pressure, displacement);
+                  });
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->check, "balance");
+}
+
+TEST_F(Verify, SeesAGapThatDoesNotBelongToThePressure) {
+  answer_.gap[apart()] += 1e-8;
+  EXPECT_EQ(failing_check(), "gap field");
+}
+
+// The whole answer is pushed into the surface, mean gap and all.
+TEST_F(Verify, SeesAnOverlap) {
+  for (double& gap : answer_.gap)
+    gap -= 1e-8;
+  answer_.mean_gap -= 1e-8;
+  EXPECT_EQ(failing_check(), "overlap");
+}
+
+TEST_F(Verify, SeesPressureAcrossAGap) {
+  for (double& gap : answer_.gap)
+    gap += 1e-8;
+  answer_.mean_gap += 1e-8;
+  EXPECT_EQ(failing_check(), "complementarity");
+}
+
+class VerifyPair : public Verify {
+protected:
+  std::string failing_pair() const {
+    const auto failure = verify_pair(less_, more_);
+    const auto reversed = verify_pair(more_, less_);
+    EXPECT_EQ(failure.has_value(), reversed.has_value());
+    return failure ? failure->check : "";
+  }
+
+  StepSummary less_ = summary_of(asked_, answer_);
+  StepSummary more_ = summary_of(asked_, solved(1.01 * load));
+};
+
+TEST_F(VerifyPair, SeesAGapThatOpensUnderLoad) {
+  more_.mean_gap = less_.mean_gap + 1e-8;
+  EXPECT_EQ(failing_pair(), "monotone gap");
+}
+
+TEST_F(VerifyPair, SeesAnAreaThatShrinksUnderLoad) {
+  more_.area = less_.area - 3.0 / 1024.0;
+  EXPECT_EQ(failing_pair(), "monotone area");
+}
+
+// A hundredth of what the energy gains by p du is outside its bounds, whose
+// slopes are a hundredth apart.
+TEST_F(VerifyPair, SeesEnergyThatNoLoadPutIn) {
+  const double gained = more_.energy - less_.energy;
+  more_.energy += 0.011 * gained;
+  EXPECT_EQ(failing_pair(), "energy");
+  more_.energy -= 0.022 * gained;
+  EXPECT_EQ(failing_pair(), "energy");
+}
+
+TEST_F(VerifyPair, SeesAnotherAnswerInOtherUnits) {
+  StepSummary scaled = less_;
+  scaled.mean_gap *= 1e3;
+  scaled.tolerance *= 1e3;
+  scaled.energy *= 1e3 * 1e6;
+  scaled.nominal_pressure *= 1e6;
+  EXPECT_FALSE(verify_same(less_, scaled, 1e3, 1e6));
+  scaled.mean_gap += 1e3 * 1e-8;
+  EXPECT_TRUE(verify_same(less_, scaled, 1e3, 1e6));
+  scaled.mean_gap -= 1e3 * 1e-8;
+  scaled.energy *= 1.0001;
+  EXPECT_TRUE(verify_same(less_, scaled, 1e3, 1e6));
+}
+
+} // namespace
+} // namespace asperity::robustness
