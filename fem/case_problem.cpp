@@ -1,7 +1,7 @@
 #include "fem/case_problem.hpp"
 
 #include "base/require.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"

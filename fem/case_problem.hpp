@@ -3,7 +3,7 @@
 // From what a case says of its whole block to the problem that is solved: which
 // mesh, made of what, held how.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "fem/block/block_problem.hpp"
 
 #include <optional>

@@ -3,7 +3,7 @@
 // The finite elements as the rest of the program sees them: loaded at run
 // time, so that only commands that compute with them pay deal.II's start.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/case_problem.hpp"

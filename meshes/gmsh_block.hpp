@@ -2,7 +2,7 @@
 
 // Blocks meshed by gmsh from a few numbers: what they are, how fine and where.
 
-#include "cases/block_spec.hpp"
+#include "cases/types/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <vector>

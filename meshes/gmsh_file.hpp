@@ -3,7 +3,7 @@
 // A user's file read or meshed by gmsh in this very process: what asperity_mesh
 // does for mesh_file.hpp.
 
-#include "cases/block_spec.hpp"
+#include "cases/types/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <string>

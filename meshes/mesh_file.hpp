@@ -2,7 +2,7 @@
 
 // A mesh from a user's own file.
 
-#include "cases/block_spec.hpp"
+#include "cases/types/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 // The gate between a mesh and the solve: what is wrong with it, by name.
 
-#include "cases/block_spec.hpp"
+#include "cases/types/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
 namespace asperity::meshes {

@@ -1,7 +1,7 @@
 #include "results/csv.hpp"
 
 #include "base/atomic_file.hpp"
-#include "results/curve_columns.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
 

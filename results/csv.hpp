@@ -2,7 +2,7 @@
 
 // curves.csv: every step of every curve as one table for other programs.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <filesystem>
 #include <string>

@@ -3,7 +3,7 @@
 #include "base/fourier.hpp"
 #include "base/peak_memory.hpp"
 #include "results/build_info.hpp"
-#include "results/hdf5_file.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <boost/version.hpp>
 #include <fmt/chrono.h>

@@ -3,7 +3,7 @@
 // What made a result: program, compiler, libraries, machine, cost. Owns the
 // names of these facts in the file.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <chrono>
 #include <string>

@@ -3,7 +3,7 @@
 // Reads a result file, ours or a foreign one of the same layout
 // (docs/results.md), into a Result.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <filesystem>
 #include <map>

@@ -2,14 +2,14 @@
 
 #include "base/cpu_clock.hpp"
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
-#include "results/curve_storage.hpp"
-#include "results/hdf5_file.hpp"
-#include "results/map_size.hpp"
-#include "results/map_storage.hpp"
-#include "results/result_layout.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/same_case.hpp"
-#include "results/table_storage.hpp"
+#include "results/storage/curve_storage.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "results/storage/map_storage.hpp"
+#include "results/storage/result_layout.hpp"
+#include "results/storage/table_storage.hpp"
+#include "results/types/map_size.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // Writes DIR/result.h5 step by step, so that a kill at any moment loses at
 // most the step in progress and leaves a file that opens.
 
-#include "results/result.hpp"
-#include "results/result_file.hpp"
 #include "results/result_reader.hpp"
+#include "results/storage/result_file.hpp"
+#include "results/types/result.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,8 +1,8 @@
 #include "results/same_case.hpp"
 
-#include "cases/case_error.hpp"
-#include "results/result_layout.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/result_layout.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

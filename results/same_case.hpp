@@ -2,7 +2,7 @@
 
 // Inside results/ only: may a run go on with this result?
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 namespace asperity::results {
 

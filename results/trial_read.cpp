@@ -1,7 +1,7 @@
 #include "results/trial_read.hpp"
 
 #include "base/child_process.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "results/validity.hpp"
 
-#include "cases/case_error.hpp"
-#include "results/curve_columns.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 // What a result's numbers can be. Owns the refusal of those that no solution
 // has, whoever wrote the file.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 namespace asperity::results {
 

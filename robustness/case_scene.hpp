@@ -3,7 +3,7 @@
 // The scene that a case's own settings make: what `asperity robustness CASE`
 // perturbs.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include "robustness/scene.hpp"
 

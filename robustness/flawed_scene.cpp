@@ -1,5 +1,5 @@
 #include "base/special_numbers.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "surfaces/formats/map_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "robustness/run_scene.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <ctime>
 #include <exception>

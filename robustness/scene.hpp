@@ -3,7 +3,7 @@
 // One scene of the stability matrix: everything that defines it, drawn from a
 // seed and an index and from nothing else.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "theory/persson.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,8 @@
 namespace asperity::robustness {
 namespace {
 
-/// What theory/persson.hpp promises of an integral, and a margin of a hundred.
+/// What theory/persson/persson.hpp promises of an integral, and a margin of a
+/// hundred.
 constexpr double relative_accuracy = 1e-12;
 
 /// Below, u has lost digits to underflow in full contact.

@@ -1,7 +1,7 @@
 #include "robustness/verify.hpp"
 
 #include "base/field_sums.hpp"
-#include "results/observables.hpp"
+#include "results/observables/observables.hpp"
 
 #include <fmt/format.h>
 

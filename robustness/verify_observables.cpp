@@ -1,9 +1,9 @@
 #include "robustness/verify_observables.hpp"
 
 #include "base/special_numbers.hpp"
-#include "results/area_estimate.hpp"
-#include "results/observables.hpp"
-#include "results/pressure_fit.hpp"
+#include "results/observables/area_estimate.hpp"
+#include "results/observables/observables.hpp"
+#include "results/observables/pressure_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include "base/grid.hpp"
 #include "contact/solvers/solver.hpp"
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include "robustness/verify.hpp"
 

@@ -1,7 +1,7 @@
 #include "surfaces/build.hpp"
 
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/exact_shapes.hpp"

@@ -3,7 +3,7 @@
 // From what a case says of its surface to the heights. Owns which builder
 // stands behind which kind.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 

@@ -1,6 +1,6 @@
 #include "surfaces/measured_map.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/levelling.hpp"

@@ -3,7 +3,7 @@
 // A measured map between its file and the surface that is pressed. Owns its
 // refusal where nothing is left of it, and what [surface] edges does to it.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {

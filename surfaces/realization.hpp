@@ -3,7 +3,7 @@
 // A random surface with a given spectrum. Owns the map from (spectrum, key) to
 // heights, which does not know how fine the grid is.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 #include "surfaces/maps/random_modes.hpp"

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Refuse an include that points against the direction of the tree.
+"""Refuse an include that points against the direction of the tree, and a folder
+with too many sources.
 
 Prints every offending line and exits 1. Proves on itself first that it can fail.
 """
 import re
 import sys
+from collections import Counter
 from pathlib import Path
 
 # Which other modules a module may include; a path allows these files alone.
@@ -30,11 +32,14 @@ MAY_INCLUDE = {
 # The sub-folders of a module, lowest first; "." is the module's own folder. A
 # file may include its own sub-folder and those before it, so no cycle can arise.
 ORDER = {
+    "cases": ["text", "types", "reader"],
+    "theory": ["persson", "exact"],
+    "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers"],
     "surfaces": ["maps", "formats", "."],
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
-    "reports": [".", "analysis", "figures", "pages"],
+    "reports": [".", "numbers", "analysis", "figures", "pages"],
     "app": ["cache", "methods", "plan", "run", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }
@@ -42,6 +47,9 @@ ORDER = {
 # app/cli stands above bench, which stands above the rest of app.
 EXTRA = {("app", "cli"): {"bench", "robustness"}}
 HIDDEN = {"bench": {("app", "cli")}}
+
+# More than this in one folder, and a reader cannot see what it is about.
+MOST_SOURCES = 40
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:[a-z_]+/)+[a-z_0-9]+\.[a-z]+)"')
 
@@ -73,6 +81,20 @@ def offences(source, lines):
             yield number, line.strip()
 
 
+def folders(root):
+    """How many sources each folder of a module holds."""
+    paths = [path for module in MAY_INCLUDE for path in (root / module).rglob("*.[ch]pp")]
+    return Counter(str(path.parent.relative_to(root)) for path in paths)
+
+
+def table():
+    """The rows of the table in docs/architecture.md."""
+    for module in MAY_INCLUDE:
+        names = ", ".join(f"`{name}`" for name in sorted(MAY_INCLUDE[module])) or "nothing"
+        folders_in_order = ", ".join(f"`{name}`" for name in ORDER.get(module, []) if name != ".")
+        yield f"| `{module}` | {folders_in_order or '–'} | {names} |"
+
+
 def main(root):
     assert list(offences("fem/block/a.hpp", ['#include "md/lattice/crystal.hpp"'])), "cannot fail"
     assert list(offences("app/run/a.hpp", ['#include "fem/block/full_block.hpp"'])), "cannot fail"
@@ -81,7 +103,16 @@ def main(root):
     assert not list(offences("app/cli/a.cpp", ['#include "bench/runs/bench.hpp"'])), "cannot pass"
     assert not list(offences("fem/block/a.hpp", ['#include "meshes/box.hpp"'])), "cannot pass"
     found = 0
-    for module, order in MAY_INCLUDE.items():
+    for folder, sources in sorted(folders(root).items()):
+        if sources > MOST_SOURCES:
+            print(f"{folder} holds {sources} source files; at most {MOST_SOURCES}")
+            found += 1
+    page = (root / "docs/architecture.md").read_text()
+    for row in table():
+        if row not in page:
+            print(f"docs/architecture.md lacks this row: {row}")
+            found += 1
+    for module in MAY_INCLUDE:
         for path in sorted((root / module).rglob("*.[ch]pp")):
             source = str(path.relative_to(root))
             if module in ORDER and split(source)[1] not in ORDER[module]:

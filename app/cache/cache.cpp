@@ -2,7 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <fmt/format.h>
 

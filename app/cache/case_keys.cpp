@@ -1,10 +1,10 @@
 #include "app/cache/case_keys.hpp"
 
 #include "base/content_hash.hpp"
-#include "cases/case_text.hpp"
-#include "cases/input_file.hpp"
-#include "cases/toml_text.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/vocabulary.hpp"
+#include "cases/text/input_file.hpp"
+#include "cases/text/toml_text.hpp"
 #include "md/engines.hpp"
 #include "results/provenance.hpp"
 

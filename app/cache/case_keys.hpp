@@ -3,8 +3,8 @@
 // Under which key the cache keeps what a case computes. Owns the list of what
 // decides a number.
 
-#include "cases/case.hpp"
-#include "cases/node.hpp"
+#include "cases/text/node.hpp"
+#include "cases/types/case.hpp"
 
 #include <cstddef>
 #include <map>

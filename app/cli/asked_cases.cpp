@@ -1,8 +1,8 @@
 #include "app/cli/asked_cases.hpp"
 
-#include "cases/node.hpp"
-#include "cases/read_case.hpp"
-#include "cases/toml_text.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/node.hpp"
+#include "cases/text/toml_text.hpp"
 #include "reports/pages/paper_report.hpp"
 
 #include <fmt/format.h>

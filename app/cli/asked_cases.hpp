@@ -4,7 +4,7 @@
 // beside their files before anything runs.
 
 #include "app/run/case_library.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@
 #include "app/run/run_case.hpp"
 #include "base/atomic_file.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/pages/paper_report.hpp"
 #include "reports/pages/report.hpp"

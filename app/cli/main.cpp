@@ -4,7 +4,7 @@
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
 #include "base/freed_memory.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

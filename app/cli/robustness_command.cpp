@@ -2,7 +2,7 @@
 
 #include "app/run/case_library.hpp"
 #include "base/atomic_file.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "app/cli/commands.hpp"
 #include "app/run/case_library.hpp"
 #include "base/atomic_file.hpp"
-#include "cases/case_error.hpp"
-#include "cases/case_schema.hpp"
-#include "cases/documents.hpp"
+#include "cases/reader/case_schema.hpp"
+#include "cases/reader/documents.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <fmt/format.h>
 

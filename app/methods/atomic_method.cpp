@@ -1,7 +1,7 @@
 #include "app/methods/atomic_method.hpp"
 
 #include "app/methods/curve_row.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/engines.hpp"
 #include "surfaces/build.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/methods/chosen.hpp"
 
-#include "cases/case_error.hpp"
-#include "cases/nearest.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/nearest.hpp"
 
 #include <algorithm>
 

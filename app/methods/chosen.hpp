@@ -3,7 +3,7 @@
 // What of a case a run is asked for: which methods, on how many realisations,
 // with which maps.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <cstddef>
 #include <optional>

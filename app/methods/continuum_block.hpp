@@ -3,7 +3,7 @@
 // The block of a method as a continuum: half-space, slab, and the layers of the
 // case on it.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "contact/operators/halfspace.hpp"
 
 namespace asperity::app {

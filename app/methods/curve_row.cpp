@@ -1,9 +1,9 @@
 #include "app/methods/curve_row.hpp"
 
 #include "base/field_sums.hpp"
-#include "results/observables.hpp"
-#include "results/pressure_fit.hpp"
-#include "results/row_observer.hpp"
+#include "results/observables/observables.hpp"
+#include "results/observables/pressure_fit.hpp"
+#include "results/observables/row_observer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "contact/solvers/solver.hpp"
-#include "results/area_estimate.hpp"
-#include "results/row_observer.hpp"
+#include "results/observables/area_estimate.hpp"
+#include "results/observables/row_observer.hpp"
 
 #include <span>
 

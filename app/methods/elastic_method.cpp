@@ -5,7 +5,7 @@
 #include "app/methods/kept_face.hpp"
 #include "app/methods/timed_operator.hpp"
 #include "base/cpu_clock.hpp"
-#include "results/area_estimate.hpp"
+#include "results/observables/area_estimate.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include "app/methods/surfaces_of_case.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "fem/plugin.hpp"
-#include "results/area_estimate.hpp"
+#include "results/observables/area_estimate.hpp"
 
 #include <map>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "app/methods/kept_step.hpp"
 
-#include "results/curve_columns.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/theory_method.hpp"
 #include "app/methods/whole_block_method.hpp"
-#include "cases/locking.hpp"
+#include "cases/reader/locking.hpp"
 
 namespace asperity::app {
 

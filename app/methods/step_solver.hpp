@@ -3,8 +3,8 @@
 // What the run asks of any method that answers a load step with maps: a row of
 // the curve, the maps behind it, and what the method is in words.
 
-#include "cases/case.hpp"
-#include "results/result.hpp"
+#include "cases/types/case.hpp"
+#include "results/types/result.hpp"
 
 #include <optional>
 #include <span>

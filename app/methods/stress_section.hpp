@@ -5,7 +5,7 @@
 
 #include "contact/operators/stress_inside.hpp"
 #include "fem/plugin.hpp"
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "app/methods/surfaces_of_case.hpp"
 
 #include "app/methods/chosen.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"

@@ -3,9 +3,9 @@
 // The surfaces a case needs, built once: heights, statistics, spectrum, and
 // what the theory is given of them. Owns the decision not to build any.
 
-#include "cases/case.hpp"
-#include "results/result.hpp"
-#include "theory/height_spectrum.hpp"
+#include "cases/types/case.hpp"
+#include "results/types/result.hpp"
+#include "theory/persson/height_spectrum.hpp"
 
 #include <map>
 #include <optional>

@@ -2,8 +2,8 @@
 
 #include "base/cpu_clock.hpp"
 #include "base/special_numbers.hpp"
-#include "results/row_observer.hpp"
-#include "theory/persson.hpp"
+#include "results/observables/row_observer.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
 

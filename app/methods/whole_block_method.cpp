@@ -6,7 +6,7 @@
 #include "app/methods/elastic_method.hpp"
 #include "app/methods/stress_section.hpp"
 #include "fem/plugin.hpp"
-#include "results/area_estimate.hpp"
+#include "results/observables/area_estimate.hpp"
 
 #include <optional>
 #include <set>

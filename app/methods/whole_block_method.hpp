@@ -5,7 +5,7 @@
 
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <filesystem>
 #include <memory>

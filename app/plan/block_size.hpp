@@ -4,7 +4,7 @@
 // mesh is structured, from its sizes where gmsh makes it.
 
 #include "base/grid.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 namespace asperity::app {
 

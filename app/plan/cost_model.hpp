@@ -4,7 +4,7 @@
 // this machine.
 
 #include "app/plan/machine_rates.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 namespace asperity::app {
 

@@ -1,7 +1,7 @@
 #include "app/plan/memory_check.hpp"
 
 #include "base/available_memory.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "app/methods/surfaces_of_case.hpp"
 #include "app/methods/worker_pool.hpp"
 #include "app/plan/block_cost.hpp"
-#include "cases/locking.hpp"
+#include "cases/reader/locking.hpp"
 #include "fem/plugin.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // are really not computed.
 
 #include "app/plan/cost_model.hpp"
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <string>
 #include <vector>

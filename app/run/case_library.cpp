@@ -1,10 +1,10 @@
 #include "app/run/case_library.hpp"
 
-#include "cases/case_error.hpp"
-#include "cases/input_file.hpp"
-#include "cases/nearest.hpp"
-#include "cases/read_case.hpp"
-#include "cases/reference.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
+#include "cases/text/nearest.hpp"
+#include "cases/types/reference.hpp"
 
 #include <algorithm>
 #include <set>

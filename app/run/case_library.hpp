@@ -3,7 +3,7 @@
 // Where cases are: files, folders, and the names of those shipped with the
 // program, alone or in collections.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/run/last_run.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 

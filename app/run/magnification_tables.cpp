@@ -1,7 +1,7 @@
 #include "app/run/study_tables.hpp"
 #include "base/special_numbers.hpp"
-#include "theory/gap_distribution.hpp"
-#include "theory/leakage.hpp"
+#include "theory/persson/gap_distribution.hpp"
+#include "theory/persson/leakage.hpp"
 
 #include <fmt/format.h>
 

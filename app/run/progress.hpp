@@ -3,7 +3,7 @@
 // What a user sees while steps are computed: a bar on a terminal, a line a
 // step in a pipe. Owns the clock of a run.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <chrono>
 #include <mutex>

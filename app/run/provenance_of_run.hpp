@@ -2,7 +2,7 @@
 
 // The provenance of one run: program and machine, and what this run was told.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "results/provenance.hpp"
 
 namespace asperity::app {

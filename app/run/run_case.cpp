@@ -10,8 +10,8 @@
 #include "app/run/provenance_of_run.hpp"
 #include "app/run/stress_tables.hpp"
 #include "app/run/studies.hpp"
-#include "cases/case_hash.hpp"
-#include "cases/locking.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cases/reader/locking.hpp"
 #include "md/engines.hpp"
 #include "results/provenance.hpp"
 

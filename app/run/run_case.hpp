@@ -5,7 +5,7 @@
 
 #include "app/cache/cache.hpp"
 #include "app/plan/run_options.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "results/result_writer.hpp"
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 // strongest point under each kept pressure map, and which has a section.
 
 #include "app/run/method_job.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "contact/operators/stress_inside.hpp"
 #include "results/result_writer.hpp"
 

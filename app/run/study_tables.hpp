@@ -3,10 +3,10 @@
 // What the theory's studies find, as tables of a result. Pure functions from
 // the theory to columns; which names they have is written in docs/results.md.
 
-#include "cases/studies.hpp"
-#include "results/result.hpp"
-#include "theory/adhesion.hpp"
-#include "theory/magnification.hpp"
+#include "cases/types/studies.hpp"
+#include "results/types/result.hpp"
+#include "theory/persson/adhesion.hpp"
+#include "theory/persson/magnification.hpp"
 
 #include <span>
 #include <string>

@@ -3,9 +3,9 @@
 // What a benchmark of one case is: settings, what each cost, what it answered,
 // and how far that is from the truth. Owns these terms and nothing that runs.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "reports/analysis/refinement.hpp"
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <map>
 #include <string>

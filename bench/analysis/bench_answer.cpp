@@ -1,10 +1,10 @@
 #include "bench/analysis/bench_answer.hpp"
 
 #include "base/field_sums.hpp"
-#include "cases/quantity_at_load.hpp"
+#include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/summary.hpp"
-#include "results/curve_columns.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

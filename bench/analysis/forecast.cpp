@@ -1,6 +1,6 @@
 #include "bench/analysis/forecast.hpp"
 
-#include "cases/quantity_at_load.hpp"
+#include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/summary.hpp"
 
 #include <algorithm>

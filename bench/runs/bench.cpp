@@ -4,8 +4,8 @@
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/case_hash.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>

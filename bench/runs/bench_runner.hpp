@@ -3,7 +3,7 @@
 // One setting of a benchmark from its overrides to what it cost and answered:
 // the program as a child process, some times over. Owns repeats and budget.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "bench/runs/target_error.hpp"
 
-#include "cases/vocabulary.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <fmt/format.h>
 

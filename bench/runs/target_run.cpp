@@ -1,7 +1,7 @@
 #include "bench/runs/target_run.hpp"
 
-#include "cases/case_hash.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 

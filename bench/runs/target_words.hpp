@@ -2,7 +2,7 @@
 
 // What came of asking for an error, for people and for the result's facts.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include "bench/analysis/bench.hpp"
 

@@ -1,9 +1,9 @@
 #include "bench/settings/case_values.hpp"
 
-#include "cases/case_text.hpp"
-#include "cases/toml_text.hpp"
-#include "cases/units.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/vocabulary.hpp"
+#include "cases/text/toml_text.hpp"
+#include "cases/types/units.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // What the keys of a case are set to, as the file has them: for what varies a
 // case without knowing what its keys mean.
 
-#include "cases/case.hpp"
-#include "cases/node.hpp"
+#include "cases/text/node.hpp"
+#include "cases/types/case.hpp"
 
 #include <optional>
 #include <string>

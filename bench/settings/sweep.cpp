@@ -1,6 +1,6 @@
 #include "bench/settings/sweep.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // Which settings of which methods a benchmark runs. Owns the table of axes;
 // every method whose vocabulary has an axis's key joins by itself.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "bench/settings/sweep_axes.hpp"
 
 #include "base/special_numbers.hpp"
-#include "cases/toml_text.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/vocabulary.hpp"
+#include "cases/text/toml_text.hpp"
 
 #include <fmt/format.h>
 

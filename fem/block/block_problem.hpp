@@ -4,7 +4,7 @@
 // it is held and how its contact and its linear systems are treated.
 
 #include "base/grid.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/moduli_field.hpp"
 #include "meshes/block_mesh.hpp"

@@ -1,7 +1,7 @@
 #include "fem/parallel/ranks.hpp"
 
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "fem/parallel/mpi_session.hpp"
 
 #include <fmt/format.h>

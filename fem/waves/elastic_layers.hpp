@@ -4,7 +4,7 @@
 // from the contact face up, and what holds the top.
 
 #include "base/grid.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <span>
 #include <vector>

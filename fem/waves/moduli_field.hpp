@@ -3,7 +3,7 @@
 // Elastic moduli as a function of the place in the block. Owns how what a case
 // says of its material becomes lambda and mu of a cell.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "fem/waves/elastic_layers.hpp"
 #include "meshes/block_mesh.hpp"
 

@@ -1,5 +1,5 @@
 #include "base/require.hpp"
-#include "cases/expression.hpp"
+#include "cases/text/expression.hpp"
 #include "fem/waves/moduli_field.hpp"
 
 #include <Random123/philox.h>

@@ -4,7 +4,7 @@
 // the quantities every method answers in.
 
 #include "base/grid.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "md/interface/interface.hpp"
 #include "md/minimise/relaxation.hpp"
 

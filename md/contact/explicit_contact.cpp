@@ -1,6 +1,6 @@
 #include "md/contact/explicit_contact.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/contact/dump.hpp"
 #include "md/contact/explicit_system.hpp"
 #include "md/contact/load_step_driver.hpp"

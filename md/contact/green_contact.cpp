@@ -1,7 +1,7 @@
 #include "md/contact/green_contact.hpp"
 
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/contact/dump.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/contact/load_step_driver.hpp"

@@ -1,7 +1,7 @@
 #include "md/lammps/lammps_block.hpp"
 
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/contact/request_parts.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // The input script of one load step: how LAMMPS holds the block, loads it and
 // seeks the balance of forces. Owns the names of the files they exchange.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "md/lammps/lammps_block.hpp"
 
 #include <string>

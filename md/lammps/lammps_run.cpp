@@ -1,7 +1,7 @@
 #include "md/lammps/lammps_run.hpp"
 
 #include "base/child_process.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/lammps/lammps_answer.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 // at once. Owns the symbol of the surface and its way between the two spaces.
 
 #include "base/fourier.hpp"
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "md/interface/interface.hpp"
 #include "md/lattice/crystal.hpp"
 #include "md/lattice/slab_symbol.hpp"

@@ -1,7 +1,7 @@
 #include "reports/analysis/area_scale.hpp"
 
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/rough.hpp"
+#include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
 

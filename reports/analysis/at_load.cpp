@@ -1,6 +1,6 @@
 #include "reports/analysis/at_load.hpp"
 
-#include "cases/quantity_at_load.hpp"
+#include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 

@@ -1,12 +1,12 @@
 #include "reports/analysis/claims.hpp"
 
-#include "cases/expectations.hpp"
+#include "cases/types/expectations.hpp"
 #include "reports/analysis/comparison.hpp"
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/analysis/tail_of_surface.hpp"
 #include "reports/analysis/two_faces.hpp"
-#include "theory/persson.hpp"
+#include "reports/numbers/determined.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "reports/analysis/comparison.hpp"
 
-#include "reports/analysis/fits.hpp"
+#include "reports/numbers/fits.hpp"
 
 // Boost 1.74's pchip.hpp calls isnan without std::, which <math.h> declares.
 // clang-format off

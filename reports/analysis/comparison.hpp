@@ -3,8 +3,8 @@
 // One curve held against another: a method against the theory that ran on the
 // same case, or against an exact solution. Owns what "deviation" means.
 
-#include "reports/analysis/estimate.hpp"
-#include "results/result.hpp"
+#include "reports/numbers/estimate.hpp"
+#include "results/types/result.hpp"
 
 #include <functional>
 #include <span>

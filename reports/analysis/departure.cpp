@@ -1,5 +1,5 @@
 #include "reports/analysis/comparison.hpp"
-#include "reports/analysis/fits.hpp"
+#include "reports/numbers/fits.hpp"
 
 #include <algorithm>
 #include <cmath>

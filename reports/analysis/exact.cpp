@@ -1,7 +1,7 @@
 #include "reports/analysis/exact.hpp"
 
-#include "reports/analysis/fits.hpp"
 #include "reports/analysis/stress_quantities.hpp"
+#include "reports/numbers/fits.hpp"
 
 #include <fmt/format.h>
 

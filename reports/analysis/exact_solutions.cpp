@@ -1,7 +1,7 @@
 #include "reports/analysis/exact.hpp"
-#include "theory/hertz.hpp"
-#include "theory/wave_2d.hpp"
-#include "theory/westergaard.hpp"
+#include "theory/exact/hertz.hpp"
+#include "theory/exact/wave_2d.hpp"
+#include "theory/exact/westergaard.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -3,8 +3,8 @@
 // A published number held against one of ours. Owns the words of that
 // judgement; it decides nothing else.
 
-#include "cases/reference.hpp"
-#include "reports/analysis/estimate.hpp"
+#include "cases/types/reference.hpp"
+#include "reports/numbers/estimate.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 // The tables of a study of magnifications, put together. Internal to figures.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,5 +1,5 @@
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
 

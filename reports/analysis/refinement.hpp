@@ -4,7 +4,7 @@
 // cost goes, the limit, and which settings are worth their price. Owns
 // Richardson's extrapolation; knows nothing of contact.
 
-#include "reports/analysis/estimate.hpp"
+#include "reports/numbers/estimate.hpp"
 
 #include <cstddef>
 #include <span>

@@ -2,8 +2,8 @@
 
 #include "reports/analysis/area_scale.hpp"
 #include "reports/analysis/comparison.hpp"
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/surface_theory.hpp"
+#include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
 

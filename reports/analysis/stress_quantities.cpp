@@ -1,6 +1,6 @@
 #include "reports/analysis/stress_quantities.hpp"
 
-#include "theory/hertz.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <boost/math/tools/minima.hpp>
 

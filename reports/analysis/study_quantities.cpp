@@ -1,7 +1,7 @@
 #include "reports/analysis/study_quantities.hpp"
 
-#include "cases/quantity_at_load.hpp"
-#include "theory/persson.hpp"
+#include "cases/types/quantity_at_load.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 // Everything the report, the check and summary.json say about one result, as
 // plain data. Owns the step from curves to numbers with names.
 
-#include "cases/case.hpp"
-#include "cases/reference.hpp"
-#include "reports/analysis/fits.hpp"
-#include "results/result.hpp"
+#include "cases/types/case.hpp"
+#include "cases/types/reference.hpp"
+#include "reports/numbers/fits.hpp"
+#include "results/types/result.hpp"
 
 #include <map>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
-#include "theory/persson.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <memory>
 #include <vector>

@@ -2,8 +2,8 @@
 
 // Persson's theory of the very surface a method ran on, for the fit of gamma.
 
-#include "cases/case.hpp"
-#include "reports/analysis/fits.hpp"
+#include "cases/types/case.hpp"
+#include "reports/numbers/fits.hpp"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "reports/analysis/tail_of_surface.hpp"
 
 #include "surfaces/build.hpp"
-#include "theory/asperity_models.hpp"
-#include "theory/highest_peak.hpp"
+#include "theory/exact/asperity_models.hpp"
+#include "theory/persson/highest_peak.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 

@@ -1,6 +1,6 @@
 #include "reports/analysis/two_faces.hpp"
 
-#include "reports/analysis/estimate.hpp"
+#include "reports/numbers/estimate.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
 

@@ -3,15 +3,15 @@
 // Two surfaces that are looked at and not pressed: the faces of one contact.
 // Owns what they are together.
 
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <optional>
 
 namespace asperity::reports {
 
 /// h_0 + h_1: what a flat block meets that stands for both faces, see
-/// theory/two_bodies.hpp. Of a result with two surfaces on one grid, both with
-/// their heights, and no method but theory; none of any other.
+/// theory/exact/two_bodies.hpp. Of a result with two surfaces on one grid, both
+/// with their heights, and no method but theory; none of any other.
 std::optional<results::SurfaceRecord>
 sum_of_two_faces(const results::Result& result);
 

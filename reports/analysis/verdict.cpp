@@ -1,6 +1,6 @@
 #include "reports/analysis/verdict.hpp"
 
-#include "reports/analysis/determined.hpp"
+#include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

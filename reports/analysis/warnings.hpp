@@ -3,9 +3,9 @@
 // Where the data do not meet the methods' assumptions. Owns the limits and the
 // words; the numbers are those of surfaces/assumptions.hpp.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "reports/analysis/summary.hpp"
-#include "results/result.hpp"
+#include "results/types/result.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "reports/analysis/area_scale.hpp"
-#include "reports/analysis/number_text.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/numbers/number_text.hpp"
 
 #include <fmt/format.h>
 

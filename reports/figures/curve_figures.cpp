@@ -1,6 +1,6 @@
-#include "reports/analysis/number_text.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/numbers/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
-#include "results/distributions.hpp"
-#include "results/pressure_fit.hpp"
-#include "theory/pressure_distribution.hpp"
+#include "results/observables/distributions.hpp"
+#include "results/observables/pressure_fit.hpp"
+#include "theory/persson/pressure_distribution.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "reports/analysis/magnified.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
-#include "results/distributions.hpp"
+#include "results/observables/distributions.hpp"
 
 #include <fmt/format.h>
 

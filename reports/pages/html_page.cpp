@@ -1,4 +1,4 @@
-#include "reports/analysis/determined.hpp"
+#include "reports/numbers/determined.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/report_template.hpp"

@@ -1,6 +1,6 @@
-#include "reports/analysis/number_text.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/theory_agreement.hpp"
 

@@ -1,8 +1,8 @@
 #include "reports/pages/paper_table.hpp"
 
 #include "reports/analysis/claims.hpp"
-#include "reports/analysis/number_text.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/numbers/number_text.hpp"
 
 #include <fmt/format.h>
 

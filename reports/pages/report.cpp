@@ -1,7 +1,7 @@
 #include "reports/pages/report.hpp"
 
 #include "base/atomic_file.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"

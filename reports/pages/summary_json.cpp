@@ -1,5 +1,5 @@
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/warnings.hpp"
+#include "reports/numbers/determined.hpp"
 #include "reports/pages/published_json.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "cases/expectations.hpp"
-#include "reports/analysis/number_text.hpp"
+#include "cases/types/expectations.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>

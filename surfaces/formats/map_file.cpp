@@ -2,7 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "base/require.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/number_table.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // Measured height maps in text files. Owns what Gwyddion and scripts write:
 // headers, length units and the orientation of a matrix.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <optional>

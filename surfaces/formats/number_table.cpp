@@ -1,8 +1,8 @@
 #include "surfaces/formats/number_table.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/case_error.hpp"
-#include "cases/input_file.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // How a map that is not periodic becomes so. Owns the window, the mirror and
 // the factor by which a window lessens the power.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {

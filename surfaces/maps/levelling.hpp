@@ -2,7 +2,7 @@
 
 // What an instrument adds to a map: tilt and bow. Owns their removal.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {

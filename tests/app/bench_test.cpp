@@ -1,6 +1,6 @@
 // Claims about `asperity bench` and --target-error as a user meets them, on a
 // wave of seconds that has an exact answer.
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Claims about how large a whole block is said to be, held against the block
 // itself.
 #include "app/plan/block_size.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "fem/plugin.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // and that what is read is what was computed.
 #include "app/cache/case_keys.hpp"
 #include "app/run/run_case.hpp"
-#include "cases/read_case.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <fmt/format.h>
 

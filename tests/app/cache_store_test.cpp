@@ -2,7 +2,7 @@
 // and the bound holds.
 #include "app/cache/cache.hpp"
 #include "base/content_hash.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <gtest/gtest.h>
 

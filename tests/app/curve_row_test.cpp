@@ -2,7 +2,7 @@
 // fields are, there is a row, and what it does not have is NaN with a reason in
 // its note.
 #include "app/methods/curve_row.hpp"
-#include "results/curve_columns.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <gtest/gtest.h>
 

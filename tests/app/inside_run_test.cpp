@@ -1,7 +1,7 @@
 // Claims about runs of whole blocks that are asked for the stress inside: the
 // result's tables hold the block's own, with and without a cache.
 #include "app/run/run_case.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Claims about cases/layered: its references are the two classical slopes of
 // the area at light load, with the modulus that its layers show to each wave.
 #include "app/methods/continuum_block.hpp"
-#include "cases/read_case.hpp"
-#include "cases/reference.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/types/reference.hpp"
 #include "contact/operators/layered_compliance.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "app/plan/block_size.hpp"
 #include "app/plan/plan.hpp"
 #include "app/run/run_case.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 #include "meshes/graded_layers.hpp"
 #include "results/result_reader.hpp"
 

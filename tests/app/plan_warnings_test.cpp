@@ -1,8 +1,8 @@
 // Claims about what a plan warns of and refuses before anything is computed.
 #include "app/methods/methods.hpp"
 #include "app/plan/plan.hpp"
-#include "cases/case_error.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 // Two results held against each other, bit by bit.
 
-#include "results/curve_columns.hpp"
 #include "results/result_reader.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // point, each row of its own map, and a section through it.
 #include "app/methods/stress_section.hpp"
 #include "app/run/stress_tables.hpp"
-#include "theory/hertz.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 

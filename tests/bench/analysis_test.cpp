@@ -1,6 +1,6 @@
 // Claims about the analysis of a benchmark, held against runs made by formula:
 // an error c h^p of a known limit, a cost c n^e.
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // Claim: whatever stands behind a key, the reader reads it or answers with a
 // CaseError that names a place; it never throws anything else.
-#include "cases/vocabulary.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
-// Claims about a case that stands on another (cases/base_case.hpp): its keys
-// win, its text stands alone, and a message names the file it is about.
-#include "cases/case_text.hpp"
-#include "cases/read_case.hpp"
+// Claims about a case that stands on another (cases/reader/base_case.hpp): its
+// keys win, its text stands alone, and a message names the file it is about.
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
 

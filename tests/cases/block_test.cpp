@@ -1,7 +1,8 @@
-// Claims about cases/block_spec.hpp: a block that is no homogeneous box, and
-// how it is meshed, as a case says it; and what is answered to what cannot be.
-#include "cases/read_case.hpp"
-#include "cases/toml_text.hpp"
+// Claims about cases/types/block_spec.hpp: a block that is no homogeneous box,
+// and how it is meshed, as a case says it; and what is answered to what cannot
+// be.
+#include "cases/reader/read_case.hpp"
+#include "cases/text/toml_text.hpp"
 
 #include <gtest/gtest.h>
 

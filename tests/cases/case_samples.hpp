@@ -3,7 +3,7 @@
 // Case texts that the tests of the reader begin with, and what is read of a
 // text that was spoilt.
 
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
 
 #include <string>
 #include <vector>

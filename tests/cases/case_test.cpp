@@ -1,5 +1,5 @@
-// Claims about cases/case.hpp: yardsticks and the one block of a pair.
-#include "cases/case.hpp"
+// Claims about cases/types/case.hpp: yardsticks and the one block of a pair.
+#include "cases/types/case.hpp"
 
 #include <gtest/gtest.h>
 

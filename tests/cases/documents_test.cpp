@@ -1,9 +1,9 @@
 // Claims about what is generated from the vocabulary: schema, template and
 // docs/case.md.
-#include "cases/case_schema.hpp"
-#include "cases/documents.hpp"
-#include "cases/read_case.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/case_schema.hpp"
+#include "cases/reader/documents.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

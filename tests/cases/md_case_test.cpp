@@ -1,7 +1,7 @@
 // Claims about [md] and about the magnification of a method: what is read, and
 // what a bad value is told.
 #include "base/physical_constants.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Claims about cases/quantity_at_load.hpp: the spelling, and that [expect] and
-// the schema take it.
-#include "cases/case_schema.hpp"
-#include "cases/quantity_at_load.hpp"
-#include "cases/read_case.hpp"
+// Claims about cases/types/quantity_at_load.hpp: the spelling, and that
+// [expect] and the schema take it.
+#include "cases/reader/case_schema.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/types/quantity_at_load.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-// Claims about cases/read_case.hpp: what a good case becomes.
-#include "cases/case_hash.hpp"
-#include "cases/read_case.hpp"
+// Claims about cases/reader/read_case.hpp: what a good case becomes.
+#include "cases/reader/case_hash.hpp"
+#include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
 

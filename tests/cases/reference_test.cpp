@@ -1,6 +1,6 @@
-// Claims about cases/reference.hpp.
-#include "cases/case_error.hpp"
-#include "cases/reference.hpp"
+// Claims about cases/types/reference.hpp.
+#include "cases/text/case_error.hpp"
+#include "cases/types/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Claims about the folders in cases/: each reads without a mistake, is
 // complete, and its exact references are what its own numbers give.
-#include "cases/read_case.hpp"
-#include "cases/reference.hpp"
-#include "cases/vocabulary.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/reader/vocabulary.hpp"
+#include "cases/types/reference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -252,16 +252,15 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
           block.find(key.name) == std::string::npos)
         beyond.insert(table.name + "." + key.name);
 
-  EXPECT_EQ(
-      beyond,
-      (std::set<std::string>{
-          ".base", "expect.band.above", "expect.band.below",
-          "expect.band.if_undecided", "halfspace.max_iterations",
-          "fem.max_iterations", "fem.mesh", "fem.sides", "fem.linear_solver",
-          "fem.contact_at", "fem.bodies", "material.layers", "report.fields",
-          "report.stress_inside", "report.vtu", "surface.amplitudes",
-          "surface.height_unit", "surface.press_windowed_map",
-          "surface.rescale"}));
+  EXPECT_EQ(beyond,
+            (std::set<std::string>{
+                ".base", "expect.band.above", "expect.band.below",
+                "expect.band.if_undecided", "halfspace.max_iterations",
+                "fem.max_iterations", "fem.mesh", "fem.sides",
+                "fem.linear_solver", "fem.contact_at", "fem.bodies",
+                "material.layers", "report.fields", "report.stress_inside",
+                "report.vtu", "surface.amplitudes", "surface.height_unit",
+                "surface.press_windowed_map", "surface.rescale"}));
 }
 
 } // namespace

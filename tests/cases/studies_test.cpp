@@ -1,7 +1,7 @@
 // Claims about [magnification] and [adhesion]: what is read, and what a bad
 // value is told.
-#include "cases/quantity_at_load.hpp"
-#include "cases/reference.hpp"
+#include "cases/types/quantity_at_load.hpp"
+#include "cases/types/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Claims about [surface]: what each kind asks for, and what it refuses.
-#include "cases/vocabulary.hpp"
+#include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
 

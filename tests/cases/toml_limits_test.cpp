@@ -1,10 +1,10 @@
-// Claims about cases/toml_limits.hpp: what would overflow the stack of the TOML
-// library, or keep it busy for minutes, is refused with its line before it is
-// parsed, and nothing a person writes is.
-#include "cases/case_text.hpp"
-#include "cases/read_case.hpp"
-#include "cases/toml_limits.hpp"
-#include "cases/toml_text.hpp"
+// Claims about cases/text/toml_limits.hpp: what would overflow the stack of the
+// TOML library, or keep it busy for minutes, is refused with its line before it
+// is parsed, and nothing a person writes is.
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/toml_limits.hpp"
+#include "cases/text/toml_text.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Claims about cases/toml_text.hpp and case_text.hpp: places, syntax errors,
-// and overrides laid over a file.
-#include "cases/case_text.hpp"
-#include "cases/toml_text.hpp"
+// Claims about cases/text/toml_text.hpp and case_text.hpp: places, syntax
+// errors, and overrides laid over a file.
+#include "cases/reader/case_text.hpp"
+#include "cases/text/toml_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about cases/units.hpp: exact conversion, and what a wrong unit is
-// told.
-#include "cases/units.hpp"
+// Claims about cases/types/units.hpp: exact conversion, and what a wrong unit
+// is told.
+#include "cases/types/units.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -2,7 +2,7 @@
 // the field is in balance, meets the far face, and stores the work done on the
 // face.
 #include "contact/operators/stress_inside.hpp"
-#include "theory/hertz_stress.hpp"
+#include "theory/exact/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
 

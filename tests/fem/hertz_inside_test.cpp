@@ -2,7 +2,7 @@
 // strongest point comes out of its cells, at the order that was measured.
 #include "contact/operators/stress_inside.hpp"
 #include "fem/block/full_block.hpp"
-#include "theory/hertz.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // The exact surface compliance of a homogeneous elastic layer of depth d under
 // a normal pressure cos(q x), no shear traction: the truth of the long waves.
 
-#include "cases/case.hpp"
+#include "cases/types/case.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-// Claims about cases/locking.hpp: from the ratios at which it warns, elements
-// are too stiff by more than the warning says, and below them by less.
-#include "cases/locking.hpp"
+// Claims about cases/reader/locking.hpp: from the ratios at which it warns,
+// elements are too stiff by more than the warning says, and below them by less.
+#include "cases/reader/locking.hpp"
 #include "contact/operators/layered_compliance.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/condensed_q2.hpp"

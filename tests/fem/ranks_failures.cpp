@@ -4,8 +4,8 @@
 //
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
-#include "cases/case_error.hpp"
-#include "cases/read_case.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
 #include "fem/led_blocks.hpp"
 #include "fem/parallel/ranks.hpp"
 

@@ -1,9 +1,9 @@
 // Any bytes as a case file: a case that reads itself back, or a CaseError.
-#include "cases/case_error.hpp"
-#include "cases/case_hash.hpp"
-#include "cases/read_case.hpp"
-#include "cases/toml_limits.hpp"
-#include "cases/toml_text.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/toml_limits.hpp"
+#include "cases/text/toml_text.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 // Any bytes as a height map of each format: finite heights on a grid, or a
 // CaseError.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 
 #include <algorithm>

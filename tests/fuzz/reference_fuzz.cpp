@@ -1,7 +1,7 @@
 // Any bytes as reference.csv: lines with a quantity and a source, or a
 // CaseError.
-#include "cases/case_error.hpp"
-#include "cases/reference.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/types/reference.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Any bytes as a result file: a result whose lists fit each other, or a
 // CaseError.
 #include "base/atomic_file.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Any bytes as a tabulated spectrum: one that can be evaluated, or a CaseError.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 
 #include "tests/fuzz/fuzz_target.hpp"

@@ -1,6 +1,6 @@
 // Claims about md/contact/explicit_contact.hpp: the load program of a rough
 // contact by each minimiser, and what is said about a step.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/contact/explicit_contact.hpp"
 #include "md/engines.hpp"
 #include "md/lattice/shown_modulus.hpp"

@@ -1,6 +1,6 @@
 // Claims about bulk green behind md/contact/atomic_contact.hpp: the curve has
 // no memory, load and energy belong together, and what went through is flagged.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/contact/green_contact.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/contact/request_parts.hpp"

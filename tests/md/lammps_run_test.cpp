@@ -2,7 +2,7 @@
 // for by its package, and how it ended is told in its own words. What needs the
 // program is skipped where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "md/lammps/lammps_run.hpp"
 
 #include <gtest/gtest.h>

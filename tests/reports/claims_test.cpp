@@ -4,8 +4,8 @@
 #include "reports/analysis/comparison.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "reports/pages/report.hpp"
-#include "theory/asperity_models.hpp"
-#include "theory/highest_peak.hpp"
+#include "theory/exact/asperity_models.hpp"
+#include "theory/persson/highest_peak.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about reports/analysis/determined.hpp: a fitted number without a
+// Claims about reports/numbers/determined.hpp: a fitted number without a
 // meaning or without a meaningful interval is shown nowhere, and the reason is.
-#include "reports/analysis/determined.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/numbers/determined.hpp"
 #include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>

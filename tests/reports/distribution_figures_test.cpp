@@ -2,7 +2,7 @@
 // those of the maps, on the grid they were made on.
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
-#include "theory/pressure_distribution.hpp"
+#include "theory/persson/pressure_distribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about reports/analysis/estimate.hpp: lines, their errors, and
+// Claims about reports/numbers/estimate.hpp: lines, their errors, and
 // intervals that cover what they promise.
-#include "reports/analysis/estimate.hpp"
+#include "reports/numbers/estimate.hpp"
 
 #include <gtest/gtest.h>
 

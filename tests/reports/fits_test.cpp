@@ -1,6 +1,6 @@
-// Claims about reports/analysis/fits.hpp: fits recover what synthetic curves
+// Claims about reports/numbers/fits.hpp: fits recover what synthetic curves
 // were made with, and the windows leave out what is not exponential.
-#include "reports/analysis/fits.hpp"
+#include "reports/numbers/fits.hpp"
 
 #include <gtest/gtest.h>
 

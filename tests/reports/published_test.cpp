@@ -1,6 +1,6 @@
 // Claims about published values: each stands beside ours wherever a method has
 // a quantity of its name, and is said to be alone where none has.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
 

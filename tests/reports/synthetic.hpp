@@ -3,8 +3,8 @@
 // A result as a run would leave it, made of formulas: the theory's own curves
 // on random surfaces, and "methods" that differ from it by known amounts.
 
-#include "results/result.hpp"
-#include "theory/persson.hpp"
+#include "results/types/result.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <algorithm>
 #include <cmath>

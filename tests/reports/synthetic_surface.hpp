@@ -4,10 +4,10 @@
 // surface of exactly the case's spectrum, and its theory.
 
 #include "base/fourier.hpp"
-#include "cases/case.hpp"
-#include "results/result.hpp"
+#include "cases/types/case.hpp"
+#include "results/types/result.hpp"
 #include "surfaces/build.hpp"
-#include "theory/persson.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // the estimators and the tables.
 
 #include "contact/solvers/load_sequence.hpp"
-#include "results/area_estimate.hpp"
+#include "results/observables/area_estimate.hpp"
 
 #include <array>
 #include <compare>

@@ -2,8 +2,8 @@
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
 #include "meshes/graded_layers.hpp"
-#include "results/observables.hpp"
-#include "results/pressure_fit.hpp"
+#include "results/observables/observables.hpp"
+#include "results/observables/pressure_fit.hpp"
 
 #include <fmt/format.h>
 

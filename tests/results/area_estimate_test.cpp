@@ -1,8 +1,9 @@
-// Claims about results/area_estimate.hpp: straight rims and spheres whose
-// fields are known exactly, shapes whose Euler's number is known by counting.
-#include "results/area_estimate.hpp"
-#include "results/observables.hpp"
-#include "theory/hertz.hpp"
+// Claims about results/observables/area_estimate.hpp: straight rims and spheres
+// whose fields are known exactly, shapes whose Euler's number is known by
+// counting.
+#include "results/observables/area_estimate.hpp"
+#include "results/observables/observables.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

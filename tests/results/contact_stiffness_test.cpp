@@ -1,5 +1,6 @@
-// Claims about results/contact_stiffness.hpp, on curves with known derivatives.
-#include "results/contact_stiffness.hpp"
+// Claims about results/observables/contact_stiffness.hpp, on curves with known
+// derivatives.
+#include "results/observables/contact_stiffness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about results/distributions.hpp: densities whose integrals are known,
-// patches that can be counted by eye.
-#include "results/distributions.hpp"
-#include "results/observables.hpp"
+// Claims about results/observables/distributions.hpp: densities whose integrals
+// are known, patches that can be counted by eye.
+#include "results/observables/distributions.hpp"
+#include "results/observables/observables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Claims about results/result_reader.hpp on files it did not write: the least
 // that docs/results.md asks for is enough, and what is wrong is named.
-#include "cases/case_error.hpp"
-#include "results/hdf5_file.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Claims about the journal of a result: it reads as the file would, a step
 // costs its own size alone, and no damage or full disk takes what was done.
 #include "base/child_process.hpp"
-#include "cases/case_error.hpp"
-#include "results/hdf5_file.hpp"
-#include "results/journal.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "results/storage/journal.hpp"
 
 #include <gtest/gtest.h>
 

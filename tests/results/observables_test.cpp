@@ -1,6 +1,6 @@
-// Claims about results/observables.hpp, on shapes whose area, perimeter and
-// energy are known by geometry or by integral.
-#include "results/observables.hpp"
+// Claims about results/observables/observables.hpp, on shapes whose area,
+// perimeter and energy are known by geometry or by integral.
+#include "results/observables/observables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Claims about a method that ran on another surface or grid than the case's:
 // both come back from the file, and what a file leaves out of a map's grid is
 // that of the surface below it.
-#include "results/hdf5_file.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Claims about results/pressure_fit.hpp: samples of (20) give their G back,
-// weak pressures of open nodes do not disturb it, units do not enter.
-#include "results/observables.hpp"
-#include "results/pressure_fit.hpp"
-#include "theory/pressure_distribution.hpp"
+// Claims about results/observables/pressure_fit.hpp: samples of (20) give their
+// G back, weak pressures of open nodes do not disturb it, units do not enter.
+#include "results/observables/observables.hpp"
+#include "results/observables/pressure_fit.hpp"
+#include "theory/persson/pressure_distribution.hpp"
 
 #include <boost/math/tools/roots.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Claims about results/result_writer.hpp and result_reader.hpp: what is
 // written is what is read, step by step and from any thread.
-#include "results/hdf5_file.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
 

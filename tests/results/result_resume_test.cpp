@@ -1,10 +1,10 @@
 // Claims about going on with a result file: what is there is known, and a
 // result of another case is not touched.
 #include "base/atomic_file.hpp"
-#include "cases/case_error.hpp"
-#include "results/hdf5_file.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
 

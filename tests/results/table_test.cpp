@@ -1,9 +1,9 @@
 // Claims about the tables of a result file: what is written is what is read,
 // a table is replaced whole, and a bad one changes nothing.
-#include "cases/case_error.hpp"
-#include "results/hdf5_file.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "results/storage/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Claims about results/trial_read.hpp: a file that makes the HDF5 library fail
-// is an error of the file and no end of the program.
-#include "cases/case_error.hpp"
-#include "results/hdf5_file.hpp"
+// Claims about results/trial_read.hpp: a file that makes the HDF5
+// library fail is an error of the file and no end of the program.
+#include "cases/text/case_error.hpp"
+#include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
 
 #include <gtest/gtest.h>

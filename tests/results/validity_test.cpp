@@ -1,10 +1,10 @@
 // Claims about results/validity.hpp: a number that no solution has is refused
 // by file, method, realisation, step, column, value and range; every other is
 // accepted.
-#include "cases/case_error.hpp"
-#include "results/curve_columns.hpp"
-#include "results/hdf5_file.hpp"
+#include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Claims about build_surface_on of surfaces/build.hpp: one surface, any grid.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"

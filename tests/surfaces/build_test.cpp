@@ -1,5 +1,5 @@
 // Claims about surfaces/build.hpp: each kind of a case becomes its surface.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"

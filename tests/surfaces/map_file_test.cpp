@@ -1,6 +1,6 @@
 // Claims about surfaces/formats/map_file.hpp: units, orientation, and what the
 // reader says about a bad file.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Claims about surfaces/formats/tabulated_spectrum.hpp: interpolation, moments,
 // and what the reader says about a bad table.
-#include "cases/case_error.hpp"
+#include "cases/text/case_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
 

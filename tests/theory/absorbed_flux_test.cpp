@@ -1,6 +1,6 @@
-// Claims about theory/absorbed_flux.hpp against the walls whose absorption has
-// a closed form, and the order at which it is reached.
-#include "theory/absorbed_flux.hpp"
+// Claims about theory/persson/absorbed_flux.hpp against the walls whose
+// absorption has a closed form, and the order at which it is reached.
+#include "theory/persson/absorbed_flux.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/adhesion.hpp: the numbers of Sec. 9's surface, the order
-// in the discretisation, similarity, and the limits of both branches.
-#include "theory/adhesion.hpp"
+// Claims about theory/persson/adhesion.hpp: the numbers of Sec. 9's surface,
+// the order in the discretisation, similarity, and the limits of both branches.
+#include "theory/persson/adhesion.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <gtest/gtest.h>

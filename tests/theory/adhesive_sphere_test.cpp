@@ -1,7 +1,7 @@
-// Claims about theory/adhesive_sphere.hpp: energy balance, the pressure behind
-// each solution, pull-off forces, and the limits between the three.
-#include "theory/adhesive_sphere.hpp"
-#include "theory/hertz.hpp"
+// Claims about theory/exact/adhesive_sphere.hpp: energy balance, the pressure
+// behind each solution, pull-off forces, and the limits between the three.
+#include "theory/exact/adhesive_sphere.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 

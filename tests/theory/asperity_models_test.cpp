@@ -1,7 +1,7 @@
-// Claims about theory/asperity_models.hpp: the summits' statistics by their own
-// integrals, printed numbers, and the limits the paper quotes.
-#include "theory/asperity_models.hpp"
-#include "theory/persson.hpp"
+// Claims about theory/exact/asperity_models.hpp: the summits' statistics by
+// their own integrals, printed numbers, and the limits the paper quotes.
+#include "theory/exact/asperity_models.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

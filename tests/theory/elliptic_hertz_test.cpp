@@ -1,7 +1,7 @@
-// Claims about theory/elliptic_hertz.hpp: a sphere is Hertz's, and the pressure
-// bends the face into the body's own shape.
-#include "theory/elliptic_hertz.hpp"
-#include "theory/hertz.hpp"
+// Claims about theory/exact/elliptic_hertz.hpp: a sphere is Hertz's, and the
+// pressure bends the face into the body's own shape.
+#include "theory/exact/elliptic_hertz.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>

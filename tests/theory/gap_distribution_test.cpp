@@ -1,6 +1,6 @@
-// Claims about theory/gap_distribution.hpp, and the monotone fall of u(zeta)
-// and u_1(zeta) that makes it a distribution.
-#include "theory/gap_distribution.hpp"
+// Claims about theory/persson/gap_distribution.hpp, and the monotone fall of
+// u(zeta) and u_1(zeta) that makes it a distribution.
+#include "theory/persson/gap_distribution.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

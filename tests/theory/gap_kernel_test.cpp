@@ -1,5 +1,6 @@
-// Claims about theory/gap_kernel.hpp, each against an integral taken directly.
-#include "theory/gap_kernel.hpp"
+// Claims about theory/persson/gap_kernel.hpp, each against an integral taken
+// directly.
+#include "theory/persson/gap_kernel.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>

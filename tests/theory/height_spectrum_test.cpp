@@ -1,5 +1,6 @@
-// Claims about theory/height_spectrum.hpp: moments, nodes, cuts, refusals.
-#include "theory/height_spectrum.hpp"
+// Claims about theory/persson/height_spectrum.hpp: moments, nodes, cuts,
+// refusals.
+#include "theory/persson/height_spectrum.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>

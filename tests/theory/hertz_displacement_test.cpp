@@ -1,7 +1,7 @@
-// Claims about hertz_displacement_field() of theory/hertz_stress.hpp: by
+// Claims about hertz_displacement_field() of theory/exact/hertz_stress.hpp: by
 // Hooke's law it is the displacement of that stress, on the face it is Hertz's,
 // far away Boussinesq's.
-#include "theory/hertz_stress.hpp"
+#include "theory/exact/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/hertz_stress.hpp: the stress is in balance, bears the
-// contact's pressure, and is what the axis is known to have.
-#include "theory/hertz_stress.hpp"
+// Claims about theory/exact/hertz_stress.hpp: the stress is in balance, bears
+// the contact's pressure, and is what the axis is known to have.
+#include "theory/exact/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about hertz_axis_stress() of theory/hertz.hpp: it is what Boussinesq's
-// point loads add up to, and where the largest shear lies.
-#include "theory/hertz.hpp"
+// Claims about hertz_axis_stress() of theory/exact/hertz.hpp: it is what
+// Boussinesq's point loads add up to, and where the largest shear lies.
+#include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>

@@ -1,6 +1,6 @@
-// Claims about theory/hertz.hpp: the closed forms against elasticity itself,
-// and the square array against plain lattice sums.
-#include "theory/hertz.hpp"
+// Claims about theory/exact/hertz.hpp: the closed forms against elasticity
+// itself, and the square array against plain lattice sums.
+#include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-// Claims about theory/highest_peak.hpp: it is how high random fields reach, and
-// grows as extreme values do.
+// Claims about theory/persson/highest_peak.hpp: it is how high random fields
+// reach, and grows as extreme values do.
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
-#include "theory/highest_peak.hpp"
+#include "theory/persson/highest_peak.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/leakage.hpp: the pore is where the area is critical, the
-// flow is Poiseuille's, and a tight seal does not leak.
-#include "theory/leakage.hpp"
+// Claims about theory/persson/leakage.hpp: the pore is where the area is
+// critical, the flow is Poiseuille's, and a tight seal does not leak.
+#include "theory/persson/leakage.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
-// Claims about theory/magnification.hpp: what is hidden is the same theory
-// again, volume is conserved when the surfaces open, and what is refused.
-#include "theory/magnification.hpp"
+// Claims about theory/persson/magnification.hpp: what is hidden is the same
+// theory again, volume is conserved when the surfaces open, and what is
+// refused.
+#include "theory/persson/magnification.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
-// Prints theory/wave_2d_table.cpp. Build make_wave_2d_table in the release
-// preset (it takes minutes), then
+// Prints theory/exact/wave_2d_table.cpp. Build make_wave_2d_table in the
+// release preset (it takes minutes), then
 //
-//     make_wave_2d_table > theory/wave_2d_table.cpp
+//     make_wave_2d_table > theory/exact/wave_2d_table.cpp
 //
 // With the argument "check" it solves between the rows instead and prints how
 // far Wave2dContact is from that.
-#include "theory/wave_2d.hpp"
-#include "theory/wave_2d_table.hpp"
+#include "theory/exact/wave_2d.hpp"
+#include "theory/exact/wave_2d_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<double> pressures_of(const std::vector<double>& loads) {
 
 void print_table() {
   std::puts("// Printed by tests/theory/make_wave_2d_table.cpp: do not edit.\n"
-            "#include \"theory/wave_2d_table.hpp\"\n\n"
+            "#include \"theory/exact/wave_2d_table.hpp\"\n\n"
             "namespace asperity::theory {\n\n"
             "const std::array<Wave2dRow, n_wave_2d_rows> wave_2d_table{{");
   const std::vector<double> loads = loads_of_rows();

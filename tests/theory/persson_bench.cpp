@@ -1,5 +1,5 @@
 // What a curve of Persson's theory costs.
-#include "theory/persson.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <benchmark/benchmark.h>
 

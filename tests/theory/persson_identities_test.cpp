@@ -1,6 +1,6 @@
 // Exact identities of Persson's theory, for spectra, loads and gammas drawn at
 // random: each ties one formula of the theory to another.
-#include "theory/persson.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>

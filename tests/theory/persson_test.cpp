@@ -1,6 +1,6 @@
-// Claims about theory/persson.hpp held against numbers that were worked out
-// in another program and with 25-digit arithmetic, and against the limits.
-#include "theory/persson.hpp"
+// Claims about theory/persson/persson.hpp held against numbers that were worked
+// out in another program and with 25-digit arithmetic, and against the limits.
+#include "theory/persson/persson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/pressure_distribution.hpp: closed forms against
+// Claims about theory/persson/pressure_distribution.hpp: closed forms against
 // integrals.
-#include "theory/pressure_distribution.hpp"
+#include "theory/persson/pressure_distribution.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Claims about theory/punches.hpp: the stated pressure makes the stated
+// Claims about theory/exact/punches.hpp: the stated pressure makes the stated
 // displacement, inside and outside, and carries the stated load.
-#include "theory/punches.hpp"
+#include "theory/exact/punches.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // The spectra the theory's tests are made with, and the moment of the
 // self-affine one in closed form: a second road around the quadrature.
 
-#include "theory/height_spectrum.hpp"
+#include "theory/persson/height_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-// Claims about theory/two_bodies.hpp: compliances add, and so do the mean
+// Claims about theory/exact/two_bodies.hpp: compliances add, and so do the mean
 // squares of heights and slopes.
-#include "theory/persson.hpp"
-#include "theory/two_bodies.hpp"
+#include "theory/exact/two_bodies.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The egg-box contact by the project's own solver, on the square cell of one
-// crest: what the table of theory/wave_2d_table.hpp is made of. A different
-// method verifies it: wave_2d_elements.hpp.
+// crest: what the table of theory/exact/wave_2d_table.hpp is made of. A
+// different method verifies it: wave_2d_elements.hpp.
 
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"

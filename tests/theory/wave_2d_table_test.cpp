@@ -1,8 +1,8 @@
-// Claims about the members of theory/wave_2d.hpp that hold at every load: they
-// agree with a different method, do the work of full contact and end where the
-// closed forms do.
-#include "theory/wave_2d.hpp"
-#include "theory/wave_2d_table.hpp"
+// Claims about the members of theory/exact/wave_2d.hpp that hold at every load:
+// they agree with a different method, do the work of full contact and end where
+// the closed forms do.
+#include "theory/exact/wave_2d.hpp"
+#include "theory/exact/wave_2d_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/wave_2d.hpp: each limit against a numerical solution by
-// the plainest solver, within the range its header states.
-#include "theory/wave_2d.hpp"
+// Claims about theory/exact/wave_2d.hpp: each limit against a numerical
+// solution by the plainest solver, within the range its header states.
+#include "theory/exact/wave_2d.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims about theory/westergaard.hpp: pressure and gap must solve the contact
-// problem, and every mean must be the mean of one of them.
-#include "theory/westergaard.hpp"
+// Claims about theory/exact/westergaard.hpp: pressure and gap must solve the
+// contact problem, and every mean must be the mean of one of them.
+#include "theory/exact/westergaard.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -1,0 +1,135 @@
+#include "cases/reader/base_case.hpp"
+
+#include "base/read_file.hpp"
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/vocabulary.hpp"
+#include "cases/text/input_file.hpp"
+#include "cases/text/toml_text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace asperity::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int deepest = 8; // more are a circle
+
+std::string text_of_file(const std::string& path, const Place& asked_at) {
+  try {
+    return read_file(path, largest_case_file);
+  } catch (const FileError& error) {
+    const bool is_asked_for = asked_at.text == path;
+    const std::string what = error.what();
+    throw_mistake(asked_at, is_asked_for ? what.substr(path.size() + 2)
+                                         : "base: " + what);
+  }
+}
+
+bool is_key(const std::string& table, const std::string& name) {
+  return std::any_of(
+      vocabulary().begin(), vocabulary().end(), [&](const Table& known) {
+        return known.name == table &&
+               std::any_of(known.keys.begin(), known.keys.end(),
+                           [&](const Key& key) { return key.name == name; });
+      });
+}
+
+// A table that holds keys, such as [fem] or [fem.hard], and not a value that
+// is written as one: a sweep, a band.
+bool holds_keys(const Node& table, const NodeEntry& entry) {
+  return entry.node.is_table() && table.path != "expect" &&
+         !is_key(table.path.substr(0, table.path.find('.')), entry.key);
+}
+
+void flatten(const Node& table, const std::string& prefix,
+             std::vector<LaidOver>& overrides) {
+  for (const NodeEntry& entry : table.entries) {
+    const std::string path = prefix + toml_key(entry.key);
+    const bool is_gone =
+        entry.node.type == NodeType::text && entry.node.text.empty();
+    if (holds_keys(table, entry))
+      flatten(entry.node, path + ".", overrides);
+    else
+      overrides.push_back({path + "=" + (is_gone ? "" : toml_value(entry.node)),
+                           entry.node.place});
+  }
+}
+
+// The table of that name, "material.variation" inside "material"; null if there
+// is none.
+const Node* table_in(const Node& file, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const Node* const outer = file.find(name.substr(0, dot));
+  return dot == std::string::npos || !outer ? outer
+                                            : outer->find(name.substr(dot + 1));
+}
+
+// Each relative path that the base gives, as it is from the other folder.
+void move_paths(const Node& base, const fs::path& base_folder,
+                std::vector<LaidOver>& overrides) {
+  for (const Table& table : vocabulary())
+    for (const Key& key : table.keys) {
+      const Node* const holder = table_in(base, table.name);
+      const Node* const path =
+          holder && key.type == ValueType::path && key.name != "base"
+              ? holder->find(key.name)
+              : nullptr;
+      if (!path || path->type != NodeType::text || path->text.empty() ||
+          fs::path(path->text).is_absolute())
+        continue;
+      Node moved = *path;
+      moved.text = (base_folder / path->text).lexically_normal().string();
+      overrides.push_back(
+          {table.name + "." + key.name + "=" + toml_value(moved), path->place});
+    }
+}
+
+// The file of the text with everything laid over it, to look at.
+Node seen(const StackedText& stacked) {
+  Node file = parse_toml(stacked.text, stacked.path);
+  Mistakes ignored; // said when the case is read
+  for (const std::string& entry : overrides_in(stacked.text))
+    apply_override(file, entry, ignored);
+  for (const LaidOver& over : stacked.overrides)
+    apply_override(file, over.entry, ignored, over.place);
+  return file;
+}
+
+StackedText read_level(const std::string& path, const Place& asked_at,
+                       int level) {
+  if (level > deepest)
+    throw_mistake(asked_at, "base leads in a circle");
+  StackedText stacked{text_of_file(path, asked_at), path, {}};
+  Node file = parse_toml(stacked.text, path);
+  const Node* const base = file.find("base");
+  if (!base)
+    return stacked;
+  if (base->type != NodeType::text || base->text.empty())
+    throw_mistake(base->place, "base = " + written(*base) +
+                                   ", but must be the path of a file");
+  if (file.entries.front().key != "base")
+    throw_mistake(base->place, "base must be the file's first key");
+  const fs::path named(base->text);
+  const fs::path base_path =
+      named.is_absolute() ? named : fs::path(path).parent_path() / named;
+  const Place place = base->place;
+  const std::vector<std::string> own_lines = overrides_in(stacked.text);
+  stacked = read_level(base_path.lexically_normal().string(), place, level + 1);
+  move_paths(seen(stacked), named.parent_path(), stacked.overrides);
+  std::erase_if(file.entries,
+                [](const NodeEntry& entry) { return entry.key == "base"; });
+  flatten(file, "", stacked.overrides);
+  for (const std::string& entry : own_lines)
+    stacked.overrides.push_back({entry, {"--set", 0}});
+  return stacked;
+}
+
+} // namespace
+
+StackedText read_stacked(const std::string& path) {
+  return read_level(path, {path, 0}, 0);
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,212 @@
+#include "cases/reader/documents.hpp"
+
+#include "cases/reader/vocabulary.hpp"
+#include "cases/types/quantity_at_load.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
+
+namespace asperity::cases {
+namespace {
+
+constexpr std::size_t page_width = 80;
+
+// Words broken into lines that begin with `prefix`.
+std::string wrapped(const std::string& text, const std::string& prefix) {
+  std::istringstream words(text);
+  std::string page;
+  std::string line = prefix;
+  for (std::string word; words >> word;) {
+    if (line.size() + 1 + word.size() > page_width && line != prefix) {
+      page += line + "\n";
+      line = prefix;
+    }
+    line += " " + word;
+  }
+  return page + line + "\n";
+}
+
+std::string toml_string(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\')
+      quoted += '\\';
+    quoted += letter;
+  }
+  return quoted + "\"";
+}
+
+bool is_needed(const Key& key) {
+  return key.need != Need::never;
+}
+
+std::string units_text(const Key& key) {
+  if (key.type == ValueType::word)
+    return fmt::format("{}", fmt::join(key.words, " | "));
+  if (key.dimension != Dimension::none)
+    return fmt::format(
+        "[{}]", fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
+  return "";
+}
+
+std::string template_key(const Key& key, const std::string& example) {
+  std::string comment = key.description + " " + units_text(key);
+  if (!key.fallback.empty())
+    comment += " Default: " + key.fallback + ".";
+  else if (!key.when.empty())
+    comment +=
+        fmt::format(" ({}{})", is_needed(key) ? "needed: " : "", key.when);
+  const std::string mark = key.show == Show::yes ? "" : "# ";
+  return wrapped(comment, "#") + mark + key.name + " = " + example + "\n";
+}
+
+std::string need_text(const Key& key) {
+  if (!key.fallback.empty())
+    return "default `" + key.fallback + "`";
+  if (key.need == Need::always)
+    return "needed";
+  if (key.when.empty())
+    return "optional";
+  return is_needed(key) ? "needed: " + key.when : key.when;
+}
+
+// A row of a Markdown table; a bar inside a cell would end it.
+std::string cell(const std::string& text) {
+  std::string safe;
+  for (const char letter : text)
+    safe += letter == '|' ? std::string("\\|") : std::string(1, letter);
+  return safe;
+}
+
+std::string type_text(const Key& key) {
+  if (key.type == ValueType::program)
+    return fmt::format(
+        "{} [{}]", allowed_text(key),
+        fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
+  return allowed_text(key);
+}
+
+std::string key_row(const Key& key) {
+  const std::string kinds =
+      key.kinds.empty() ? ""
+                        : fmt::format(" (for {})", fmt::join(key.kinds, ", "));
+  const std::string range = key.range.limits(
+      key.dimension == Dimension::none ? "1" : si_unit(key.dimension));
+  return fmt::format("| `{}` | {}{} | {} | {}{} |\n", key.name,
+                     cell(type_text(key)),
+                     range.empty() ? "" : "; " + cell(range),
+                     cell(need_text(key) + kinds), cell(key.description),
+                     key.example.empty() || key.type == ValueType::band
+                         ? ""
+                         : " E.g. `" + cell(key.example) + "`");
+}
+
+std::string table_section(const Table& table) {
+  std::string page = table.name.empty() ? "## Top of the file\n\n"
+                     : table.is_part    ? "## `" + table.name + "`\n\n"
+                                        : "## `[" + table.name + "]`\n\n";
+  page += table.description + " " + table.when + "\n\n";
+  page += "| key | value | needed | what it is |\n|---|---|---|---|\n";
+  for (const Key& key : table.keys)
+    page += key_row(key);
+  return page + "\n";
+}
+
+// What stands after the table of [expect].
+std::string at_load_section() {
+  std::string page =
+      "A quantity at one load is written `name@p=pressure`, as in\n"
+      "`\"area_fraction@p=0.0129 E*\" = { value = 0.109, within = 0.01 }`, the "
+      "pressure\nin " +
+      fmt::format("{}", fmt::join(unit_symbols(Dimension::pressure,
+                                               {Yardstick::contact_modulus}),
+                                  ", ")) +
+      ". It is taken from the method's loading curve, between its\nrows by "
+      "monotone cubics in ln p (the area by its logarithm), never beyond "
+      "them,\nand averaged over realisations. `reference.csv` has the same "
+      "names.\n\n| name | what it is |\n|---|---|\n";
+  for (const ExpectationName& entry : quantities_at_load())
+    page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
+  page += "\nOne of a contact seen at a magnification has both, "
+          "`\"area_fraction@p=10 MPa@zeta=10\"`:\nthe load is one of "
+          "[magnification], and between its magnifications the logarithm "
+          "goes\nstraight. The theory of the studies answers.\n\n"
+          "| name | what it is |\n|---|---|\n";
+  for (const ExpectationName& entry : quantities_at_magnification())
+    page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
+  return page + "\n";
+}
+
+const char* const page_head =
+    R"(# The case file
+
+A case is one TOML file: it is the only place where a parameter is written. This
+page is generated from the table that the reader checks by
+(`cases/vocabulary*.cpp`); `asperity schema` prints the same as JSON Schema, and
+`asperity new NAME` writes a template.
+
+- A quantity is a number in SI, or a string with a unit: `"14 nm"`, `"0.3 E*"`.
+  Units of the problem: `E*` the contact modulus, `length` the side of the
+  square, `h` the distance of nodes, `h_rms` the rms height of the realisation
+  (for a theory by the formula, that of the formula),
+  `E*/h` a stiffness per area. Which units a key takes stands in its row; `µm`
+  is read as `um`.
+- A method whose table is absent does not run. A table inside a method's table is
+  a variant: `[fem.hard]` is the method `fem.hard`, with `[fem]`'s keys and its
+  own over them. Its name has the letters a-z, digits and hyphens.
+- Every mistake is reported in one go: file, line, key, what was found, what is
+  allowed, what is nearest. The program then ends with exit code 2.
+- `--set key.path=value` lays a value over the file: TOML, or else a string
+  (`--set "surface.length=20 um"`); an empty value removes the key. The case
+  text in a result ends with a line `#--set key.path=value` for each, and the
+  reader obeys such lines at the end of a file. A key with dots or equals signs
+  stands in quotes: `expect."area_fraction@p=0.01 E*"`.
+- A file whose first key is `base = "../polymer/case.toml"` (relative to itself)
+  is another case with changes: every other key is laid over that case as --set
+  would, and `key = ""` takes a key away, `fem = ""` a whole table. Relative
+  paths of the base still start at its folder. The case text of a result is the
+  base's with the changes as `#--set` lines: it needs neither file again.
+
+)";
+
+} // namespace
+
+std::string case_template(const std::string& name) {
+  std::string text =
+      "# A case for asperity. Quantities are numbers in SI or strings with a "
+      "unit;\n# keys behind a # show their default or an alternative. "
+      "docs/case.md has\n# one method more, atoms: [md].\n";
+  for (const Table& table : vocabulary()) {
+    bool is_shown = false;
+    for (const Key& key : table.keys)
+      is_shown = is_shown || key.show == Show::yes;
+    if (table.name == "expect")
+      is_shown = true;
+    if (table.is_part || !is_shown)
+      continue;
+    if (!table.name.empty())
+      text += fmt::format("\n{}[{}]\n",
+                          wrapped(table.description + " " + table.when, "#"),
+                          table.name);
+    for (const Key& key : table.keys)
+      if (key.show != Show::no)
+        text += template_key(key, key.name == "title" ? toml_string(name)
+                                                      : key.example);
+  }
+  return text;
+}
+
+std::string case_reference_markdown() {
+  std::string page = page_head;
+  for (const Table& table : vocabulary()) {
+    page += table_section(table);
+    if (table.name == "expect")
+      page += at_load_section();
+  }
+  page.pop_back(); // one newline ends the page
+  return page;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,52 @@
+#include "cases/reader/locking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace asperity::cases {
+namespace {
+
+/// The largest of all that the blocks are made of; 0 if none is given.
+double largest_ratio(const MaterialSpec& material, const FemSettings& fem) {
+  double largest = material.poisson_ratio.value_or(0.0);
+  for (const MaterialLayer& layer : material.layers)
+    largest = std::max(largest, layer.moduli.poisson_ratio);
+  if (material.inclusion && fem.solver == FemSolver::full)
+    largest = std::max(largest, material.inclusion->moduli.poisson_ratio);
+  if (material.counter && fem.bodies == 2)
+    largest = std::max(largest, material.counter->poisson_ratio);
+  return largest;
+}
+
+} // namespace
+
+double locking_ratio(Element element) {
+  return element == Element::q1 ? 0.475 : 0.48;
+}
+
+std::vector<std::string> locking_warnings(const MaterialSpec& material,
+                                          std::span<const MethodSpec> methods) {
+  std::vector<std::string> warnings;
+  for (const MethodSpec& method : methods) {
+    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    if (fem == nullptr)
+      continue;
+    const double ratio = largest_ratio(material, *fem);
+    if (ratio < locking_ratio(fem->element))
+      continue;
+    const bool is_q1 = fem->element == Element::q1;
+    warnings.push_back(fmt::format(
+        "{}: {} elements lock at a Poisson's ratio of {:g}: waves of eight "
+        "nodes are more than {} % too stiff and contact areas too small; {}",
+        method.name, is_q1 ? "Q1" : "Q2", ratio, is_q1 ? 10 : 5,
+        is_q1 && ratio < locking_ratio(Element::q2) ? "take element = \"Q2\""
+        : is_q1 ? "take element = \"Q2\", with more nodes in the shortest "
+                  "wave, or [halfspace]"
+                : "take more nodes in the shortest wave, or [halfspace]"));
+  }
+  return warnings;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,219 @@
+// [material]'s layers, inclusion and variation, [mesh], and what [fem] says of
+// the whole block.
+#include "cases/reader/read_parts.hpp"
+#include "cases/reader/table_reader.hpp"
+#include "cases/text/expression.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace asperity::cases {
+namespace {
+
+BodyModuli read_moduli(TableReader& table) {
+  return {table.number("youngs_modulus"), table.number("poisson_ratio")};
+}
+
+MaterialLayer read_layer(const Node& node, TableReader& material,
+                         Mistakes& mistakes) {
+  if (!node.is_table()) {
+    material.refuse(node, "must be a table of thickness, youngs_modulus and "
+                          "poisson_ratio");
+    return {};
+  }
+  TableReader layer(node, vocabulary_table("material.layer"), mistakes);
+  layer.refuse_unknown();
+  return {layer.quantity("thickness"), read_moduli(layer)};
+}
+
+std::string read_path(TableReader& table, const std::string& folder) {
+  const std::string file = table.text("file");
+  return file.empty() ? file : (std::filesystem::path(folder) / file).string();
+}
+
+/// The sub-table of that name, null if there is none or it is no table.
+const Node* sub_table(TableReader& parent, const std::string& name) {
+  const Node* const node = parent.node().find(name);
+  if (node && !node->is_table())
+    parent.refuse(*node, "must be a table: [" + node->path + "]");
+  return node && node->is_table() ? node : nullptr;
+}
+
+MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table("material.inclusion"), mistakes);
+  table.refuse_unknown();
+  MaterialInclusion inclusion{table.quantity("radius"), table.quantity("depth"),
+                              read_moduli(table)};
+  if (inclusion.radius.yardstick == inclusion.depth.yardstick &&
+      inclusion.depth.value > 0.0 &&
+      inclusion.depth.value <= inclusion.radius.value)
+    table.refuse(*node.find("depth"), "must be more than the radius");
+  return inclusion;
+}
+
+/// The text of a formula that can be parsed.
+std::string read_expression(TableReader& table, const std::string& key) {
+  const std::string text = table.text(key);
+  try {
+    if (!text.empty())
+      Expression{text};
+  } catch (const std::domain_error& error) {
+    table.refuse(*table.node().find(key),
+                 std::string("must be an expression of x, y and z: ") +
+                     error.what());
+  }
+  return text;
+}
+
+MaterialVariation read_variation(const Node& node, const std::string& folder,
+                                 Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table("material.variation"), mistakes);
+  table.refuse_unknown();
+  MaterialVariation variation;
+  variation.kind = table.choice("kind", variation.kind);
+  switch (variation.kind) {
+  case VariationKind::function:
+    variation.factor = read_expression(table, "factor");
+    break;
+  case VariationKind::random:
+    variation.spread = table.number("spread");
+    variation.seed = static_cast<std::uint64_t>(table.integer("seed"));
+    break;
+  case VariationKind::table:
+    variation.file = read_path(table, folder);
+    break;
+  }
+  return variation;
+}
+
+/// Where a method says `key`, or where it is named.
+const Node& said_by(TableReader& table, const std::string& key) {
+  const Node* const found = table.node().find(key);
+  return found ? *found : table.node();
+}
+
+} // namespace
+
+void read_block(TableReader& material, const std::string& folder,
+                MaterialSpec& spec, Mistakes& mistakes) {
+  if (const Node* const layers = material.node().find("layers")) {
+    if (layers->type != NodeType::list || layers->list.empty())
+      material.refuse(*layers, "must be a list of tables");
+    for (const Node& layer : layers->list)
+      spec.layers.push_back(read_layer(layer, material, mistakes));
+  }
+  if (const Node* const node = sub_table(material, "inclusion"))
+    spec.inclusion = read_inclusion(*node, mistakes);
+  if (const Node* const node = sub_table(material, "variation"))
+    spec.variation = read_variation(*node, folder, mistakes);
+}
+
+MeshSpec read_mesh(const Node& node, const std::string& folder,
+                   const Case& read, Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table("mesh"), mistakes);
+  table.refuse_unknown();
+  MeshSpec mesh;
+  mesh.kind = table.choice("kind", mesh.kind);
+  mesh.cells_a_level = table.integer("cells_a_level");
+  mesh.geometry = table.choice("geometry", mesh.geometry);
+  mesh.cells = table.choice("cells", mesh.cells);
+  mesh.size_at_contact = table.quantity("size_at_contact");
+  mesh.size_far = table.quantity("size_far");
+  mesh.fine_radius = table.quantity("fine_radius");
+  mesh.file_unit = table.number("file_unit");
+  if (mesh.kind != MeshKind::gmsh)
+    return mesh;
+  if (mesh.geometry == MeshGeometry::file)
+    mesh.file = read_path(table, folder);
+  if (mesh.geometry == MeshGeometry::layered && read.material.layers.empty())
+    table.refuse(*node.find("geometry"), "material.layers is missing");
+  if (mesh.geometry == MeshGeometry::inclusion && !read.material.inclusion)
+    table.refuse(*node.find("geometry"),
+                 "the table [material.inclusion] is missing");
+  return mesh;
+}
+
+void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem) {
+  fem.sides = table.choice("sides", fem.sides);
+  fem.linear_solver = table.choice("linear_solver", fem.linear_solver);
+  fem.contact_at = table.choice("contact_at", fem.contact_at);
+  fem.bodies = table.integer("bodies");
+  const bool is_full = fem.solver == FemSolver::full;
+  fem.uses_case_mesh = is_full && has_mesh;
+  if (table.has("mesh"))
+    fem.uses_case_mesh = table.word("mesh").value_or(0) == 1;
+  const auto only_full = [&](bool is_asked, const std::string& key) {
+    if (is_asked && !is_full)
+      table.refuse(said_by(table, key), "needs solver = \"full\"");
+  };
+  only_full(fem.uses_case_mesh, "mesh");
+  only_full(fem.sides == BlockSides::free, "sides");
+  only_full(fem.linear_solver != LinearSolverChoice::automatic,
+            "linear_solver");
+  only_full(fem.contact_at == ContactPoints::gauss, "contact_at");
+  only_full(fem.bodies == 2, "bodies");
+  if (fem.uses_case_mesh && !has_mesh)
+    table.refuse(said_by(table, "mesh"), "the table [mesh] is missing");
+  if (fem.contact_at == ContactPoints::gauss &&
+      fem.contact.law == ContactLaw::hard)
+    table.refuse(said_by(table, "contact_at"),
+                 "a hard wall at more points than the face has nodes holds it "
+                 "too often; take contact = \"augmented\" or \"penalty\"");
+}
+
+/// What layers need besides their own numbers.
+void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
+  if (read.material.layers.empty())
+    return;
+  if (!read.material.poisson_ratio)
+    mistakes.add(entry_of(file, "material", "layers").place,
+                 "material.layers needs material.poisson_ratio, which is "
+                 "missing");
+  if (!read.material.counter)
+    return;
+  for (const MethodSpec& method : read.methods) {
+    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    if (std::holds_alternative<HalfspaceSettings>(method.settings) ||
+        (fem != nullptr && fem->bodies == 1))
+      mistakes.add(entry_of(file, "material", "layers").place,
+                   method.name + ": no one block stands for a layered body and "
+                                 "[material.counter]; take [fem] with solver = "
+                                 "\"full\" and bodies = 2");
+  }
+}
+
+void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
+  check_layers(file, read, mistakes);
+  for (const MethodSpec& method : read.methods) {
+    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    if (!fem)
+      continue;
+    const Node& place = entry_of(file, method.name, "solver");
+    const bool is_full = fem->solver == FemSolver::full;
+    if (!is_full && (read.material.inclusion || read.material.variation))
+      mistakes.add(place.place,
+                   method.name + ": a block with [material." +
+                       (read.material.inclusion ? "inclusion" : "variation") +
+                       "] is not laterally uniform; it needs solver = "
+                       "\"full\"");
+    if (fem->bodies == 2 && !read.material.counter)
+      mistakes.add(entry_of(file, method.name, "bodies").place,
+                   method.name + ".bodies = 2, but the table "
+                                 "[material.counter] is missing");
+    if (fem->bodies == 2 && fem->contact.law == ContactLaw::hard)
+      mistakes.add(entry_of(file, method.name, "bodies").place,
+                   method.name + ".bodies = 2 cannot be held at one place by a "
+                                 "hard wall; take contact = \"augmented\" or "
+                                 "\"penalty\"");
+    const bool is_lattice =
+        fem->sides == BlockSides::periodic &&
+        (!fem->uses_case_mesh || read.mesh.kind == MeshKind::layers);
+    if (fem->linear_solver == LinearSolverChoice::fourier &&
+        (!is_lattice || fem->bodies == 2))
+      mistakes.add(entry_of(file, method.name, "linear_solver").place,
+                   method.name + ".linear_solver = \"fourier\" needs one "
+                                 "periodic block of graded layers");
+  }
+}
+
+} // namespace asperity::cases

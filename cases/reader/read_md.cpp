@@ -1,0 +1,144 @@
+#include "cases/reader/read_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace asperity::cases {
+namespace {
+
+void refuse_if_odd(TableReader& table, const char* key) {
+  if (table.has(key) && table.integer(key) % 2 != 0)
+    table.refuse(*table.node().find(key), "must be even");
+}
+
+std::optional<int> count(TableReader& table, const char* key) {
+  refuse_if_odd(table, key);
+  return table.has(key) ? std::optional(table.integer(key)) : std::nullopt;
+}
+
+void read_lattice(TableReader& table, MdSettings& md) {
+  md.engine = table.choice("engine", md.engine);
+  md.lattice = table.choice("lattice", md.lattice);
+  md.bulk = table.choice("bulk", md.bulk);
+  md.modes = table.choice("modes", md.modes);
+  md.atoms = count(table, "atoms");
+  md.substrate_atoms = count(table, "substrate_atoms");
+  md.depth = table.quantity("depth");
+  md.levels = table.integer("levels");
+  md.layers = table.integer("layers");
+  if (md.engine == AtomEngine::lammps && md.lattice != AtomLattice::central)
+    table.complain(*table.node().find("engine"),
+                   "= \"lammps\" needs lattice = \"central\": its bonds are "
+                   "central springs");
+  const int coarsest = 1 << (md.levels - 1);
+  if (md.bulk == AtomBulk::explicit_layers && md.atoms &&
+      *md.atoms % coarsest != 0)
+    table.refuse(*table.node().find("atoms"),
+                 fmt::format("must be a multiple of {} for {} levels, each "
+                             "twice as coarse as the one before",
+                             coarsest, md.levels));
+}
+
+void read_interaction(TableReader& table, MdSettings& md) {
+  md.potential = table.choice("potential", md.potential);
+  md.interaction_energy = table.number("interaction_energy");
+  md.interaction_distance = table.number("interaction_distance");
+  md.cutoff = table.number("cutoff");
+  md.contact_distance = table.number("contact_distance");
+  if (md.cutoff > 0.0 && md.cutoff <= md.contact_distance)
+    table.refuse(*table.node().find("cutoff"),
+                 fmt::format("must be > contact_distance = {:g} m: atoms in "
+                             "contact would feel nothing",
+                             md.contact_distance));
+}
+
+double if_given(TableReader& table, const char* key, bool is_needed) {
+  if (table.has(key))
+    return table.number(key);
+  if (is_needed)
+    table.complain_missing(key, ", which this minimizer needs");
+  return 0.0;
+}
+
+void read_balance(TableReader& table, MdSettings& md) {
+  md.minimizer = table.choice("minimizer", md.minimizer);
+  md.tolerance = table.number("tolerance");
+  md.max_evaluations = table.integer("max_evaluations");
+  const bool moves = md.minimizer == AtomMinimizer::fire ||
+                     md.minimizer == AtomMinimizer::dynamics;
+  const bool is_dynamics = md.minimizer == AtomMinimizer::dynamics;
+  md.mass = if_given(table, "mass", is_dynamics);
+  md.time_step = if_given(table, "time_step", is_dynamics);
+  md.damping = if_given(table, "damping", is_dynamics);
+  md.duration = if_given(table, "duration", is_dynamics);
+  md.temperature = table.number("temperature");
+  if (table.has("seed"))
+    md.seed = static_cast<std::uint64_t>(table.integer("seed"));
+  else if (md.temperature > 0.0)
+    table.complain_missing("seed", ", which a temperature needs");
+  if (moves && md.bulk != AtomBulk::explicit_layers)
+    table.complain(*table.node().find("minimizer"),
+                   "needs bulk = \"explicit\": atoms that were eliminated "
+                   "have no masses to move");
+}
+
+const Node* method_node(const Node& file, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const Node* const base = file.find(name.substr(0, dot));
+  const Node* const variant = dot == std::string::npos || !base
+                                  ? nullptr
+                                  : base->find(name.substr(dot + 1));
+  return variant ? variant : base;
+}
+
+} // namespace
+
+const Node& entry_of(const Node& file, const std::string& name,
+                     const std::string& key) {
+  const Node& method = *method_node(file, name);
+  const Node* const own = method.find(key);
+  const Node* const inherited =
+      own ? own : file.find(name.substr(0, name.find('.')))->find(key);
+  return inherited ? *inherited : method;
+}
+
+MdSettings read_md(TableReader& table) {
+  MdSettings md;
+  read_lattice(table, md);
+  read_interaction(table, md);
+  read_balance(table, md);
+  md.ranks = table.integer("ranks");
+  md.dump = table.boolean("dump");
+  return md;
+}
+
+void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
+  check_block(file, read, mistakes);
+  for (const MethodSpec& method : read.methods) {
+    const auto* const md = std::get_if<MdSettings>(&method.settings);
+    const double nu = read.material.poisson_ratio.value_or(0.25);
+    if (md && md->lattice == AtomLattice::central &&
+        std::abs(nu - 0.25) > 1e-12) {
+      const Node& found = entry_of(file, method.name, "lattice");
+      mistakes.add(found.place,
+                   fmt::format("{}.lattice = \"central\" has Poisson's ratio "
+                               "1/4, but material.poisson_ratio = {:g}",
+                               method.name, nu));
+    }
+    if (method.magnification &&
+        *method.magnification * read.surface.wavevector_roll_off <
+            read.surface.wavevector_low) {
+      const Node& found = entry_of(file, method.name, "magnification");
+      mistakes.add(
+          found.place,
+          fmt::format("{}.magnification = {:g}, but must be >= {:g}: below it "
+                      "the surface has no wave",
+                      method.name, *method.magnification,
+                      read.surface.wavevector_low /
+                          read.surface.wavevector_roll_off));
+    }
+  }
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,179 @@
+#include "cases/reader/read_parts.hpp"
+#include "cases/reader/table_reader.hpp"
+
+#include <algorithm>
+
+namespace asperity::cases {
+namespace {
+
+ContactSettings read_contact(TableReader& table) {
+  ContactSettings contact;
+  contact.law = table.choice("contact", contact.law);
+  if (table.has("penalty"))
+    contact.penalty = table.quantity("penalty");
+  else if (contact.law != ContactLaw::hard)
+    table.complain_missing("penalty", ", which this contact needs");
+  contact.tolerance = table.number("tolerance");
+  contact.max_iterations = table.integer("max_iterations");
+  return contact;
+}
+
+TheorySettings read_theory(TableReader& table, SurfaceKind kind) {
+  const bool has_formula =
+      kind == SurfaceKind::self_affine || kind == SurfaceKind::spectrum;
+  TheorySettings theory;
+  theory.gamma = table.number("gamma");
+  theory.spectrum =
+      has_formula ? TheorySpectrum::formula : TheorySpectrum::surface;
+  if (table.has("spectrum"))
+    theory.spectrum = table.choice("spectrum", theory.spectrum);
+  if (theory.spectrum == TheorySpectrum::formula && !has_formula)
+    table.refuse(*table.node().find("spectrum"),
+                 "must be \"surface\": only the kinds self-affine and spectrum "
+                 "have a formula");
+  return theory;
+}
+
+HalfspaceSettings read_halfspace(TableReader& table) {
+  HalfspaceSettings halfspace;
+  halfspace.contact = read_contact(table);
+  if (table.has("thickness"))
+    halfspace.thickness = table.quantity("thickness");
+  halfspace.top = table.choice("top", halfspace.top);
+  return halfspace;
+}
+
+FemSettings read_fem(TableReader& table, bool has_mesh) {
+  FemSettings fem;
+  fem.contact = read_contact(table);
+  fem.element = table.choice("element", fem.element);
+  fem.surface_cell_depth = table.number("surface_cell_depth");
+  fem.growth = table.number("growth");
+  fem.depth = table.quantity("depth");
+  fem.top = table.choice("top", fem.top);
+  fem.solver = table.choice("solver", fem.solver);
+  read_whole_block(table, has_mesh, fem);
+  return fem;
+}
+
+std::optional<double> read_magnification(TableReader& table,
+                                         SurfaceKind surface) {
+  if (!table.has("magnification"))
+    return std::nullopt;
+  const double magnification = table.number("magnification");
+  if (surface != SurfaceKind::self_affine)
+    table.refuse(*table.node().find("magnification"),
+                 "means nothing here: it counts from the roll-off wavevector "
+                 "of a self-affine surface");
+  return magnification;
+}
+
+/// What a method's keys are judged by.
+struct Scene {
+  SurfaceKind surface;
+  bool has_mesh; ///< the case has a [mesh]
+};
+
+MethodSpec read_method(const Node& node, const std::string& kind,
+                       const Scene& scene, Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table(kind), mistakes);
+  table.refuse_unknown();
+  MethodSpec method{node.path, {}, read_magnification(table, scene.surface)};
+  if (kind == "theory")
+    method.settings = read_theory(table, scene.surface);
+  else if (kind == "halfspace")
+    method.settings = read_halfspace(table);
+  else if (kind == "fem")
+    method.settings = read_fem(table, scene.has_mesh);
+  else
+    method.settings = read_md(table);
+  return method;
+}
+
+// A variant's name is a sub-table that is no key: [fem.hard].
+bool is_variant(const NodeEntry& entry, const Table& table) {
+  return entry.node.is_table() &&
+         std::none_of(table.keys.begin(), table.keys.end(),
+                      [&](const Key& key) { return key.name == entry.key; });
+}
+
+void check_variant_name(const NodeEntry& entry, Mistakes& mistakes) {
+  if (entry.key.empty() ||
+      entry.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
+          std::string::npos)
+    mistakes.add(entry.node.place, entry.node.path +
+                                       " names a variant, but must be of the "
+                                       "letters a-z, digits and hyphens");
+}
+
+/// The base's keys with the variant's own over them. Inherited keys keep their
+/// place and path, so that what is wrong with one is said once, where it is.
+Node inherited(const Node& base, const Node& variant) {
+  Node merged = variant;
+  for (const NodeEntry& entry : base.entries)
+    if (!merged.find(entry.key))
+      merged.entries.push_back(entry);
+  return merged;
+}
+
+void read_family(const Node& node, const std::string& kind, const Scene& scene,
+                 std::vector<std::vector<MethodSpec>>& ranks,
+                 Mistakes& mistakes) {
+  const Table& table = vocabulary_table(kind);
+  Node base = node;
+  std::erase_if(base.entries, [&](const NodeEntry& entry) {
+    return is_variant(entry, table);
+  });
+  ranks[0].push_back(read_method(base, kind, scene, mistakes));
+  for (const NodeEntry& entry : node.entries) {
+    if (!is_variant(entry, table))
+      continue;
+    check_variant_name(entry, mistakes);
+    ranks[1].push_back(
+        read_method(inherited(base, entry.node), kind, scene, mistakes));
+  }
+}
+
+} // namespace
+
+std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
+                                     Mistakes& mistakes) {
+  std::vector<std::vector<MethodSpec>> ranks(2); // the methods, their variants
+  const Scene scene{kind, file.find("mesh") != nullptr};
+  bool has_any = false;
+  for (const Table& table : vocabulary()) {
+    const Node* const node = table.is_method ? file.find(table.name) : nullptr;
+    if (!node)
+      continue;
+    has_any = true;
+    if (node->is_table())
+      read_family(*node, table.name, scene, ranks, mistakes);
+    else
+      mistakes.add(node->place, table.name + " = " + written(*node) +
+                                    ", but must be a table: [" + table.name +
+                                    "]");
+  }
+  if (!has_any)
+    mistakes.add(file.place, "no method is named; allowed: [theory], "
+                             "[halfspace], [fem], [md]");
+  std::vector<MethodSpec> methods = ranks[0];
+  methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());
+  return methods;
+}
+
+Demands demands_of(const std::vector<MethodSpec>& methods) {
+  Demands demands{methods.empty(), false};
+  for (const MethodSpec& method : methods) {
+    const auto* const theory = std::get_if<TheorySettings>(&method.settings);
+    const auto* const slab = std::get_if<HalfspaceSettings>(&method.settings);
+    if (!theory || theory->spectrum == TheorySpectrum::surface)
+      demands.is_surface_built = true;
+    if (std::holds_alternative<FemSettings>(method.settings) ||
+        std::holds_alternative<MdSettings>(method.settings) ||
+        (slab && slab->thickness))
+      demands.is_poisson_needed = true;
+  }
+  return demands;
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,248 @@
+#include "cases/reader/table_reader.hpp"
+
+#include "cases/text/nearest.hpp"
+#include "cases/text/toml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::cases {
+namespace {
+
+std::string table_of_key(const std::string& key) {
+  for (const Table& table : vocabulary())
+    for (const Key& candidate : table.keys)
+      if (candidate.name == key && !table.is_part && !table.name.empty())
+        return table.name;
+  return "";
+}
+
+double interpolated(const Quantity& from, const Quantity& to, double fraction,
+                    bool is_logarithmic) {
+  if (fraction == 0.0)
+    return from.value;
+  if (fraction == 1.0)
+    return to.value;
+  if (is_logarithmic)
+    return from.value * std::pow(to.value / from.value, fraction);
+  return from.value + (to.value - from.value) * fraction;
+}
+
+} // namespace
+
+TableReader::TableReader(const Node& node, const Table& vocabulary,
+                         Mistakes& mistakes)
+    : node_(node), vocabulary_(vocabulary), mistakes_(mistakes) {}
+
+std::string TableReader::path_of(const std::string& key) const {
+  return node_.path.empty() ? key : node_.path + "." + key;
+}
+
+const Key& TableReader::key_called(const std::string& name) const {
+  return vocabulary_key(vocabulary_, name);
+}
+
+bool TableReader::has(const std::string& key) const {
+  return node_.find(key) != nullptr;
+}
+
+const Node* TableReader::entry(const std::string& name) {
+  if (const Node* const present = node_.find(name))
+    return present;
+  const Key& key = key_called(name);
+  if (key.fallback.empty()) {
+    complain_missing(name);
+    return nullptr;
+  }
+  defaults_.reserve(vocabulary_.keys.size()); // the pointers stay good
+  defaults_.push_back(
+      parse_toml_value(key.fallback, {"default", 0}, path_of(name)));
+  return &defaults_.back();
+}
+
+Quantity TableReader::quantity_in(const Node& node, const Key& key) {
+  Quantity quantity;
+  if (node.is_number()) {
+    quantity.value = node.number();
+  } else if (node.type == NodeType::text && key.dimension != Dimension::none) {
+    const QuantityReading reading =
+        read_quantity(node.text, key.dimension, key.yardsticks);
+    if (!reading.quantity) {
+      complain(node, "= " + written(node) + " " + reading.mistake);
+      return {};
+    }
+    quantity = *reading.quantity;
+  } else {
+    refuse(node, "must be " + allowed_text(key));
+    return {};
+  }
+  if (!key.range.contains(quantity.value)) {
+    const bool is_si = quantity.yardstick == Yardstick::si;
+    refuse(node,
+           key.range.sentence(is_si ? si_unit(key.dimension)
+                                    : yardstick_symbol(quantity.yardstick)));
+    return {};
+  }
+  return quantity;
+}
+
+Quantity TableReader::quantity(const std::string& key) {
+  const Node* const found = entry(key);
+  return found ? quantity_in(*found, key_called(key)) : Quantity{};
+}
+
+double TableReader::number(const std::string& key) {
+  return quantity(key).value;
+}
+
+int TableReader::integer(const std::string& name) {
+  const Node* const found = entry(name);
+  if (!found)
+    return 0;
+  const Key& key = key_called(name);
+  if (found->type != NodeType::integer) {
+    refuse(*found, "must be " + allowed_text(key));
+    return 0;
+  }
+  if (!key.range.contains(found->number())) {
+    refuse(*found, key.range.sentence("1"));
+    return 0;
+  }
+  return static_cast<int>(found->integer);
+}
+
+bool TableReader::boolean(const std::string& key) {
+  const Node* const found = entry(key);
+  if (found && found->type != NodeType::boolean)
+    refuse(*found, "must be " + allowed_text(key_called(key)));
+  return found && found->boolean;
+}
+
+std::string TableReader::text(const std::string& key) {
+  const Node* const found = entry(key);
+  if (!found)
+    return "";
+  if (found->type != NodeType::text || found->text.empty())
+    refuse(*found, "must be " + allowed_text(key_called(key)));
+  return found->text;
+}
+
+std::optional<int> TableReader::word(const std::string& name) {
+  const Node* const found = entry(name);
+  if (!found)
+    return std::nullopt;
+  const Key& key = key_called(name);
+  if (found->type != NodeType::text) {
+    refuse(*found, "must be " + allowed_text(key));
+    return std::nullopt;
+  }
+  const auto match = std::find(key.words.begin(), key.words.end(), found->text);
+  if (match == key.words.end()) {
+    refuse(*found, "must be " + allowed_text(key) +
+                       "; nearest: " + nearest(found->text, key.words));
+    return std::nullopt;
+  }
+  return static_cast<int>(match - key.words.begin());
+}
+
+std::vector<std::string> TableReader::names(const std::string& key) {
+  std::vector<std::string> texts;
+  const Node* const found = entry(key);
+  if (!found)
+    return texts;
+  for (const Node& element : found->list)
+    texts.push_back(element.text);
+  const bool is_good =
+      found->type == NodeType::list && !found->list.empty() &&
+      std::none_of(texts.begin(), texts.end(),
+                   [](const std::string& text) { return text.empty(); });
+  if (!is_good)
+    refuse(*found, "must be " + allowed_text(key_called(key)));
+  return texts;
+}
+
+std::vector<Quantity> TableReader::program(const std::string& name) {
+  const Node* const found = entry(name);
+  if (!found)
+    return {};
+  const Key& key = key_called(name);
+  if (found->is_table())
+    return sweep(*found, key);
+  if (found->type != NodeType::list)
+    return {quantity_in(*found, key)};
+  if (found->list.empty())
+    refuse(*found, "must be " + allowed_text(key));
+  std::vector<Quantity> targets;
+  for (const Node& element : found->list)
+    targets.push_back(quantity_in(element, key));
+  return targets;
+}
+
+std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
+  TableReader part(node, vocabulary_table("load.sweep"), mistakes_);
+  part.refuse_unknown();
+  const Node* const from_node = part.entry("from");
+  const Node* const to_node = part.entry("to");
+  const Quantity from = from_node ? quantity_in(*from_node, key) : Quantity{};
+  const Quantity to = to_node ? quantity_in(*to_node, key) : Quantity{};
+  const int steps = part.integer("steps");
+  const std::optional<int> spacing = part.word("spacing");
+  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !spacing)
+    return {};
+  if (from.yardstick != to.yardstick) {
+    refuse(*to_node, "must be measured as from is, both in SI or both in " +
+                         std::string("the same unit of the problem"));
+    return {};
+  }
+  std::vector<Quantity> targets;
+  targets.reserve(static_cast<std::size_t>(steps));
+  for (int step = 0; step < steps; ++step)
+    targets.push_back(
+        {interpolated(from, to, static_cast<double>(step) / (steps - 1),
+                      *spacing == 0),
+         from.yardstick});
+  return targets;
+}
+
+void TableReader::complain(const Node& where, const std::string& what) {
+  mistakes_.add(where.place, where.path + " " + what);
+}
+
+void TableReader::complain_missing(const std::string& name,
+                                   const std::string& why) {
+  const Key& key = key_called(name);
+  mistakes_.add(node_.place, fmt::format("{} is missing{}: {}", path_of(name),
+                                         why, allowed_text(key)));
+}
+
+void TableReader::refuse(const Node& found, const std::string& rule) {
+  complain(found, "= " + written(found) + ", but " + rule);
+}
+
+void TableReader::refuse_both(const std::string& first,
+                              const std::string& second) {
+  complain(*node_.find(second),
+           "and " + path_of(first) + " are both given, but one says it all");
+}
+
+void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
+  std::vector<std::string> known = also_known;
+  for (const Key& key : vocabulary_.keys)
+    known.push_back(key.name);
+  for (const NodeEntry& candidate : node_.entries) {
+    if (std::find(known.begin(), known.end(), candidate.key) != known.end())
+      continue;
+    const std::string home = table_of_key(candidate.key);
+    std::string what = "is not a key of this table; ";
+    if (node_.path.empty())
+      what = candidate.node.is_table() ? "is not a table of a case; "
+                                       : "is not a key at the top of a case; ";
+    what += home.empty() ? "nearest: " : "it belongs to [";
+    what += home.empty() ? nearest(candidate.key, known) : home + "]";
+    complain(candidate.node, what);
+  }
+}
+
+} // namespace asperity::cases

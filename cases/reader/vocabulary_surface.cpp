@@ -1,0 +1,269 @@
+#include "cases/reader/vocabulary.hpp"
+
+namespace asperity::cases {
+namespace {
+
+const std::vector<Yardstick> by_the_grid = {Yardstick::length,
+                                            Yardstick::spacing};
+const std::vector<std::string> random_kinds = {"self-affine", "spectrum"};
+const std::vector<std::string> wave_kinds = {"wave-1d", "wave-2d"};
+
+std::vector<Key> kind_and_grid_keys() {
+  return {
+      {.name = "kind",
+       .type = ValueType::word,
+       .words = {"self-affine", "spectrum", "measured", "sphere", "wave-1d",
+                 "wave-2d"},
+       .need = Need::always,
+       .example = "\"self-affine\"",
+       .show = Show::yes,
+       .description = "What the surface is."},
+      {.name = "length",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .need = Need::conditional,
+       .when = "always but for measured maps whose file says it, and for a "
+               "theory from a formula alone",
+       .example = "\"10 um\"",
+       .show = Show::yes,
+       .description = "Side of the periodic square."},
+      {.name = "points",
+       .type = ValueType::integer,
+       .range = between(4, 65536),
+       .need = Need::conditional,
+       .when = "always but for measured maps and for a theory from a formula "
+               "alone",
+       .kinds = {"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d"},
+       .example = "256",
+       .show = Show::yes,
+       .description = "Nodes a side, even; their distance is h = length / "
+                      "points."},
+  };
+}
+
+std::vector<Key> random_keys() {
+  return {
+      {.name = "seed",
+       .type = ValueType::integer,
+       .range = at_least(0),
+       .need = Need::conditional,
+       .when = "always but for a theory from a formula alone",
+       .kinds = random_kinds,
+       .example = "7",
+       .show = Show::yes,
+       .description = "Of the random phases: the same seed is the same surface "
+                      "on any grid."},
+      {.name = "realizations",
+       .type = ValueType::integer,
+       .range = between(1, 1000),
+       .kinds = random_kinds,
+       .fallback = "1",
+       .example = "1",
+       .show = Show::yes,
+       .description = "Number of surfaces, each from its own stream of the "
+                      "seed."},
+      {.name = "amplitudes",
+       .type = ValueType::word,
+       .words = {"spectrum", "gaussian"},
+       .kinds = random_kinds,
+       .fallback = "\"spectrum\"",
+       .example = "\"spectrum\"",
+       .description = "Exactly the spectrum's, or Gaussian around them."},
+      {.name = "rescale",
+       .type = ValueType::boolean,
+       .kinds = random_kinds,
+       .fallback = "false",
+       .example = "false",
+       .description = "Scale each realisation to the spectrum's rms exactly."},
+  };
+}
+
+std::vector<Key> self_affine_keys() {
+  const std::vector<std::string> kind = {"self-affine"};
+  return {
+      {.name = "rms_height",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .yardsticks = by_the_grid,
+       .need = Need::conditional,
+       .when = "this or rms_slope",
+       .kinds = kind,
+       .example = "\"34 nm\"",
+       .show = Show::yes,
+       .description = "Root mean square of the height, over all of the "
+                      "spectrum."},
+      {.name = "rms_slope",
+       .range = positive(),
+       .need = Need::conditional,
+       .when = "this or rms_height",
+       .kinds = kind,
+       .example = "0.1",
+       .description = "Root of <|grad height|^2>, both directions."},
+      {.name = "hurst",
+       .range = {0.0, 1.0, false, true},
+       .need = Need::always,
+       .kinds = kind,
+       .example = "0.8",
+       .show = Show::yes,
+       .description = "Exponent H: C(q) falls as q^(-2-2H) beyond the "
+                      "roll-off."},
+  };
+}
+
+struct CutOff {
+  std::string wavevector;
+  std::string wavelength;
+  std::string wavevector_example;
+  std::string wavelength_example;
+  std::string description; ///< begins with the letter: "q_L, where ..."
+};
+
+void add_cut_off(std::vector<Key>& keys, const CutOff& cut_off) {
+  keys.push_back({.name = cut_off.wavevector,
+                  .dimension = Dimension::wavevector,
+                  .range = positive(),
+                  .need = Need::conditional,
+                  .when = "this or " + cut_off.wavelength,
+                  .kinds = {"self-affine"},
+                  .example = cut_off.wavevector_example,
+                  .show = Show::no,
+                  .description = cut_off.description + "."});
+  keys.push_back(
+      {.name = cut_off.wavelength,
+       .dimension = Dimension::length,
+       .range = positive(),
+       .yardsticks = by_the_grid,
+       .need = Need::conditional,
+       .when = "this or " + cut_off.wavevector,
+       .kinds = {"self-affine"},
+       .example = cut_off.wavelength_example,
+       .show = Show::yes,
+       .description = cut_off.description + ", as a wavelength 2 pi / q."});
+}
+
+std::vector<Key> file_keys() {
+  const std::vector<std::string> kind = {"measured"};
+  return {
+      {.name = "file",
+       .type = ValueType::path,
+       .need = Need::always,
+       .kinds = {"measured", "spectrum"},
+       .example = "\"map.txt\"",
+       .show = Show::no,
+       .description = "The map, or the spectrum's columns q [1/m], C [m^4]; "
+                      "relative to the case file's folder."},
+      {.name = "format",
+       .type = ValueType::word,
+       .words = {"auto", "plain", "gwyddion"},
+       .kinds = kind,
+       .fallback = "\"auto\"",
+       .example = "\"auto\"",
+       .show = Show::no,
+       .description = "How the map is written."},
+      {.name = "level",
+       .type = ValueType::word,
+       .words = {"none", "plane", "bow"},
+       .need = Need::always,
+       .kinds = kind,
+       .example = "\"plane\"",
+       .show = Show::no,
+       .description = "What is taken off the map: nothing, its tilt, or tilt "
+                      "and bow."},
+      {.name = "edges",
+       .type = ValueType::word,
+       .words = {"periodic", "window", "mirror"},
+       .kinds = kind,
+       .fallback = "\"mirror\"",
+       .example = "\"mirror\"",
+       .show = Show::no,
+       .description = "How the map becomes periodic: it is, by a window, which "
+                      "is for spectra, or by its mirror images."},
+      {.name = "press_windowed_map",
+       .type = ValueType::boolean,
+       .kinds = kind,
+       .fallback = "false",
+       .example = "true",
+       .show = Show::no,
+       .description = "Confirms edges = \"window\": the map that is pressed "
+                      "has 9/64 of the measured power."},
+      {.name = "height_unit",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .need = Need::conditional,
+       .when = "with format = \"plain\"",
+       .kinds = kind,
+       .example = "\"1 nm\"",
+       .show = Show::no,
+       .description = "Height that the number 1 of a plain map means."},
+  };
+}
+
+std::vector<Key> shape_keys() {
+  return {
+      {.name = "radius",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .yardsticks = by_the_grid,
+       .need = Need::always,
+       .kinds = {"sphere"},
+       .example = "\"1 mm\"",
+       .show = Show::no,
+       .description = "Of the sphere."},
+      {.name = "amplitude",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .yardsticks = by_the_grid,
+       .need = Need::always,
+       .kinds = wave_kinds,
+       .example = "\"10 nm\"",
+       .show = Show::no,
+       .description = "D of the wave D cos(2 pi x / wavelength), in two "
+                      "dimensions times cos(2 pi y / wavelength)."},
+      {.name = "wavelength",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .yardsticks = by_the_grid,
+       .need = Need::always,
+       .kinds = wave_kinds,
+       .example = "\"1 length\"",
+       .show = Show::no,
+       .description = "Of the wave; length is a whole multiple of it."},
+  };
+}
+
+void append(std::vector<Key>& keys, const std::vector<Key>& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+Table surface_table() {
+  Table table{.name = "surface",
+              .when = "Always needed.",
+              .description = "The rough, rigid surface.",
+              .keys = kind_and_grid_keys()};
+  append(table.keys, random_keys());
+  append(table.keys, self_affine_keys());
+  add_cut_off(table.keys,
+              {"wavevector_low", "wavelength_long", "\"1.2566e6 1/m\"",
+               "\"1 length\"", "q_L, where the spectrum begins"});
+  add_cut_off(table.keys,
+              {"wavevector_roll_off", "wavelength_roll_off", "\"2.8274e6 1/m\"",
+               "\"0.25 length\"", "q_0, up to which the spectrum is flat"});
+  add_cut_off(table.keys,
+              {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
+               "\"8 h\"", "q_1, where the spectrum ends"});
+  append(table.keys, file_keys());
+  append(table.keys, shape_keys());
+  return table;
+}
+
+std::string reason_of_kind(const std::string& kind) {
+  if (kind == "measured")
+    return "the file fixes the points, and nothing in it is random";
+  if (kind == "sphere" || kind == "wave-1d" || kind == "wave-2d")
+    return "the shape is exact and nothing in it is random";
+  return "";
+}
+
+} // namespace asperity::cases

@@ -1,0 +1,145 @@
+#include "cases/types/quantity_at_load.hpp"
+
+#include "cases/text/nearest.hpp"
+#include "cases/types/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace asperity::cases {
+namespace {
+
+std::string without_blanks(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+QuantityAtLoadReading refused(const std::string& mistake) {
+  return {std::nullopt, mistake};
+}
+
+/// The text behind "@key =" between two places of `name`, if it is that key.
+std::optional<std::string> value_of(const std::string& key,
+                                    const std::string& name, std::size_t at,
+                                    std::size_t end) {
+  if (at == std::string::npos)
+    return std::nullopt;
+  const std::string clause = name.substr(at + 1, end - at - 1);
+  const auto equals = clause.find('=');
+  if (equals == std::string::npos ||
+      without_blanks(clause.substr(0, equals)) != key)
+    return std::nullopt;
+  return clause.substr(equals + 1);
+}
+
+std::optional<double> positive_number(const std::optional<std::string>& text) {
+  const std::string digits = without_blanks(text.value_or(""));
+  double number = 0.0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, error] = std::from_chars(digits.data(), end, number);
+  const bool is_good = error == std::errc{} && rest == end &&
+                       std::isfinite(number) && number > 0.0;
+  return is_good ? std::optional(number) : std::nullopt;
+}
+
+/// What is wrong with a name that should be one of `known`; "" if it is.
+std::string mistake_in_name(const std::string& quantity,
+                            const std::vector<ExpectationName>& known) {
+  std::vector<std::string> names;
+  for (const ExpectationName& entry : known)
+    names.push_back(entry.name);
+  if (std::find(names.begin(), names.end(), quantity) != names.end())
+    return "";
+  return fmt::format("asks for {} at a load, which is not known; nearest: {}",
+                     quantity, nearest(quantity, names));
+}
+
+} // namespace
+
+const std::vector<ExpectationName>& quantities_at_load() {
+  static const std::vector<ExpectationName> names = {
+      {.name = "area_fraction",
+       .description = "A/A_0 as counted; the theory's (4) [1].",
+       .theory_answers = true},
+      {.name = "area_fraction_corrected",
+       .description = "A/A_0, the method's best estimate [1].",
+       .theory_answers = true},
+      {.name = "area_fraction_fit",
+       .description =
+           "A/A_0 by (21) of (20) fitted to the pressure distribution [1]."},
+      {.name = "area_fraction_moment",
+       .description = "A/A_0 by (21) of the pressure's second moment [1]."},
+      {.name = "area_excess",
+       .description = "Counted area over theory's, minus 1 [1].",
+       .needs_theory = true},
+      {.name = "area_excess_fit",
+       .description = "Area by (21) of the fit over theory's, minus 1 [1].",
+       .needs_theory = true},
+      {.name = "reduced_mean_gap",
+       .description = "u / h_rms [1].",
+       .theory_answers = true},
+  };
+  return names;
+}
+
+const std::vector<ExpectationName>& quantities_at_magnification() {
+  static const std::vector<ExpectationName> names = {
+      {.name = "area_fraction",
+       .description = "A(zeta)/A_0 [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+      {.name = "reduced_mean_gap",
+       .description = "u(zeta) / h_rms, h_rms of the whole surface [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+      {.name = "mean_gap_ratio",
+       .description = "u(zeta) over the mean gap u [1].",
+       .theory_answers = true,
+       .theory_only = true,
+       .study = Study::magnification},
+  };
+  return names;
+}
+
+bool names_a_load(const std::string& name) {
+  return name.find('@') != std::string::npos;
+}
+
+QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
+  const std::string quantity = without_blanks(name.substr(0, name.find('@')));
+  const auto at = name.find('@');
+  const auto second_at = at == std::string::npos ? at : name.find('@', at + 1);
+  const std::optional<std::string> load = value_of("p", name, at, second_at);
+  if (!load)
+    return refused("must be spelt as area_fraction@p=0.01 E* is");
+  const bool has_magnification = second_at != std::string::npos;
+  const std::string mistake = mistake_in_name(
+      quantity,
+      has_magnification ? quantities_at_magnification() : quantities_at_load());
+  if (!mistake.empty())
+    return refused(mistake);
+  const QuantityReading pressure =
+      read_quantity(*load, Dimension::pressure, {Yardstick::contact_modulus});
+  if (!pressure.quantity)
+    return refused("has a p that " + pressure.mistake);
+  if (!(pressure.quantity->value > 0.0))
+    return refused("has a p that is not > 0");
+  QuantityAtLoad read{quantity, *pressure.quantity};
+  if (has_magnification) {
+    read.magnification =
+        positive_number(value_of("zeta", name, second_at, std::string::npos));
+    if (!read.magnification)
+      return refused(
+          "must end as in area_fraction@p=0.01 E*@zeta=10, zeta > 0");
+  }
+  return {read, ""};
+}
+
+} // namespace asperity::cases

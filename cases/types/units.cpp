@@ -1,0 +1,189 @@
+#include "cases/types/units.hpp"
+
+#include "base/physical_constants.hpp"
+#include "cases/text/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace asperity::cases {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos)
+    return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+const Unit* unit_called(const std::string& symbol) {
+  const auto found =
+      std::find_if(units().begin(), units().end(),
+                   [&](const Unit& unit) { return unit.symbol == symbol; });
+  return found == units().end() ? nullptr : &*found;
+}
+
+QuantityReading refused(const std::string& mistake) {
+  return {std::nullopt, mistake};
+}
+
+std::string wrong_unit(const std::string& symbol,
+                       const std::vector<std::string>& allowed) {
+  const std::string choice = fmt::format("{}", fmt::join(allowed, ", "));
+  if (const Unit* unit = unit_called(symbol))
+    return fmt::format("has the unit {} of a {}, but must have one of: {}",
+                       symbol, dimension_name(unit->dimension), choice);
+  return fmt::format("has the unknown unit \"{}\"; allowed: {}; nearest: {}",
+                     symbol, choice, nearest(symbol, allowed));
+}
+
+} // namespace
+
+const std::vector<Unit>& units() {
+  using enum Dimension;
+  static const std::vector<Unit> table = {
+      {"m", length},
+      {"mm", length, 1.0, 1e3},
+      {"um", length, 1.0, 1e6},
+      {"\u00b5m", length, 1.0, 1e6, Yardstick::si, true}, // micro sign
+      {"\u03bcm", length, 1.0, 1e6, Yardstick::si, true}, // Greek mu
+      {"nm", length, 1.0, 1e9},
+      {"angstrom", length, 1.0, 1e10},
+      {"Pa", pressure},
+      {"kPa", pressure, 1e3},
+      {"MPa", pressure, 1e6},
+      {"GPa", pressure, 1e9},
+      {"N", force},
+      {"J/m^2", energy_per_area},
+      {"J", energy},
+      {"eV", energy, electronvolt},
+      {"meV", energy, electronvolt, 1e3},
+      {"kg", mass},
+      {"u", mass, atomic_mass_unit},
+      {"s", time},
+      {"ps", time, 1.0, 1e12},
+      {"fs", time, 1.0, 1e15},
+      {"1/s", rate},
+      {"1/ps", rate, 1e12},
+      {"K", temperature},
+      {"kg/m^3", density},
+      {"Pa s", viscosity},
+      {"mPa s", viscosity, 1.0, 1e3},
+      {"1/m", wavevector},
+      {"Pa/m", stiffness},
+      {"E*", pressure, 1.0, 1.0, Yardstick::contact_modulus},
+      {"length", length, 1.0, 1.0, Yardstick::length},
+      {"h", length, 1.0, 1.0, Yardstick::spacing},
+      {"h_rms", length, 1.0, 1.0, Yardstick::rms_height},
+      {"E*/h", stiffness, 1.0, 1.0, Yardstick::contact_modulus_per_spacing},
+  };
+  return table;
+}
+
+std::string dimension_name(Dimension dimension) {
+  switch (dimension) {
+  case Dimension::none:
+    return "number";
+  case Dimension::length:
+    return "length";
+  case Dimension::pressure:
+    return "pressure";
+  case Dimension::wavevector:
+    return "wavevector";
+  case Dimension::stiffness:
+    return "stiffness per area";
+  case Dimension::force:
+    return "force";
+  case Dimension::energy_per_area:
+    return "energy per area";
+  case Dimension::energy:
+    return "energy";
+  case Dimension::mass:
+    return "mass";
+  case Dimension::time:
+    return "time";
+  case Dimension::rate:
+    return "rate";
+  case Dimension::temperature:
+    return "temperature";
+  case Dimension::density:
+    return "density";
+  case Dimension::viscosity:
+    return "viscosity";
+  }
+  return "";
+}
+
+std::string si_unit(Dimension dimension) {
+  const auto found =
+      std::find_if(units().begin(), units().end(), [&](const Unit& unit) {
+        return unit.dimension == dimension;
+      });
+  return found == units().end() ? "1" : found->symbol;
+}
+
+std::string yardstick_symbol(Yardstick yardstick) {
+  for (const Unit& unit : units())
+    if (unit.yardstick == yardstick && yardstick != Yardstick::si)
+      return unit.symbol;
+  return "";
+}
+
+bool is_allowed(const Unit& unit, Dimension dimension,
+                const std::vector<Yardstick>& yardsticks) {
+  return unit.dimension == dimension &&
+         (unit.yardstick == Yardstick::si ||
+          std::find(yardsticks.begin(), yardsticks.end(), unit.yardstick) !=
+              yardsticks.end());
+}
+
+std::vector<std::string>
+unit_symbols(Dimension dimension, const std::vector<Yardstick>& yardsticks) {
+  std::vector<std::string> symbols;
+  for (const Unit& unit : units())
+    if (is_allowed(unit, dimension, yardsticks) && !unit.is_alias)
+      symbols.push_back(unit.symbol);
+  return symbols;
+}
+
+QuantityReading read_quantity(const std::string& text, Dimension dimension,
+                              const std::vector<Yardstick>& yardsticks) {
+  const std::string written = trimmed(text);
+  const char* const end = written.data() + written.size();
+  double number = 0.0;
+  const auto [rest, error] = std::from_chars(written.data(), end, number);
+  if (error == std::errc::result_out_of_range)
+    return refused("is out of the range of numbers");
+  if (error != std::errc{} || !std::isfinite(number))
+    return refused("does not begin with a number");
+
+  const std::string symbol = trimmed(std::string(rest, end));
+  const std::vector<std::string> allowed = unit_symbols(dimension, yardsticks);
+  if (dimension == Dimension::none)
+    return refused("must be a plain number, without quotes");
+  if (symbol.empty())
+    return refused(fmt::format("has no unit; allowed: {} (a number without "
+                               "quotes is in {})",
+                               fmt::join(allowed, ", "), si_unit(dimension)));
+  const Unit* const unit = unit_called(symbol);
+  if (!unit || !is_allowed(*unit, dimension, yardsticks))
+    return refused(wrong_unit(symbol, allowed));
+
+  const double value = number * unit->multiplier / unit->divisor;
+  if (!std::isfinite(value))
+    return refused("is out of the range of numbers");
+  return {Quantity{value, unit->yardstick}, ""};
+}
+
+std::string write_quantity(const Quantity& quantity, Dimension dimension) {
+  const std::string symbol = quantity.yardstick == Yardstick::si
+                                 ? si_unit(dimension)
+                                 : yardstick_symbol(quantity.yardstick);
+  return fmt::format("{} {}", quantity.value, symbol);
+}
+
+} // namespace asperity::cases

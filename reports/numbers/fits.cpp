@@ -1,0 +1,239 @@
+#include "reports/numbers/fits.hpp"
+
+#include "base/require.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+
+constexpr double largest_gap = 2.0;       // of h_rms: finite size beyond
+constexpr double outer_start = 1.5;       // of h_rms: windows start beyond
+constexpr double smallest_width = 0.5;    // of h_rms
+constexpr double first_tolerance = 0.005; // of h_rms
+constexpr double last_tolerance = 0.08;   // of h_rms
+constexpr std::size_t fewest_rows = 4;    // of the slope's window
+constexpr std::size_t fewest_area_rows = 3;
+constexpr std::size_t fewest_parameter_rows = 3;
+
+void require_scales(const SurfaceScales& scales) {
+  require_positive("contact_modulus", scales.contact_modulus, "Pa");
+  require_positive("rms_height", scales.rms_height, "m");
+  require_positive("rms_slope", scales.rms_slope, "1");
+}
+
+Window window_of(std::span<const CurvePoint> rows) {
+  Window window;
+  window.gap_high = rows.front().mean_gap;
+  window.gap_low = rows.back().mean_gap;
+  window.pressure_low = rows.front().nominal_pressure;
+  window.pressure_high = rows.back().nominal_pressure;
+  window.points = static_cast<int>(rows.size());
+  return window;
+}
+
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  LineFit line; // u/h_rms against ln(p/E*)
+};
+
+// Reduced coordinates of the fit: x = ln(p/E*), y = u/h_rms.
+struct ReducedCurve {
+  std::vector<double> log_pressure;
+  std::vector<double> gap;
+};
+
+// The longest straight run that starts at row `first`.
+std::optional<Stretch> stretch_from(const ReducedCurve& curve,
+                                    std::size_t first, double tolerance) {
+  std::optional<Stretch> longest;
+  const std::span<const double> x = curve.log_pressure;
+  const std::span<const double> y = curve.gap;
+  for (std::size_t count = fewest_rows; first + count <= x.size(); ++count) {
+    const LineFit line =
+        fit_line(x.subspan(first, count), y.subspan(first, count));
+    if (line.largest_residual > tolerance)
+      break;
+    if (!std::isfinite(line.slope))
+      continue; // one load several times: no line yet
+    if (y[first] - y[first + count - 1] >= smallest_width)
+      longest = Stretch{first, count, line};
+  }
+  return longest;
+}
+
+std::optional<Stretch> outermost_stretch(const ReducedCurve& curve,
+                                         double tolerance,
+                                         double lowest_start) {
+  for (std::size_t first = 0;
+       first < curve.gap.size() && curve.gap[first] >= lowest_start; ++first)
+    if (const auto stretch = stretch_from(curve, first, tolerance))
+      return stretch;
+  return std::nullopt;
+}
+
+SlopeFit slope_fit_of(const Stretch& stretch, std::span<const CurvePoint> rows,
+                      double tolerance) {
+  const LineFit& line = stretch.line;
+  const double reduced_decay = -line.slope; // u_0/h_rms
+  SlopeFit fit;
+  fit.window = window_of(rows.subspan(stretch.first, stretch.count));
+  fit.window.largest_deviation = line.largest_residual;
+  fit.window.tolerance = tolerance;
+  fit.gamma_slope = {reduced_decay, line.slope_error, line.points - 2};
+  // ln beta = x_c + y_c/(u_0/h), with (x_c, y_c) the centre of the fit, where
+  // the errors of height and slope are independent.
+  const double lift = line.centre_y / reduced_decay;
+  const double beta = std::exp(line.centre_x + lift);
+  fit.beta = {beta,
+              beta / reduced_decay *
+                  std::hypot(line.centre_error, lift * line.slope_error),
+              line.points - 2};
+  return fit;
+}
+
+} // namespace
+
+std::vector<CurvePoint> loading_rows(std::span<const CurvePoint> points) {
+  std::vector<CurvePoint> rows;
+  for (const CurvePoint& point : points)
+    if (point.status == results::StepStatus::converged && !point.is_unloading &&
+        point.nominal_pressure > 0.0 && std::isfinite(point.nominal_pressure) &&
+        std::isfinite(point.mean_gap))
+      rows.push_back(point);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const CurvePoint& a, const CurvePoint& b) {
+                     return a.nominal_pressure < b.nominal_pressure;
+                   });
+  return rows;
+}
+
+SlopeFit fit_slope(std::span<const CurvePoint> points,
+                   const SurfaceScales& scales) {
+  require_scales(scales);
+  std::vector<CurvePoint> rows = loading_rows(points);
+  std::erase_if(rows, [&](const CurvePoint& row) {
+    return row.mean_gap > largest_gap * scales.rms_height;
+  });
+
+  ReducedCurve curve;
+  for (const CurvePoint& row : rows) {
+    curve.log_pressure.push_back(
+        std::log(row.nominal_pressure / scales.contact_modulus));
+    curve.gap.push_back(row.mean_gap / scales.rms_height);
+  }
+  for (const double lowest_start : {outer_start, 0.0})
+    for (double tolerance = first_tolerance; tolerance <= last_tolerance;
+         tolerance *= 2.0)
+      if (const auto stretch =
+              outermost_stretch(curve, tolerance, lowest_start))
+        return slope_fit_of(*stretch, rows, tolerance);
+
+  SlopeFit none;
+  none.reason = rows.size() < fewest_rows
+                    ? "fewer than 4 rows below u = 2 h_rms"
+                    : "no straight stretch of 4 rows and 0.5 h_rms below "
+                      "u = 2 h_rms";
+  return none;
+}
+
+ParameterFit fit_parameter(std::span<const CurvePoint> points,
+                           const SurfaceScales& scales,
+                           const GapTheory& theory) {
+  require_scales(scales);
+  std::vector<CurvePoint> rows = loading_rows(points);
+  std::erase_if(rows, [&](const CurvePoint& row) {
+    return row.mean_gap > largest_gap * scales.rms_height ||
+           row.mean_gap <= 0.0;
+  });
+  ParameterFit fit;
+  if (rows.size() < fewest_parameter_rows) {
+    fit.reason = fmt::format("fewer than {} rows with 0 < u <= 2 h_rms",
+                             fewest_parameter_rows);
+    return fit;
+  }
+  std::vector<double> lever;     // u(gamma = 1) - u(gamma = 0)
+  std::vector<double> remainder; // u - u(gamma = 0)
+  double product = 0.0;
+  double squares = 0.0;
+  for (const CurvePoint& row : rows) {
+    const GapSplit split = theory(row.nominal_pressure);
+    lever.push_back(split.at_one - split.at_zero);
+    remainder.push_back(row.mean_gap - split.at_zero);
+    product += lever.back() * remainder.back();
+    squares += lever.back() * lever.back();
+  }
+  const double gamma = product / squares;
+  if (!std::isfinite(gamma)) {
+    fit.reason = "the theory's u at these loads does not depend on gamma";
+    return fit;
+  }
+  double residuals = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double residual = remainder[i] - gamma * lever[i];
+    residuals += residual * residual;
+    largest = std::max(largest, std::abs(residual));
+  }
+  const int freedom = static_cast<int>(rows.size()) - 1;
+  fit.window = window_of(rows);
+  fit.window.largest_deviation = largest / scales.rms_height;
+  fit.gamma_theory = {gamma, std::sqrt(residuals / freedom / squares), freedom};
+  return fit;
+}
+
+namespace {
+
+// The intercept of area * E* h'/p against area, with its error.
+FittedValue kappa_of(std::span<const CurvePoint> rows,
+                     const SurfaceScales& scales,
+                     double CurvePoint::*area_fraction) {
+  std::vector<double> area;
+  std::vector<double> coefficient;
+  for (const CurvePoint& row : rows) {
+    const double reduced_pressure =
+        row.nominal_pressure / (scales.contact_modulus * scales.rms_slope);
+    if (!(row.*area_fraction > 0.0) || !std::isfinite(row.*area_fraction) ||
+        (!area.empty() && row.*area_fraction <= area.back()))
+      continue; // not known, or no further along the line
+    area.push_back(row.*area_fraction);
+    coefficient.push_back(row.*area_fraction / reduced_pressure);
+  }
+  if (area.size() < fewest_area_rows)
+    return {.reason = fmt::format("fewer than {} rows whose area is known and "
+                                  "grows with the load",
+                                  fewest_area_rows)};
+  const LineFit line = fit_line(area, coefficient);
+  return {line.intercept, line.intercept_error, line.points - 2};
+}
+
+} // namespace
+
+AreaFit fit_area(std::span<const CurvePoint> points,
+                 const SurfaceScales& scales) {
+  require_scales(scales);
+  std::vector<CurvePoint> rows = loading_rows(points);
+  std::erase_if(rows, [](const CurvePoint& row) {
+    return !(row.area_fraction > 0.0 && row.area_fraction <= light_load_area);
+  });
+  AreaFit fit;
+  if (rows.size() < fewest_area_rows) {
+    fit.reason =
+        fmt::format("fewer than {} rows in contact with A/A_0 <= {:.0f} %",
+                    fewest_area_rows, 100.0 * light_load_area);
+    return fit;
+  }
+  fit.window = window_of(rows);
+  fit.kappa = kappa_of(rows, scales, &CurvePoint::area_fraction_corrected);
+  fit.kappa_counted = kappa_of(rows, scales, &CurvePoint::area_fraction);
+  return fit;
+}
+
+} // namespace asperity::reports

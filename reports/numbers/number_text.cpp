@@ -1,0 +1,49 @@
+#include "reports/numbers/number_text.hpp"
+
+#include "reports/numbers/determined.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+// Decimals at which `uncertainty` has two digits; 0..6.
+int decimals_for(double uncertainty) {
+  if (!(uncertainty > 0.0) || !std::isfinite(uncertainty))
+    return 3;
+  const double digits = 1.0 - std::floor(std::log10(uncertainty));
+  return static_cast<int>(std::clamp(digits, 0.0, 6.0));
+}
+
+} // namespace
+
+std::string number_text(const Estimate& estimate) {
+  if (!estimate.has_value())
+    return undetermined_word;
+  if (!estimate.has_interval())
+    return fmt::format("{:.4g}", estimate.value);
+  const double size = std::abs(estimate.value);
+  if (estimate.half_width < 1e-4 * size) // far below what is worth printing
+    return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
+  if (size < 1e-3 || size >= 1e5)
+    return fmt::format("{:.3g} ± {:.1g}", estimate.value, estimate.half_width);
+  const int decimals =
+      std::min(decimals_for(estimate.half_width), decimals_for(size * 1e-3));
+  return fmt::format("{:.{}f} ± {:.{}f}", estimate.value, decimals,
+                     estimate.half_width, decimals);
+}
+
+std::string percent_text(const Estimate& estimate) {
+  if (!estimate.has_value())
+    return undetermined_word;
+  if (!estimate.has_interval())
+    return fmt::format("{:.2g} %", 100.0 * estimate.value);
+  const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));
+  return fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * estimate.value, decimals,
+                     100.0 * estimate.half_width, decimals);
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,158 @@
+#include "results/observables/area_estimate.hpp"
+
+#include "base/require.hpp"
+#include "results/types/map_size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace asperity::results {
+namespace {
+
+/// What (A.3) and (A.5) count over the pairs of neighbours of which one is in
+/// contact.
+struct Rim {
+  double excess = 0.0; ///< sum of t - 1/2
+  std::size_t pairs = 0;
+};
+
+class Contact {
+public:
+  Contact(const Grid& grid, std::span<const double> pressure)
+      : grid_(grid), pressure_(pressure) {
+    require_size("pressure", pressure.size(), grid.size());
+  }
+
+  bool holds(std::size_t node) const { return pressure_[node] > 0.0; }
+
+  std::size_t n_nodes() const {
+    return static_cast<std::size_t>(std::count_if(
+        pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; }));
+  }
+
+  /// visit(node, right, above, across) with the neighbours of every node.
+  template <class Visit>
+  void for_each_square(Visit visit) const {
+    for (int iy = 0; iy < grid_.points_y; ++iy) {
+      const int above = iy + 1 == grid_.points_y ? 0 : iy + 1;
+      for (int ix = 0; ix < grid_.points_x; ++ix) {
+        const int right = ix + 1 == grid_.points_x ? 0 : ix + 1;
+        visit(grid_.index(ix, iy), grid_.index(right, iy),
+              grid_.index(ix, above), grid_.index(right, above));
+      }
+    }
+  }
+
+  Rim rim(std::span<const double> gap, double contact_modulus) const {
+    Rim rim;
+    const auto add = [&](std::size_t a, std::size_t b, double spacing) {
+      if (holds(a) == holds(b))
+        return;
+      const std::size_t inside = holds(a) ? a : b;
+      const std::size_t outside = holds(a) ? b : a;
+      rim.excess +=
+          rim_share(pressure_[inside], gap[outside], spacing, contact_modulus) -
+          0.5;
+      ++rim.pairs;
+    };
+    for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
+                        std::size_t) {
+      add(node, right, grid_.spacing_x());
+      add(node, above, grid_.spacing_y());
+    });
+    return rim;
+  }
+
+private:
+  const Grid& grid_;
+  std::span<const double> pressure_;
+};
+
+/// A_l/A_0 of (A.3), not yet kept within 0..1.
+double line_share(const Contact& contact, const Rim& rim, double n) {
+  return (static_cast<double>(contact.n_nodes()) + 0.5 * rim.excess) / n;
+}
+
+} // namespace
+
+double rim_share(double pressure_inside, double gap_outside, double spacing,
+                 double contact_modulus) {
+  require_positive("pressure_inside", pressure_inside, "Pa");
+  require_positive("spacing", spacing, "m");
+  require_positive("contact_modulus", contact_modulus, "Pa");
+  if (!std::isfinite(gap_outside))
+    refuse_argument("gap_outside", gap_outside, "finite");
+  if (gap_outside <= 0.0)
+    return 1.0;
+  const double root = 0.75 * contact_modulus * gap_outside /
+                      (pressure_inside * spacing); // rho^(1/2)
+  // s = 1 - t solves s^3 + rho s = rho: Cardano's root, in hyperbolic form
+  const double scale = root / std::sqrt(3.0);
+  const double outside = 2.0 * scale * std::sinh(std::asinh(1.5 / scale) / 3.0);
+  if (!std::isfinite(outside)) // rho beyond what a double holds, or below
+    return scale > 1.0 ? 0.0 : 1.0;
+  return std::clamp(1.0 - outside, 0.0, 1.0); // (A.2)
+}
+
+double line_area_fraction(const Grid& grid, std::span<const double> pressure,
+                          std::span<const double> gap, double contact_modulus) {
+  const Contact contact(grid, pressure);
+  require_size("gap", gap.size(), grid.size());
+  const double share = line_share(contact, contact.rim(gap, contact_modulus),
+                                  static_cast<double>(grid.size()));
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double euler_number(const Grid& grid, std::span<const double> pressure) {
+  const Contact contact(grid, pressure);
+  long twists = 0; // n_1 - n_3
+  contact.for_each_square([&](std::size_t node, std::size_t right,
+                              std::size_t above, std::size_t across) {
+    const int in_contact = contact.holds(node) + contact.holds(right) +
+                           contact.holds(above) + contact.holds(across);
+    twists += (in_contact == 1) - (in_contact == 3);
+  });
+  return 0.25 * static_cast<double>(twists); // (A.4)
+}
+
+AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
+  require_positive("surface_cell_depth", surface_cell_depth, "spacings");
+  constexpr std::array depths{0.5, 1.0, 1.5};
+  constexpr std::array<AreaCoefficients, 3> measured{
+      {{0.142, 0.60}, {0.109, 0.37}, {0.067, 0.035}}};
+  const double depth =
+      std::clamp(surface_cell_depth, depths.front(), depths.back());
+  const std::size_t i = depth < depths[1] ? 0 : 1;
+  const double share = (depth - depths[i]) / (depths[i + 1] - depths[i]);
+  return {std::lerp(measured[i].perimeter, measured[i + 1].perimeter, share),
+          std::lerp(measured[i].euler, measured[i + 1].euler, share)};
+}
+
+Observed corrected_area_fraction(const Grid& grid,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients) {
+  const Contact contact(grid, pressure);
+  require_size("gap", gap.size(), grid.size());
+  const auto n = static_cast<double>(grid.size());
+  const Rim rim = contact.rim(gap, contact_modulus);
+  const double share =
+      line_share(contact, rim, n) -
+      coefficients.perimeter * static_cast<double>(rim.pairs) / n +
+      coefficients.euler * euler_number(grid, pressure) / n;
+  const double counted = static_cast<double>(contact.n_nodes()) / n;
+  if (share < least_corrected_share * counted)
+    return {Observed::none,
+            fmt::format("the contact's patches are too small for this grid: "
+                        "with their rim placed between nodes {:.2g} of the "
+                        "nodes in contact would be left, but at least {} must",
+                        share / counted, least_corrected_share)};
+  return std::min(share, 1.0); // (A.5)
+}
+
+} // namespace asperity::results

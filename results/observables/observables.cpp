@@ -1,0 +1,85 @@
+#include "results/observables/observables.hpp"
+
+#include "base/require.hpp"
+#include "results/types/map_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity::results {
+namespace {
+
+/// Mean of value_at(i), weighted.
+template <class ValueAt>
+double mean_over(std::size_t size, std::span<const double> weights,
+                 ValueAt value_at) {
+  if (!weights.empty())
+    require_size("weights", weights.size(), size);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < size; ++i)
+    sum += weights.empty() ? value_at(i) : weights[i] * value_at(i);
+  return sum / static_cast<double>(size);
+}
+
+} // namespace
+
+double weighted_mean(std::span<const double> field,
+                     std::span<const double> weights) {
+  require_size("field", field.size(), field.size());
+  return mean_over(field.size(), weights,
+                   [&](std::size_t i) { return field[i]; });
+}
+
+double counted_area_fraction(std::span<const double> pressure,
+                             std::span<const double> weights) {
+  require_size("pressure", pressure.size(), pressure.size());
+  const double share = mean_over(pressure.size(), weights, [&](std::size_t i) {
+    return pressure[i] > 0.0 ? 1.0 : 0.0;
+  });
+  return std::clamp(share, 0.0, 1.0); // weights have mean 1 to rounding only
+}
+
+double contact_perimeter(const Grid& grid, std::span<const double> pressure) {
+  require_size("pressure", pressure.size(), grid.size());
+  std::size_t pairs_x = 0;
+  std::size_t pairs_y = 0;
+  for (int iy = 0; iy < grid.points_y; ++iy) {
+    const int next_y = iy + 1 == grid.points_y ? 0 : iy + 1;
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const int next_x = ix + 1 == grid.points_x ? 0 : ix + 1;
+      const bool here = pressure[grid.index(ix, iy)] > 0.0;
+      pairs_x += here != (pressure[grid.index(next_x, iy)] > 0.0);
+      pairs_y += here != (pressure[grid.index(ix, next_y)] > 0.0);
+    }
+  }
+  return (static_cast<double>(pairs_x) * grid.spacing_y() +
+          static_cast<double>(pairs_y) * grid.spacing_x()) /
+         grid.area();
+}
+
+double isotropic_perimeter(double contact_perimeter) {
+  require_not_negative("contact_perimeter", contact_perimeter, "1/m");
+  return 0.25 * std::numbers::pi * contact_perimeter;
+}
+
+double elastic_energy(std::span<const double> pressure,
+                      std::span<const double> displacement,
+                      std::span<const double> weights) {
+  require_size("pressure", pressure.size(), pressure.size());
+  require_size("displacement", displacement.size(), pressure.size());
+  return 0.5 * mean_over(pressure.size(), weights, [&](std::size_t i) {
+           return pressure[i] * displacement[i];
+         });
+}
+
+double contact_energy(std::span<const double> pressure, double local_compliance,
+                      std::span<const double> weights) {
+  require_size("pressure", pressure.size(), pressure.size());
+  require_not_negative("local_compliance", local_compliance, "m/Pa");
+  return 0.5 * local_compliance *
+         mean_over(pressure.size(), weights,
+                   [&](std::size_t i) { return pressure[i] * pressure[i]; });
+}
+
+} // namespace asperity::results

@@ -1,0 +1,215 @@
+#include "results/observables/pressure_fit.hpp"
+
+#include "base/require.hpp"
+#include "results/observables/observables.hpp"
+#include "theory/persson/pressure_distribution.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace asperity::results {
+namespace {
+
+constexpr int fewest_nodes = 20;
+constexpr double bins_a_spread = 8.0; // of s = sqrt(2G)
+constexpr double reach = 6.0;         // of the bins on either side of p, in s
+constexpr int n_passes = 2;
+
+// <sigma^2>/p^2 - 1 beyond which p, a sum of both signs, is rounding: 1/eps^2.
+constexpr double most_excess = 2e31;
+
+// The search for G by least squares: ln G to either side of its start.
+constexpr double search_reach = 4.0; // e^4 = 55
+constexpr double search_step = 0.5;
+constexpr int search_bits = 26; // half of a double's: all a minimum can have
+
+/// A map in units of its mean p: all below is free of units.
+struct ReducedMap {
+  std::span<const double> pressure;
+  std::span<const double> weights;
+  double mean = 0.0;               ///< p [Pa]
+  double mean_square_excess = 0.0; ///< <sigma^2>/p^2 - 1 of sigma > 0
+  int nodes_in_contact = 0;
+
+  double weight(std::size_t node) const {
+    return weights.empty() ? 1.0 : weights[node];
+  }
+};
+
+ReducedMap reduced(std::span<const double> pressure,
+                   std::span<const double> weights) {
+  ReducedMap map{pressure, weights};
+  map.mean = weighted_mean(pressure, weights);
+  if (!std::isfinite(map.mean))
+    refuse_argument("pressure", map.mean, "finite");
+  // <s^2>/p^2 - 1 without a difference of near equals, s the positive part, and
+  // divided by p before it is squared: the square of a pressure may not be
+  // within a double's range.
+  double spread = 0.0;
+  double surplus = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    const double ratio = pressure[i] / map.mean;
+    const double positive = std::max(0.0, ratio);
+    map.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
+    spread += map.weight(i) * (positive - 1.0) * (positive - 1.0);
+    surplus += map.weight(i) * (positive - ratio);
+  }
+  map.mean_square_excess =
+      (spread + 2.0 * surplus) / static_cast<double>(pressure.size());
+  return map;
+}
+
+/// G/p^2 of which the mean square is (1 + excess) p^2, 0 <= excess <
+/// most_excess.
+double variance_of_excess(double excess) {
+  // Full contact has 2 G, and any other has less: a bound below. From there to
+  // 1 % of p^2 what full contact lacks is erfc(7), below rounding.
+  const double least = 0.5 * excess;
+  if (excess <= 0.01)
+    return least;
+  const auto lack = [excess](double root) {
+    return theory::pressure_moments(1.0, root * root).mean_square_pressure -
+           1.0 - excess;
+  };
+  // Light contact has 4 p sqrt(G/pi), and any other has more: a bound above.
+  const double most = 0.25 * std::sqrt(std::numbers::pi) * (1.0 + excess);
+  // Towards either end of contact its bound is the root to within rounding, and
+  // the sign of `lack` there is that of rounding: the bound is the answer.
+  if (!(lack(std::sqrt(least)) < 0.0))
+    return least;
+  if (!(lack(most) > 0.0))
+    return most * most;
+  std::uintmax_t evaluations = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      lack, std::sqrt(least), most, boost::math::tools::eps_tolerance<double>(),
+      evaluations);
+  return 0.25 * (low + high) * (low + high);
+}
+
+/// Shares of the nodes in bins of equal width.
+struct Bins {
+  double start = 0.0; ///< sigma/p
+  double width = 0.0;
+  std::vector<double> share;
+};
+
+Bins histogram(const ReducedMap& map, double variance) {
+  const double spread = std::sqrt(2.0 * variance);
+  Bins bins;
+  bins.width = spread / bins_a_spread;
+  bins.start = std::max(bins.width, 1.0 - reach * spread);
+  bins.share.assign(static_cast<std::size_t>(std::ceil(
+                        (1.0 + reach * spread - bins.start) / bins.width)),
+                    0.0);
+  const auto size = static_cast<double>(map.pressure.size());
+  for (std::size_t i = 0; i < map.pressure.size(); ++i) {
+    const double place = (map.pressure[i] / map.mean - bins.start) / bins.width;
+    if (place >= 0.0 && place < static_cast<double>(bins.share.size()))
+      bins.share[static_cast<std::size_t>(place)] += map.weight(i) / size;
+  }
+  return bins;
+}
+
+double misfit(const Bins& bins, double variance) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < bins.share.size(); ++i) {
+    const double low = bins.start + bins.width * static_cast<double>(i);
+    const double difference =
+        bins.share[i] -
+        theory::pressure_share(low, low + bins.width, 1.0, variance); // (20)
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+/// G/p^2 of the least misfit around `start`; NaN if that is none.
+double best_variance(const Bins& bins, double start) {
+  const auto at = [&](double exponent) {
+    return misfit(bins, start * std::exp(exponent));
+  };
+  double best = -search_reach;
+  double least = at(best);
+  for (double exponent = -search_reach + search_step; exponent <= search_reach;
+       exponent += search_step)
+    if (const double here = at(exponent); here < least) {
+      least = here;
+      best = exponent;
+    }
+  if (std::abs(best) >= search_reach)
+    return PressureFit::none;
+  const auto minimum = boost::math::tools::brent_find_minima(
+      at, best - search_step, best + search_step, search_bits);
+  return start * std::exp(minimum.first);
+}
+
+double least_squares_variance(const ReducedMap& map, double start) {
+  double variance = start;
+  for (int pass = 0; pass < n_passes && std::isfinite(variance); ++pass)
+    variance = best_variance(histogram(map, variance), variance);
+  return variance;
+}
+
+/// What both fits say where (20) has nothing to say.
+PressureFit empty_fit(const ReducedMap& map) {
+  PressureFit fit;
+  fit.nominal_pressure = map.mean;
+  if (map.nodes_in_contact == 0) {
+    fit.area_fraction = 0.0;
+    fit.reason = "nothing is in contact";
+  } else if (!(map.mean > 0.0)) {
+    fit.reason = "the mean pressure is not positive";
+  } else if (!(map.mean_square_excess < most_excess)) {
+    fit.reason = "the mean pressure is rounding beside the pressures";
+  }
+  return fit;
+}
+
+PressureFit finished(PressureFit fit, double reduced_variance) {
+  fit.variance = reduced_variance * fit.nominal_pressure * fit.nominal_pressure;
+  fit.area_fraction = reduced_variance > 0.0
+                          ? theory::area_fraction(1.0, reduced_variance)
+                          : 1.0; // (21)
+  return fit;
+}
+
+} // namespace
+
+PressureFit fit_pressure_distribution(std::span<const double> pressure,
+                                      std::span<const double> weights) {
+  const ReducedMap map = reduced(pressure, weights);
+  PressureFit fit = empty_fit(map);
+  if (!fit.reason.empty())
+    return fit;
+  if (map.nodes_in_contact < fewest_nodes) {
+    fit.reason = "too few nodes are in contact for a histogram";
+    return fit;
+  }
+  // A spread near rounding has no bins: sigma/p is known to 1e-16.
+  const double start = variance_of_excess(map.mean_square_excess);
+  if (start < 1e-24)
+    return finished(fit, start);
+  const double variance = least_squares_variance(map, start);
+  if (!std::isfinite(variance)) {
+    fit.reason = "the histogram has no least-squares fit";
+    return fit;
+  }
+  return finished(fit, variance);
+}
+
+PressureFit pressure_fit_by_moment(std::span<const double> pressure,
+                                   std::span<const double> weights) {
+  const ReducedMap map = reduced(pressure, weights);
+  PressureFit fit = empty_fit(map);
+  return fit.reason.empty()
+             ? finished(fit, variance_of_excess(map.mean_square_excess))
+             : fit;
+}
+
+} // namespace asperity::results

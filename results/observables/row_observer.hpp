@@ -1,0 +1,40 @@
+#pragma once
+
+// The one place where the observables of a load step are taken. Owns the rule
+// that no observable ends a run: what cannot be computed is NaN with a reason.
+
+#include "results/observables/observables.hpp"
+#include "results/types/result.hpp"
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+namespace asperity::results {
+
+/// Fills columns of a row. An observable that throws, or that is not finite,
+/// is NaN, and the row's note says which one and why.
+class RowObserver {
+public:
+  /// @param row  outlives the observer
+  explicit RowObserver(CurvePoint& row) : row_(row) {}
+
+  /// @param column   a name of curve_columns()
+  /// @param compute  () -> double or Observed; may throw any std::exception
+  /// @throws std::domain_error  there is no such column
+  template <class Compute>
+  void operator()(std::string_view column, Compute compute) {
+    try {
+      record(column, compute());
+    } catch (const std::exception& error) {
+      record(column, {Observed::none, error.what()});
+    }
+  }
+
+private:
+  void record(std::string_view column, const Observed& observed);
+
+  CurvePoint& row_;
+};
+
+} // namespace asperity::results

@@ -1,0 +1,154 @@
+#include "results/storage/change.hpp"
+
+#include "cases/text/case_error.hpp"
+#include "results/storage/curve_storage.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "results/storage/map_storage.hpp"
+#include "results/storage/result_layout.hpp"
+#include "results/storage/skipped_storage.hpp"
+#include "results/storage/table_storage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity::results {
+namespace {
+
+/// An empty group of that name, whatever was there.
+Hdf5Group fresh(Hdf5Group& home, const std::string& name) {
+  if (home.has(name))
+    home.remove(name);
+  return home.open_or_create(name);
+}
+
+void write_curve(Hdf5Group method, const MethodChange& change) {
+  Hdf5Group curve = method.open_or_create(std::to_string(change.realization));
+  if (change.setup_cpu_time)
+    set_with_unit(curve, "setup_cpu_time", *change.setup_cpu_time, "s");
+  if (change.own_surface) {
+    Hdf5Group surface = fresh(curve, layout::own_surface);
+    write_surface(surface, *change.own_surface);
+  }
+  for (const Fields& fields : change.fields) {
+    Hdf5Group maps = curve.open_or_create("fields");
+    write_fields(maps, fields.grid, fields);
+  }
+  if (!change.points.empty()) {
+    Hdf5Group rows = curve.open_or_create("curve");
+    append_points(rows, change.points);
+  }
+}
+
+void write_method(Hdf5File& file, const MethodChange& change) {
+  Hdf5Group method = file.open_or_create("methods").open_or_create(change.name);
+  if (change.kind)
+    method.set_attribute("kind", *change.kind);
+  if (change.description)
+    method.set_attribute("description", *change.description);
+  if (change.realization >= 0)
+    write_curve(std::move(method), change);
+}
+
+/// The item of that name, made at the end if there is none.
+template <class Item>
+Item& named(std::vector<Item>& items, const std::string& name) {
+  const auto found =
+      std::find_if(items.begin(), items.end(),
+                   [&](const Item& item) { return item.name == name; });
+  if (found != items.end())
+    return *found;
+  items.emplace_back().name = name;
+  return items.back();
+}
+
+/// @throws cases::CaseError  no realisation has that number
+template <class Item>
+Item& at_index(std::vector<Item>& items, int index) {
+  if (index < 0 || index >= layout::most_realizations)
+    throw cases::CaseError("a record of the journal has no good realisation");
+  const auto place = static_cast<std::size_t>(index);
+  items.resize(std::max(items.size(), place + 1));
+  return items[place];
+}
+
+void merge_fields(std::vector<Fields>& all, Fields fields) {
+  std::erase_if(all,
+                [&](const Fields& old) { return old.step == fields.step; });
+  all.push_back(std::move(fields));
+  std::sort(all.begin(), all.end(),
+            [](const Fields& a, const Fields& b) { return a.step < b.step; });
+}
+
+void merge_curve(Curve& curve, MethodChange change) {
+  if (change.setup_cpu_time)
+    curve.setup_cpu_time = *change.setup_cpu_time;
+  if (change.own_surface)
+    curve.own_surface = std::move(change.own_surface);
+  for (Fields& fields : change.fields)
+    merge_fields(curve.fields, std::move(fields));
+  curve.points.insert(curve.points.end(), change.points.begin(),
+                      change.points.end());
+  std::stable_sort(
+      curve.points.begin(), curve.points.end(),
+      [](const CurvePoint& a, const CurvePoint& b) { return a.step < b.step; });
+}
+
+void merge_fact(Provenance& facts, std::pair<std::string, std::string> fact) {
+  const auto old =
+      std::find_if(facts.begin(), facts.end(),
+                   [&](const auto& one) { return one.first == fact.first; });
+  if (old == facts.end())
+    facts.push_back(std::move(fact));
+  else
+    old->second = std::move(fact.second);
+}
+
+} // namespace
+
+void write_change(Hdf5File& file, const Change& change) {
+  if (change.status)
+    file.set_attribute("status", *change.status);
+  Hdf5Group facts = file.open_or_create("provenance");
+  for (const auto& [name, fact] : change.provenance)
+    facts.set_attribute(name, fact);
+  for (const auto& [realization, record] : change.surfaces) {
+    Hdf5Group surfaces = file.open_or_create("surfaces");
+    Hdf5Group surface = fresh(surfaces, std::to_string(realization));
+    write_surface(surface, record);
+  }
+  for (const MethodChange& method : change.methods)
+    write_method(file, method);
+  for (const Table& table : change.tables) {
+    Hdf5Group tables = file.open_or_create(layout::tables);
+    Hdf5Group group = fresh(tables, table.name);
+    write_table(group, table);
+  }
+  if (change.skipped) {
+    Hdf5Group group = fresh(file, layout::skipped);
+    if (!change.skipped->empty())
+      write_skipped(group, *change.skipped);
+  }
+}
+
+void merge_change(Result& result, Change change) {
+  if (change.status)
+    result.status = *change.status;
+  for (auto& fact : change.provenance)
+    merge_fact(result.provenance, std::move(fact));
+  for (auto& [realization, record] : change.surfaces)
+    at_index(result.surfaces, realization) = std::move(record);
+  for (MethodChange& one : change.methods) {
+    MethodRecord& method = named(result.methods, one.name);
+    method.kind = one.kind.value_or(method.kind);
+    method.description = one.description.value_or(method.description);
+    if (one.realization >= 0)
+      merge_curve(at_index(method.realizations, one.realization),
+                  std::move(one));
+  }
+  for (Table& table : change.tables)
+    named(result.tables, table.name) = std::move(table);
+  if (change.skipped)
+    result.skipped = std::move(*change.skipped);
+}
+
+} // namespace asperity::results

@@ -1,0 +1,120 @@
+#include "results/storage/curve_storage.hpp"
+
+#include "cases/text/case_error.hpp"
+#include "results/observables/contact_stiffness.hpp"
+#include "results/types/curve_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::results {
+namespace {
+
+constexpr const char* note = "note";
+constexpr const char* stiffness = "contact_stiffness";
+constexpr const char* length_column = "nominal_pressure";
+
+void require_length(const Hdf5Group& curve, const std::string& name,
+                    std::size_t found, std::size_t expected) {
+  if (found != expected)
+    throw cases::CaseError(
+        fmt::format("{} has {} values, but must have {}, as {}",
+                    curve.place(name), found, expected, length_column));
+}
+
+bool is_integer_of(const CurveColumn& column, double number) {
+  return number <= std::numeric_limits<int>::max() &&
+         column.range.holds(number) && number == std::floor(number);
+}
+
+void read_column(const Hdf5Group& curve, const CurveColumn& column,
+                 std::vector<CurvePoint>& points) {
+  const std::string name(column.name);
+  const std::vector<double> numbers = curve.column(name);
+  require_length(curve, name, numbers.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // A double is checked once the whole row is known (validity.hpp); what is
+    // no integer, or a word's number that there is no word for, would be lost.
+    if (column.is_integer && !is_integer_of(column, numbers[i]))
+      throw cases::CaseError(fmt::format(
+          "{}[{}] = {}, but must be an integer "
+          "{}",
+          curve.place(name), i, numbers[i],
+          column.range.highest == 1.0 ? "between 0 and 1" : ">= 0"));
+    column.set(points[i], numbers[i]);
+  }
+}
+
+/// What a row is where its column is missing.
+CurvePoint blank_point(int step) {
+  CurvePoint point;
+  for (const CurveColumn& column : curve_columns())
+    if (!column.is_integer)
+      column.set(point, std::numeric_limits<double>::quiet_NaN());
+  point.step = step;
+  return point;
+}
+
+} // namespace
+
+void append_points(Hdf5Group& curve, std::span<const CurvePoint> points) {
+  const std::size_t length =
+      curve.has(length_column) ? curve.extents(length_column).front() : 0;
+  for (const CurveColumn& column : curve_columns()) {
+    std::vector<double> numbers;
+    if (!curve.has(std::string(column.name))) // a column younger than the file
+      numbers.assign(length, column.get(blank_point(0)));
+    for (const CurvePoint& point : points)
+      numbers.push_back(column.get(point));
+    curve.append(std::string(column.name), numbers,
+                 column.is_integer ? Hdf5Number::int32 : Hdf5Number::float64,
+                 std::string(column.unit));
+  }
+  std::vector<std::string> notes;
+  for (const CurvePoint& point : points)
+    notes.push_back(point.note);
+  curve.append(note, notes);
+}
+
+std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
+  for (const char* needed : {length_column, "mean_gap"})
+    if (!curve.has(needed))
+      throw cases::CaseError(fmt::format("{} is missing", curve.place(needed)));
+
+  std::vector<CurvePoint> points;
+  const std::size_t length = curve.column(length_column).size();
+  for (std::size_t i = 0; i < length; ++i)
+    points.push_back(blank_point(static_cast<int>(i)));
+  for (const CurveColumn& column : curve_columns())
+    if (curve.has(std::string(column.name)))
+      read_column(curve, column, points);
+  if (curve.has(note)) {
+    const std::vector<std::string> notes = curve.texts(note);
+    require_length(curve, note, notes.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i].note = notes[i];
+  }
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const CurvePoint& a, const CurvePoint& b) { return a.step < b.step; });
+  return points;
+}
+
+void fill_stored_stiffness(Hdf5Group& curve) {
+  // Rows are stored as they came, so the steps tell them apart, not the place.
+  std::vector<CurvePoint> points = read_points(curve);
+  fill_contact_stiffness(points);
+  std::vector<double> stored = curve.numbers("step");
+  for (double& number : stored) {
+    const auto point = std::find_if(
+        points.begin(), points.end(),
+        [&](const CurvePoint& candidate) { return candidate.step == number; });
+    number = point->contact_stiffness;
+  }
+  curve.overwrite(stiffness, stored);
+}
+
+} // namespace asperity::results

@@ -1,0 +1,209 @@
+#include "results/storage/map_storage.hpp"
+
+#include "base/special_numbers.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/observables/observables.hpp"
+#include "results/storage/result_layout.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace asperity::results {
+namespace {
+
+constexpr int most_points = 1'000'000; ///< a side
+
+/// A number of a SurfaceRecord as an attribute, with "<name>_unit" beside it.
+struct SurfaceNumber {
+  const char* name;
+  const char* unit;
+  double SurfaceRecord::*number;
+};
+
+constexpr std::array surface_numbers{
+    SurfaceNumber{"rms_height", "m", &SurfaceRecord::rms_height},
+    SurfaceNumber{"rms_slope", "1", &SurfaceRecord::rms_slope},
+    SurfaceNumber{"rms_curvature", "1/m", &SurfaceRecord::rms_curvature},
+    SurfaceNumber{"skewness", "1", &SurfaceRecord::skewness},
+    SurfaceNumber{"kurtosis", "1", &SurfaceRecord::kurtosis},
+    SurfaceNumber{"highest", "m", &SurfaceRecord::highest},
+};
+
+Hdf5Shape shape_of(const Grid& grid) {
+  return {static_cast<std::size_t>(grid.points_y),
+          static_cast<std::size_t>(grid.points_x)};
+}
+
+/// A number of points that a file gives; 0 says that it is not known.
+int points_in(double points, const std::string& place) {
+  if (!(points >= 0.0 && points <= most_points && points == std::floor(points)))
+    throw cases::CaseError(
+        fmt::format("{} = {} points, but must be an integer between 0 and {}",
+                    place, points, most_points));
+  return static_cast<int>(points);
+}
+
+void set_points(Grid& grid, const std::vector<std::size_t>& extents,
+                const std::string& place) {
+  grid.points_y = points_in(static_cast<double>(extents[0]), place);
+  grid.points_x = points_in(static_cast<double>(extents[1]), place);
+}
+
+Grid read_grid(const Hdf5Group& surface) {
+  Grid grid;
+  if (surface.has("heights")) {
+    const std::vector<std::size_t> extents = surface.extents("heights");
+    if (extents.size() != 2)
+      throw cases::CaseError(surface.place("heights") +
+                             " must have two dimensions: points_y, points_x");
+    set_points(grid, extents, surface.place("heights"));
+  } else {
+    for (const auto& [name, points] : {std::pair("points_x", &grid.points_x),
+                                       std::pair("points_y", &grid.points_y)})
+      *points = points_in(number_or(surface, name, 0.0), surface.place(name));
+  }
+  grid.length_x = number_or(surface, "length_x", 0.0);
+  grid.length_y = number_or(surface, "length_y", grid.length_x);
+  return grid;
+}
+
+/// Points by the shape of the map, sides by its attributes; 0 where unknown.
+Grid grid_of_map(const Hdf5Group& maps) {
+  Grid grid;
+  const std::vector<std::size_t> extents = maps.extents("pressure");
+  if (maps.extents("gap") != extents)
+    throw cases::CaseError(
+        fmt::format("{} has [{}] values, but must have [{}], as pressure",
+                    maps.place("gap"), fmt::join(maps.extents("gap"), ", "),
+                    fmt::join(extents, ", ")));
+  if (extents.size() == 2)
+    set_points(grid, extents, maps.place("pressure"));
+  grid.length_x = number_or(maps, "length_x", 0.0);
+  grid.length_y = number_or(maps, "length_y", grid.length_x);
+  return grid;
+}
+
+double rms_of(std::span<const double> heights) {
+  const double mean = weighted_mean(heights);
+  double sum = 0.0;
+  for (const double height : heights)
+    sum += (height - mean) * (height - mean);
+  return std::sqrt(sum / static_cast<double>(heights.size()));
+}
+
+std::vector<SpectrumPoint> read_spectrum(const Hdf5Group& group) {
+  const std::vector<double> wavevector = group.column("wavevector");
+  const std::vector<double> spectrum = group.column("height_spectrum");
+  if (spectrum.size() != wavevector.size())
+    throw cases::CaseError(fmt::format(
+        "{} has {} values, but must have {}, as wavevector",
+        group.place("height_spectrum"), spectrum.size(), wavevector.size()));
+  std::vector<SpectrumPoint> points;
+  for (std::size_t i = 0; i < wavevector.size(); ++i)
+    points.push_back({wavevector[i], spectrum[i]});
+  return points;
+}
+
+void write_spectrum(Hdf5Group group, const std::vector<SpectrumPoint>& points) {
+  std::vector<double> wavevector;
+  std::vector<double> spectrum;
+  for (const SpectrumPoint& point : points) {
+    wavevector.push_back(point.wavevector);
+    spectrum.push_back(point.spectrum);
+  }
+  group.append("wavevector", wavevector, Hdf5Number::float64, "rad/m");
+  group.append("height_spectrum", spectrum, Hdf5Number::float64, "m^4");
+}
+
+} // namespace
+
+void set_with_unit(Hdf5Group& group, const std::string& name, double number,
+                   const std::string& unit) {
+  group.set_attribute(name, number);
+  group.set_attribute(name + "_unit", unit);
+}
+
+double number_or(const Hdf5Group& group, const std::string& name,
+                 double otherwise) {
+  return group.has_attribute(name) ? group.number_attribute(name) : otherwise;
+}
+
+/// The index a group is named by; nothing for another name.
+std::optional<int> index_of(const std::string& name) {
+  int index = -1;
+  const auto [end, error] =
+      std::from_chars(name.data(), name.data() + name.size(), index);
+  const bool is_index = error == std::errc() &&
+                        end == name.data() + name.size() && index >= 0 &&
+                        index < layout::highest_index;
+  return is_index ? std::optional(index) : std::nullopt;
+}
+
+void write_surface(Hdf5Group& group, const SurfaceRecord& surface) {
+  const Grid& grid = surface.grid;
+  group.set_attribute("points_x", grid.points_x);
+  group.set_attribute("points_y", grid.points_y);
+  set_with_unit(group, "length_x", grid.length_x, "m");
+  set_with_unit(group, "length_y", grid.length_y, "m");
+  for (const auto& [name, unit, number] : surface_numbers)
+    set_with_unit(group, name, surface.*number, unit);
+  if (!surface.heights.empty())
+    group.write_map("heights", surface.heights, shape_of(grid),
+                    Hdf5Number::float64, "m");
+  if (!surface.spectrum.empty())
+    write_spectrum(group.open_or_create("spectrum"), surface.spectrum);
+}
+
+SurfaceRecord read_surface(const Hdf5Group& group) {
+  SurfaceRecord surface;
+  surface.grid = read_grid(group);
+  if (group.has("heights"))
+    surface.heights = group.numbers("heights");
+  for (const auto& [name, unit, number] : surface_numbers)
+    surface.*number = number_or(group, name, not_a_number);
+  if (std::isnan(surface.rms_height) && !surface.heights.empty())
+    surface.rms_height = rms_of(surface.heights);
+  if (group.has("spectrum"))
+    surface.spectrum = read_spectrum(group.open("spectrum"));
+  return surface;
+}
+
+void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields) {
+  const std::string name = std::to_string(fields.step);
+  if (group.has(name))
+    group.remove(name);
+  Hdf5Group maps = group.open_or_create(name);
+  set_with_unit(maps, "nominal_pressure", fields.nominal_pressure, "Pa");
+  set_with_unit(maps, "length_x", grid.length_x, "m");
+  set_with_unit(maps, "length_y", grid.length_y, "m");
+  maps.write_map("pressure", fields.pressure, shape_of(grid),
+                 Hdf5Number::float32_packed, "Pa");
+  maps.write_map("gap", fields.gap, shape_of(grid), Hdf5Number::float32_packed,
+                 "m");
+}
+
+std::vector<Fields> read_fields(const Hdf5Group& group) {
+  std::vector<Fields> all;
+  for (const std::string& name : group.children())
+    if (const std::optional<int> step = index_of(name)) {
+      const Hdf5Group maps = group.open(name);
+      Fields fields;
+      fields.step = *step;
+      fields.nominal_pressure =
+          number_or(maps, "nominal_pressure", not_a_number);
+      fields.grid = grid_of_map(maps);
+      fields.pressure = maps.numbers("pressure");
+      fields.gap = maps.numbers("gap");
+      all.push_back(std::move(fields));
+    }
+  std::sort(all.begin(), all.end(),
+            [](const Fields& a, const Fields& b) { return a.step < b.step; });
+  return all;
+}
+
+} // namespace asperity::results

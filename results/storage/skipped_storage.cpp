@@ -1,0 +1,54 @@
+#include "results/storage/skipped_storage.hpp"
+
+#include "cases/text/case_error.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace asperity::results {
+namespace {
+
+constexpr const char* what = "what";
+constexpr const char* why = "why";
+constexpr const char* cpu_time = "cpu_time";
+constexpr const char* bytes = "bytes";
+
+} // namespace
+
+void write_skipped(Hdf5Group& group, std::span<const Skipped> skipped) {
+  std::vector<std::string> things;
+  std::vector<std::string> reasons;
+  std::vector<double> times;
+  std::vector<double> sizes;
+  for (const Skipped& one : skipped) {
+    things.push_back(one.what);
+    reasons.push_back(one.why);
+    times.push_back(one.cpu_time);
+    sizes.push_back(one.bytes);
+  }
+  group.append(what, things);
+  group.append(why, reasons);
+  group.append(cpu_time, times, Hdf5Number::float64, "s");
+  group.append(bytes, sizes, Hdf5Number::float64, "B");
+}
+
+std::vector<Skipped> read_skipped(const Hdf5Group& group) {
+  if (!group.has(what))
+    return {};
+  const std::vector<std::string> things = group.texts(what);
+  const std::vector<std::string> reasons = group.texts(why);
+  const std::vector<double> times = group.column(cpu_time);
+  const std::vector<double> sizes = group.column(bytes);
+  for (const std::size_t length : {reasons.size(), times.size(), sizes.size()})
+    if (length != things.size())
+      throw cases::CaseError(
+          fmt::format("{}: a column has {} values, but must have {}, as {}",
+                      group.place(), length, things.size(), what));
+  std::vector<Skipped> skipped;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    skipped.push_back({things[i], reasons[i], times[i], sizes[i]});
+  return skipped;
+}
+
+} // namespace asperity::results

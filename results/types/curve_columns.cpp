@@ -1,0 +1,110 @@
+#include "results/types/curve_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace asperity::results {
+namespace {
+
+template <auto member>
+using MemberType =
+    std::remove_cvref_t<decltype(std::declval<CurvePoint>().*member)>;
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double rounding = 1e-9; // of sums of weights that have mean 1
+
+constexpr ColumnRange any{-largest, largest};
+constexpr ColumnRange needed{-largest, largest, true};
+constexpr ColumnRange share{0.0, 1.0};
+
+template <auto member>
+constexpr CurveColumn column(std::string_view name, std::string_view unit,
+                             const ColumnRange& range = not_negative) {
+  using Number = MemberType<member>;
+  return {name,
+          unit,
+          range,
+          !std::is_same_v<Number, double>,
+          [](const CurvePoint& point) {
+            return static_cast<double>(point.*member);
+          },
+          [](CurvePoint& point, double number) {
+            if constexpr (std::is_same_v<Number, double>)
+              point.*member = number;
+            else
+              point.*member = static_cast<Number>(static_cast<int>(number));
+          }};
+}
+
+constexpr std::array columns{
+    column<&CurvePoint::step>("step", "1"),
+    column<&CurvePoint::nominal_pressure>("nominal_pressure", "Pa", needed),
+    column<&CurvePoint::mean_gap>("mean_gap", "m", needed),
+    column<&CurvePoint::area_fraction>("area_fraction", "1", share),
+    column<&CurvePoint::area_fraction_corrected>("area_fraction_corrected", "1",
+                                                 share),
+    column<&CurvePoint::area_fraction_fit>("area_fraction_fit", "1", share),
+    column<&CurvePoint::area_fraction_moment>("area_fraction_moment", "1",
+                                              share),
+    column<&CurvePoint::contact_perimeter>("contact_perimeter", "1/m"),
+    column<&CurvePoint::elastic_energy>("elastic_energy", "J/m^2", any),
+    column<&CurvePoint::contact_energy>("contact_energy", "J/m^2", any),
+    column<&CurvePoint::contact_stiffness>("contact_stiffness", "Pa/m", any),
+    column<&CurvePoint::iterations>("iterations", "1"),
+    column<&CurvePoint::residual>("residual", "1"),
+    column<&CurvePoint::cpu_time>("cpu_time", "s"),
+    column<&CurvePoint::transforms>("transforms", "1"),
+    column<&CurvePoint::transform_time>("transform_time", "s"),
+    column<&CurvePoint::observation_time>("observation_time", "s"),
+    column<&CurvePoint::linear_iterations>("linear_iterations", "1"),
+    column<&CurvePoint::preconditioner_setups>("preconditioner_setups", "1"),
+    column<&CurvePoint::unknowns>("unknowns", "1"),
+    column<&CurvePoint::memory>("memory", "bytes"),
+    column<&CurvePoint::von_mises>("von_mises", "Pa"),
+    column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
+    column<&CurvePoint::status>("status", "0 converged, 1 not_converged",
+                                share),
+    column<&CurvePoint::is_unloading>("is_unloading", "1", share),
+};
+
+} // namespace
+
+bool ColumnRange::holds(double number) const {
+  const double allowed = highest == 1.0 ? rounding : 0.0;
+  return number >= lowest - allowed && number <= highest + allowed;
+}
+
+std::string ColumnRange::text() const {
+  if (highest < largest)
+    return fmt::format("must lie between {} and {}", lowest, highest);
+  return lowest == 0.0 ? "must be finite and >= 0" : "must be finite";
+}
+
+std::span<const CurveColumn> curve_columns() {
+  return columns;
+}
+
+const CurveColumn* find_curve_column(std::string_view name) {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(),
+                   [&](const CurveColumn& one) { return one.name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+const CurveColumn& curve_column(std::string_view name) {
+  if (const CurveColumn* found = find_curve_column(name))
+    return *found;
+  throw std::domain_error("a curve has no column " + std::string(name));
+}
+
+std::string_view status_word(StepStatus status) {
+  return status == StepStatus::converged ? "converged" : "not_converged";
+}
+
+} // namespace asperity::results

@@ -1,0 +1,73 @@
+#include "theory/exact/punches.hpp"
+
+#include "base/require.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::theory {
+
+using std::numbers::pi;
+
+FlatPunch::FlatPunch(double punch_radius, double contact_modulus)
+    : punch_radius_(punch_radius), contact_modulus_(contact_modulus) {
+  require_positive("punch_radius", punch_radius, "m");
+  require_positive("contact_modulus", contact_modulus, "Pa");
+}
+
+PunchContact FlatPunch::contact(double load) const {
+  if (!std::isfinite(load))
+    refuse_argument("load", load, "finite [N]");
+  return {punch_radius_, 0.5 * load / (contact_modulus_ * punch_radius_), load};
+}
+
+double FlatPunch::pressure(double load, double radius) const {
+  require_not_negative("radius", radius, "m");
+  const double mean = contact(load).load / (pi * punch_radius_ * punch_radius_);
+  if (radius > punch_radius_)
+    return 0.0;
+  const double ratio = radius / punch_radius_;
+  return 0.5 * mean / std::sqrt((1.0 - ratio) * (1.0 + ratio));
+}
+
+double FlatPunch::displacement(double load, double radius) const {
+  require_not_negative("radius", radius, "m");
+  const double approach = contact(load).approach;
+  if (radius <= punch_radius_)
+    return approach;
+  return 2.0 / pi * approach * std::asin(punch_radius_ / radius);
+}
+
+Cone::Cone(double slope, double contact_modulus)
+    : slope_(slope), contact_modulus_(contact_modulus) {
+  require_positive("slope", slope, "1");
+  require_positive("contact_modulus", contact_modulus, "Pa");
+}
+
+PunchContact Cone::contact(double load) const {
+  require_not_negative("load", load, "N");
+  const double radius =
+      std::sqrt(2.0 * load / (pi * contact_modulus_ * slope_));
+  return {radius, 0.5 * pi * slope_ * radius, load};
+}
+
+double Cone::pressure(double load, double radius) const {
+  require_not_negative("radius", radius, "m");
+  const double a = contact(load).contact_radius;
+  if (radius >= a)
+    return 0.0;
+  return 0.5 * contact_modulus_ * slope_ * std::acosh(a / radius);
+}
+
+double Cone::displacement(double load, double radius) const {
+  require_not_negative("radius", radius, "m");
+  const PunchContact spot = contact(load);
+  const double a = spot.contact_radius;
+  if (radius <= a)
+    return spot.approach - slope_ * radius;
+  const double root = std::sqrt((radius - a) * (radius + a));
+  // root - r = -a^2/(root + r), without cancellation far away
+  return slope_ * (a * std::asin(a / radius) - a * a / (root + radius));
+}
+
+} // namespace asperity::theory
