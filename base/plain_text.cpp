@@ -30,4 +30,12 @@ std::string printable(std::string_view text, std::size_t longest) {
   return text.size() > longest ? shown + "..." : shown;
 }
 
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos)
+    return "";
+  return std::string(
+      text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
 } // namespace asperity

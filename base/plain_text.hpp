@@ -19,4 +19,7 @@ std::size_t find_not_plain(std::string_view text);
 /// line end.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
+/// `text` without the blanks and tabs at its ends.
+std::string trimmed(std::string_view text);
+
 } // namespace asperity

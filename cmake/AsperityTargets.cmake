@@ -79,6 +79,9 @@ if(BUILD_TESTING)
     <numeric> <optional> <random> <span> <sstream> <string> <vector>)
 endif()
 
+# The unit tests that do not load deal.II: what tests/sanitizers/run builds.
+add_custom_target(asperity_fast_tests)
+
 set(ASPERITY_UNIT_SECONDS 60 CACHE STRING "CPU time that one unit test may take [s]")
 
 # asperity_test(theory/persson DEPENDS asperity::theory [TIER convergence] [RANKS 2])
@@ -110,6 +113,10 @@ function(asperity_test path)
   add_test(NAME ${path} COMMAND ${launch} $<TARGET_FILE:${target}>
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${path} PROPERTIES LABELS ${arg_TIER} TIMEOUT 600)
+  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|md|meshes|results|surfaces|theory)/")
+    add_dependencies(asperity_fast_tests ${target})
+    set_tests_properties(${path} PROPERTIES LABELS "unit;fast")
+  endif()
   # OpenMPI keeps memory to the end of the process, so what loads it cannot
   # pass the leak checker of the asan preset.
   if(path MATCHES "^(app|fem|reports|results)/")

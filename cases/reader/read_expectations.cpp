@@ -15,7 +15,7 @@
 namespace asperity::cases {
 namespace {
 
-struct Scene {
+struct ReadSoFar {
   SurfaceKind surface;
   const std::vector<MethodSpec>& methods;
   const Case& read;
@@ -32,9 +32,9 @@ bool is_theory(const MethodSpec& method) {
 }
 
 bool answers(const MethodSpec& method, const ExpectationName& quantity,
-             const Scene& scene) {
+             const ReadSoFar& case_) {
   if (quantity.study != Study::none)
-    return &method == study_theory(scene.methods);
+    return &method == study_theory(case_.methods);
   const bool is_variant = method.name.find('.') != std::string::npos;
   return (is_theory(method) ? quantity.theory_answers
                             : !quantity.theory_only) &&
@@ -83,10 +83,10 @@ void read_ends(TableReader& band, Expectation& expectation) {
 }
 
 void check_scene(TableReader& band, const ExpectationName& quantity,
-                 const Scene& scene) {
+                 const ReadSoFar& case_) {
   const auto& kinds = quantity.surfaces;
   if (!kinds.empty() &&
-      std::find(kinds.begin(), kinds.end(), scene.surface) == kinds.end()) {
+      std::find(kinds.begin(), kinds.end(), case_.surface) == kinds.end()) {
     const auto& words =
         vocabulary_key(vocabulary_table("surface"), "kind").words;
     std::vector<std::string> allowed;
@@ -96,31 +96,31 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
     band.complain(band.node(), fmt::format("is known only for the surfaces {}",
                                            fmt::join(allowed, ", ")));
   }
-  if (!scene.has(quantity.study))
+  if (!case_.has(quantity.study))
     band.complain(band.node(), quantity.study == Study::adhesion
                                    ? "needs the table [adhesion]"
                                    : "needs the table [magnification]");
   if (quantity.needs_theory &&
-      std::none_of(scene.methods.begin(), scene.methods.end(), is_theory))
+      std::none_of(case_.methods.begin(), case_.methods.end(), is_theory))
     band.complain(band.node(),
                   "compares with theory: the table [theory] is missing");
 }
 
 std::vector<std::string> answering(const ExpectationName& quantity,
-                                   const Scene& scene) {
+                                   const ReadSoFar& case_) {
   std::vector<std::string> names;
-  for (const MethodSpec& method : scene.methods)
-    if (answers(method, quantity, scene))
+  for (const MethodSpec& method : case_.methods)
+    if (answers(method, quantity, case_))
       names.push_back(method.name);
   return names;
 }
 
 void read_method_names(TableReader& band, const ExpectationName& quantity,
-                       const Scene& scene, Expectation& expectation) {
-  const std::vector<std::string> allowed = answering(quantity, scene);
+                       const ReadSoFar& case_, Expectation& expectation) {
+  const std::vector<std::string> allowed = answering(quantity, case_);
   if (!band.has("methods")) {
     expectation.methods = allowed;
-    if (allowed.empty() && !scene.methods.empty())
+    if (allowed.empty() && !case_.methods.empty())
       band.complain(band.node(), "is answered by none of the case's methods");
     return;
   }
@@ -150,14 +150,14 @@ std::vector<std::string> keys_at_load(TableReader& reader) {
 }
 
 Expectation read_band(const Node& node, const std::string& name,
-                      const ExpectationName& quantity, const Scene& scene,
+                      const ExpectationName& quantity, const ReadSoFar& case_,
                       Mistakes& mistakes) {
   TableReader band(node, vocabulary_table("expect.band"), mistakes);
   band.refuse_unknown();
   Expectation expectation{.quantity = name, .methods = {}};
   read_ends(band, expectation);
-  check_scene(band, quantity, scene);
-  read_method_names(band, quantity, scene, expectation);
+  check_scene(band, quantity, case_);
+  read_method_names(band, quantity, case_, expectation);
   expectation.passes_if_undecided = band.choice("if_undecided", 0) == 1;
   return expectation;
 }
@@ -167,7 +167,7 @@ Expectation read_band(const Node& node, const std::string& name,
 std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
                                            const Case& read,
                                            Mistakes& mistakes) {
-  const Scene scene{kind, read.methods, read};
+  const ReadSoFar case_{kind, read.methods, read};
   TableReader reader(table, vocabulary_table("expect"), mistakes);
   reader.refuse_unknown(keys_at_load(reader));
   std::vector<Expectation> expectations;
@@ -181,7 +181,7 @@ std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
          is_list ? entry.node.list : std::vector<Node>{entry.node})
       if (band.is_table())
         expectations.push_back(
-            read_band(band, entry.key, *quantity, scene, mistakes));
+            read_band(band, entry.key, *quantity, case_, mistakes));
       else
         reader.refuse(band, "must be { value, within } or { below } or "
                             "{ above }, or a list of such bands");

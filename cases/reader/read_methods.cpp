@@ -69,22 +69,24 @@ std::optional<double> read_magnification(TableReader& table,
 }
 
 /// What a method's keys are judged by.
-struct Scene {
+struct MethodSurroundings {
   SurfaceKind surface;
   bool has_mesh; ///< the case has a [mesh]
 };
 
 MethodSpec read_method(const Node& node, const std::string& kind,
-                       const Scene& scene, Mistakes& mistakes) {
+                       const MethodSurroundings& surroundings,
+                       Mistakes& mistakes) {
   TableReader table(node, vocabulary_table(kind), mistakes);
   table.refuse_unknown();
-  MethodSpec method{node.path, {}, read_magnification(table, scene.surface)};
+  MethodSpec method{
+      node.path, {}, read_magnification(table, surroundings.surface)};
   if (kind == "theory")
-    method.settings = read_theory(table, scene.surface);
+    method.settings = read_theory(table, surroundings.surface);
   else if (kind == "halfspace")
     method.settings = read_halfspace(table);
   else if (kind == "fem")
-    method.settings = read_fem(table, scene.has_mesh);
+    method.settings = read_fem(table, surroundings.has_mesh);
   else
     method.settings = read_md(table);
   return method;
@@ -116,7 +118,8 @@ Node inherited(const Node& base, const Node& variant) {
   return merged;
 }
 
-void read_family(const Node& node, const std::string& kind, const Scene& scene,
+void read_family(const Node& node, const std::string& kind,
+                 const MethodSurroundings& surroundings,
                  std::vector<std::vector<MethodSpec>>& ranks,
                  Mistakes& mistakes) {
   const Table& table = vocabulary_table(kind);
@@ -124,13 +127,13 @@ void read_family(const Node& node, const std::string& kind, const Scene& scene,
   std::erase_if(base.entries, [&](const NodeEntry& entry) {
     return is_variant(entry, table);
   });
-  ranks[0].push_back(read_method(base, kind, scene, mistakes));
+  ranks[0].push_back(read_method(base, kind, surroundings, mistakes));
   for (const NodeEntry& entry : node.entries) {
     if (!is_variant(entry, table))
       continue;
     check_variant_name(entry, mistakes);
     ranks[1].push_back(
-        read_method(inherited(base, entry.node), kind, scene, mistakes));
+        read_method(inherited(base, entry.node), kind, surroundings, mistakes));
   }
 }
 
@@ -139,7 +142,7 @@ void read_family(const Node& node, const std::string& kind, const Scene& scene,
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes) {
   std::vector<std::vector<MethodSpec>> ranks(2); // the methods, their variants
-  const Scene scene{kind, file.find("mesh") != nullptr};
+  const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr};
   bool has_any = false;
   for (const Table& table : vocabulary()) {
     const Node* const node = table.is_method ? file.find(table.name) : nullptr;
@@ -147,7 +150,7 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
       continue;
     has_any = true;
     if (node->is_table())
-      read_family(*node, table.name, scene, ranks, mistakes);
+      read_family(*node, table.name, surroundings, ranks, mistakes);
     else
       mistakes.add(node->place, table.name + " = " + written(*node) +
                                     ", but must be a table: [" + table.name +

@@ -1,5 +1,6 @@
 #include "cases/text/toml_text.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/text/toml_limits.hpp"
 
 #include <fmt/format.h>
@@ -124,13 +125,6 @@ void move_to(Node& node, const Place& place, const std::string& path) {
     move_to(element, place, path);
   for (NodeEntry& entry : node.entries)
     move_to(entry.node, place, path + "." + entry.key);
-}
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 Node value_or_text(const std::string& text, const Place& place,

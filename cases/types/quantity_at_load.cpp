@@ -1,5 +1,6 @@
 #include "cases/types/quantity_at_load.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/text/nearest.hpp"
 #include "cases/types/units.hpp"
 
@@ -12,14 +13,7 @@
 namespace asperity::cases {
 namespace {
 
-std::string without_blanks(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-QuantityAtLoadReading refused(const std::string& mistake) {
+QuantityAtLoadReading refused_at_load(const std::string& mistake) {
   return {std::nullopt, mistake};
 }
 
@@ -31,14 +25,13 @@ std::optional<std::string> value_of(const std::string& key,
     return std::nullopt;
   const std::string clause = name.substr(at + 1, end - at - 1);
   const auto equals = clause.find('=');
-  if (equals == std::string::npos ||
-      without_blanks(clause.substr(0, equals)) != key)
+  if (equals == std::string::npos || trimmed(clause.substr(0, equals)) != key)
     return std::nullopt;
   return clause.substr(equals + 1);
 }
 
 std::optional<double> positive_number(const std::optional<std::string>& text) {
-  const std::string digits = without_blanks(text.value_or(""));
+  const std::string digits = trimmed(text.value_or(""));
   double number = 0.0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, number);
@@ -113,30 +106,30 @@ bool names_a_load(const std::string& name) {
 }
 
 QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
-  const std::string quantity = without_blanks(name.substr(0, name.find('@')));
+  const std::string quantity = trimmed(name.substr(0, name.find('@')));
   const auto at = name.find('@');
   const auto second_at = at == std::string::npos ? at : name.find('@', at + 1);
   const std::optional<std::string> load = value_of("p", name, at, second_at);
   if (!load)
-    return refused("must be spelt as area_fraction@p=0.01 E* is");
+    return refused_at_load("must be spelt as area_fraction@p=0.01 E* is");
   const bool has_magnification = second_at != std::string::npos;
   const std::string mistake = mistake_in_name(
       quantity,
       has_magnification ? quantities_at_magnification() : quantities_at_load());
   if (!mistake.empty())
-    return refused(mistake);
+    return refused_at_load(mistake);
   const QuantityReading pressure =
       read_quantity(*load, Dimension::pressure, {Yardstick::contact_modulus});
   if (!pressure.quantity)
-    return refused("has a p that " + pressure.mistake);
+    return refused_at_load("has a p that " + pressure.mistake);
   if (!(pressure.quantity->value > 0.0))
-    return refused("has a p that is not > 0");
+    return refused_at_load("has a p that is not > 0");
   QuantityAtLoad read{quantity, *pressure.quantity};
   if (has_magnification) {
     read.magnification =
         positive_number(value_of("zeta", name, second_at, std::string::npos));
     if (!read.magnification)
-      return refused(
+      return refused_at_load(
           "must end as in area_fraction@p=0.01 E*@zeta=10, zeta > 0");
   }
   return {read, ""};

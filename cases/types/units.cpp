@@ -1,6 +1,7 @@
 #include "cases/types/units.hpp"
 
 #include "base/physical_constants.hpp"
+#include "base/plain_text.hpp"
 #include "cases/text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -12,13 +13,6 @@
 
 namespace asperity::cases {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 const Unit* unit_called(const std::string& symbol) {
   const auto found =

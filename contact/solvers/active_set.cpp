@@ -20,7 +20,7 @@ constexpr double rounding_of_a_field =
     64.0 * std::numeric_limits<double>::epsilon();
 
 /// So often all wrong nodes are exchanged without becoming fewer.
-constexpr int patience = 10;
+constexpr int tries_without_progress = 10;
 
 /// Seen are some ten; one node at a time could be very many.
 constexpr int most_iterations = 200;
@@ -119,7 +119,7 @@ private:
         wrong_.push_back(i);
     if (wrong_.size() < fewest_) {
       fewest_ = wrong_.size();
-      tries_left_ = patience;
+      tries_left_ = tries_without_progress;
     } else if (tries_left_ > 0) {
       --tries_left_;
     } else if (!wrong_.empty()) {

@@ -14,7 +14,7 @@ namespace {
 using results::CurvePoint;
 using results::MethodRecord;
 
-constexpr const char* excess = "area_excess";
+constexpr const char* excess_prefix = "area_excess";
 
 /// The column that a quantity's area is read from.
 AreaColumn area_column(const std::string& quantity) {
@@ -35,7 +35,7 @@ double number_at(const std::string& quantity, double pressure,
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;
   const double area = function.area_fraction(pressure);
-  if (!quantity.starts_with(excess))
+  if (!quantity.starts_with(excess_prefix))
     return area;
   return area / CurveFunction(theory->points).area_fraction(pressure) - 1.0;
 }

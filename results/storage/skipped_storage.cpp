@@ -9,10 +9,10 @@
 namespace asperity::results {
 namespace {
 
-constexpr const char* what = "what";
-constexpr const char* why = "why";
-constexpr const char* cpu_time = "cpu_time";
-constexpr const char* bytes = "bytes";
+constexpr const char* what_name = "what";
+constexpr const char* why_name = "why";
+constexpr const char* cpu_time_name = "cpu_time";
+constexpr const char* bytes_name = "bytes";
 
 } // namespace
 
@@ -27,24 +27,24 @@ void write_skipped(Hdf5Group& group, std::span<const Skipped> skipped) {
     times.push_back(one.cpu_time);
     sizes.push_back(one.bytes);
   }
-  group.append(what, things);
-  group.append(why, reasons);
-  group.append(cpu_time, times, Hdf5Number::float64, "s");
-  group.append(bytes, sizes, Hdf5Number::float64, "B");
+  group.append(what_name, things);
+  group.append(why_name, reasons);
+  group.append(cpu_time_name, times, Hdf5Number::float64, "s");
+  group.append(bytes_name, sizes, Hdf5Number::float64, "B");
 }
 
 std::vector<Skipped> read_skipped(const Hdf5Group& group) {
-  if (!group.has(what))
+  if (!group.has(what_name))
     return {};
-  const std::vector<std::string> things = group.texts(what);
-  const std::vector<std::string> reasons = group.texts(why);
-  const std::vector<double> times = group.column(cpu_time);
-  const std::vector<double> sizes = group.column(bytes);
+  const std::vector<std::string> things = group.texts(what_name);
+  const std::vector<std::string> reasons = group.texts(why_name);
+  const std::vector<double> times = group.column(cpu_time_name);
+  const std::vector<double> sizes = group.column(bytes_name);
   for (const std::size_t length : {reasons.size(), times.size(), sizes.size()})
     if (length != things.size())
       throw cases::CaseError(
           fmt::format("{}: a column has {} values, but must have {}, as {}",
-                      group.place(), length, things.size(), what));
+                      group.place(), length, things.size(), what_name));
   std::vector<Skipped> skipped;
   for (std::size_t i = 0; i < things.size(); ++i)
     skipped.push_back({things[i], reasons[i], times[i], sizes[i]});

@@ -42,7 +42,7 @@ constexpr CurveColumn column(std::string_view name, std::string_view unit,
           }};
 }
 
-constexpr std::array columns{
+constexpr std::array all_columns{
     column<&CurvePoint::step>("step", "1"),
     column<&CurvePoint::nominal_pressure>("nominal_pressure", "Pa", needed),
     column<&CurvePoint::mean_gap>("mean_gap", "m", needed),
@@ -87,14 +87,14 @@ std::string ColumnRange::text() const {
 }
 
 std::span<const CurveColumn> curve_columns() {
-  return columns;
+  return all_columns;
 }
 
 const CurveColumn* find_curve_column(std::string_view name) {
   const auto found =
-      std::find_if(columns.begin(), columns.end(),
+      std::find_if(all_columns.begin(), all_columns.end(),
                    [&](const CurveColumn& one) { return one.name == name; });
-  return found == columns.end() ? nullptr : &*found;
+  return found == all_columns.end() ? nullptr : &*found;
 }
 
 const CurveColumn& curve_column(std::string_view name) {

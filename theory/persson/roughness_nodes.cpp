@@ -13,7 +13,7 @@ namespace asperity::theory {
 namespace {
 
 constexpr std::size_t n_nodes = 20; // a panel
-using Gauss = boost::math::quadrature::gauss<double, n_nodes>;
+using NodeRule = boost::math::quadrature::gauss<double, n_nodes>;
 
 // m below 2^-n_octaves m_1 holds no more than rounding of any integral.
 constexpr int n_octaves = 50;
@@ -26,8 +26,8 @@ struct PanelNode {
 std::array<PanelNode, n_nodes> make_panel_nodes() {
   std::array<PanelNode, n_nodes> nodes;
   for (std::size_t i = 0; i < n_nodes / 2; ++i) {
-    const double at = Gauss::abscissa()[i];
-    const double weight = Gauss::weights()[i];
+    const double at = NodeRule::abscissa()[i];
+    const double weight = NodeRule::weights()[i];
     nodes[n_nodes / 2 + i] = {at, weight};
     nodes[n_nodes / 2 - 1 - i] = {-at, weight};
   }
@@ -69,8 +69,8 @@ private:
   }
 
   double moment(double from, double to) const {
-    return Gauss::integrate([this](double t) { return moment_density(t); },
-                            from, to);
+    return NodeRule::integrate([this](double t) { return moment_density(t); },
+                               from, to);
   }
 
   void first_segment(double to) {
