@@ -22,11 +22,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t hash_length = 64;
 constexpr std::uintmax_t default_size = 2'000'000'000;
 
-/// After making room the folder is this full, so that it is not read again at
-/// the very next write.
+/// Fraction of the size limit to which the cache is pruned. It is below one so
+/// that the folder is not scanned again at the very next write.
 constexpr double fill_after_pruning = 0.9;
 
-/// What a killed writer left is older than any write takes.
+/// Age beyond which a partial file is known to be left over from a killed
+/// process, because no write takes that long.
 constexpr std::chrono::hours oldest_part{1};
 
 struct Entry {
@@ -48,7 +49,7 @@ bool is_left_over(const fs::directory_entry& file) {
              fs::file_time_type::clock::now();
 }
 
-/// Calls `visit` for each file; others may remove files meanwhile.
+/// Calls `visit` for each file. Other processes may remove files meanwhile.
 template <class Visit>
 void for_each_file(const fs::path& folder, Visit visit) {
   std::error_code error;
@@ -77,15 +78,16 @@ std::uintmax_t total_bytes_of(const std::vector<Entry>& entries) {
   return bytes;
 }
 
-/// What an entry begins with. It says which entry it is, so that one under
-/// another's name is not believed.
+/// The header of an entry. It holds the key and the kind, so that a renamed
+/// entry is detected.
 std::string head_of(const std::string& key, const std::string& kind,
                     std::string_view bytes) {
   return fmt::format("asperity-cache-2\n{} {}\n{}\n", key, kind,
                      content_hash(bytes));
 }
 
-/// The bytes behind the head, if the head is this entry's with their hash.
+/// Returns the bytes after the header if the header matches this entry and the
+/// hash of the bytes.
 std::optional<std::string> checked_bytes(const fs::path& path,
                                          const std::string& key,
                                          const std::string& kind) {
@@ -128,7 +130,7 @@ std::optional<std::string> Cache::read(const std::string& key,
   if (bytes) {
     fs::last_write_time(path_of(key, kind), fs::file_time_type::clock::now(),
                         error);
-  } else if (has(key, kind)) { // nobody else has removed it meanwhile
+  } else if (has(key, kind)) { // not removed by another process meanwhile
     ++damaged_;
     remove(key, kind);
   }
@@ -145,7 +147,8 @@ void Cache::write(const std::string& key, const std::string& kind,
   fs::create_directories(folder_, error);
   const fs::path path = path_of(key, kind);
   const fs::path part = temporary_beside(path);
-  // Not synced to disk: what a power cut leaves does not pass the check.
+  // The file is not synced to disk: an entry that a power failure truncates
+  // does not pass the check.
   std::ofstream stream(part, std::ios::binary);
   stream << head << bytes;
   stream.close();

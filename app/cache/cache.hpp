@@ -1,7 +1,8 @@
 #pragma once
 
-// What earlier runs computed, kept on disk under the hash of everything that
-// decides it. Owns the folder: its entries, their check, their bound.
+// An on-disk cache of earlier computations. Each entry is stored under the hash
+// of all inputs that determine it. The class owns the cache folder: its
+// entries, their integrity check and the size limit.
 
 #include <atomic>
 #include <cstdint>
@@ -14,23 +15,22 @@
 
 namespace asperity::app {
 
-/// The kinds of entries, which are the ends of their files' names.
+/// The kinds of entries, used as file name extensions.
 namespace entry_kind {
-inline constexpr const char* step = "step";   ///< row and kept maps
-inline constexpr const char* state = "state"; ///< to go on from a step
-inline constexpr const char* table = "table"; ///< of a study
-inline constexpr const char* face = "face";   ///< operator of a block's face
+inline constexpr const char* step = "step";   ///< row, saved fields
+inline constexpr const char* state = "state"; ///< restart state
+inline constexpr const char* table = "table"; ///< table of a study
+inline constexpr const char* face = "face";   ///< surface operator
 } // namespace entry_kind
 
-/// A bounded store of byte strings. An entry is written beside its place and
-/// renamed into it, and carries its key, its kind and the hash of its bytes:
-/// one that was damaged or renamed is removed when it is read and counts as
-/// missing. Beyond the bound the entries
-/// that were not used for the longest time go first. Any number of processes
-/// and threads may use one folder.
+/// A size-limited store of byte strings. An entry is written to a temporary
+/// file and then renamed. It carries its key, its kind and the hash of its
+/// bytes: a damaged or renamed entry is removed when it is read and counts as
+/// missing. Beyond the size limit the least recently used entries are removed
+/// first. Any number of processes and threads may use the same folder.
 ///
-/// Nothing here throws for what a disk refuses: a cache that cannot be written
-/// keeps nothing, and the run goes on.
+/// Disk errors never throw: if the cache cannot be written, nothing is cached
+/// and the run continues.
 class Cache {
 public:
   struct Contents {
@@ -38,11 +38,11 @@ public:
     std::uintmax_t bytes = 0;
   };
 
-  /// Finds nothing and keeps nothing.
+  /// Creates a disabled cache, which finds nothing and stores nothing.
   Cache() = default;
 
-  /// @param folder      made at the first write
-  /// @param most_bytes  bound of all entries together; 0: no cache
+  /// @param folder      cache folder, created at the first write
+  /// @param most_bytes  size limit of all entries together [B]; 0: no cache
   Cache(std::filesystem::path folder, std::uintmax_t most_bytes);
 
   Cache(const Cache&) = delete;
@@ -54,12 +54,14 @@ public:
 
   std::uintmax_t most_bytes() const { return most_bytes_; }
 
+  /// Returns the bytes of an entry, or nothing if it is missing or damaged.
+  ///
   /// @param key   64 hexadecimal digits
   /// @param kind  one of entry_kind
   std::optional<std::string> read(const std::string& key,
                                   const std::string& kind);
 
-  /// True if there is such a file; it is not opened.
+  /// Returns true if the file of the entry exists. The file is not opened.
   bool has(const std::string& key, const std::string& kind) const;
 
   void write(const std::string& key, const std::string& kind,
@@ -69,11 +71,11 @@ public:
 
   Contents contents() const;
 
-  /// What went wrong with entries so far, in a sentence each; empty if nothing
-  /// did.
+  /// Returns one sentence for each kind of problem with entries so far; empty
+  /// if there was none.
   std::vector<std::string> problems() const;
 
-  /// Removes every entry, and what killed writers left.
+  /// Removes all entries and the partial files of killed processes.
   void clear();
 
 private:
@@ -84,17 +86,20 @@ private:
   std::filesystem::path folder_;
   std::uintmax_t most_bytes_ = 0;
   std::mutex mutex_;
-  std::optional<std::uintmax_t> bytes_; ///< as far as this process knows
+  std::optional<std::uintmax_t> bytes_; ///< total size as known to this process
   std::atomic<int> damaged_ = 0;
-  std::atomic<int> refused_ = 0; ///< writes by the disk
+  std::atomic<int> refused_ = 0; ///< writes that the file system rejected
 };
 
-/// Where the cache of this user is: $ASPERITY_CACHE, else
-/// $XDG_CACHE_HOME/asperity, else ~/.cache/asperity; empty without a home.
+/// Returns the cache folder of the user: $ASPERITY_CACHE, otherwise
+/// $XDG_CACHE_HOME/asperity, otherwise ~/.cache/asperity. The path is empty if
+/// there is no home folder.
 std::filesystem::path cache_folder();
 
-/// $ASPERITY_CACHE_SIZE, "500 MB", "2 GB" or bytes; 2 GB if it is not set.
-/// @throws cases::CaseError  it is no size
+/// Returns the size limit [B] from $ASPERITY_CACHE_SIZE, such as "500 MB" or a
+/// number of bytes. The default is 2 GB.
+///
+/// @throws cases::CaseError  the value is not a size
 std::uintmax_t cache_size();
 
 } // namespace asperity::app

@@ -22,7 +22,7 @@ constexpr const char* surface_file = "surface.file";
 constexpr const char* variation_file = "material.variation.file";
 constexpr const char* mesh_file = "mesh.file";
 
-/// A value as text, the keys of a table by the alphabet.
+/// Returns a value as text, with the keys of tables in alphabetical order.
 std::string canonical(const Node& node) {
   if (!node.is_table())
     return cases::toml_value(node);
@@ -33,7 +33,7 @@ std::string canonical(const Node& node) {
   return fmt::format("{{{}}}", fmt::join(lines, "\n"));
 }
 
-/// The case's text as nodes, its overrides laid over it.
+/// Returns the parsed text of the case with its overrides applied.
 Node parsed(const cases::Case& rough_case) {
   Node file = cases::parse_toml(rough_case.text, rough_case.path);
   cases::Mistakes none;
@@ -53,15 +53,16 @@ bool is_key(const std::string& table, const std::string& name) {
                      [&](const cases::Key& key) { return key.name == name; });
 }
 
-/// "" where the case names no such file.
+/// Returns "" if the case names no such file.
 std::string hash_in(const std::map<std::string, std::string>& inputs,
                     const std::string& key) {
   const auto found = inputs.find(key);
   return found == inputs.end() ? "" : found->second;
 }
 
-/// Every realisation of one seed is the same however many there are, and a map
-/// is what its bytes are, wherever it lies.
+/// Returns the text that determines a surface. A realisation depends on the
+/// seed but not on the number of realisations, and a height map on the contents
+/// of its file but not on its path.
 std::string surface_text(const Node& file) {
   Node table = *file.find("surface");
   std::erase_if(table.entries, [](const NodeEntry& entry) {
@@ -88,7 +89,8 @@ CaseKeys::CaseKeys(const cases::Case& rough_case, std::string program)
                          text_of(file_, "material"),
                          hash_in(inputs_, variation_file))) {}
 
-/// The keys of [fem] with those of [fem.hard] over them, variants left out.
+/// Merges the keys of a variant such as [fem.hard] into those of [fem]. The
+/// tables of the other variants are left out.
 std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
   const std::size_t dot = method.name.find('.');
   const std::string kind = method.name.substr(0, dot);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Under which key the cache keeps what a case computes. Owns the list of what
-// decides a number.
+// The keys under which the cache stores the results of a case. This class
+// defines the list of inputs that determine a result.
 
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"
@@ -13,27 +13,30 @@
 
 namespace asperity::app {
 
-/// Keys, by content_hash(), of the parts of one case. They are made of the
-/// case's tables as they are written, defaults left out, in any order of keys:
-/// whatever key is added to the vocabulary is in them. Title, [report],
-/// [expect], comments, and other methods' tables are not.
+/// The cache keys, by content_hash(), of the parts of one case. They are
+/// computed from the tables of the case as they are written, without default
+/// values and independently of the order of keys, so a key that is added to the
+/// vocabulary is included automatically. The title, [report], [expect],
+/// comments and the tables of other methods are excluded.
 class CaseKeys {
 public:
-  /// @param program  what decides the numbers besides the case:
-  ///                 program_identity()
+  /// @param rough_case  the case; it must outlive this object
+  /// @param program     everything besides the case that determines the
+  ///                    results: program_identity()
   CaseKeys(const cases::Case& rough_case, std::string program);
 
-  /// One a step of the load program: surface, realisation, material, method,
-  /// and every load up to that step.
+  /// Returns one key per step of the loading path. It covers the surface, the
+  /// realisation, the material, the method and all loads up to that step.
   std::vector<std::string> steps(const cases::MethodSpec& method,
                                  int realization) const;
 
-  /// Of a study's table.
+  /// Returns the key of the table of a study.
   std::string table(const cases::MethodSpec& theory,
                     const std::string& name) const;
 
-  /// Of an operator of the block's face.
-  /// @param face  in words, all that the block and its grid are
+  /// Returns the key of an operator on the contact surface of a block.
+  ///
+  /// @param face  a complete description of the block and its grid
   std::string face(const std::string& face) const;
 
 private:
@@ -43,15 +46,17 @@ private:
   std::string program_;
   cases::Node file_;
   std::map<std::string, std::string> inputs_; ///< input_hashes()
-  std::string scene_;                         ///< surface and material
+  std::string scene_;                         ///< text of surface and material
 };
 
-/// SHA-256 of what is in each file that the case names, by the key that names
-/// it: "surface.file". A base case is part of the case's text.
+/// Returns the SHA-256 hash of each file that the case names, by the key that
+/// names it: "surface.file", "material.variation.file" or "mesh.file". A base
+/// case is part of the text of the case.
+///
 /// @throws cases::CaseError  a file cannot be read
 std::map<std::string, std::string> input_hashes(const cases::Case& rough_case);
 
-/// Build and processor: equal ones compute the same bits.
+/// Identifies build and processor: equal identities compute identical bits.
 std::string program_identity();
 
 } // namespace asperity::app

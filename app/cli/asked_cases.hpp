@@ -1,7 +1,7 @@
 #pragma once
 
-// What a word of the command line asks for: cases, read with what stands
-// beside their files before anything runs.
+// Resolves the arguments of the command line to cases. All cases, and the files
+// that belong to them, are read before anything runs.
 
 #include "app/run/case_library.hpp"
 #include "cases/types/case.hpp"
@@ -11,7 +11,7 @@
 
 namespace asperity::app {
 
-/// A case with what stands beside its file.
+/// A case together with the contents of the files beside its case file.
 struct ReadCase {
   FoundCase found;
   cases::Case rough_case;
@@ -19,16 +19,19 @@ struct ReadCase {
   std::vector<std::string> overrides = {};
 };
 
-/// What one word of the command line asked for.
+/// The cases that one argument of the command line refers to.
 struct Asked {
   FoundCases found;
   std::vector<ReadCase> cases;
 };
 
+/// Finds and reads the cases that an argument refers to.
+///
 /// @param word       case file, folder, shipped case or collection
-/// @param overrides  "key.path=value", laid over every case
-/// @param is_quick   the case's quick.set below the overrides
-/// @throws cases::CaseError
+/// @param overrides  "key.path=value" entries that are applied to every case
+/// @param is_quick   if true, the case's quick.set is applied before
+///                   `overrides`
+/// @throws cases::CaseError  the argument matches no case, or a case is invalid
 Asked read_asked(const std::string& word,
                  const std::vector<std::string>& overrides = {},
                  bool is_quick = false);

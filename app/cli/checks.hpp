@@ -1,7 +1,6 @@
 #pragma once
 
-// What the program says of the verdicts on results, and the exit code that
-// follows from them.
+// Prints the verdicts on results and derives the exit code from them.
 
 #include "app/run/exit_code.hpp"
 #include "reports/analysis/summary.hpp"
@@ -11,39 +10,44 @@
 
 namespace asperity::app {
 
-/// The worse of two ends: what cannot be trusted before what is out of band.
+/// Returns the more severe of two exit codes. A result that cannot be trusted
+/// is more severe than one outside its expected range.
 ExitCode worse(ExitCode one, ExitCode other);
 
-/// A line each: verdicts, published values, methods with steps that did not
-/// converge, what could not be worked out.
+/// Prints one line for each verdict, each published value, each method with
+/// load steps that did not converge, and each quantity that could not be
+/// evaluated.
 void print_verdicts(const reports::Summary& summary);
 
-/// That of a run: steps that did not converge before expectations not passed.
+/// Returns the exit code of a run. Load steps that did not converge take
+/// precedence over expectations that are not met.
 ExitCode exit_code_of(const reports::Summary& summary);
 
-/// What `check` has found so far, over all its targets.
+/// Collects the findings of `check` over all of its targets.
 class Checks {
 public:
-  /// Judges a result of the target at hand and says what came of it.
+  /// Verifies a result of the current target and prints the outcome.
   void add(reports::Summary summary);
 
-  /// Of a case that has no result to be judged: a failed check of that name.
+  /// Records a case without a result as a failed check under the name of the
+  /// case.
   void add_problem(const std::string& case_name, const std::string& problem,
                    ExitCode exit_code);
 
-  /// A target of which nothing was checked is bad input: exit code 0 would say
-  /// that it was checked, 1 that an expectation is not passed.
+  /// Finishes the current target. A target for which nothing was checked counts
+  /// as bad input: exit code 0 would claim that it was checked, and 1 that an
+  /// expectation is not met.
   void end_target(const std::string& target);
 
-  /// Writes the JUnit file of what was judged; empty: none.
-  /// @return  the worst end of all targets
+  /// Writes the JUnit file of all checks unless `junit` is empty.
+  /// @return  the most severe exit code of all targets
   ExitCode end(const std::string& junit) const;
 
 private:
   std::vector<reports::Summary> summaries_;
   ExitCode end_ = exit_good;
-  bool has_checked_ = false; ///< something of the target at hand
-  std::string why_nothing_;  ///< of its last result
+  bool has_checked_ = false; ///< whether any check of this target was made
+  std::string why_nothing_;  ///< why its last result was not checked
 };
 
 } // namespace asperity::app

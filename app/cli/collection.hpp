@@ -1,7 +1,7 @@
 #pragma once
 
-// The report on a collection of cases once its parts have run, from the files
-// they left.
+// Writes the report on a collection of cases from the result files of its
+// parts, once these have run.
 
 #include "app/run/case_library.hpp"
 
@@ -14,10 +14,11 @@ namespace asperity::app {
 /// A part of a collection that has a result.
 struct RunPart {
   FoundCase part;
-  std::filesystem::path folder; ///< of its result
+  std::filesystem::path folder; ///< folder of the result
 };
 
-/// Writes folder/report.html and what stands beside it. Nothing if no part ran.
+/// Writes folder/report.html and the files that belong to it. Does nothing if
+/// no part has run.
 void write_collection_report(const FoundCases& collection,
                              const std::vector<RunPart>& parts,
                              const std::filesystem::path& folder);

@@ -41,7 +41,7 @@ reports::Summary summary_of(const results::Result& result) {
   return reports::summarize(result, rough_case);
 }
 
-/// Everything beside result.h5: table, summary, report.
+/// Writes all output files besides result.h5: table, summary and report.
 reports::Summary write_outputs(const fs::path& folder) {
   const results::Result result = results::read_result(folder);
   const cases::Case rough_case = reports::case_of(result);
@@ -53,7 +53,7 @@ reports::Summary write_outputs(const fs::path& folder) {
   return entry.summary;
 }
 
-/// Writes the report of a result, says what it found.
+/// Writes the report on a result and prints its findings.
 ExitCode report_on(const fs::path& folder) {
   const reports::Summary summary = write_outputs(folder);
   print_verdicts(summary);
@@ -75,7 +75,7 @@ ExitCode run_one(const cases::Case& rough_case, const RunOptions& options,
                                                : reported;
 }
 
-/// Where a case or collection of that name goes to.
+/// Returns the output folder of a case or collection of that name.
 fs::path folder_of(const std::string& name, const RunCommand& command) {
   if (command.out.empty())
     return fs::path("out") / name;
@@ -96,7 +96,8 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
   return options;
 }
 
-/// At the setting that is chosen for an error, which is then verified.
+/// Runs a case at the setting chosen for the target error, then verifies the
+/// error.
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
   cases::Case asked = read.rough_case;
@@ -135,7 +136,7 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
   if (is_collection) {
     const fs::path folder = folder_of(asked.found.collection, command);
     collection_lock.emplace(folder, "run " + asked.found.collection);
-    remove_report(folder); // it is of the last run's parts
+    remove_report(folder); // belongs to the parts of the last run
   }
   for (const ReadCase& read : asked.cases) {
     const fs::path folder = is_collection
@@ -236,7 +237,7 @@ ExitCode check_targets(const std::vector<std::string>& targets,
         break;
       checks.end_target(target);
     }
-  } catch (const std::exception& error) { // what was found is still told
+  } catch (const std::exception& error) { // still report what was found
     checks.add_problem("check", error.what(), exit_internal);
     checks.end(junit);
     throw;

@@ -1,6 +1,7 @@
 #pragma once
 
-// What each command of the program does, from words to an exit code.
+// The commands of the program. Each takes the parsed command line and returns
+// an exit code.
 
 #include "app/run/exit_code.hpp"
 
@@ -10,41 +11,48 @@
 namespace asperity::app {
 
 struct RunCommand {
-  std::vector<std::string> cases; ///< files, folders, names of shipped cases
+  std::vector<std::string> cases; ///< files, folders or names of shipped cases
   std::vector<std::string> methods;
   std::vector<std::string> overrides; ///< "key.path=value"
-  std::string out; ///< empty: out/<case>; several cases: a folder in it each
+  std::string out; ///< empty: out/<case>; with several cases, each gets its own
+                   ///< sub-folder
   bool resume = false;
-  bool is_quick = false; ///< quick.set of each case laid over it
+  bool is_quick = false; ///< apply quick.set of each case
   int threads = 0;
-  bool is_exact = false;         ///< `methods` are names alone, no kinds
-  std::string target_error = {}; ///< "1%"; empty: the case's own settings
-  bool no_report = false;        ///< result.h5 alone, as a benchmark wants it
+  bool is_exact = false;         ///< `methods` lists names only, no kinds
+  std::string target_error = {}; ///< e.g. "1%"; empty: the settings of the case
+  bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
-  bool is_dry = false; ///< print the plan, run nothing
+  bool is_dry = false; ///< print the plan without running anything
 };
 
-/// Every case is read before the first is run. After the parts of a collection
-/// comes the report on all of them, in out/<collection>.
+/// Runs cases. All cases are read before the first one is run. A collection
+/// gets a report on all of its parts, in out/<collection>, after they have run.
 ExitCode run_cases(const RunCommand& command);
 
-/// One report over several results, in `out` (empty: beside a single result,
-/// else out/comparison).
+/// Writes one report on several results into `out`. If `out` is empty, the
+/// report is written beside a single result, or into out/comparison.
 ExitCode report_results(const std::vector<std::string>& results,
                         const std::string& out);
 
-/// Every case among the targets is read before the first is run.
+/// Checks results against the expectations of their cases. All cases among the
+/// targets are read before the first one is run.
+///
 /// @param targets  results (file or folder), or cases, which are run first
 /// @param junit    file for JUnit XML; empty: none
 ExitCode check_targets(const std::vector<std::string>& targets,
                        const std::string& junit, bool uses_cache = true);
 
-/// Where the cache is, how much of it is used; emptied before if asked to.
+/// Prints the location of the cache and how much of it is used.
+///
+/// @param is_to_clear  empties the cache first
 ExitCode show_cache(bool is_to_clear);
 
 ExitCode list_cases();
 
-/// Writes name/case.toml. @throws cases::CaseError  it is there already
+/// Writes the file name/case.toml.
+///
+/// @throws cases::CaseError  the file exists already
 ExitCode new_case(const std::string& name);
 
 ExitCode print_schema();

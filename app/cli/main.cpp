@@ -1,4 +1,5 @@
-// The command line: words to commands, failures to exit codes.
+// The command line of the program: maps arguments to commands and failures to
+// exit codes.
 #include "app/cli/commands.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/run/mpi_world.hpp"
@@ -22,7 +23,7 @@
 namespace asperity::app {
 namespace {
 
-/// The chosen command, to be called once the words are parsed.
+/// The chosen command, which is called after the command line is parsed.
 using Action = std::function<ExitCode()>;
 
 void add_run(CLI::App& program, RunCommand& run, Action& action) {
@@ -141,7 +142,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
       "robustness",
       "run thousands of random scenes and check every answer; exit 3 "
       "if one is neither verified nor refused");
-  command->alias("stress"); // its name until the module was renamed
+  command->alias("stress"); // former name of the command
   command->add_option("case", robustness.cases,
                       "cases whose settings are perturbed (default: none)");
   command->add_option("--scenes", robustness.scenes, "how many (default: 2000)")
@@ -210,7 +211,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   asperity::keep_freed_memory();
-  std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like any
+  std::signal(SIGXFSZ, SIG_IGN); // exceeding a file size limit is an ordinary
+                                 // error
   try {
     const int end = asperity::app::has_followed_rank_0()
                         ? asperity::app::exit_good

@@ -23,10 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 using robustness::Scene;
 
-/// What is drawn from: nothing, or a case.
+/// Where the problem instances come from: a base case, or none.
 struct Source {
-  std::string name; ///< of the case; empty: none
-  std::string word; ///< as the command line had it
+  std::string name; ///< name of the case; empty: none
+  std::string word; ///< path of the case file, as needed to repeat the run
   std::optional<Scene> base;
 
   Scene draw(std::uint64_t seed, int index) const {
@@ -48,10 +48,11 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
   return sources;
 }
 
-/// The scenes asked for: the first ones of the seed that pass the filter.
+/// Returns the requested instances: the first ones of the seed that match the
+/// filter.
 std::vector<Scene> scenes_of(const Source& source,
                              const RobustnessCommand& command) {
-  // A filter that one scene in so many passes is as narrow as it may be.
+  // The search gives up if fewer than one instance in this many matches.
   constexpr int most_drawn_for_one = 10000;
   const robustness::SceneFilter filter(command.only);
   std::vector<Scene> scenes;
@@ -78,14 +79,14 @@ std::string fact(const results::Provenance& facts, const std::string& name) {
   return "unknown";
 }
 
-/// Runs them all; the reports come in any order and are sorted by scene.
+/// Runs all instances. Reports arrive in any order and are sorted by index.
 std::map<int, robustness::SceneResult>
 results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
   std::map<int, Scene> by_index;
   for (const Scene& scene : scenes)
     by_index[scene.index] = scene;
   std::map<int, robustness::SceneResult> results;
-  std::fflush(stdout); // a child must not write it again
+  std::fflush(stdout); // otherwise a child process would print it again
   robustness::run_scenes(
       scenes, {command.threads, 60.0},
       [&](const robustness::SceneReport& report) {
@@ -150,7 +151,8 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command) {
   return total.others() > 0 ? exit_numerics_gave_up : exit_good;
 }
 
-/// One scene in this process, for a debugger, and all that is known of it.
+/// Runs a single instance in this process, for use with a debugger, and prints
+/// everything known about it.
 ExitCode run_one(const Source& source, const RobustnessCommand& command) {
   const Scene scene = source.draw(command.seed, *command.scene);
   fmt::print("{}\n", in_words(scene));

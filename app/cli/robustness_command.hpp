@@ -1,6 +1,7 @@
 #pragma once
 
-// `asperity robustness`: the stability matrix, run, written and judged.
+// `asperity robustness`: runs and verifies the random problem instances of the
+// stability matrix and writes the reports.
 
 #include "app/run/exit_code.hpp"
 
@@ -12,18 +13,20 @@
 namespace asperity::app {
 
 struct RobustnessCommand {
-  std::vector<std::string> cases; ///< perturbed; none: everything is drawn
-  int scenes = 2000;              ///< that pass `only`, of each case
+  std::vector<std::string> cases; ///< cases to perturb; none: random
+  int scenes = 2000; ///< number of instances that match `only`, per case
   std::uint64_t seed = 1;
   std::string only;         ///< see robustness::SceneFilter
-  std::optional<int> scene; ///< this one alone, and everything about it
-  int threads = 0;          ///< processes; 0: all cores
+  std::optional<int> scene; ///< run only this instance and print all details
+  int threads = 0;          ///< number of processes; 0: all cores
   std::string out = "out/robustness";
 };
 
-/// Writes stress.html, stress.json and stress.csv into `out` (of a case, into a
-/// folder of its name in it).
-/// @return  exit_numerics_gave_up if any scene is neither verified nor refused
+/// Writes stress.html, stress.json and stress.csv into `out`; for a case, into
+/// the sub-folder with the name of the case.
+///
+/// @return  exit_numerics_gave_up if any instance is neither verified nor
+///          refused
 ExitCode run_robustness(const RobustnessCommand& command);
 
 } // namespace asperity::app

@@ -1,4 +1,4 @@
-// Commands that run nothing.
+// The commands that do not run a case.
 #include "app/cache/cache.hpp"
 #include "app/cli/commands.hpp"
 #include "app/run/case_library.hpp"

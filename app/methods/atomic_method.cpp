@@ -29,8 +29,8 @@ double square_length(const AtomicScene& scene) {
   return grid.length_x;
 }
 
-/// Heights of the rigid atoms: the very surface the other methods take, at the
-/// nodes of the substrate's lattice.
+/// Returns the heights of the rigid atoms. They sample the same surface that
+/// the other methods use, at the lattice sites of the substrate.
 std::vector<double> substrate_heights(const AtomicScene& scene,
                                       const Grid& substrate) {
   if (substrate == scene.surface.record.grid)
@@ -69,9 +69,9 @@ results::CurvePoint row_of(const md::AtomStep& step) {
   row.note = step.note;
   results::RowObserver observe(row);
   observe_pressure_fits(observe, step.pressure);
-  // The soft tail of weak pressures counts least in the second moment: on the
-  // paper's surface it is within 4 % of a hard wall's area where least squares
-  // are 20 % above it (docs/md.md).
+  // Weak pressures in the soft tail contribute least to the second moment: on
+  // the surface of the paper it is within 4 % of the area of hard contact,
+  // while the least-squares fit is 20 % above it (docs/md.md).
   row.area_fraction_corrected = row.area_fraction_moment;
   row.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
   row.elastic_energy = step.elastic_energy;
@@ -97,7 +97,8 @@ public:
         atoms_->solve(target.control, target.amount, target.step, watch_);
     results::CurvePoint row = row_of(step);
     if (target.control == cases::Control::nominal_pressure)
-      row.nominal_pressure = target.amount; // balanced to the tolerance
+      row.nominal_pressure = target.amount; // balanced only within the
+                                            // tolerance
     return {std::move(row), layer_, std::move(step.pressure),
             std::move(step.gap)};
   }

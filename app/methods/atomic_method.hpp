@@ -1,7 +1,7 @@
 #pragma once
 
-// The block of atoms as a method of the run: its two lattices over the case's
-// surface, and its steps as rows of the common curve.
+// The atomistic block as a method of a run: builds its two lattices on the
+// surface of the case and converts its load steps to rows of the common curve.
 
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
@@ -14,20 +14,22 @@ namespace asperity::app {
 
 MethodDescription describe(const cases::MdSettings& settings);
 
-/// What an atomic method needs besides its settings.
+/// The input of an atomistic method besides its settings.
 struct AtomicScene {
   const cases::Case& rough_case;
   const cases::MethodSpec& method;
-  const SurfaceOfCase& surface; ///< outlives the solver
+  const SurfaceOfCase& surface; ///< must outlive the solver
   int realization = 0;
   int threads = 1;
   std::filesystem::path scratch; ///< for checkpoints, dumps and child processes
-  md::Watch watch = {};          ///< called while a step is at work
+  md::Watch watch = {};          ///< called while a step is being solved
 };
 
-/// @throws cases::CaseError   a surface that is not square, settings that do
-///                            not go together, a program that is missing
-/// @throws std::domain_error  what the atoms' room refuses
+/// Creates the solver of an atomistic method.
+///
+/// @throws cases::CaseError   the surface is not square, settings contradict
+///                            each other, or a required program is missing
+/// @throws std::domain_error  the md module rejects the block
 std::unique_ptr<StepSolver> make_atomic_solver(const AtomicScene& scene);
 
 } // namespace asperity::app

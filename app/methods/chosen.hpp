@@ -1,7 +1,7 @@
 #pragma once
 
-// What of a case a run is asked for: which methods, on how many realisations,
-// with which maps.
+// Determines which parts of a case a run computes: which methods, how many
+// realisations and which saved fields.
 
 #include "cases/types/case.hpp"
 
@@ -13,29 +13,38 @@
 
 namespace asperity::app {
 
-/// @param names     of methods or kinds; empty: all
-/// @param is_exact  names of methods alone: "fem" is not "fem.hard"
-/// @throws cases::CaseError  the case has no such method; names the nearest
+/// Returns the methods that a run uses, in the order of the case.
+///
+/// @param names     names or kinds of methods; empty: all
+/// @param is_exact  if true, `names` are names only: "fem" does not include
+///                  "fem.hard"
+/// @throws cases::CaseError  the case has no such method; the message gives the
+///                           nearest name
 std::vector<cases::MethodSpec>
 chosen_methods(const cases::Case& rough_case,
                const std::vector<std::string>& names, bool is_exact = false);
 
-/// True for a theory, whose spectrum needs no surface.
+/// Returns true for a theory that takes the spectrum from the formula and needs
+/// no surface.
 bool takes_formula(const cases::MethodSpec& method);
 
-/// One for a theory by the formula, which is the same on all.
+/// Returns the number of realisations for a method: one for a theory that uses
+/// the formula, because all realisations are identical.
 int n_realizations(const cases::Case& rough_case,
                    const cases::MethodSpec& method);
 
-/// Load steps, spread evenly over the program, whose maps are kept.
+/// Returns the load steps whose fields are saved, spread evenly over the
+/// loading path.
 std::set<std::size_t> steps_with_fields(const cases::Case& rough_case);
 
-/// True for [fem] with solver = "full".
+/// Returns true for [fem] with solver = "full".
 bool is_whole_block(const cases::MethodSpec& method);
 
-/// The heaviest of the steps with fields, where a whole block's own section is
-/// taken; none for other methods or where the case asks for no stress inside.
-/// @param scales  of the method's surface
+/// Returns the most heavily loaded of the steps with saved fields, at which a
+/// full block records its own stress section. Returns nothing for other
+/// methods, or if the case does not request the subsurface stress.
+///
+/// @param scales  scales of the surface of the method
 std::optional<std::size_t> step_with_section(const cases::Case& rough_case,
                                              const cases::MethodSpec& method,
                                              const cases::Scales& scales);

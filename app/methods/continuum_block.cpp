@@ -20,7 +20,7 @@ contact::FarFace far_face_of(cases::TopFace top) {
   return contact::FarFace::clamped;
 }
 
-/// E* of the block without its counter body [Pa].
+/// Returns E* of the block without its counterface [Pa].
 double own_modulus(const cases::MaterialSpec& material) {
   const cases::BodyModuli own = material.first_body();
   return own.youngs_modulus / (1.0 - own.poisson_ratio * own.poisson_ratio);
@@ -45,7 +45,7 @@ contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
     block.thickness = fem->depth.in_si(scales);
     block.far_face = far_face_of(fem->top);
   } else {
-    return block; // atoms know no layers
+    return block; // the atomistic block has no layers
   }
   if (!material.layers.empty())
     block.contact_modulus = own_modulus(material);

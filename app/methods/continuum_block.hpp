@@ -1,24 +1,26 @@
 #pragma once
 
-// The block of a method as a continuum: half-space, slab, and the layers of the
-// case on it.
+// The continuum model of the block of a method: a half-space or slab with the
+// layers of the case.
 
 #include "cases/types/case.hpp"
 #include "contact/operators/halfspace.hpp"
 
 namespace asperity::app {
 
-/// What the half-space presses, and what stresses inside are worked out in:
-/// half-space or slab as the method has it, with the case's layers; atoms are a
-/// half-space without. Under layers the moduli are the block's own, else those
-/// of the pair if there is a counter body.
+/// Returns the block for the half-space solver and for the subsurface stress: a
+/// half-space or slab as set for the method, with the layers of the case.
+/// Atomistic blocks become a half-space without layers. With layers the moduli
+/// are those of the block itself; otherwise they are the combined moduli of the
+/// pair if there is a second body.
 contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
                                    const cases::MaterialSpec& material,
                                    const cases::Scales& scales);
 
-/// E* [Pa] that the rim of a contact feels: of the block without layers; under
-/// layers 2/(C q) of waves four spacings long, which is the coating's where
-/// that is thicker than a spacing or two.
+/// Returns the effective modulus E* [Pa] at the contact boundary. Without
+/// layers it is that of the block. With layers it is 2/(C q) at a wavelength of
+/// four grid spacings, which is the modulus of the coating if the coating is
+/// thicker than one or two spacings.
 double rim_modulus(const contact::ElasticBlock& block, double spacing);
 
 } // namespace asperity::app

@@ -1,7 +1,7 @@
 #pragma once
 
-// A solved step as a row of the curve: every elastic method is read by the
-// same observables.
+// Evaluates a solved load step as a row of the curve. All elastic methods use
+// the same observables.
 
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
@@ -13,31 +13,35 @@
 
 namespace asperity::app {
 
-/// What the observables need to know of the operator behind a solution.
+/// The properties of the operator behind a solution that the observables need.
 struct Observation {
-  std::span<const double> nodal_weights; ///< contact::SurfaceOperator's
-  double local_compliance = 0.0; ///< 1/k [m/Pa] of a penalty that stays, 0 for
-                                 ///< a hard wall
+  std::span<const double> nodal_weights; ///< as in contact::SurfaceOperator
+  double local_compliance = 0.0; ///< 1/k [m/Pa] for a penalty law, 0 for hard
+                                 ///< or augmented contact
   results::AreaCoefficients area_coefficients; ///< of the operator
-  double contact_modulus = 0.0; ///< E* that the rim of a contact feels [Pa]
-  bool has_rim = true; ///< false: the corrected area is left to the caller
+  double contact_modulus = 0.0; ///< effective E* at the contact boundary [Pa]
+  bool has_rim = true;          ///< false: the caller sets the corrected area
 };
 
-/// Both areas of the theory's pressure distribution, of elastic methods and of
-/// atoms alike.
-/// @param weights  of the nodes, relative; empty if all are equal
+/// Evaluates the two contact areas that follow from fits to the pressure
+/// distribution of the theory. Elastic and atomistic methods share this
+/// function.
+///
+/// @param weights  relative weights of the nodes; empty if all are equal
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
                            std::span<const double> weights = {});
 
-/// The solution's maps are moved into the answer. No map ends the run: an
-/// observable that it does not have is NaN, and the row's note says why.
+/// Evaluates a solution. Its fields are moved into the answer. An observable
+/// that cannot be evaluated does not end the run: it is NaN, and the note of
+/// the row gives the reason.
 StepAnswer observe(contact::ContactSolution solution,
                    const Observation& observation,
                    const SurfaceOfCase& surface);
 
-/// A step whose mean gap, nominal pressure or maps are not finite did not
-/// converge, whatever the method says, and its maps are not kept.
+/// Marks a step as not converged if its mean gap, nominal pressure or fields
+/// are not finite, whatever the method reports, and discards fields that are
+/// not finite.
 void distrust_non_finite(StepAnswer& answer);
 
 } // namespace asperity::app

@@ -39,17 +39,17 @@ contact::LoadTarget load_target(const StepTarget& target) {
           target.amount};
 }
 
-/// What does not change from step to step.
+/// The settings that are the same for all load steps.
 struct SolverSetting {
   const ContactSettings& contact;
-  const SurfaceOfCase& surface; ///< outlives the solver
+  const SurfaceOfCase& surface; ///< must outlive the solver
   results::AreaCoefficients area_coefficients;
-  double rim_modulus; ///< E* at the scale of a spacing [Pa]
+  double rim_modulus; ///< E* at the length scale of a grid spacing [Pa]
   int threads;
   double saved_setup_time;
 };
 
-/// Any surface operator under the contact room's solver.
+/// Applies the contact solver to any surface operator.
 class OperatorSolver final : public StepSolver {
 public:
   OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
@@ -112,7 +112,8 @@ std::string in_key(const std::vector<cases::MaterialLayer>& layers,
   return key;
 }
 
-/// Equal for equal operators: grid and block, not the interface.
+/// Returns a key that is equal for equal operators. It covers grid and block,
+/// but not the contact law.
 std::string operator_key(const cases::MethodSpec& method,
                          const SurfaceOfCase& surface,
                          const cases::MaterialSpec& material) {
@@ -186,7 +187,8 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                     grid, continuum_of(method, material_, surface.scales)),
                 threads),
             0.0};
-  const fem::FemRoom& room = fem::load_fem_room(); // no part of what is kept
+  // Loading is not part of the cached set-up time.
+  const fem::FemRoom& room = fem::load_fem_room();
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);

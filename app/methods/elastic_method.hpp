@@ -1,8 +1,8 @@
 #pragma once
 
-// From a method's settings to something that answers load steps: half-space,
-// condensed block or full block behind one face. Owns the operators that
-// several runs share.
+// Creates solvers of load steps from the settings of a method: a half-space or
+// a condensed block behind one contact surface. The factory owns the operators
+// that several runs share.
 
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
@@ -22,30 +22,32 @@ namespace asperity::app {
 MethodDescription describe(const cases::HalfspaceSettings& settings);
 MethodDescription describe(const cases::FemSettings& settings);
 
-/// What finite elements with these settings add to the counted area.
+/// Returns the coefficients of the area correction for finite elements with
+/// these settings.
 results::AreaCoefficients area_coefficients(const cases::FemSettings& settings);
 
-/// What a method makes of a block that is not uniform: its layers, or that it
-/// does without them; empty for a uniform block.
+/// Describes how a method treats a block that is not uniform: the layers that
+/// it uses, or that it ignores them. The text is empty for a uniform block.
 std::string material_words(const cases::MethodSpec& method,
                            const cases::MaterialSpec& material);
 
-/// Of half-space and condensed finite elements. Makes solvers; operators of
-/// equal block and grid are set up once and shared. Safe to call from any
-/// thread.
+/// Creates solvers for half-space and condensed finite-element methods.
+/// Operators for equal blocks and grids are set up once and shared. The class
+/// is thread-safe.
 class SolverFactory {
 public:
-  /// @param cache  where operators are looked for and left; it and the keys
-  ///               outlive the factory
+  /// @param material  material of the case
+  /// @param cache     cache of operators; must outlive the factory
+  /// @param keys      cache keys; must outlive the factory
   SolverFactory(const cases::MaterialSpec& material, Cache& cache,
                 const CaseKeys& keys);
 
-  /// @param threads  that set-up and transforms may use
+  /// @param threads  number of threads for set-up and transforms
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface, int threads);
 
 private:
-  /// An operator, and what its set-up would have cost had none been kept [s].
+  /// An operator, and the set-up time that the cache saved [s].
   struct Face {
     std::unique_ptr<contact::SurfaceOperator> elasticity;
     double saved_setup_time = 0.0;

@@ -28,7 +28,7 @@ std::string in_words(const ContactSettings& settings) {
   return "hard wall";
 }
 
-/// "20 GPa over 50 nm", contact face first.
+/// Returns the moduli of each layer as text, beginning at the contact surface.
 std::string in_words(const std::vector<cases::MaterialLayer>& layers) {
   std::string words;
   for (const cases::MaterialLayer& layer : layers)

@@ -1,6 +1,6 @@
 #pragma once
 
-// The operator of a block's face between two runs.
+// Caches the operator on the contact surface of a block between runs.
 
 #include "app/cache/cache.hpp"
 #include "fem/plugin.hpp"
@@ -9,11 +9,13 @@
 
 namespace asperity::app {
 
-/// Reads and writes the entry `key`; the CPU time that the operator cost stands
-/// before its bytes.
-/// @param threads           that set-up uses, which begins now
-/// @param saved_setup_time  [s], set when the entry is read; outlives the
-/// keeper
+/// Returns functions that read and write the cache entry `key`. The entry holds
+/// the CPU time of the operator set-up, followed by the bytes of the operator.
+///
+/// @param threads           number of threads of the set-up; its time is
+///                          measured from this call
+/// @param saved_setup_time  [s], set when the entry is read; must outlive the
+///                          returned functions
 fem::Keeper keeper_in(Cache& cache, const std::string& key, int threads,
                       double& saved_setup_time);
 

@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
-/// Raw, not as a list of numbers: a map has a million of them.
+/// Packs numbers as raw bytes instead of a list, because a map has a million of
+/// them.
 Json packed(const std::vector<double>& numbers) {
   Bytes bytes(numbers.size() * sizeof(double));
   if (!numbers.empty())
@@ -29,7 +30,7 @@ std::vector<double> unpacked(const Json& json) {
   return numbers;
 }
 
-/// Maps are single in a result file, so they are here.
+/// Packs a map in single precision, as in a result file.
 Json packed_map(const std::vector<double>& map) {
   std::vector<float> numbers;
   for (const double value : map)
@@ -54,7 +55,8 @@ std::string cbor(const Json& json) {
   return bytes;
 }
 
-/// What `take` makes of the bytes; nothing where they are of another kind.
+/// Applies `take` to the decoded bytes. Returns nothing if the bytes have
+/// another format.
 template <class Kept, class Take>
 std::optional<Kept> from_cbor(std::string_view bytes, Take take) {
   try {

@@ -1,6 +1,7 @@
 #pragma once
 
-// A finished step and a study's table as the bytes the cache keeps.
+// Converts solved load steps and tables of studies to the bytes of cache
+// entries and back.
 
 #include "app/methods/step_solver.hpp"
 
@@ -11,22 +12,23 @@
 
 namespace asperity::app {
 
-/// One load step as it was computed, with what it took to get there.
+/// One load step as it was computed, with the cost of its set-up.
 struct KeptStep {
-  StepAnswer answer;           ///< maps empty where they were not kept
-  double setup_cpu_time = 0.0; ///< of its method on its realisation [s]
-  std::string found_at_setup;  ///< as StepSolver::found_at_setup()
+  StepAnswer answer;           ///< fields are empty if they were not saved
+  double setup_cpu_time = 0.0; ///< of the method on this realisation [s]
+  std::string found_at_setup;  ///< see StepSolver::found_at_setup()
 
   bool has_maps() const { return !answer.pressure.empty(); }
 };
 
-/// Every number comes back bit by bit, those of maps as the single precision
-/// that a result file has.
+/// Converts to the bytes of a cache entry. All numbers are restored bit by bit,
+/// except that maps are stored in single precision as in a result file.
 std::string bytes_of(const KeptStep& step);
 std::string bytes_of(const results::Table& table);
 std::string bytes_of(const std::vector<double>& numbers);
 
-/// Nothing if the bytes are not what the functions above write.
+/// Converts from the bytes of a cache entry. Returns nothing if the bytes were
+/// not written by the functions above.
 std::optional<KeptStep> kept_step(std::string_view bytes);
 std::optional<results::Table> kept_table(std::string_view bytes);
 std::optional<std::vector<double>> kept_numbers(std::string_view bytes);

@@ -1,7 +1,7 @@
 #pragma once
 
-// One door to every method that answers with maps. Owns which solver stands
-// behind which settings.
+// The common interface to all methods that produce fields. It selects the
+// solver for the settings of a method.
 
 #include "app/methods/atomic_method.hpp"
 #include "app/methods/elastic_method.hpp"
@@ -16,23 +16,27 @@ namespace asperity::app {
 MethodDescription describe(const cases::MethodSpec& method,
                            const cases::MaterialSpec& material);
 
-/// What a solver may use of the machine.
+/// The resources of the machine that a solver may use.
 struct Resources {
   int threads = 1;               ///< for set-up and steps
-  std::filesystem::path scratch; ///< a folder of its own, made when needed
-  md::Watch watch = {};          ///< called while a long step is at work
+  std::filesystem::path scratch; ///< private folder, created when needed
+  md::Watch watch = {};          ///< called during long steps
 };
 
-/// Safe to call from any thread.
+/// Creates the solvers of all methods. The class is thread-safe.
 class MethodFactory {
 public:
-  /// @param cache  where operators are looked for and left; all outlive it
+  /// @param rough_case  the case; must outlive the factory
+  /// @param cache       cache of operators; must outlive the factory
+  /// @param keys        cache keys; must outlive the factory
   MethodFactory(const cases::Case& rough_case, Cache& cache,
                 const CaseKeys& keys);
 
-  /// Of any method but a theory. `surface` is the method's own, see
-  /// CaseSurfaces::of, and must outlive the solver, as the case must.
-  /// @throws cases::CaseError  settings that do not go together
+  /// Creates the solver of any method except a theory.
+  ///
+  /// @param surface  the surface of the method, see CaseSurfaces::of(). It must
+  ///                 outlive the solver, and so must the case.
+  /// @throws cases::CaseError  settings contradict each other
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface,
                                    int realization, const Resources& resources);

@@ -1,6 +1,6 @@
 #pragma once
 
-// One method on one realisation as the cache knows it, step after step.
+// The cached load steps of one method on one realisation.
 
 #include "app/cache/cache.hpp"
 #include "app/methods/kept_step.hpp"
@@ -14,24 +14,28 @@ namespace asperity::app {
 
 class StepChain {
 public:
-  /// @param cache  outlives the chain
-  /// @param keys   one a step, CaseKeys::steps()
+  /// @param cache  must outlive the chain
+  /// @param keys   one key per step, see CaseKeys::steps()
   StepChain(Cache& cache, std::vector<std::string> keys)
       : cache_(cache), keys_(std::move(keys)) {}
 
-  /// True if the step seems to be there; it is not opened.
+  /// Returns true if an entry for the step exists. The entry is not opened.
   bool has(std::size_t step) const;
 
-  /// An entry without the maps or the section that are needed is none.
+  /// Reads a cached step. Returns nothing if the entry lacks fields or a
+  /// section that are needed.
   std::optional<KeptStep> read(std::size_t step, bool needs_maps,
                                bool needs_section);
 
-  /// @param state  StepSolver::state() behind the step; the one of the step
-  ///               before goes, because only the last is gone on from
+  /// Caches a step.
+  ///
+  /// @param state  StepSolver::state() after the step. The state after the
+  ///               previous step is removed, because a run continues only from
+  ///               the last one.
   void keep(std::size_t step, const KeptStep& kept,
             const std::vector<double>& state = {});
 
-  /// Empty if there is none.
+  /// Returns the solver state after a step; empty if there is none.
   std::vector<double> state_after(std::size_t step);
 
 private:

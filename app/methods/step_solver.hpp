@@ -1,7 +1,7 @@
 #pragma once
 
-// What the run asks of any method that answers a load step with maps: a row of
-// the curve, the maps behind it, and what the method is in words.
+// The common interface of all methods that solve load steps and produce fields:
+// a row of the curve, the fields behind it and a description of the method.
 
 #include "cases/types/case.hpp"
 #include "results/types/result.hpp"
@@ -13,54 +13,55 @@
 
 namespace asperity::app {
 
-/// One load step of the program.
+/// One step of the loading path.
 struct StepTarget {
   cases::Control control = cases::Control::nominal_pressure;
   double amount = 0.0; ///< p_0 [Pa] or mean gap [m]
-  int step = 0;        ///< index in the program
+  int step = 0;        ///< index in the loading path
 };
 
-/// One load step solved. The row has all but the times, the step and the
-/// stiffness, which are the curve's.
+/// The solution of one load step. The row is complete except for the times, the
+/// step and the stiffness, which are set with the curve.
 struct StepAnswer {
   results::CurvePoint row;
-  Grid grid;                    ///< of the maps
+  Grid grid;                    ///< grid of the fields
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m]
-  /// The method's own stress in a section, at step_with_section alone.
+  /// Stress section computed by the method itself, only at step_with_section().
   std::optional<results::Table> section = {};
 };
 
-/// One method on one realisation.
+/// Solves the load steps of one method on one realisation.
 class StepSolver {
 public:
   virtual ~StepSolver() = default;
   virtual StepAnswer solve(const StepTarget& target) = 0;
 
-  /// What only the solver that was set up knows, for the method's description;
-  /// empty if there is nothing.
+  /// Returns details for the description of the method that are known only
+  /// after set-up; empty if there are none.
   virtual std::string found_at_setup() const { return {}; }
 
-  /// Where the next step starts from, for another process to go on as this one
-  /// would; empty for a method that cannot.
+  /// Returns the state from which the next step starts, so that another process
+  /// can continue with identical results. It is empty for a method that cannot
+  /// be continued.
   virtual std::vector<double> state() const { return {}; }
 
-  /// @param state  of an equal solver
+  /// Restores the state of an equal solver.
   virtual void restore(std::span<const double> state) {
     static_cast<void>(state);
   }
 
-  /// CPU time that set-up would have taken beyond what it took, because parts
-  /// of it were kept by an earlier run [s].
+  /// Returns the additional CPU time that set-up would have taken without the
+  /// cached parts of an earlier run [s].
   virtual double saved_setup_time() const { return 0.0; }
 };
 
-/// What a method is, in words for the report.
+/// The description of a method for the report.
 struct MethodDescription {
   std::string kind;        ///< theory | halfspace | fem | md
   std::string text;        ///< one line
-  bool runs_alone = false; ///< its library allows one run at a time, or it
-                           ///< uses every core by itself
+  bool runs_alone = false; ///< the library of the method allows only one run at
+                           ///< a time, or the method uses all cores
 };
 
 } // namespace asperity::app

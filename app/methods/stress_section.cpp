@@ -8,13 +8,16 @@
 namespace asperity::app {
 namespace {
 
-constexpr int section_rows = 49;      ///< planes of a section, the face's too
-constexpr int section_columns = 257;  ///< at most
-constexpr double section_depth = 4.0; ///< in depths of the strongest point
-constexpr double section_reach = 1.5; ///< to either side, in its own depth
-constexpr double below_layers = 1.5;  ///< it shows this, in their thickness
+constexpr int section_rows = 49; ///< depths of a section, including the surface
+constexpr int section_columns = 257;  ///< upper limit
+constexpr double section_depth = 4.0; ///< multiple of the depth of the
+                                      ///< strongest point
+constexpr double section_reach = 1.5; ///< half-width as a multiple of the
+                                      ///< section depth
+constexpr double below_layers = 1.5;  ///< minimum depth as a multiple of the
+                                      ///< layer thickness
 
-/// Of a block that goes on for ever [m].
+/// Returns the depth of the section in a block of unlimited thickness [m].
 double depth_of_section(const contact::ElasticBlock& block, double peak_depth) {
   double layers = 0.0;
   for (const contact::BondedLayer& layer : block.layers)
@@ -22,7 +25,7 @@ double depth_of_section(const contact::ElasticBlock& block, double peak_depth) {
   return std::max(section_depth * peak_depth, below_layers * layers);
 }
 
-/// The nodes of a section along x, as offsets from the strongest point.
+/// Returns the nodes of a section along x as offsets from the strongest point.
 std::vector<int> offsets_of(const Grid& grid, double depth) {
   const int reach = std::min(
       static_cast<int>(std::ceil(section_reach * depth / grid.spacing_x())),
@@ -36,9 +39,11 @@ std::vector<int> offsets_of(const Grid& grid, double depth) {
   return offsets;
 }
 
-/// @param x         of each column from the strongest point [m]
-/// @param strength  rows of depth, x fastest [Pa]
-/// @param origin    of the numbers, in words
+/// Assembles the table of a section.
+///
+/// @param origin    description of where the numbers come from
+/// @param x         position of each column relative to the strongest point [m]
+/// @param strength  von Mises stress, one row per depth, x fastest [Pa]
 results::Table section_table(const std::string& method, double pressure,
                              const std::string& origin,
                              const std::vector<double>& depths,

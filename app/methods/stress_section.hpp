@@ -1,7 +1,8 @@
 #pragma once
 
-// A section through a block's strongest point as a table: which places it
-// shows, and the stress there by the continuum or by the block's own cells.
+// Tables of the von Mises stress in a section through the strongest point of a
+// block: chooses the sample points, and takes the stress from the continuum
+// solution or from the finite-element cells.
 
 #include "contact/operators/stress_inside.hpp"
 #include "fem/plugin.hpp"
@@ -12,38 +13,46 @@
 
 namespace asperity::app {
 
-/// The places of a section: from the face to four times the strongest point's
-/// depth, or half as deep again as the block's layers; and once and a half that
-/// to either side, or the whole side.
+/// The sample points of a section. It extends from the contact surface to four
+/// times the depth of the strongest point, or to one and a half times the layer
+/// thickness if that is deeper. Its half-width is one and a half times that
+/// depth, but the section spans at most one period.
 struct SectionPlaces {
-  std::vector<double> depth; ///< [m], that of the face first
-  std::vector<int> offsets;  ///< along x from the strongest point, in spacings
+  std::vector<double> depth; ///< [m], beginning at the contact surface
+  std::vector<int> offsets;  ///< along x from the strongest point, in grid
+                             ///< spacings
 };
 
-/// @param block  its thickness and layers
+/// @param block  provides thickness and layers
 SectionPlaces section_places(const Grid& grid,
                              const contact::ElasticBlock& block,
                              double peak_depth);
 
-/// The von Mises stress of one map in the plane of x and depth through `peak`,
-/// its strongest point, in that continuum: rows of depth, x fastest; x from the
-/// point.
+/// Computes the von Mises stress that a pressure map causes in a continuum
+/// block, in the plane of x and depth through the strongest point. The rows of
+/// the table are ordered by depth with x fastest; x is relative to the
+/// strongest point.
+///
+/// @param map   saved fields with the pressure
+/// @param peak  strongest point of the block under this pressure
 results::Table stress_section(const std::string& method,
                               const contact::ElasticBlock& block,
                               const results::Fields& map,
                               const contact::StressPeak& peak, int threads);
 
-/// Whose section, and through which point.
+/// Identifies the section of a full block.
 struct OwnSection {
   std::string method;
-  double nominal_pressure = 0.0; ///< of the block's last solution [Pa]
-  fem::StressPeak peak;          ///< of the same
-  bool is_periodic = true;       ///< its sides
+  double nominal_pressure = 0.0; ///< of the last solution [Pa]
+  fem::StressPeak peak;          ///< strongest point of the last solution
+  bool is_periodic = true;       ///< whether the sides are periodic
 };
 
-/// The same table of a whole block's own stress, from its cells. A point less
-/// than one spacing deep is shown with what a point one spacing deep would be.
-/// @param continuum  for the places alone
+/// Computes the same table from the finite-element stress of a full block. If
+/// the strongest point is less than one grid spacing deep, the section has the
+/// size for a point one spacing deep.
+///
+/// @param continuum  used only to choose the sample points
 results::Table stress_section(const OwnSection& section,
                               const fem::FullBlock& block,
                               const contact::ElasticBlock& continuum);

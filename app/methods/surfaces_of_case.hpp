@@ -1,7 +1,7 @@
 #pragma once
 
-// The surfaces a case needs, built once: heights, statistics, spectrum, and
-// what the theory is given of them. Owns the decision not to build any.
+// Builds the surfaces of a case once: heights, statistics, spectrum and the
+// input of the theory. Decides whether surfaces are needed at all.
 
 #include "cases/types/case.hpp"
 #include "results/types/result.hpp"
@@ -13,39 +13,41 @@
 
 namespace asperity::app {
 
-/// The surface of one realisation as a method takes it.
+/// The surface of one realisation as a method uses it.
 struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
-  cases::Scales scales;          ///< the yardsticks' values on it
+  cases::Scales scales;          ///< scales of this surface
 };
 
-/// True if one of the methods needs heights: all but a theory that takes
-/// its spectrum from the formula.
+/// Returns true if one of the methods needs heights. Only a theory that uses
+/// the formula of the spectrum does not.
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
 
-/// zeta q_0 [rad/m], above which the method's surface has no roughness; empty
-/// where the method has no magnification.
+/// Returns zeta q_0 [rad/m], above which the surface of the method has no
+/// roughness; empty if the method has no magnification.
 std::optional<double> highest_wavevector(const cases::Case& rough_case,
                                          const cases::MethodSpec& method);
 
-/// One surface a realisation, and one more for each magnification that a
-/// method asks for.
+/// The surfaces of a case: one per realisation, and one more per realisation
+/// for each magnification that a method uses.
 class CaseSurfaces {
 public:
-  /// Builds those that the methods need, which may be none. The case must
-  /// outlive this.
-  /// @throws cases::CaseError, std::domain_error  what the surface room refuses
+  /// Builds the surfaces that the methods need, possibly none. The case must
+  /// outlive this object.
+  ///
+  /// @throws cases::CaseError, std::domain_error  the surfaces module rejects
+  ///                           the surface
   CaseSurfaces(const cases::Case& rough_case,
                const std::vector<cases::MethodSpec>& methods);
 
-  /// The surfaces with all of their roughness.
+  /// Returns the surfaces with full roughness.
   const std::vector<SurfaceOfCase>& whole() const;
 
   const SurfaceOfCase& of(const cases::MethodSpec& method,
                           int realization) const;
 
-  /// The statistics of a method's own surface; for a theory by the formula
-  /// those that the formula gives, without heights.
+  /// Returns the statistics of the surface of a method. For a theory that uses
+  /// the formula, they follow from the formula and there are no heights.
   results::SurfaceRecord record_of(const cases::MethodSpec& method,
                                    int realization) const;
 
@@ -55,14 +57,15 @@ private:
   std::map<double, std::vector<SurfaceOfCase>> magnified_;
 };
 
-/// The formula's spectrum for a theory, as far as its magnification shows it,
-/// or the measured one of a surface.
+/// Return the height spectrum for a theory: the formula up to the magnification
+/// of the method, or the measured spectrum of a surface.
 theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
                                        const cases::MethodSpec& method);
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
 
-/// The yardsticks of a case that builds no surface; rms height by the formula,
-/// spacing 0 where the case gives no points.
+/// Returns the scales of a case that builds no surface. The rms height follows
+/// from the formula; the spacing is 0 if the case does not give the number of
+/// points.
 cases::Scales formula_scales(const cases::Case& rough_case,
                              const theory::HeightSpectrum& spectrum);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Persson's theory over a load program, as rows of the common curve.
+// Evaluates Persson's theory over a loading path as rows of the common curve.
 
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
@@ -9,9 +9,11 @@ namespace asperity::app {
 
 MethodDescription describe(const cases::TheorySettings& settings);
 
-/// One row a load step. Under gap control the pressure is the inverse of (14);
-/// a gap <= 0 has none and is a row that did not converge.
-/// @param spectrum  of the formula, or measured
+/// Returns one row per load step. Under gap control the pressure is the inverse
+/// of Eq. (14) of Yang and Persson (2008). A gap <= 0 has no pressure, and its
+/// row is marked as not converged.
+///
+/// @param spectrum  from the formula or measured
 std::vector<results::CurvePoint> theory_rows(
     const cases::TheorySettings& settings, const cases::LoadProgram& load,
     const theory::HeightSpectrum& spectrum, const cases::Scales& scales);

@@ -1,7 +1,7 @@
 #pragma once
 
-// An elastic operator under the clock: the contact solver does not know that
-// it is measured.
+// A decorator of an elastic operator that measures CPU time without changes to
+// the contact solver.
 
 #include "contact/operators/surface_operator.hpp"
 
@@ -9,17 +9,18 @@
 
 namespace asperity::app {
 
-/// Forwards everything and adds up the CPU time of both applications. Clones
-/// and coarser forms add to the same tally, so one tally belongs to one solver
-/// and its thread.
+/// Forwards all calls and accumulates the CPU time of the operator
+/// applications. Clones and coarser operators add to the same tally, so a tally
+/// belongs to one solver and its thread.
 class TimedOperator final : public contact::SurfaceOperator {
 public:
-  /// CPU time so far [s].
+  /// Accumulated CPU time [s].
   struct Tally {
     double cpu_time = 0.0;
   };
 
-  /// @param n_threads  that an application may use, see CpuClock
+  /// @param n_threads  number of threads that an application may use, see
+  ///                   CpuClock
   TimedOperator(std::unique_ptr<contact::SurfaceOperator> measured,
                 std::shared_ptr<Tally> tally, int n_threads);
 

@@ -34,9 +34,9 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
   return solution;
 }
 
-/// Which steps leave more than a row and maps.
+/// The load steps with output in addition to a row and fields.
 struct StepExtras {
-  std::string files; ///< their folder and stem
+  std::string files; ///< folder and file name stem
   std::set<std::size_t> with_files;
   std::optional<std::size_t> with_section;
 };
@@ -84,7 +84,8 @@ public:
                  area_coefficients(settings_), rim_modulus_, has_rim},
                 surface_);
     answer.row.area_fraction = area;
-    if (!has_rim) // a sample between nodes says nothing of the rim
+    if (!has_rim) // quadrature points between the nodes do not resolve the
+                  // contact boundary
       answer.row.area_fraction_corrected = area;
     answer.row.linear_iterations = costs.linear_iterations;
     answer.row.preconditioner_setups = costs.preconditioner_setups;
@@ -113,8 +114,8 @@ private:
   std::string method_;
   const cases::FemSettings& settings_;
   const SurfaceOfCase& surface_;
-  contact::ElasticBlock continuum_; ///< of its thickness and layers
-  double rim_modulus_;              ///< E* at the scale of a spacing [Pa]
+  contact::ElasticBlock continuum_; ///< provides thickness and layers
+  double rim_modulus_; ///< E* at the length scale of a grid spacing [Pa]
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
   StepExtras extras_;

@@ -1,7 +1,7 @@
 #pragma once
 
-// [fem] with solver = "full": the whole three-dimensional block behind one
-// load step after another.
+// [fem] with solver = "full": solves one load step after another with the full
+// 3-D block.
 
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
@@ -12,12 +12,14 @@
 
 namespace asperity::app {
 
-/// Steps of the first realisation whose maps are kept leave files for ParaView
-/// where the case asks, and the heaviest of them a section.
-/// @param surface  the method's own; outlives the solver
-/// @param scratch  folder of the files, made when needed
-/// @throws std::domain_error, cases::CaseError  the mesh cannot be made or is
-///                                              refused, in words
+/// Creates the solver of a full block. On the first realisation, the steps with
+/// saved fields write files for ParaView if the case requests them, and the
+/// most heavily loaded of these steps records a stress section.
+///
+/// @param surface  the surface of the method; must outlive the solver
+/// @param scratch  folder of the files, created when needed
+/// @throws std::domain_error, cases::CaseError  the mesh cannot be generated or
+///                            is rejected; the message gives the reason
 std::unique_ptr<StepSolver>
 make_whole_block(const cases::Case& rough_case, const cases::MethodSpec& method,
                  const SurfaceOfCase& surface, int realization,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Jobs side by side on the machine's cores.
+// Runs jobs in parallel on the cores of the machine.
 
 #include <functional>
 #include <span>
@@ -11,18 +11,19 @@ class WorkerPool {
 public:
   using Job = std::function<void()>;
 
-  /// @param threads  0: as many as the machine has
+  /// @param threads  0: all hardware threads
   explicit WorkerPool(int threads);
 
   int threads() const { return threads_; }
 
-  /// How many threads a job of the last run() may use itself: all of them if
-  /// it was alone, else one.
+  /// Returns the number of threads that each job of the last run() may use: all
+  /// of them for a single job, otherwise one.
   int threads_a_job() const { return threads_a_job_; }
 
-  /// Runs all, in their order as workers become free, and waits.
-  /// @throws what the first failing job threw, after the running ones ended;
-  ///         the others are not begun
+  /// Runs all jobs, in their order as workers become free, and waits for them.
+  ///
+  /// @throws the exception of the first job that failed, after the running jobs
+  /// have ended; the remaining jobs are not started
   void run(std::span<const Job> jobs);
 
 private:

@@ -11,40 +11,46 @@ namespace {
 
 using cases::LinearSolverChoice;
 
-// Release build, one thread of a shared 2-core AMD EPYC; tools/plan_accuracy.py
-// and the report's table of blocks have what they are taken from.
+// All constants are measured in the release build on one thread of a shared
+// 2-core AMD EPYC. Their sources are tools/plan_accuracy.py and the table of
+// blocks in the report.
 
-/// Newton's steps a load step: 7 to 8 in `heterogeneous`, `rough-3d`,
+/// Newton steps per load step: 7 to 8 in `heterogeneous`, `rough-3d` and
 /// `two-blocks`; 4 and 6 in `step42` at 32^2 and 64^2.
 constexpr double rough_newton_steps = 7.5;
 constexpr double smooth_newton_steps = 5.0;
 
-/// Multigrid's iterations a Newton step, at 32 nodes a side: 36 in
+/// Multigrid iterations per Newton step at 32 nodes per side: 36 in
 /// `heterogeneous` (24 at 16), 16 in `step42`, 49 in `two-blocks`.
 constexpr double iterations_at_32 = 36.0;
-constexpr double block_iterations_exponent = 0.6; ///< of the nodes a side
+constexpr double block_iterations_exponent = 0.6; ///< of the nodes per side
 constexpr double block_smooth_factor = 0.45;
 constexpr double two_bodies_factor = 1.35;
 constexpr double block_q2_factor = 1.3;
-/// Hierarchies a Newton step; between two bodies each needs its own.
+/// Multigrid set-ups per Newton step. Contact between two bodies needs a new
+/// hierarchy in each step.
 constexpr double hierarchies = 0.2;
 constexpr double hierarchies_between_bodies = 1.0;
 
-/// An unknown and iteration, an unknown and hierarchy [s]: Q1, Q2.
+/// CPU times per unknown and iteration, and per unknown and set-up, for Q1 and
+/// Q2 [s].
 constexpr double multigrid_iteration_time[] = {0.6e-6, 1.0e-6};
 constexpr double hierarchy_time[] = {10e-6, 36e-6};
-/// The waves: an unknown and Newton step, of moduli that are alike in a layer
-/// (2 iterations) and that are not (12) [s].
+/// CPU times of the Fourier solver per unknown and Newton step, with moduli
+/// that are uniform within each layer (2 iterations) and with moduli that are
+/// not (12 iterations) [s].
 constexpr double fourier_time[] = {2.3e-6, 3.7e-6};
 constexpr double uneven_fourier_time[] = {3.2e-6, 6.0e-6};
-/// A factorisation, an unknown squared [s]: 2.6 s for 12138.
+/// CPU time of a factorisation per unknown squared [s]: 2.6 s for 12138.
 constexpr double direct_time = 1.75e-8;
-constexpr double assembly_time = 20e-6; ///< mesh to matrix, an unknown [s]
+constexpr double assembly_time = 20e-6; ///< mesh and matrix assembly, per
+                                        ///< unknown [s]
 
 constexpr double kilobyte = 1000.0;
 constexpr double fourier_memory[] = {2.3 * kilobyte, 4.5 * kilobyte};
 constexpr double multigrid_memory[] = {3.2 * kilobyte, 5.8 * kilobyte};
-constexpr double direct_memory = 5.5 * kilobyte; ///< more than multigrid has
+/// In addition to multigrid_memory.
+constexpr double direct_memory = 5.5 * kilobyte;
 
 LinearSolverChoice solver_of(const cases::Case& rough_case,
                              const cases::FemSettings& settings,
@@ -66,7 +72,7 @@ bool is_rough(const cases::SurfaceSpec& surface) {
          surface.kind == cases::SurfaceKind::measured;
 }
 
-/// CPU of multigrid, an unknown and Newton step [s].
+/// Returns the CPU time of multigrid per unknown and Newton step [s].
 double multigrid_time(const cases::Case& rough_case,
                       const cases::FemSettings& settings, double nodes_a_side,
                       std::size_t order) {
@@ -93,7 +99,7 @@ MethodCost cost_of_full_block(const cases::Case& rough_case,
   const std::size_t order = settings.element == cases::Element::q1 ? 0 : 1;
   const bool is_uneven = rough_case.material.inclusion.has_value() ||
                          rough_case.material.variation.has_value();
-  double unknown_time = 0.0; // a Newton step
+  double unknown_time = 0.0; // per Newton step
   double unknown_memory = multigrid_memory[order];
   switch (solver_of(rough_case, settings, size.unknowns)) {
   case LinearSolverChoice::direct:

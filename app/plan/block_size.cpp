@@ -27,7 +27,7 @@ std::vector<double> interfaces_of(const cases::Case& rough_case,
   return interfaces;
 }
 
-/// Nodes of n_x by n_y by n_z boxes of that degree.
+/// Returns the number of nodes of n_x by n_y by n_z hexahedra of that degree.
 double nodes_of(double n_x, double n_y, double n_z, double degree) {
   return (degree * n_x + 1.0) * (degree * n_y + 1.0) * (degree * n_z + 1.0);
 }
@@ -37,9 +37,10 @@ BlockSize boxes(double n_x, double n_y, double n_z, double degree) {
           degree * std::sqrt(n_x * n_y)};
 }
 
-/// Level by level, each cell an eighth of its parent. Between two levels the
-/// coarser one's corners are nodes of the finer; of second order its edges and
-/// faces have nodes of their own.
+/// Counts a mesh with hanging nodes level by level; each cell is an eighth of
+/// its parent. Between two levels the vertices of the coarser cells are nodes
+/// of the finer ones. Elements of second order have additional nodes on the
+/// edges and faces of the coarser level.
 BlockSize hanging(const Grid& cells, double depth, int cells_a_level,
                   double degree) {
   const meshes::BlockMesh mesh =
@@ -68,7 +69,8 @@ BlockSize hanging(const Grid& cells, double depth, int cells_a_level,
   return size;
 }
 
-/// Cells of an edge whose size grows linearly from one end to the other.
+/// Returns the number of cells along an edge whose cell size grows linearly
+/// from one end to the other.
 double cells_along(double length, double first, double last) {
   const double cells = std::abs(last - first) < 1e-9 * first
                            ? length / first
@@ -76,7 +78,8 @@ double cells_along(double length, double first, double last) {
   return std::max(1.0, std::ceil(cells - 1e-9));
 }
 
-/// A fine cube under the contact, five blocks fanned out from it, layers below.
+/// The mesh consists of a fine cube under the contact, five blocks that fan out
+/// from it, and layers below.
 BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
                       const Grid& grid, double depth, double degree) {
   const double fine = mesh.fine_radius.in_si(scales);
@@ -99,8 +102,9 @@ BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
   return size;
 }
 
-/// Columns and layers around a cubic box, in which a ball has a cube inside:
-/// every block between them has the box's cells across.
+/// The mesh consists of columns and layers around a cubic box, which contains a
+/// ball with a cube inside. Each block between them has as many cells across as
+/// the box.
 BlockSize inclusion(const cases::Case& rough_case, const cases::Scales& scales,
                     const Grid& grid, double depth, double degree) {
   const double size = rough_case.mesh.size_at_contact.in_si(scales);
@@ -127,8 +131,10 @@ BlockSize inclusion(const cases::Case& rough_case, const cases::Scales& scales,
   return outer;
 }
 
-/// Edges scatter about the size, which grows linearly with the depth: a regular
-/// tetrahedron of edge s has s^3/(6 sqrt 2), six of them go with a vertex.
+/// Estimates the size of a tetrahedral mesh. The edge lengths scatter about the
+/// prescribed size, which grows linearly with the depth. A regular tetrahedron
+/// of edge s has the volume s^3/(6 sqrt 2), and there are six tetrahedra per
+/// vertex.
 BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
                      const Grid& grid, double depth, double degree) {
   const double near = mesh.size_at_contact.in_si(scales);
@@ -141,7 +147,8 @@ BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
   if (mesh.geometry == MeshGeometry::indentation) {
     const double fine = mesh.fine_radius.in_si(scales);
     const double half_ball = 2.0 / 3.0 * std::numbers::pi * fine * fine * fine;
-    volume = half_ball * 4.0; // what is near it counts, the rest is coarse
+    volume = half_ball * 4.0; // the cells far from the contact are coarse and
+                              // negligible
     inverse_cube = 1.0 / (near * near * near);
   }
   BlockSize size;

@@ -1,30 +1,35 @@
 #pragma once
 
-// How large a whole block's problem is, before it is meshed: counted where the
-// mesh is structured, from its sizes where gmsh makes it.
+// Predicts the size of the discrete problem of a full block before it is
+// meshed. Structured meshes are counted; the size of gmsh meshes is estimated
+// from the prescribed mesh sizes.
 
 #include "base/grid.hpp"
 #include "cases/types/case.hpp"
 
 namespace asperity::app {
 
-/// NaN where the mesh is a file.
+/// The size of a discrete problem. All values are NaN if the mesh is read from
+/// a file.
 struct BlockSize {
   double cells = 0.0;
-  double unknowns = 0.0; ///< displacements, held and hanging ones among them
-  double nodes_a_side = 0.0; ///< across the contact face
+  double unknowns = 0.0; ///< displacements, including constrained and hanging
+                         ///< ones
+  double nodes_a_side = 0.0; ///< per side of the contact surface
 };
 
-/// Of `solver = "full"`. To the unit for graded layers and hanging nodes;
-/// gmsh's hexahedra within a few nodes a direction, its tetrahedra within a
-/// factor of two.
-/// @throws std::domain_error  what the mesh itself would refuse
+/// Returns the size of the problem of `solver = "full"`. The count is exact for
+/// graded layers and hanging nodes. For gmsh it is within a few nodes per
+/// direction for hexahedra and within a factor of two for tetrahedra.
+///
+/// @throws std::domain_error  the mesh itself would be rejected
 BlockSize block_size(const cases::Case& rough_case,
                      const cases::FemSettings& settings,
                      const cases::Scales& scales, const Grid& grid);
 
-/// Layers of cells over the depth: the first surface_cell_depth node spacings
-/// thick, faces on the material's interfaces.
+/// Returns the number of cell layers over the depth. The first layer is
+/// surface_cell_depth node spacings thick, and the cell faces match the
+/// material interfaces.
 int n_layers(const cases::Case& rough_case, const cases::FemSettings& settings,
              const cases::Scales& scales, const Grid& grid);
 

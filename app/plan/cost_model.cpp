@@ -13,37 +13,42 @@ namespace {
 
 using cases::Element;
 
-// Measured on a 2-core AMD EPYC in the release build; MachineRates::slowness()
-// carries the times to another machine.
+// The constants are measured in the release build on a 2-core AMD EPYC;
+// MachineRates::slowness() scales the times to other machines.
 
-/// Iterations a warm load step: 18 and 19 in `polymer` at 512^2 (half-space,
-/// fem), 15 in `md-small` at 162^2; docs/solver.md has how they grow. One
-/// sphere or wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
+/// Iterations per load step that starts from the previous solution: 18 and 19
+/// in `polymer` at 512^2 (half-space, fem), 15 in `md-small` at 162^2;
+/// docs/solver.md describes how they grow. A single sphere or wave takes half
+/// of them: 9 to 14 in `hertz` and `wave-2d`.
 constexpr double iterations_at_512 = 18.0;
 constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;
-constexpr double augmented_factor = 2.5; ///< docs/solver.md: two to three
-constexpr double q2_factor = 1.25;       ///< 4 x 4 blocks: 2.67 s for 2.13 s
+constexpr double augmented_factor = 2.5; ///< two to three in docs/solver.md
+constexpr double q2_factor = 1.25; ///< 4 x 4 blocks: 2.67 s instead of 2.13 s
 
-constexpr double program_time = 0.3;     ///< of a run with nothing to do [s]
-constexpr double q1_layer_time = 39e-9;  ///< a wavevector and layer [s]
-constexpr double q2_layer_time = 8.5e-6; ///< a cell's wavevector and layer [s]
+constexpr double program_time = 0.3;     ///< a run without any work [s]
+constexpr double q1_layer_time = 39e-9;  ///< per wavevector and layer [s]
+constexpr double q2_layer_time = 8.5e-6; ///< per wavevector of a cell and layer
+                                         ///< [s]
 
-/// An evaluation with all that Newton's method does for it, an atom. A step
-/// takes 9 evaluations in `md-small` (100 a side), 33 in `md-zeta216` (400).
+/// CPU time per atom of one force evaluation, including the work of Newton's
+/// method for it [s]. A step takes 9 evaluations in `md-small` (100 atoms per
+/// side) and 33 in `md-zeta216` (400).
 constexpr double atom_evaluation_time = 1.3e-6;
 constexpr double evaluations_at_100 = 9.5;
 constexpr double evaluations_exponent = 0.8;
-constexpr double inner_atom_time = 0.15e-6;   ///< of an atom inside the block
-constexpr double explicit_evaluations = 55.0; ///< `md-verify`: 52 and 55
+constexpr double inner_atom_time = 0.15e-6;   ///< per atom inside the block [s]
+constexpr double explicit_evaluations = 55.0; ///< 52 and 55 in `md-verify`
 
 constexpr double theory_setup_time = 1e-3;
 constexpr double theory_step_time = 1e-4;
-constexpr double magnification_time = 5.5e-3; ///< a load and zeta
-constexpr double adhesion_time = 0.45e-6;     ///< a ratio and step squared
+/// Per load and magnification [s].
+constexpr double magnification_time = 5.5e-3;
+constexpr double adhesion_time = 0.45e-6; ///< per ratio and step squared [s]
 
-/// Planes of a map's search, at 512^2 in `hertz`, and of a section; a plane is
-/// six transforms and as much again for the waves and the stress.
+/// Number of planes in the search of the strongest point of a map, at 512^2 in
+/// `hertz`, and number of planes of a section. A plane costs six transforms and
+/// as much again for the Fourier coefficients and the stress.
 constexpr double planes_a_map = 35.0;
 constexpr double planes_a_section = 49.0;
 constexpr double transform_pairs_a_plane = 6.0;
@@ -51,9 +56,9 @@ constexpr double transform_pairs_a_plane = 6.0;
 constexpr double bytes_per_mebibyte = 1024.0 * 1024.0;
 constexpr double program_memory = 24.0 * bytes_per_mebibyte;
 constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
-constexpr double arrays_a_job = 19.0; ///< of doubles on the grid
+constexpr double arrays_a_job = 19.0; ///< of doubles, on the grid
 constexpr double doubles_an_atom = 60.0;
-constexpr double packing = 0.5; ///< of maps by deflate
+constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
 double nodes(const Grid& grid) {
   return static_cast<double>(grid.size());

@@ -1,42 +1,45 @@
 #pragma once
 
-// What a method costs before it is run: counted operations times the rates of
-// this machine.
+// Predicts the cost of a method before it runs: operation counts times the
+// measured rates of this machine.
 
 #include "app/plan/machine_rates.hpp"
 #include "cases/types/case.hpp"
 
 namespace asperity::app {
 
-/// NaN where nothing is known.
+/// The cost of a method; NaN where no prediction exists.
 struct MethodCost {
-  double unknowns = 0.0;   ///< of one load step
-  double setup_time = 0.0; ///< CPU, once a grid, block and run [s]
-  double step_time = 0.0;  ///< CPU, of one load step [s]
-  double memory = 0.0;     ///< of one realisation at work [B]
+  double unknowns = 0.0;   ///< per load step
+  double setup_time = 0.0; ///< CPU time, once per grid, block and run [s]
+  double step_time = 0.0;  ///< CPU time per load step [s]
+  double memory = 0.0;     ///< per running realisation [B]
 };
 
-/// Of one method on a surface of that grid. The constants are named in
-/// cost_model.cpp with the runs they come from; docs/skip.md holds predictions
-/// against what then happened.
+/// Predicts the cost of one method on a surface with this grid. The constants
+/// in cost_model.cpp name the runs they come from; docs/skip.md compares
+/// predictions with measured costs.
 MethodCost cost_of(const cases::Case& rough_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates);
 
-/// Of the tables of [magnification] and [adhesion], CPU [s].
+/// Predicts the CPU time of the tables of [magnification] and [adhesion] [s].
 double study_time(const cases::Case& rough_case, MachineRates& rates);
 
-/// Of the stress below the face, for `n_maps` kept maps on the grid and a
-/// section, of one method, CPU [s].
+/// Predicts the CPU time of the subsurface stress for one method: `n_maps`
+/// saved maps on the grid and one section [s].
 double stress_time(int n_maps, const Grid& grid, MachineRates& rates);
 
-/// Of a run in which nothing is computed: start, surfaces, file. CPU [s].
+/// Predicts the CPU time of a run in which nothing is computed: start-up,
+/// surfaces and result file [s].
 double base_time(MachineRates& rates);
 
-/// Of the program alone, and with the finite elements loaded [B].
+/// Returns the memory of the program alone, or with the finite-element library
+/// loaded [B].
 double base_memory(bool uses_fem);
 
-/// Bytes that a map of pressure and gap takes in a result, packed.
+/// Predicts the compressed size of a map of pressure and gap in a result file
+/// [B].
 double map_bytes(const Grid& grid);
 
 } // namespace asperity::app

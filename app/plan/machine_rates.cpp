@@ -17,14 +17,15 @@ constexpr int n_iterations = 8;
 constexpr int n_transforms = 8;
 constexpr int reference_points = 256;
 
-/// CPU time of a transform pair of 256 x 256 on a 2-core AMD EPYC [s].
+/// CPU time of a 256 x 256 transform pair on a 2-core AMD EPYC [s].
 constexpr double reference_transform_time = 0.5e-3;
 
 double work_of(double nodes) {
   return nodes * std::log2(std::max(nodes, 2.0));
 }
 
-/// Waves of several lengths: contact at many spots, none of them special.
+/// Returns a sum of waves of several lengths, which makes contact at many spots
+/// of a generic kind.
 std::vector<double> heights_of(const Grid& grid) {
   std::vector<double> heights(grid.size());
   for (int iy = 0; iy < grid.points_y; ++iy)
@@ -43,7 +44,7 @@ double transform_time(const Grid& grid) {
   const RealFourier fourier(grid);
   std::vector<double> field(grid.size(), 1.0);
   std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
-  fourier.forward(field, spectrum); // pages and caches are warm from here
+  fourier.forward(field, spectrum); // warms up memory pages and caches
   const CpuClock clock;
   for (int i = 0; i < n_transforms; ++i) {
     fourier.forward(field, spectrum);

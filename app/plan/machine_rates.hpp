@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast this machine is at the two things a contact run is made of, by a
-// short probe.
+// Measures by a short probe how fast this machine performs the two dominant
+// operations of a contact run.
 
 #include "base/grid.hpp"
 
@@ -10,23 +10,25 @@
 
 namespace asperity::app {
 
-/// CPU times of one thread. A probe takes some ten iterations on the grid
-/// asked for and is made once a grid.
+/// CPU times of one thread. A probe takes about ten iterations on the requested
+/// grid and is made once per grid.
 class MachineRates {
 public:
-  /// @param largest_probe  points a side [1] >= 16; a larger grid is taken
-  ///        from one of that size by n log n, which a cache that overflows
-  ///        makes up to twice too small
+  /// @param largest_probe  largest probed number of points per side [1] >= 16.
+  ///                       The time of a larger grid is extrapolated as
+  ///                       n log n, which is up to a factor of two too small if
+  ///                       the larger grid exceeds a processor cache.
   explicit MachineRates(int largest_probe);
 
-  /// Of a transform and its inverse [s].
+  /// Returns the time of a Fourier transform and its inverse [s].
   double transform_time(const Grid& grid);
 
-  /// Of the contact solver, all that it does in one iteration [s].
+  /// Returns the total time of one iteration of the contact solver [s].
   double iteration_time(const Grid& grid);
 
-  /// Time here over time on the reference machine, on which the constants of
-  /// cost_model.cpp were measured, for a transform of 256 x 256.
+  /// Returns the relative run time: the time of a 256 x 256 transform on this
+  /// machine over that on the reference machine, on which the constants of
+  /// cost_model.cpp were measured [1].
   double slowness();
 
 private:

@@ -8,7 +8,7 @@
 namespace asperity::app {
 namespace {
 
-constexpr int memory_probe_points = 64; // times are not asked for
+constexpr int memory_probe_points = 64; // small, because times are not needed
 
 } // namespace
 

@@ -1,17 +1,20 @@
 #pragma once
 
-// Refuses a run that would not fit into the memory there is, before it begins.
+// Rejects a run that would exceed the available memory before it begins.
 
 #include "app/plan/plan.hpp"
 
 namespace asperity::app {
 
-/// "needs 128 GiB of memory, but 12 GiB are available", and what would help;
-/// empty if the run fits or its memory is not predicted.
+/// Returns the reason why a run does not fit into memory, such as "needs 128
+/// GiB of memory, but 12 GiB are available", and possible remedies. The text is
+/// empty if the run fits or if its memory cannot be predicted.
 std::string refusal_of(const Plan& plan);
 
-/// @throws cases::CaseError  the run does not fit. A measured map on its own
-///         grid is not held against it: its file has bounded it.
+/// Checks that a run fits into the available memory. A measured map on its own
+/// grid is not checked, because its file limits the size.
+///
+/// @throws cases::CaseError  the run does not fit
 void require_memory(const cases::Case& rough_case, const RunOptions& options);
 
 } // namespace asperity::app

@@ -17,11 +17,12 @@ namespace {
 
 using cases::MethodSpec;
 
-/// Looked up in the cache for a method at most: a plan of ten million steps
+/// Limit on cache look-ups per method. Without it the plan of ten million steps
 /// would take hours.
 constexpr int most_lookups = 20000;
 
-/// Of the first realisations where there are too many to look all up.
+/// Counts the cached steps of a method. If there are too many steps to look up,
+/// only the first realisations are counted.
 int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
                const CaseKeys& keys, Cache& cache) {
   if (!cache.is_on())
@@ -38,7 +39,7 @@ int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
   return kept;
 }
 
-/// True if the last table of each study is in the cache.
+/// Returns true if the last table of each study is cached.
 bool has_tables(const cases::Case& rough_case, const MethodSpec& theory,
                 const CaseKeys& keys, const Cache& cache) {
   const auto has = [&](const char* name) {
@@ -48,8 +49,9 @@ bool has_tables(const cases::Case& rough_case, const MethodSpec& theory,
          (!rough_case.adhesion_study || has("adhesion-flip"));
 }
 
-/// Jobs side by side on the threads, those that run alone one by one: no
-/// sooner than the work divided, no sooner than the longest of them.
+/// Predicts the wall time. Jobs run in parallel on the threads, those marked
+/// runs_alone one after another; the shared part takes at least the total work
+/// over the number of threads, and at least as long as its longest job.
 double wall_time(const Plan& plan) {
   double shared = plan.study_time;
   double longest = plan.study_time;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a run would do: jobs, predicted time and memory, what the cache has.
-// Computes no answer and writes nothing.
+// The plan of a run: jobs, predicted time and memory, and what is cached.
+// Making a plan computes no results and writes nothing.
 
 #include "app/plan/run_options.hpp"
 #include "app/plan/skipped.hpp"
@@ -11,46 +11,51 @@
 
 namespace asperity::app {
 
-/// One method, all its realisations.
+/// One method on all of its realisations.
 struct PlannedMethod {
   std::string name;
   int realizations = 0;
-  int steps = 0;           ///< on all realisations
-  int kept_steps = 0;      ///< of them in the cache
-  Grid grid;               ///< of no points for a theory by the formula
-  double unknowns = 0.0;   ///< of one step
-  double setup_time = 0.0; ///< CPU [s]; 0 if all is kept
-  double step_time = 0.0;  ///< CPU of the steps that are not kept [s]
-  double memory = 0.0;     ///< of one realisation at work [B]
+  int steps = 0;      ///< total over all realisations
+  int kept_steps = 0; ///< number of cached steps
+  Grid grid; ///< without points for a theory that uses the spectrum formula
+  double unknowns = 0.0;   ///< per load step
+  double setup_time = 0.0; ///< CPU [s]; 0 if everything is cached
+  double step_time = 0.0;  ///< CPU, total of all steps that are not cached [s]
+  double memory = 0.0;     ///< per running realisation [B]
   bool runs_alone = false;
 };
 
-/// Times and sizes are predictions; NaN where nothing is known.
+/// The plan of a run. Times and sizes are predictions; NaN where no prediction
+/// exists.
 struct Plan {
   std::vector<PlannedMethod> methods;
   std::vector<results::Skipped> skipped;
-  std::vector<std::string> warnings; ///< about the methods' answers
+  std::vector<std::string> warnings; ///< about the results of the methods
   int threads = 1;
-  double base_time = 0.0;  ///< of the program itself, CPU [s]
-  double study_time = 0.0; ///< of tables, CPU [s]
-  double cpu_time = 0.0;   ///< of the run, without the report [s]
-  double wall_time = 0.0;  ///< [s]
+  double base_time = 0.0;  ///< start-up, surfaces and result file, CPU [s]
+  double study_time = 0.0; ///< tables of the studies, CPU [s]
+  double cpu_time = 0.0;   ///< total without the report [s]
+  double wall_time = 0.0;  ///< total without the report [s]
   double memory = 0.0;     ///< peak [B]
-  double disk = 0.0;       ///< of result.h5 [B]
-  double factor = 2.0;     ///< that CPU time and memory may be off by [1]
+  double disk = 0.0;       ///< size of result.h5 [B]
+  double factor = 2.0;     ///< uncertainty of CPU time and memory [1]
 };
 
+/// Makes the plan of a run.
+///
 /// @param largest_probe  see MachineRates
-/// @throws cases::CaseError  an unknown method name; a map or a table of
+/// @throws cases::CaseError  an unknown method name, or a map or a table of
 ///                           factors that cannot be read
 Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
                int largest_probe = 1024);
 
-/// Fills in cpu_time and wall_time from the times of the parts and the number
-/// of threads: methods share the threads, those that run alone one by one.
+/// Computes cpu_time and wall_time from the times of the parts and the number
+/// of threads. Methods share the threads, except that those marked runs_alone
+/// run one after another.
 void add_up_times(Plan& plan);
 
-/// As a table for people, with what is skipped and the warnings below.
+/// Formats the plan as a readable table, followed by the skipped work and the
+/// warnings.
 std::string plan_text(const Plan& plan, const cases::Case& rough_case);
 
 } // namespace asperity::app

@@ -1,4 +1,4 @@
-// A plan as people read it.
+// Formats a plan as readable text.
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a run is asked for besides its case.
+// The options of a run that are not part of its case.
 
 #include <filesystem>
 #include <string>
@@ -11,13 +11,14 @@ namespace asperity::app {
 class Cache;
 
 struct RunOptions {
-  std::filesystem::path folder;     ///< of result.h5
+  std::filesystem::path folder;     ///< folder of result.h5
   std::vector<std::string> methods; ///< names or kinds; empty: all
   bool resume = false;
-  int threads = 0;            ///< 0: as many as the machine has
+  int threads = 0;            ///< 0: all hardware threads
   std::string reference = {}; ///< text of the case's reference.csv, or empty
-  Cache* cache = nullptr;     ///< null: all is computed, nothing is kept
-  bool is_exact = false; ///< `methods` are names alone: "fem" is not "fem.hard"
+  Cache* cache = nullptr;     ///< null: compute everything and cache nothing
+  bool is_exact = false;      ///< `methods` lists names only: "fem" is not
+                              ///< "fem.hard"
 };
 
 } // namespace asperity::app

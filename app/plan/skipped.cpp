@@ -18,7 +18,7 @@ namespace {
 using cases::MethodSpec;
 using results::Skipped;
 
-/// Adds to one list what one kind of thing after the other leaves out.
+/// Collects the skipped work of all kinds in one list.
 class Skips {
 public:
   Skips(const AskedScene& scene, MachineRates& rates)
@@ -38,7 +38,7 @@ private:
 
   double nodes() const { return static_cast<double>(scene_.grid.size()); }
 
-  /// Steps of a method on all its realisations.
+  /// Returns the number of steps of a method on all its realisations.
   double all_steps(const MethodSpec& method) const {
     return n_steps() * n_realizations(scene_.rough_case, method);
   }
@@ -52,7 +52,8 @@ private:
 
   const AskedScene& scene_;
   MachineRates& rates_;
-  bool has_operator_ = false; ///< listed once, because methods share it
+  bool has_operator_ = false; ///< listed once, because the methods share the
+                              ///< operator
 };
 
 void Skips::add_methods_left_out() {

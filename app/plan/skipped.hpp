@@ -1,7 +1,7 @@
 #pragma once
 
-// What a scene does not need, with what it would have cost. Only things that
-// are really not computed.
+// Lists the work that a case does not need, with its predicted cost. Only work
+// that is really not done is listed.
 
 #include "app/plan/cost_model.hpp"
 #include "results/types/result.hpp"
@@ -11,26 +11,28 @@
 
 namespace asperity::app {
 
-/// A case, and the methods of it that are run.
+/// A case and those of its methods that are run.
 struct AskedScene {
   const cases::Case& rough_case;
   const std::vector<cases::MethodSpec>& methods;
-  Grid grid; ///< of its surfaces; of no points where none is built and the
-             ///< case does not say
+  Grid grid; ///< grid of the surfaces; without points if no surface is built
+             ///< and the case does not give the grid
 };
 
-/// Methods left out, realisations a formula does not tell apart, maps that are
-/// not kept, unknowns and wavevectors that symmetry spares, depth that a closed
-/// form replaces. Costs are predictions of cost_model.hpp.
+/// Lists methods that were not selected, realisations that are identical for a
+/// closed formula, maps that are not saved, unknowns and wavevectors that
+/// symmetry makes redundant, and bulk material that a closed form replaces.
+/// Costs are predictions of cost_model.hpp.
 std::vector<results::Skipped> skipped_by_scene(const AskedScene& scene,
                                                MachineRates& rates);
 
-/// The grid of a case's surfaces. Where the case does not say it, a map is read
-/// if surfaces are needed; else the grid has no points.
+/// Returns the grid of the surfaces of a case. If the case does not give it,
+/// the height map is read when surfaces are needed; otherwise the grid has no
+/// points.
 Grid grid_of_case(const cases::Case& rough_case,
                   const std::vector<cases::MethodSpec>& methods);
 
-/// Counts are printed to three digits: "786k", "1.18e+09".
+/// Formats a count with three digits, such as "786k" or "1.18e+09".
 std::string count_text(double count);
 
 } // namespace asperity::app

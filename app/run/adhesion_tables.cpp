@@ -11,7 +11,7 @@ using results::Table;
 using theory::AdhesiveState;
 using theory::RoughAdhesion;
 
-/// gamma_eff/Dgamma and A/A_0 of one state.
+/// The columns gamma_eff/Dgamma and A/A_0 of one state.
 struct StateColumns {
   explicit StateColumns(const std::string& state)
       : binding{"binding_" + state, "1", {}},
@@ -31,7 +31,8 @@ double ratio_at(const cases::AdhesionStudy& study, int k) {
   return study.from + (study.to - study.from) * k / (study.points - 1);
 }
 
-/// Where partial contact takes over, as a pair of neighbouring rows; -1: never.
+/// Returns the row before the transition to partial contact, which lies between
+/// this row and the next one; -1 if there is none.
 int row_before_flip(const Table& rows) {
   const std::vector<double> partial = rows.values("binding_partial");
   const std::vector<double> complete = rows.values("binding_complete");

@@ -19,7 +19,7 @@ fs::path library_folder() {
   return fs::path(ASPERITY_SOURCE_FOLDER) / "cases";
 }
 
-// The sub-folders with a case.toml, by name.
+// Returns the names of the sub-folders with a case.toml.
 std::set<std::string> cases_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder))

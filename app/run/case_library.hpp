@@ -1,7 +1,7 @@
 #pragma once
 
-// Where cases are: files, folders, and the names of those shipped with the
-// program, alone or in collections.
+// Locates cases: files, folders, and cases shipped with the program, single or
+// in collections.
 
 #include "cases/types/case.hpp"
 
@@ -11,38 +11,44 @@
 
 namespace asperity::app {
 
-/// A case file, and what its folder below out/ is called: "polymer",
-/// "paper/polymer"; empty: as the case.
+/// A case file and the name of its folder below out/, such as "polymer" or
+/// "paper/polymer". If the name is empty, the name of the case is used.
 struct FoundCase {
   std::filesystem::path file;
   std::string name;
 };
 
-/// What a word on the command line means. A collection is a folder without a
-/// case.toml of its own whose sub-folders have one.
+/// The cases that an argument of the command line refers to. A collection is a
+/// folder without a case.toml of its own, whose sub-folders have one.
 struct FoundCases {
-  std::string collection;       ///< its name; empty: a single case
-  std::filesystem::path folder; ///< of the collection
-  std::vector<FoundCase> cases; ///< a collection's in the order in which its
-                                ///< README.md names them, `part`, then the rest
+  std::string collection; ///< name of the collection; empty: a single case
+  std::filesystem::path folder; ///< folder of the collection
+  std::vector<FoundCase> cases; ///< parts in the order in which README.md names
+                                ///< them as `part`, then the others
 };
 
-/// The cases that a word means: a file, a folder that holds case.toml, the name
-/// of a shipped case ("polymer", "paper/polymer"); or a collection, a folder or
-/// a shipped one ("paper").
-/// @throws cases::CaseError  none of these; names the nearest shipped one
+/// Finds the cases that an argument refers to: a file, a folder with a
+/// case.toml, the name of a shipped case ("polymer", "paper/polymer"), or a
+/// collection, which is a folder or a shipped one ("paper").
+///
+/// @throws cases::CaseError  none of these; the message names the nearest
+///                           shipped case
 FoundCases find_cases(const std::string& word);
 
-/// The text of reference.csv beside the case file; empty if there is none.
-/// @throws cases::CaseError  it cannot be read, or has mistakes: all of them
+/// Returns the text of reference.csv beside the case file; empty if there is
+/// none.
+///
+/// @throws cases::CaseError  the file cannot be read, or is invalid; all
+///                           mistakes are listed
 std::string reference_text_of(const cases::Case& read);
 
-/// The text of a file, empty if there is none.
-/// @throws cases::CaseError  it cannot be read
+/// Returns the text of a file; empty if there is none.
+///
+/// @throws cases::CaseError  the file cannot be read
 std::string text_of_file(const std::filesystem::path& file);
 
-/// The lines of quick.set beside a case file, "key=value" each, without empty
-/// ones and comments (#); none if there is no such file.
+/// Returns the "key=value" lines of quick.set beside a case file, without empty
+/// lines and comments (#); none if there is no such file.
 std::vector<std::string> quick_overrides(const std::filesystem::path& file);
 
 struct ShippedCase {
@@ -50,8 +56,8 @@ struct ShippedCase {
   std::string title;
 };
 
-/// Every folder of cases/ with a case.toml, by name, and every collection
-/// followed by its parts.
+/// Returns the folders of cases/ that contain a case.toml, sorted by name, then
+/// each collection followed by its parts.
 std::vector<ShippedCase> shipped_cases();
 
 } // namespace asperity::app

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the program ends, for shells and CI jobs.
+// The exit codes of the program for shells and CI jobs.
 
 namespace asperity::app {
 
@@ -9,8 +9,8 @@ enum ExitCode : int {
   exit_expectation_failed = 1,
   exit_bad_input = 2,
   exit_numerics_gave_up = 3,
-  exit_internal = 4,      ///< disk full, no memory, a library that fails
-  exit_interrupted = 130, ///< as shells say it for Ctrl-C
+  exit_internal = 4,      ///< disk full, out of memory, library failure
+  exit_interrupted = 130, ///< shell convention for Ctrl-C
 };
 
 } // namespace asperity::app

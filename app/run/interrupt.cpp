@@ -7,7 +7,8 @@ namespace asperity::app {
 namespace {
 
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free); // safe in a handler
+// Safe in a signal handler.
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void raise_flag(int signal) {
   interrupted = true;

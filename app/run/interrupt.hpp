@@ -1,10 +1,12 @@
 #pragma once
 
-// Ctrl-C: the step in progress is finished, then the run stops in order.
+// Handles Ctrl-C: the current load step is finished, then the run stops in an
+// orderly way.
 
 namespace asperity::app {
 
-/// From here on SIGINT and SIGTERM only raise a flag; a second one kills.
+/// Installs handlers so that the first SIGINT or SIGTERM only sets a flag. A
+/// second signal terminates the program.
 void catch_interrupts();
 
 bool is_interrupted();

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The figures of a report and the folders that are empty without them.
+/// Removes the figures of a report and the folders that become empty.
 void remove_figures(const fs::path& folder) {
   constexpr std::array<std::string_view, 3> endings{".svg", ".gp", ".csv"};
   std::error_code error;
@@ -29,10 +29,11 @@ void remove_figures(const fs::path& folder) {
       fs::remove(entry.path());
   }
   for (auto empty = folders.rbegin(); empty != folders.rend(); ++empty)
-    fs::remove(*empty, error); // fails where something else is in it
+    fs::remove(*empty, error); // fails if the folder is not empty
 }
 
-/// What methods wrote beside the result: "fem-0/block.vtu".
+/// Removes the files that methods wrote beside the result, such as
+/// "fem-0/block.vtu".
 void remove_files_of_methods(const fs::path& folder,
                              const results::Result& result) {
   for (const results::MethodRecord& method : result.methods)

@@ -1,18 +1,20 @@
 #pragma once
 
-// What an earlier run left in the folder of a new one.
+// Handles the files that an earlier run left in the output folder of a new one.
 
 #include <filesystem>
 
 namespace asperity::app {
 
-/// Keeps the last result as result.previous.h5, with everything that was done,
-/// and removes the tables, reports, figures and files of methods that would
-/// seem to be the new run's. Nothing else in the folder is touched.
-/// @throws std::system_error, results::Hdf5Error  the disk refuses
+/// Renames the last result to result.previous.h5, with all of its completed
+/// work, and removes tables, reports, figures and files of methods that could
+/// be mistaken for output of the new run. Nothing else in the folder is
+/// changed.
+///
+/// @throws std::system_error, results::Hdf5Error  a file operation fails
 void put_last_run_aside(const std::filesystem::path& folder);
 
-/// Removes the report and the figures of a folder.
+/// Removes the report and the figures in a folder.
 void remove_report(const std::filesystem::path& folder);
 
 } // namespace asperity::app

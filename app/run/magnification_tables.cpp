@@ -17,7 +17,7 @@ using theory::MagnifiedContact;
 
 constexpr int n_quantiles = 200;
 
-/// The k-th of n values in equal ratios, the ends exact.
+/// Returns the k-th of n values in geometric progression. Both ends are exact.
 double in_equal_ratios(double from, double to, int k, int n) {
   if (k + 1 == n)
     return to;

@@ -22,8 +22,9 @@ StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
           static_cast<int>(step)};
 }
 
-/// Atoms and whole blocks that are written to files of their own leave nothing
-/// to be kept.
+/// Returns true for methods that write files of their own, such as atom dumps
+/// and VTU files. Their steps are not cached, because the cache does not
+/// contain these files.
 bool leaves_files(const cases::MethodSpec& method,
                   const cases::ReportSpec& report) {
   const auto* md = std::get_if<cases::MdSettings>(&method.settings);
@@ -100,8 +101,9 @@ bool MethodJob::needs_section(std::size_t step) const {
                      scene_.surfaces.of(method_, realization_).scales);
 }
 
-/// Puts the steps that the cache has into the file.
-/// @return  those that are still to be computed
+/// Writes the cached steps to the result file.
+///
+/// @return  the steps that remain to be computed
 std::vector<std::size_t> MethodJob::take_kept() {
   std::vector<std::size_t> missing;
   std::vector<CurvePoint> rows;
@@ -137,7 +139,8 @@ std::vector<std::size_t> MethodJob::take_kept() {
   return missing;
 }
 
-/// With its maps at once, without to the end of `rows`.
+/// Takes over a cached step: with its fields it is written at once, without
+/// fields it is appended to `rows`.
 void MethodJob::take(std::size_t step, KeptStep& kept,
                      std::vector<CurvePoint>& rows) {
   CurvePoint& row = kept.answer.row;
@@ -155,7 +158,8 @@ void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
     scene_.writer.append_step(method_.name, realization_, row);
     return;
   }
-  if (needs_section(step)) // before its step, which then counts as done
+  if (needs_section(step)) // before the step, which counts as done when it is
+                           // written
     scene_.writer.record_table(answer.section.value());
   scene_.writer.append_step_with_fields(
       method_.name, realization_, row, answer.grid,
@@ -215,7 +219,7 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
                           {0, solver->saved_setup_time()});
   scene_.writer.record_setup_time(method_.name, realization_, setup_time);
   describe_found(solver->found_at_setup());
-  std::size_t next = 0; // the step that the solver would go on with
+  std::size_t next = 0; // the step with which the solver would continue
   for (const std::size_t step : steps) {
     if (!go_to(*solver, next, step) || !compute_step(*solver, step, setup_time))
       return;
@@ -223,9 +227,10 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
   }
 }
 
-/// Brings a solver that would go on with `next` to where a run without
-/// interruption stands before `step`: to the last state that is kept, and from
-/// there by computing again what lies between.
+/// Brings a solver, which would continue with step `next`, to the state before
+/// `step` of an uninterrupted run: restores the last cached state and computes
+/// the steps after it again.
+///
 /// @return  false if the run is to end
 bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   for (std::size_t known = step; known > next; --known)
@@ -248,7 +253,9 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   return !is_interrupted();
 }
 
-/// @return  false if it was broken off: the step is still to be done
+/// Solves one step and records it.
+///
+/// @return  false if the step was interrupted and remains to be done
 bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
                              double setup_time) {
   const SurfaceOfCase& surface = scene_.surfaces.of(method_, realization_);

@@ -1,7 +1,7 @@
 #pragma once
 
-// One method on one realisation: what the cache has of it is read, the rest
-// computed, every step written as it is done.
+// Runs one method on one realisation: reads cached steps, computes the others,
+// and writes each step as soon as it is done.
 
 #include "app/cache/case_keys.hpp"
 #include "app/methods/methods.hpp"
@@ -23,27 +23,29 @@
 
 namespace asperity::app {
 
-/// What the cache spared one method.
+/// The work that the cache saved for one method.
 struct KeptWork {
   int steps = 0;
-  double cpu_time = 0.0; ///< of steps and set-up [s]
+  double cpu_time = 0.0; ///< steps and set-up [s]
 };
 
-/// What is counted while the jobs run.
+/// Counters that the jobs update while they run.
 class Tally {
 public:
   std::atomic<int> computed_steps = 0;
   std::atomic<int> failed_steps = 0;   ///< not converged
-  std::atomic<int> repeated_steps = 0; ///< only for the state behind them
+  std::atomic<int> repeated_steps = 0; ///< computed again only for the solver
+                                       ///< state after them
   std::atomic<bool> uses_fem = false;
 
-  /// @param thing  a method, or a table
+  /// @param thing  name of a method or a table
   void add_kept(const std::string& thing, const KeptWork& work);
   std::map<std::string, KeptWork> kept() const;
   int kept_steps() const;
 
-  /// The answer of `compute`, or nothing where it throws: a study of what was
-  /// solved ends no run, and is listed with what was not computed.
+  /// Returns the result of `compute`, or nothing if it throws. The failed
+  /// evaluation of a solved case does not end the run; it is listed with the
+  /// skipped work.
   template <class Compute>
   auto attempt(const std::string& what, Compute compute)
       -> std::optional<decltype(compute())> {
@@ -65,7 +67,7 @@ private:
   std::vector<results::Skipped> failures_;
 };
 
-/// Everything the jobs of one run share.
+/// The objects that the jobs of one run share.
 struct RunScene {
   const cases::Case& rough_case;
   std::filesystem::path folder;
@@ -76,17 +78,17 @@ struct RunScene {
   MethodFactory& solvers;
   Progress& progress;
   const WorkerPool& pool;
-  std::set<std::size_t> field_steps; ///< whose maps are kept
+  std::set<std::size_t> field_steps; ///< steps whose fields are saved
   Tally& tally;
 };
 
 class MethodJob {
 public:
-  /// All outlive the job.
+  /// All arguments must outlive the job.
   MethodJob(const RunScene& scene, const cases::MethodSpec& method,
             int realization);
 
-  /// Ends early when the run is interrupted.
+  /// Runs the job. It ends early when the run is interrupted.
   void run();
 
 private:

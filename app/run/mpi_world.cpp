@@ -8,7 +8,8 @@
 namespace asperity::app {
 namespace {
 
-/// What mpirun tells its processes: Open MPI, then MPICH and its kin.
+/// Reads the environment variables that mpirun sets: the first is that of Open
+/// MPI, the second that of MPICH and related implementations.
 bool is_one_of_several() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* size = std::getenv(name))

@@ -1,12 +1,14 @@
 #pragma once
 
-// Whether the program was started by mpirun, and what its processes then do.
+// Detects whether the program was started by mpirun and manages the worker
+// ranks.
 
 namespace asperity::app {
 
-/// Under mpirun with several processes: rank 0 returns false and runs the
-/// program; the others return true when it has ended, having shared the work of
-/// its whole blocks. Alone: false, and nothing of MPI is touched.
+/// Returns false on rank 0 of several MPI processes, which then runs the
+/// program. On the other ranks it returns true after the program has ended;
+/// until then they share the work of the full blocks. In a single process it
+/// returns false without initialising MPI.
 bool has_followed_rank_0();
 
 } // namespace asperity::app

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a user sees while steps are computed: a bar on a terminal, a line a
-// step in a pipe. Owns the clock of a run.
+// Shows the progress of a run: a bar on a terminal, one line per step in a
+// pipe. The class owns the clock of the run.
 
 #include "results/types/result.hpp"
 
@@ -11,32 +11,34 @@
 
 namespace asperity::app {
 
-/// Safe to call from any thread.
+/// Shows the progress. The class is thread-safe.
 class Progress {
 public:
-  /// @param n_steps          to be done in all
-  /// @param contact_modulus  E* [Pa], by which pressures are shown
+  /// @param n_steps          total number of steps to do
+  /// @param contact_modulus  E* [Pa], unit of the displayed pressures
   Progress(int n_steps, double contact_modulus);
 
-  ~Progress(); ///< takes the bar away
+  ~Progress(); ///< removes the bar
 
-  /// @param rms_height  h_rms [m], by which gaps are shown
+  /// @param rms_height  h_rms [m], unit of the displayed gaps
   void step_done(const std::string& method, int realization,
                  const results::CurvePoint& point, double rms_height);
 
-  /// Steps that an earlier run computed.
+  /// Reports steps that an earlier run computed.
   void steps_kept(const std::string& method, int realization, int n_steps);
 
-  /// A step is at work; shown on a terminal, a few times a second.
+  /// Reports the state of an unfinished step. It is shown on a terminal only, a
+  /// few times per second.
+  ///
   /// @param energy    [J]
-  /// @param residual  as the method measures it
+  /// @param residual  as defined by the method
   void at_work(const std::string& method, int realization, int evaluations,
                double energy, double residual);
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// The bar and what is counted, without a line's end.
+  /// Draws the bar and the counters without a line break.
   void draw_head() const;
   void draw_bar(const std::string& method, int realization,
                 const results::CurvePoint& point);

@@ -10,7 +10,7 @@
 namespace asperity::app {
 namespace {
 
-/// What the window takes off a measured map, for the reader of the report.
+/// Describes for the report how the window function changes a measured map.
 std::string effect_of_window(const cases::SurfaceSpec& surface) {
   const auto [measured, pressed] = surfaces::edge_effect(surface);
   return fmt::format(

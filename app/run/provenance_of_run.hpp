@@ -1,6 +1,6 @@
 #pragma once
 
-// The provenance of one run: program and machine, and what this run was told.
+// Collects the provenance of one run: program, machine and options.
 
 #include "cases/types/case.hpp"
 #include "results/provenance.hpp"
@@ -12,7 +12,8 @@ using results::RunClock;
 results::Provenance provenance_at_start(const cases::Case& rough_case,
                                         int threads);
 
-/// Of the finite elements, once they were used: loads them.
+/// Returns the versions of the finite-element libraries. The call loads them,
+/// so it is made only if they were used.
 results::Provenance provenance_of_fem();
 
 } // namespace asperity::app

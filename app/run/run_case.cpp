@@ -25,22 +25,22 @@ using cases::MethodSpec;
 
 constexpr int rate_probe_points = 256;
 
-/// What the text of the case leaves open.
+/// Returns the inputs that the text of the case does not determine.
 results::Inputs inputs_of(const cases::Case& rough_case) {
   results::Inputs inputs = input_hashes(rough_case);
   inputs["program"] = results::build_stamp();
   return inputs;
 }
 
-/// Where the folder has to be clean for a new run, or kept for one that
-/// resumes.
+/// Prepares the output folder: clears it for a new run, or leaves it for a run
+/// that is resumed. Returns the folder.
 const fs::path& prepared(const RunOptions& options) {
   if (!options.resume)
     put_last_run_aside(options.folder);
   return options.folder;
 }
 
-/// One run of a case, from the surfaces to the end of its file.
+/// One run of a case, from the surfaces to the completed result file.
 class Run {
 public:
   Run(const cases::Case& rough_case, const RunOptions& options,
@@ -67,7 +67,7 @@ public:
   RunOutcome execute();
 
 private:
-  int n_steps() const; ///< still to be done
+  int n_steps() const; ///< that remain to be done
   void begin();
   void run_jobs();
   std::vector<results::Skipped> skipped() const;
@@ -127,8 +127,9 @@ void Run::run_jobs() {
     pool_.run({&job, 1});
 }
 
-/// By the scene, and by the cache. Probed on a small grid: some hundredths of
-/// a second.
+/// Lists the work that was skipped because the case does not need it or because
+/// it is cached, and evaluations that failed. The machine is probed on a small
+/// grid, which takes some hundredths of a second.
 std::vector<results::Skipped> Run::skipped() const {
   MachineRates rates(rate_probe_points);
   const Grid grid = surfaces_.whole().empty()

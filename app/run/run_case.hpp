@@ -1,7 +1,7 @@
 #pragma once
 
-// One case from its file to its result file: what is to be done, on how many
-// threads, in which order. Owns the job list.
+// Runs one case from its case file to its result file. This file defines the
+// list of jobs, their order and their threads.
 
 #include "app/cache/cache.hpp"
 #include "app/plan/run_options.hpp"
@@ -21,13 +21,15 @@ struct RunOutcome {
   int kept_steps = 0; ///< read from the cache
 };
 
-/// Runs the methods of a case and writes each step to folder/result.h5 as it
-/// is done. An older result there is kept as result.previous.h5, unless the run
-/// resumes it. Jobs (a method on a realisation) run beside each other; a method
-/// whose library allows one at a time runs after the others. Which job runs
-/// where changes nothing in the numbers. What the cache has is read, CPU times
-/// among it, and not computed; the result says so.
-/// @throws cases::CaseError  an unknown method name; what a room refuses
+/// Runs the methods of a case and writes each step to folder/result.h5 as soon
+/// as it is done. An older result is kept as result.previous.h5 unless the run
+/// resumes it. Jobs (a method on a realisation) run in parallel; a method whose
+/// library allows only one run at a time runs after the others. The numbers do
+/// not depend on the distribution of the jobs. Cached steps are read, including
+/// their CPU times, instead of being computed, and the result records this.
+///
+/// @throws cases::CaseError  an unknown method name, or a module rejects the
+///                           case
 RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options);
 
 } // namespace asperity::app

@@ -27,7 +27,9 @@ const CurvePoint& row_of(const results::Fields& map,
   });
 }
 
-/// @param table  of these maps
+/// Computes the section of the map with the highest load.
+///
+/// @param table  stress_table() of these maps
 results::Table heaviest_section(const cases::MethodSpec& method,
                                 const contact::ElasticBlock& block,
                                 std::span<const results::Fields> maps,

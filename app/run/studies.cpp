@@ -14,17 +14,20 @@ namespace {
 
 using results::Table;
 
-/// The tables of one run: in the file, in the cache, or to be made.
+/// Manages the tables of one run, which are in the file, cached, or still to be
+/// computed.
 class StudyTables {
 public:
   StudyTables(const RunScene& scene, const cases::MethodSpec& theory)
       : scene_(scene), theory_(theory) {}
 
-  /// Puts those that the cache has into the file.
-  /// @return  true if all are there now
+  /// Writes cached tables to the result file.
+  ///
+  /// @return  true if the file now contains all tables
   bool take(const std::vector<std::string>& names);
 
-  /// Makes a table unless it is there or the run is being ended.
+  /// Computes a table unless the file contains it or the run is being
+  /// interrupted.
   void record(const std::string& name, const std::function<Table()>& make);
 
 private:

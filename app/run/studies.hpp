@@ -1,14 +1,16 @@
 #pragma once
 
-// What a case asks of the theory besides its curve, run and recorded.
+// Runs the theoretical studies of a case and records their tables.
 
 #include "app/run/method_job.hpp"
 
 namespace asperity::app {
 
 /// Runs [magnification] and [adhesion] of a case and records their tables
-/// (docs/results.md); one that is in the file already is not run again. An
-/// interrupt ends it between two tables. Tables that the cache has are read.
+/// (docs/results.md). Tables that are already in the file are not computed
+/// again, and cached tables are read. An interrupt takes effect between two
+/// tables.
+///
 /// @param theory  study_theory() of the case
 void run_studies(const RunScene& scene, const cases::MethodSpec& theory);
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// What the theory's studies find, as tables of a result. Pure functions from
-// the theory to columns; which names they have is written in docs/results.md.
+// Converts the results of the theoretical studies to tables of a result. These
+// are pure functions; docs/results.md lists the column names. Equation numbers
+// refer to Yang and Persson (2008).
 
 #include "cases/types/studies.hpp"
 #include "results/types/result.hpp"
@@ -14,40 +15,45 @@
 
 namespace asperity::app {
 
-/// One contact under each load of a study.
+/// Returns one contact per load of a study.
 std::vector<theory::MagnifiedContact>
 magnified_contacts(const theory::PerssonContact& contact,
                    const cases::MagnificationStudy& study);
 
-/// A row a load: its weight of contact, its mean gap, the ends of zeta.
+/// Returns a table with one row per load: contact area fraction, mean gap and
+/// the limits of zeta.
 results::Table loads_table(std::span<const theory::MagnifiedContact> contacts);
 
-/// A row a magnification: A, h_rms, u, u to the letter of (23), u_1 (infinite
-/// where the library's is, near zeta_0) and the density of (27) at u_1.
+/// Returns a table with one row per magnification: A, h_rms, u, u from Eq. (23)
+/// as printed, u_1 (infinite near zeta_0, as opening_gap() returns it) and the
+/// density of Eq. (27) at u_1.
 results::Table magnification_table(const std::string& name,
                                    const theory::MagnifiedContact& contact,
                                    const cases::MagnificationStudy& study);
 
-/// Quantiles of the distribution (27) of u_1 with its density, close together
-/// at both ends; the weight of its delta function is in the title.
+/// Returns quantiles of the distribution of u_1, Eq. (27), with its density.
+/// They are closely spaced at both ends. The title gives the weight of the
+/// delta function.
 results::Table gap_distribution_table(const std::string& name,
                                       const theory::MagnifiedContact& contact);
 
-/// A row a load: the critical pore and what leaks through it; NaN where the
-/// open area does not percolate.
+/// Returns a table with one row per load: the critical pore and the leakage
+/// through it. Values are NaN if the open area does not percolate.
 results::Table leak_table(std::span<const theory::MagnifiedContact> contacts,
                           const cases::LeakStudy& leak);
 
-/// A row a height ratio: partial, complete and equilibrium contact. NaN where
-/// a state does not exist; a partial contact that did not converge is NaN too,
-/// and the title counts those.
+/// Returns a table with one row per height ratio: partial, complete and
+/// equilibrium contact. Values are NaN if a state does not exist or if its
+/// partial contact did not converge; the title counts the latter.
 results::Table adhesion_table(const theory::RoughAdhesion& adhesion,
                               const cases::AdhesionStudy& study,
                               double rms_height);
 
-/// One row: the ratio of the flip and the area there (NaN: none between two
-/// ratios of the study), and gamma_eff of complete contact at ratio 1.
-/// @param rows  of adhesion_table()
+/// Returns a table with one row: the height ratio of the transition from
+/// complete to partial contact and the area there (NaN if there is none between
+/// two ratios of the study), and gamma_eff of complete contact at ratio 1.
+///
+/// @param rows  rows of adhesion_table()
 results::Table adhesion_flip_table(const theory::RoughAdhesion& adhesion,
                                    const cases::AdhesionStudy& study,
                                    const results::Table& rows);
