@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 8; // more are a circle
+constexpr int deepest = 8; // a longer chain is assumed to be circular
 
 std::string text_of_file(const std::string& path, const Place& asked_at) {
   try {
@@ -36,8 +36,8 @@ bool is_key(const std::string& table, const std::string& name) {
       });
 }
 
-// A table that holds keys, such as [fem] or [fem.hard], and not a value that
-// is written as one: a sweep, a band.
+// Returns true for a table that holds keys, such as [fem] or [fem.hard], and
+// false for a value that is written as a table, such as a sweep or a band.
 bool holds_keys(const Node& table, const NodeEntry& entry) {
   return entry.node.is_table() && table.path != "expect" &&
          !is_key(table.path.substr(0, table.path.find('.')), entry.key);
@@ -57,8 +57,8 @@ void flatten(const Node& table, const std::string& prefix,
   }
 }
 
-// The table of that name, "material.variation" inside "material"; null if there
-// is none.
+// Returns the table of that name, for "material.variation" the one inside
+// "material"; null if there is none.
 const Node* table_in(const Node& file, const std::string& name) {
   const std::size_t dot = name.find('.');
   const Node* const outer = file.find(name.substr(0, dot));
@@ -66,7 +66,8 @@ const Node* table_in(const Node& file, const std::string& name) {
                                             : outer->find(name.substr(dot + 1));
 }
 
-// Each relative path that the base gives, as it is from the other folder.
+// Adds overrides that rewrite the relative paths of the base as seen from the
+// other folder.
 void move_paths(const Node& base, const fs::path& base_folder,
                 std::vector<LaidOver>& overrides) {
   for (const Table& table : vocabulary())
@@ -86,10 +87,10 @@ void move_paths(const Node& base, const fs::path& base_folder,
     }
 }
 
-// The file of the text with everything laid over it, to look at.
+// Returns the parsed text with all overrides applied, for inspection.
 Node seen(const StackedText& stacked) {
   Node file = parse_toml(stacked.text, stacked.path);
-  Mistakes ignored; // said when the case is read
+  Mistakes ignored; // reported when the case is read
   for (const std::string& entry : overrides_in(stacked.text))
     apply_override(file, entry, ignored);
   for (const LaidOver& over : stacked.overrides)

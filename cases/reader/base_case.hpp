@@ -1,7 +1,7 @@
 #pragma once
 
-// A case that stands on another: `base = "../polymer/case.toml"`. Owns the way
-// from the two files to one text that needs neither again.
+// Cases that are based on another case: `base = "../polymer/case.toml"`.
+// Combines the files into one text that does not depend on any of them.
 
 #include "cases/text/case_error.hpp"
 
@@ -10,29 +10,29 @@
 
 namespace asperity::cases {
 
-/// A key laid over a text, and the place of it that messages name.
+/// An override of a key, and its place for messages.
 struct LaidOver {
   std::string entry; ///< "key.path=value" on one line
   Place place;
 };
 
-/// The text at the bottom of a chain of cases and what the others lay over it,
-/// the nearest to the bottom first.
+/// The text of the first case in a chain of bases and the overrides of the
+/// cases that build on it, in the order of application.
 struct StackedText {
-  std::string text; ///< of the file without a base, byte for byte
-  std::string path; ///< of that file
+  std::string text; ///< text of the file without a base, byte for byte
+  std::string path; ///< path of that file
   std::vector<LaidOver> overrides;
 };
 
-/// Read the case file at `path` and what it stands on.
+/// Reads the case file at `path` and the cases on which it is based.
 ///
-/// A file whose first key is `base` is nothing but changes to the case of that
-/// name, a path relative to the file itself. Each of its other keys becomes an
-/// override; `key = ""` takes the key, or a whole table, away. A relative path
-/// that the base names is rewritten so that it starts at this file's folder.
+/// A file whose first key is `base` contains only changes to the case of that
+/// path, which is relative to the file itself. Each of its other keys becomes
+/// an override; `key = ""` removes the key or a whole table. Relative paths in
+/// the base are rewritten to start at the folder of this file.
 ///
-/// @throws CaseError  a file cannot be opened or is no TOML; base is not the
-///                    first key, not a text, or leads in a circle
+/// @throws CaseError  a file cannot be opened or is not TOML; `base` is not the
+///                    first key, is not a string, or refers back to itself
 StackedText read_stacked(const std::string& path);
 
 } // namespace asperity::cases

@@ -1,6 +1,6 @@
 #pragma once
 
-// The fingerprint of a case: results with the same one answer the same case.
+// The hash of a case: results with equal hashes belong to the same case.
 
 #include "cases/types/case.hpp"
 
@@ -8,10 +8,10 @@
 
 namespace asperity::cases {
 
-/// SHA-1 of Case::text (the file byte for byte and its overrides) by
-/// boost::uuids::detail::sha1, as 40 hexadecimal digits: the same that
-/// sha1sum prints. The path is not in it, and a map or spectrum the case names
-/// is in it by its name only.
+/// Returns the SHA-1 hash of Case::text (the file byte for byte and its
+/// overrides), computed by boost::uuids::detail::sha1, as 40 hexadecimal digits
+/// in the format of sha1sum. The hash does not include the path of the case,
+/// and it includes the name, but not the content, of a map or spectrum file.
 std::string case_hash(const Case& read);
 
 } // namespace asperity::cases

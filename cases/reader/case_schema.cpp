@@ -33,7 +33,8 @@ std::string escaped(const std::string& symbol) {
   return pattern;
 }
 
-// A number in SI within its range, or a string that ends in an allowed unit.
+// Returns the schema of a number in SI within its range, or a string that ends
+// in an allowed unit.
 Json quantity_schema(const Key& key) {
   Json number = {{"type", "number"}};
   bound(number, key.range);
@@ -114,7 +115,8 @@ Json value_schema(const Key& key) {
   return {};
 }
 
-// A variant's name is not a key of the table.
+// Returns a pattern that excludes the keys of the table, because they cannot be
+// names of variants.
 std::string variant_name_pattern(const Table& table) {
   std::string keys;
   for (const Key& key : table.keys)
@@ -122,7 +124,8 @@ std::string variant_name_pattern(const Table& table) {
   return "^(?!(" + keys + ")$)[a-z0-9-]+$";
 }
 
-// A quantity at a load is a key too: "area_fraction@p=0.01 E*".
+// Returns the pattern of a quantity at a load, which is also a valid key:
+// "area_fraction@p=0.01 E*".
 std::string at_load_pattern() {
   std::string names;
   for (const ExpectationName& entry : quantities_at_load())
@@ -163,7 +166,7 @@ std::string json_schema() {
   Json schema = table_schema(vocabulary_table(""), false);
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "Asperity case";
-  schema.erase("required"); // of a case that stands on another: nothing
+  schema.erase("required"); // nothing is required in a case with a base
   const Json whole = {{"required", {"schema", "surface", "material", "load"}}};
   const Json changes = {{"required", {"base"}}};
   schema["anyOf"] = {whole, changes};
@@ -179,7 +182,7 @@ std::string json_schema() {
     if (table.is_method)
       schema["$defs"][table.name + ".variant"] = table_schema(table, true);
   }
-  schema["$defs"].erase("load.sweep"); // stands inside its keys, with units
+  schema["$defs"].erase("load.sweep"); // inlined in its keys, with units
   return schema.dump(2) + "\n";
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
-// The vocabulary for other programs: editors and checkers of case files.
+// Exports the vocabulary as JSON Schema for editors and validators of case
+// files.
 
 #include <string>
 
 namespace asperity::cases {
 
-/// JSON Schema, draft 2020-12, of a case file (TOML maps onto JSON). It says
-/// what one key may hold; what depends on two keys is said by the reader alone.
+/// Returns the JSON Schema, draft 2020-12, of a case file (TOML maps onto
+/// JSON). It restricts the values of single keys; conditions on several keys
+/// are checked only by the reader.
 std::string json_schema();
 
 } // namespace asperity::cases

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t page_width = 80;
 
-// Words broken into lines that begin with `prefix`.
+// Wraps text into lines that begin with `prefix`.
 std::string wrapped(const std::string& text, const std::string& prefix) {
   std::istringstream words(text);
   std::string page;
@@ -72,7 +72,7 @@ std::string need_text(const Key& key) {
   return is_needed(key) ? "needed: " + key.when : key.when;
 }
 
-// A row of a Markdown table; a bar inside a cell would end it.
+// Escapes a cell of a Markdown table, which a bar would end.
 std::string cell(const std::string& text) {
   std::string safe;
   for (const char letter : text)
@@ -114,7 +114,7 @@ std::string table_section(const Table& table) {
   return page + "\n";
 }
 
-// What stands after the table of [expect].
+// Returns the section that follows the table of [expect].
 std::string at_load_section() {
   std::string page =
       "A quantity at one load is written `name@p=pressure`, as in\n"
@@ -205,7 +205,7 @@ std::string case_reference_markdown() {
     if (table.name == "expect")
       page += at_load_section();
   }
-  page.pop_back(); // one newline ends the page
+  page.pop_back(); // the page ends with a single newline
   return page;
 }
 

@@ -1,17 +1,18 @@
 #pragma once
 
-// The vocabulary for people: the commented template of `asperity new`, and the
-// reference page docs/case.md.
+// Generates documents from the vocabulary: the commented template of `asperity
+// new` and the reference page docs/case.md.
 
 #include <string>
 
 namespace asperity::cases {
 
-/// A case file titled `name` that reads without a mistake, runs in seconds,
-/// and explains every key it shows.
+/// Returns a case file with the title `name`. It is valid, runs in seconds, and
+/// explains every key that it shows.
 std::string case_template(const std::string& name);
 
-/// docs/case.md, every table and key. The committed page is this text.
+/// Returns docs/case.md with all tables and keys. The committed page equals
+/// this text.
 std::string case_reference_markdown();
 
 } // namespace asperity::cases

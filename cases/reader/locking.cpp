@@ -8,7 +8,8 @@
 namespace asperity::cases {
 namespace {
 
-/// The largest of all that the blocks are made of; 0 if none is given.
+/// Returns the largest Poisson's ratio of all materials of the block; 0 if none
+/// is given.
 double largest_ratio(const MaterialSpec& material, const FemSettings& fem) {
   double largest = material.poisson_ratio.value_or(0.0);
   for (const MaterialLayer& layer : material.layers)

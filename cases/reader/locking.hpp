@@ -1,7 +1,8 @@
 #pragma once
 
-// Elements that are too stiff for the material they are asked for. Owns the
-// Poisson's ratios from which that is said, and the words.
+// Warnings about volumetric locking: finite elements that are too stiff for
+// nearly incompressible materials. Defines the limits on Poisson's ratio and
+// the messages.
 
 #include "cases/types/case.hpp"
 
@@ -11,12 +12,13 @@
 
 namespace asperity::cases {
 
-/// Poisson's ratio from which a wave of eight nodes is too stiff by more than a
-/// tenth (Q1) or a twentieth (Q2): measured, fem/locking_test.cpp.
+/// Returns Poisson's ratio from which on a wave with eight nodes per wavelength
+/// is too stiff by more than a tenth (Q1) or a twentieth (Q2), as measured in
+/// tests/fem/locking_test.cpp.
 double locking_ratio(Element element);
 
-/// One sentence for each [fem] method with a material above its element's
-/// ratio: which, how stiff, and what to take instead.
+/// Returns one sentence for each [fem] method with a material above the limit
+/// of its element: the method, the error in stiffness and a remedy.
 std::vector<std::string> locking_warnings(const MaterialSpec& material,
                                           std::span<const MethodSpec> methods);
 

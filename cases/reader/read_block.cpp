@@ -1,5 +1,5 @@
-// [material]'s layers, inclusion and variation, [mesh], and what [fem] says of
-// the whole block.
+// Reads the layers, inclusion and variation of [material], [mesh], and the keys
+// of [fem] for the full block.
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
 #include "cases/text/expression.hpp"
@@ -31,7 +31,8 @@ std::string read_path(TableReader& table, const std::string& folder) {
   return file.empty() ? file : (std::filesystem::path(folder) / file).string();
 }
 
-/// The sub-table of that name, null if there is none or it is no table.
+/// Returns the sub-table of that name, or null if there is none or if it is not
+/// a table.
 const Node* sub_table(TableReader& parent, const std::string& name) {
   const Node* const node = parent.node().find(name);
   if (node && !node->is_table())
@@ -51,7 +52,7 @@ MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
   return inclusion;
 }
 
-/// The text of a formula that can be parsed.
+/// Returns the text of a formula after checking that it can be parsed.
 std::string read_expression(TableReader& table, const std::string& key) {
   const std::string text = table.text(key);
   try {
@@ -86,7 +87,8 @@ MaterialVariation read_variation(const Node& node, const std::string& folder,
   return variation;
 }
 
-/// Where a method says `key`, or where it is named.
+/// Returns the entry of `key` in a method, or the table of the method if the
+/// key is not given.
 const Node& said_by(TableReader& table, const std::string& key) {
   const Node* const found = table.node().find(key);
   return found ? *found : table.node();
@@ -161,7 +163,7 @@ void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem) {
                  "too often; take contact = \"augmented\" or \"penalty\"");
 }
 
-/// What layers need besides their own numbers.
+/// Checks what layers need besides their own values.
 void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
   if (read.material.layers.empty())
     return;

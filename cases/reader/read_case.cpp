@@ -29,8 +29,8 @@ std::vector<std::string> table_names() {
   return names;
 }
 
-// The table of that name; an empty one if it is missing, with a complaint if
-// it must be there.
+// Returns the table of that name. If it is missing, returns an empty node, and
+// reports a mistake if the table is required.
 Node table_called(const Node& file, const std::string& name, bool is_needed,
                   Mistakes& mistakes) {
   const Node* const found = file.find(name);
@@ -42,7 +42,7 @@ Node table_called(const Node& file, const std::string& name, bool is_needed,
   else if (is_needed)
     mistakes.add(file.place, "the table [" + name + "] is missing");
   Node empty;
-  empty.type = NodeType::other; // says: do not ask for its keys
+  empty.type = NodeType::other; // marks that its keys must not be read
   empty.path = name;
   empty.place = file.place;
   return empty;

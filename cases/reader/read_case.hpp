@@ -1,6 +1,7 @@
 #pragma once
 
-// From a case file to a Case: the one door into the program for a parameter.
+// Reads a case file into a Case. All parameters enter the program through these
+// functions.
 
 #include "cases/text/case_error.hpp"
 #include "cases/types/case.hpp"
@@ -10,27 +11,29 @@
 
 namespace asperity::cases {
 
-/// `fields = "all"`: more maps than any program has steps.
+/// Value for `fields = "all"`; it exceeds the number of steps of any loading
+/// path.
 inline constexpr int all_fields = 1000000;
 
-/// Read the case file at `path`, and the case it stands on if it names one as
-/// its `base` (base_case.hpp): the result's text is then that of the base with
-/// a "#--set" line for each key laid over it, and stands alone.
+/// Reads the case file at `path` and the case given by its `base`, if any
+/// (base_case.hpp). The text of the result is then that of the base with one
+/// "#--set" line per changed key, and does not depend on other case files.
 ///
-/// @param overrides  "key.path=value" each, as --set gives them: laid over the
-///                   file before it is read, in order. The value is TOML, or
-///                   else a string ("surface.length=20 um" needs no quotes);
-///                   an empty value removes the key.
-/// @throws CaseError  the file cannot be opened, is no TOML, or has mistakes:
-///                    all of them, a line each. Also when the map or spectrum
-///                    it names does not exist.
+/// @param overrides  "key.path=value" entries in the format of --set, applied
+///                   to the file in order before it is interpreted. The value
+///                   is TOML or otherwise a string ("surface.length=20 um"
+///                   needs no quotes); an empty value removes the key.
+/// @throws CaseError  the file cannot be opened, is not TOML, or has mistakes,
+///                    which are all listed, one per line. It is also thrown if
+///                    a map or spectrum file named in the case does not exist.
 Case read_case(const std::string& path,
                const std::vector<std::string>& overrides = {});
 
-/// The same from a text. `path` gives the folder that files are relative to,
-/// the case's name, and the place in messages; nothing is opened. The text's
-/// own "#--set" lines (case_text.hpp) come before `overrides`; both are in the
-/// result's text, so read_case_text(c.text, c.path) is c again.
+/// Reads a case from a text. `path` determines the folder of relative file
+/// names, the name of the case and the place in messages; nothing is opened.
+/// The "#--set" lines of the text (case_text.hpp) are applied before
+/// `overrides`. The text of the result contains both, so read_case_text(c.text,
+/// c.path) reproduces c.
 Case read_case_text(const std::string& text, const std::string& path,
                     const std::vector<std::string>& overrides = {});
 

@@ -41,7 +41,8 @@ bool answers(const MethodSpec& method, const ExpectationName& quantity,
          (is_variant || !quantity.variants_only);
 }
 
-/// Half the band's width: a number, or "5 %" of |value|.
+/// Returns the half-width of the band: a number, or a percentage of |value|
+/// such as "5 %".
 double half_width(TableReader& band, double value) {
   const Node* const within = band.entry("within");
   if (!within)
@@ -135,7 +136,7 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
                                 nearest(name, allowed)));
 }
 
-/// The keys that are quantities at a load, after saying what is wrong with
+/// Returns the keys that are quantities at a load, and reports the mistakes in
 /// them.
 std::vector<std::string> keys_at_load(TableReader& reader) {
   std::vector<std::string> keys;
@@ -174,7 +175,7 @@ std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
   for (const NodeEntry& entry : table.entries) {
     const ExpectationName* const quantity = expectation_called(entry.key);
     if (!quantity)
-      continue; // refused above
+      continue; // reported above
     const bool is_list =
         entry.node.type == NodeType::list && !entry.node.list.empty();
     for (const Node& band :

@@ -4,7 +4,7 @@
 namespace asperity::cases {
 namespace {
 
-/// E / (1 - nu^2) [Pa]; 0 if one is missing or wrong.
+/// Returns E / (1 - nu^2) [Pa]; 0 if a value is missing or wrong.
 double plane_strain_modulus(TableReader& body) {
   const double youngs_modulus = body.number("youngs_modulus");
   const double poisson_ratio = body.number("poisson_ratio");

@@ -68,10 +68,10 @@ std::optional<double> read_magnification(TableReader& table,
   return magnification;
 }
 
-/// What a method's keys are judged by.
+/// The properties of the case that determine which keys of a method are valid.
 struct MethodSurroundings {
   SurfaceKind surface;
-  bool has_mesh; ///< the case has a [mesh]
+  bool has_mesh; ///< whether the case has a [mesh]
 };
 
 MethodSpec read_method(const Node& node, const std::string& kind,
@@ -92,7 +92,8 @@ MethodSpec read_method(const Node& node, const std::string& kind,
   return method;
 }
 
-// A variant's name is a sub-table that is no key: [fem.hard].
+// Returns true for a variant, which is a sub-table whose name is not a key:
+// [fem.hard].
 bool is_variant(const NodeEntry& entry, const Table& table) {
   return entry.node.is_table() &&
          std::none_of(table.keys.begin(), table.keys.end(),
@@ -108,8 +109,9 @@ void check_variant_name(const NodeEntry& entry, Mistakes& mistakes) {
                                        "letters a-z, digits and hyphens");
 }
 
-/// The base's keys with the variant's own over them. Inherited keys keep their
-/// place and path, so that what is wrong with one is said once, where it is.
+/// Merges the keys of a variant into those of its base method. Inherited keys
+/// keep their place and path, so that a mistake in one of them is reported
+/// once, where it is written.
 Node inherited(const Node& base, const Node& variant) {
   Node merged = variant;
   for (const NodeEntry& entry : base.entries)
@@ -141,7 +143,7 @@ void read_family(const Node& node, const std::string& kind,
 
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes) {
-  std::vector<std::vector<MethodSpec>> ranks(2); // the methods, their variants
+  std::vector<std::vector<MethodSpec>> ranks(2); // methods, then their variants
   const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr};
   bool has_any = false;
   for (const Table& table : vocabulary()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The tables of a case, one reader each. Private to the case reader; each
-// complains into the list it is given and returns the best it could make.
+// The readers of the tables of a case, internal to the case reader. Each adds
+// mistakes to the given list and returns its best result.
 
 #include "cases/reader/table_reader.hpp"
 #include "cases/text/node.hpp"
@@ -12,51 +12,52 @@
 
 namespace asperity::cases {
 
-/// What the methods ask of the rest of the case.
+/// Requirements of the methods on the rest of the case.
 struct Demands {
-  bool is_surface_built = true;   ///< some method needs a realisation
-  bool is_poisson_needed = false; ///< [fem], [md], or a slab of finite
+  bool is_surface_built = true;   ///< whether a method needs a realisation
+  bool is_poisson_needed = false; ///< for [fem], [md], or a slab of finite
                                   ///< thickness
 };
 
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes);
-/// @param has_mesh  the case has a [mesh]
+/// @param has_mesh  whether the case has a [mesh]
 void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem);
 MdSettings read_md(TableReader& table);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 
 SurfaceSpec read_surface(const Node& node, const std::string& folder,
                          bool is_surface_built, Mistakes& mistakes);
-/// @param folder  where the paths of its files start
+/// @param folder  folder to which file paths are relative
 MaterialSpec read_material(const Node& table, const std::string& folder,
                            bool is_poisson_needed, Mistakes& mistakes);
-/// Layers, inclusion and variation.
+/// Reads layers, inclusion and variation.
 void read_block(TableReader& material, const std::string& folder,
                 MaterialSpec& spec, Mistakes& mistakes);
-/// @param read  with its material
+/// @param read  the case with its material already read
 MeshSpec read_mesh(const Node& node, const std::string& folder,
                    const Case& read, Mistakes& mistakes);
 LoadProgram read_load(const Node& table, Mistakes& mistakes);
-/// @param read  with its surface and methods
+/// @param read  the case with its surface and methods already read
 MagnificationStudy read_magnification_study(const Node& table, const Case& read,
                                             Mistakes& mistakes);
 AdhesionStudy read_adhesion_study(const Node& table, const Case& read,
                                   Mistakes& mistakes);
 ReportSpec read_report(const Node& table, Mistakes& mistakes);
-/// @param read  with its methods and studies
+/// @param read  the case with its methods and studies already read
 std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
                                            const Case& read,
                                            Mistakes& mistakes);
 
-/// What only the whole case can tell: a lattice without the material's nu, a
-/// magnification below the longest wave.
+/// Checks conditions on several tables of the case: a lattice that does not
+/// match the material's Poisson's ratio, and a magnification below that of the
+/// longest wave.
 void check_together(const Node& file, const Case& read, Mistakes& mistakes);
-/// Of these, what concerns a block that is no homogeneous box.
+/// Checks those of these conditions that concern heterogeneous blocks.
 void check_block(const Node& file, const Case& read, Mistakes& mistakes);
 
-/// The entry of a method's key, its base's if it is a variant without one, or
-/// the method's table.
+/// Returns the entry of a key of a method, the inherited entry if a variant
+/// does not have the key, or otherwise the table of the method.
 const Node& entry_of(const Node& file, const std::string& method,
                      const std::string& key);
 

@@ -18,7 +18,8 @@ void check_ends(TableReader& table, double from, double to) {
                  "must be above " + table.node().path + ".from");
 }
 
-/// 2 pi over the wavelength of that key [rad/m]; 0 after a complaint.
+/// Returns 2 pi over the wavelength given by that key [rad/m]; 0 after
+/// reporting a mistake.
 double wavevector_of(TableReader& table, const std::string& key,
                      const SurfaceSpec& surface) {
   const Quantity wavelength = table.quantity(key);

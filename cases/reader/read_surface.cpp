@@ -12,14 +12,15 @@
 namespace asperity::cases {
 namespace {
 
-// Two numbers that a case writes with five digits are equal within this.
+// Relative tolerance for two numbers that are given with five digits.
 constexpr double printed_rounding = 1e-4;
 
-/// [surface] while it is read: a relative length needs what was read before.
+/// Reads [surface] in order, because a relative length needs values that were
+/// read before.
 struct SurfaceReader {
   TableReader table;
   SurfaceSpec spec;
-  bool is_built; ///< some method needs a realisation
+  bool is_built; ///< whether a method needs a realisation
 
   void complain_where_meaningless();
   void read_grid();
@@ -38,7 +39,8 @@ struct SurfaceReader {
                       const std::string& wavelength) const;
 };
 
-// A key of other kinds, with the reason why it is not asked for here.
+// Reports keys that belong to other kinds of surfaces, and why they do not
+// apply here.
 void SurfaceReader::complain_where_meaningless() {
   const std::string kind = table.node().find("kind")->text;
   std::string reason = reason_of_kind(kind);
@@ -76,7 +78,8 @@ void SurfaceReader::read_grid() {
   }
 }
 
-// A length in metres; "length" and "h" become metres here.
+// Returns a length in metres; the reference units "length" and "h" are
+// converted here.
 double SurfaceReader::length_of(const std::string& key) {
   const Quantity quantity = table.quantity(key);
   if (quantity.yardstick == Yardstick::si)
@@ -88,7 +91,7 @@ double SurfaceReader::length_of(const std::string& key) {
                                                 "surface.points"
                                               : "this needs surface.length");
   if (!spec.length || (is_by_spacing && !spec.points))
-    return 0.0; // complained of, here or where they were read
+    return 0.0; // reported here or where the values were read
   return quantity.in_si(
       {.length = *spec.length,
        .spacing = is_by_spacing ? *spec.length / *spec.points : 0.0});
@@ -100,7 +103,8 @@ const Node& SurfaceReader::node_of(const std::string& wavevector,
   return direct ? *direct : *table.node().find(wavelength);
 }
 
-/// q [rad/m] from either key, q = 2 pi / wavelength; 0 after a complaint.
+/// Returns the wavevector q [rad/m] from either key, q = 2 pi / wavelength; 0
+/// after reporting a mistake.
 double SurfaceReader::wavevector_of(const std::string& wavevector,
                                     const std::string& wavelength) {
   if (table.has(wavevector) && table.has(wavelength))
@@ -183,8 +187,8 @@ void SurfaceReader::check_wavevectors() {
                              nyquist));
 }
 
-/// A windowed map is another surface than the measured one, so the case says
-/// twice that it is to be pressed.
+/// Requires an explicit confirmation for a windowed map, because its surface
+/// differs from the measured one.
 void SurfaceReader::read_window() {
   const bool is_confirmed = table.boolean("press_windowed_map");
   const Node* const edges = table.node().find("edges");
@@ -241,7 +245,7 @@ SurfaceSpec read_surface(const Node& node, const std::string& folder,
   reader.table.refuse_unknown();
   const std::optional<int> kind = reader.table.word("kind");
   if (!kind)
-    return {}; // what the other keys mean is not known
+    return {}; // the meaning of the other keys is unknown
   reader.spec.kind = static_cast<SurfaceKind>(*kind);
   reader.complain_where_meaningless();
   reader.read_grid();

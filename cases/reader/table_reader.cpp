@@ -56,7 +56,8 @@ const Node* TableReader::entry(const std::string& name) {
     complain_missing(name);
     return nullptr;
   }
-  defaults_.reserve(vocabulary_.keys.size()); // the pointers stay good
+  defaults_.reserve(vocabulary_.keys.size()); // keeps pointers to the elements
+                                              // valid
   defaults_.push_back(
       parse_toml_value(key.fallback, {"default", 0}, path_of(name)));
   return &defaults_.back();

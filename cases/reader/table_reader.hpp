@@ -1,7 +1,7 @@
 #pragma once
 
-// One table of a case read key by key against the vocabulary. Owns the wording
-// of what is wrong with a single key.
+// Reads one table of a case key by key according to the vocabulary. Defines the
+// error messages for single keys.
 
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/node.hpp"
@@ -12,21 +12,25 @@
 
 namespace asperity::cases {
 
-/// Every read complains into `mistakes` and then returns a harmless value, so
-/// that one pass finds every mistake. A missing key gives its default if the
-/// vocabulary has one.
+/// Reads the keys of one table. Each read function reports its mistake in
+/// `mistakes` and then returns a harmless value, so that one pass finds all
+/// mistakes. A missing key has the default value of the vocabulary if there is
+/// one.
 class TableReader {
 public:
-  /// @param node  of type table; outlives the reader, as `mistakes` does
+  /// @param node        node of type table; must outlive the reader
+  /// @param vocabulary  the valid keys; must outlive the reader
+  /// @param mistakes    list of mistakes; must outlive the reader
   TableReader(const Node& node, const Table& vocabulary, Mistakes& mistakes);
 
-  /// The table was opened with "[name]" or values on the way; its place.
+  /// Returns the table itself, with its place.
   const Node& node() const { return node_; }
 
   bool has(const std::string& key) const;
 
   double number(const std::string& key);
-  /// In its yardstick; {0, si} after a complaint.
+  /// Returns a quantity in its reference unit; {0, si} after reporting a
+  /// mistake.
   Quantity quantity(const std::string& key);
   int integer(const std::string& name);
   bool boolean(const std::string& key);
@@ -34,33 +38,35 @@ public:
   std::vector<std::string> names(const std::string& key);
   std::vector<Quantity> program(const std::string& name);
 
-  /// The word's index in the vocabulary, which is the enumeration's order;
-  /// empty after a complaint.
+  /// Returns the index of the word in the vocabulary, which is also the order
+  /// of the enumeration; empty after reporting a mistake.
   std::optional<int> word(const std::string& name);
 
-  /// The word as an enumerator, `otherwise` after a complaint.
+  /// Returns the word as an enumerator; `otherwise` after reporting a mistake.
   template <class Enumeration>
   Enumeration choice(const std::string& key, Enumeration otherwise) {
     const std::optional<int> index = word(key);
     return index ? static_cast<Enumeration>(*index) : otherwise;
   }
 
-  /// The entry itself or its default, nullptr after saying that it is missing.
+  /// Returns the entry or its default, or nullptr after reporting that it is
+  /// missing.
   const Node* entry(const std::string& name);
 
-  /// A quantity or number that stands somewhere inside the key's value.
+  /// Reads a quantity or number that is part of the value of the key.
   Quantity quantity_in(const Node& node, const Key& key);
 
   void complain_missing(const std::string& name, const std::string& why = "");
   void complain(const Node& where, const std::string& what);
-  /// "surface.points = 7, but must be even"
+  /// Reports "surface.points = 7, but must be even".
   void refuse(const Node& found, const std::string& rule);
-  /// "first and second are both given: ..."
+  /// Reports "first and second are both given: ...".
   void refuse_both(const std::string& first, const std::string& second);
 
-  /// Complain of every key that the vocabulary does not know, naming the
-  /// nearest, or the table it belongs to.
-  /// @param also_known  names that are no keys: sub-tables
+  /// Reports all keys that are not in the vocabulary, with the nearest valid
+  /// key or the table to which the key belongs.
+  ///
+  /// @param also_known  valid names that are not keys: sub-tables
   void refuse_unknown(const std::vector<std::string>& also_known = {});
 
 private:

@@ -1,7 +1,8 @@
 #pragma once
 
-// The one table of the case file's vocabulary: reader, JSON Schema, template
-// and docs/case.md all come from it. Rows in vocabulary*.cpp.
+// The vocabulary of case files. The reader, the JSON Schema, the template and
+// docs/case.md are all derived from this table. Its rows are in
+// vocabulary*.cpp.
 
 #include "cases/types/case.hpp"
 #include "cases/types/units.hpp"
@@ -12,22 +13,22 @@
 namespace asperity::cases {
 
 enum class ValueType {
-  quantity,  ///< number, of the dimension none; else number (SI) or "14 nm"
-  target,    ///< quantity of the key that the table is the value of
-  integer,   ///< whole number
-  boolean,   ///< true or false
-  text,      ///< any string
-  path,      ///< of a file, relative to the case file's folder
-  word,      ///< one of `words`, in the order of the enumeration in case.hpp
-  program,   ///< quantity, list of quantities, or a sweep (see "load.sweep")
-  fields,    ///< whole number, "none" or "all"
+  quantity, ///< number if the dimension is none, else number (SI) or "14 nm"
+  target,  ///< quantity with the dimension of the key whose value is this table
+  integer, ///< whole number
+  boolean, ///< true or false
+  text,    ///< any string
+  path,    ///< file path relative to the folder of the case file
+  word,    ///< one of `words`, in the order of the enumeration in case.hpp
+  program, ///< quantity, list of quantities, or a sweep (see "load.sweep")
+  fields,  ///< whole number, "none" or "all"
   tolerance, ///< number, or "5 %" of another key
   names,     ///< list of strings
   band,      ///< see "expect.band"
   layers,    ///< list of tables, see "material.layer"
 };
 
-/// What a number must satisfy.
+/// The admissible range of a number.
 struct Range {
   double low;
   double high;
@@ -35,9 +36,10 @@ struct Range {
   bool is_high_allowed = true;
 
   bool contains(double value) const;
-  /// "> 0 [m]", "between -1 and 0.5 [1]"; "" if any number will do.
+  /// Returns the range as text: "> 0 [m]", "between -1 and 0.5 [1]"; "" if any
+  /// number is allowed.
   std::string limits(const std::string& unit) const;
-  /// "must be > 0 [m]".
+  /// Returns the requirement as text: "must be > 0 [m]".
   std::string sentence(const std::string& unit) const;
 };
 
@@ -48,8 +50,8 @@ Range between(double low, double high);
 Range inside(double low, double high); ///< both ends excluded
 
 enum class Need {
-  always,      ///< wherever the table is, or its `kinds` if it has some
-  conditional, ///< `when` says it, the reader's code checks it
+  always,      ///< if the table is present, or only for its `kinds` if given
+  conditional, ///< condition in `when`, checked by the reader
   never,
 };
 
@@ -61,45 +63,50 @@ struct Key {
   ValueType type = ValueType::quantity;
   Dimension dimension = Dimension::none;
   Range range = any_number();
-  std::vector<Yardstick> yardsticks = {}; ///< offered besides SI
+  std::vector<Yardstick> yardsticks = {}; ///< reference units allowed besides
+                                          ///< SI
   std::vector<std::string> words = {};
   Need need = Need::never;
-  std::string when = {};               ///< the condition, for docs
+  std::string when = {}; ///< condition as text for the documentation
   std::vector<std::string> kinds = {}; ///< surface kinds; empty: all
   std::string fallback = {}; ///< the default, as TOML; empty: there is none
-  std::string example = {};  ///< as TOML
+  std::string example = {};  ///< example as TOML
   Show show = Show::as_comment;
   std::string description = {}; ///< one sentence
 };
 
 struct Table {
-  std::string name; ///< "surface", "material.counter"; "" for the file's top
-  std::string when = {};  ///< a sentence: whether it is needed
-  bool is_method = false; ///< may hold variants
-  bool is_part = false;   ///< of a value, not written as [name]
+  std::string name; ///< "surface", "material.counter"; "" for the top level
+  std::string when = {};  ///< one sentence: whether the table is needed
+  bool is_method = false; ///< whether it may have variants
+  bool is_part = false;   ///< part of a value, not written as [name]
   std::string description;
   std::vector<Key> keys;
 };
 
-/// All tables in the order of a case file; "load.sweep" and "expect.band" are
-/// the tables inside values.
+/// Returns all tables in the order of a case file. "load.sweep" and
+/// "expect.band" are tables inside values.
 const std::vector<Table>& vocabulary();
 
+/// Return a table or a key of the vocabulary.
+///
 /// @throws std::domain_error  there is no such table or key
 const Table& vocabulary_table(const std::string& name);
 const Key& vocabulary_key(const Table& table, const std::string& name);
 
-/// The key's words, or units, or type, as messages say it: "clamped | sliding".
+/// Returns the allowed words, units or type of a key as messages show them:
+/// "clamped | sliding".
 std::string allowed_text(const Key& key);
 
-/// Why a key of another kind means nothing for this surface; may be "".
+/// Returns why keys of other kinds do not apply to this kind of surface; may be
+/// "".
 std::string reason_of_kind(const std::string& kind);
 
-/// The rows, by file.
+/// The rows of the vocabulary, one function per file.
 Table surface_table();
 Table md_table();
 std::vector<Table> block_tables();
-std::vector<Key> whole_block_keys(); ///< of [fem]
+std::vector<Key> whole_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();
 std::vector<Table> study_tables();
 

@@ -1,5 +1,5 @@
-// The rows of [material] and of what makes a block more than one homogeneous
-// box: layers, inclusion, variation, mesh.
+// The rows of [material] and of heterogeneous blocks: layers, inclusion,
+// variation and mesh.
 #include "cases/reader/vocabulary.hpp"
 
 namespace asperity::cases {
@@ -24,7 +24,8 @@ Key poisson_ratio_key() {
           .description = "Poisson's ratio nu."};
 }
 
-/// A length in SI, in sides of the square or in node spacings.
+/// Returns a key for a length in SI, in multiples of the side length or in node
+/// spacings.
 Key length_key(std::string name, std::string example, std::string description) {
   return {.name = std::move(name),
           .dimension = Dimension::length,
@@ -36,7 +37,7 @@ Key length_key(std::string name, std::string example, std::string description) {
           .description = std::move(description)};
 }
 
-/// The same with a default.
+/// Returns the same key with a default.
 Key length_key_or(std::string fallback, std::string name,
                   std::string description) {
   Key key = length_key(std::move(name), fallback, std::move(description));

@@ -218,7 +218,7 @@ Table md_table() {
     table.keys.insert(table.keys.end(), std::make_move_iterator(keys.begin()),
                       std::make_move_iterator(keys.end()));
   for (Key& key : table.keys)
-    key.show = Show::no; // lengths of atoms fit no case but one of atoms
+    key.show = Show::no; // interaction lengths are specific to atomistic cases
   return table;
 }
 

@@ -205,7 +205,7 @@ Table fem_table_with_whole_block() {
   return table;
 }
 
-/// The key every method has.
+/// Returns the key that all methods have.
 Key magnification_key() {
   return {.name = "magnification",
           .range = positive(),
@@ -216,7 +216,7 @@ Key magnification_key() {
                          "its phases and amplitudes."};
 }
 
-/// A method's own keys and the one that all have.
+/// Appends the common key to the keys of a method.
 Table as_method(Table table) {
   table.is_method = true;
   table.when = "Runs only if this table is there.";

@@ -115,7 +115,7 @@ struct CutOff {
   std::string wavelength;
   std::string wavevector_example;
   std::string wavelength_example;
-  std::string description; ///< begins with the letter: "q_L, where ..."
+  std::string description; ///< begins with the symbol: "q_L, where ..."
 };
 
 void add_cut_off(std::vector<Key>& keys, const CutOff& cut_off) {

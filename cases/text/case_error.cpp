@@ -32,7 +32,7 @@ void throw_mistake(const Place& place, const std::string& what) {
   Mistakes mistakes;
   mistakes.add(place, what);
   mistakes.throw_if_any();
-  std::abort(); // not reached: there is one mistake
+  std::abort(); // not reached, because there is one mistake
 }
 
 } // namespace asperity::cases

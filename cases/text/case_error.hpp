@@ -1,7 +1,7 @@
 #pragma once
 
-// What is wrong with a case, for the person who wrote it. Owns the exception
-// and the list that collects every mistake before it is thrown.
+// Errors in a case file, reported to its author. Defines the exception and the
+// list that collects all mistakes before it is thrown.
 
 #include <stdexcept>
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace asperity::cases {
 
-/// Bad input from outside: the program ends with exit code 2. The message says
-/// file and line (or --set), key, what was found, what is allowed, what is
-/// nearest.
+/// Invalid user input. The program ends with exit code 2. The message gives the
+/// file and line (or --set), the key, what was found, what is allowed and the
+/// nearest valid alternative.
 struct CaseError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where something was written.
+/// The place in which a value is written.
 struct Place {
   std::string text; ///< "case.toml:12", or "--set" for an override
-  int line = 0;     ///< in the file; 0 for an override
+  int line = 0;     ///< line in the file; 0 for an override
 };
 
-/// Every mistake of one case. The same mistake said twice is kept once: a
+/// Collects all mistakes of one case. Identical mistakes are stored once: a
 /// variant inherits keys, and with them their mistakes.
 class Mistakes {
 public:
@@ -30,8 +30,10 @@ public:
 
   bool empty() const { return entries_.empty(); }
 
-  /// @throws CaseError "N mistake(s) in the case file", a line each, overrides
-  /// first and then in the order of the file; nothing if there are none.
+  /// Throws if there are any mistakes.
+  ///
+  /// @throws CaseError  "N mistake(s) in the case file", one line each: first
+  ///                    the overrides, then in the order of the file
   void throw_if_any() const;
 
 private:
@@ -43,7 +45,9 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// @throws CaseError  with this one mistake.
+/// Throws a single mistake.
+///
+/// @throws CaseError  with this mistake only
 [[noreturn]] void throw_mistake(const Place& place, const std::string& what);
 
 } // namespace asperity::cases

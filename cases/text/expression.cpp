@@ -6,7 +6,7 @@
 
 namespace asperity::cases {
 
-/// A parser and the variables it is bound to.
+/// The parser and the variables to which it is bound.
 struct Expression::Bound {
   double value() {
     try {
@@ -29,10 +29,10 @@ Expression::Expression(const std::string& text)
   bound_->parser.DefineVar("z", &bound_->place[2]);
   try {
     bound_->parser.SetExpr(text);
-  } catch (const mu::Parser::exception_type& error) { // an odd character
+  } catch (const mu::Parser::exception_type& error) { // invalid character
     throw std::domain_error(error.GetMsg());
   }
-  bound_->value(); // muParser parses when it evaluates
+  bound_->value(); // evaluate once, because muParser parses on evaluation
 }
 
 double Expression::at(const std::array<double, 3>& place) const {

@@ -1,6 +1,7 @@
 #pragma once
 
-// A formula of a case file, in x, y and z. Owns the parser.
+// A formula in a case file as a function of x, y and z. Encapsulates the
+// parser.
 
 #include <array>
 #include <memory>
@@ -8,14 +9,18 @@
 
 namespace asperity::cases {
 
-/// A muParser expression in x, y and z; `pi` is known too. Copies share one
-/// parser: not for several threads at once.
+/// A muParser expression in x, y and z, with the constant `pi`. Copies share
+/// one parser, so the class is not thread-safe.
 class Expression {
 public:
-  /// @throws std::domain_error  the parser's own message and the column
+  /// Parses a formula.
+  ///
+  /// @throws std::domain_error  with the message of the parser and the column
   explicit Expression(const std::string& text);
 
-  /// @throws std::domain_error  as the constructor
+  /// Evaluates the formula at a point.
+  ///
+  /// @throws std::domain_error  as for the constructor
   double at(const std::array<double, 3>& place) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// "Did you mean": the word of a list that is fewest letters away. Owns the
+// Finds the nearest valid word for error messages ("did you mean"), using the
 // edit distance.
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace asperity::cases {
 
-/// Letters to insert, delete or replace to get from `a` to `b` (Levenshtein).
+/// Returns the Levenshtein distance: the number of letters to insert, delete or
+/// replace to change `a` into `b`.
 int edit_distance(const std::string& a, const std::string& b);
 
-/// The word of `words` with the smallest edit distance, the first of equals;
-/// "" if there are none. Upper and lower case differ, but by half a letter:
-/// "Gpa" is nearer to "GPa" than to "Pa".
+/// Returns the word of `words` with the smallest edit distance, the first one
+/// in case of ties, or "" if there are none. Letters that differ only in case
+/// count as half a letter: "Gpa" is nearer to "GPa" than to "Pa".
 std::string nearest(const std::string& word,
                     const std::vector<std::string>& words);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A case file after its syntax is understood and before its meaning is: plain
-// values, each knowing where it was written. Nothing of TOML's library.
+// The parsed syntax tree of a case file before it is interpreted: plain values
+// with their place in the file. It does not depend on the TOML library.
 
 #include "cases/text/case_error.hpp"
 
@@ -15,15 +15,16 @@ enum class NodeType { boolean, integer, floating, text, list, table, other };
 
 struct NodeEntry;
 
-/// One value. Only the member its type names is filled.
+/// One value. Only the member for its type is set.
 struct Node {
   NodeType type = NodeType::other;
   bool boolean = false;
   std::int64_t integer = 0;
   double floating = 0.0;
-  std::string text; ///< also what to print of an `other` (dates and times)
+  std::string text; ///< for `other`, the text for messages (dates and times)
   std::vector<Node> list;
-  std::vector<NodeEntry> entries; ///< of a table, in the order of the file
+  std::vector<NodeEntry> entries; ///< entries of a table, in the order of the
+                                  ///< file
   Place place;
   std::string path; ///< "surface.length"; "" for the whole file
 
@@ -33,10 +34,11 @@ struct Node {
     return type == NodeType::integer || type == NodeType::floating;
   }
 
-  /// The number of an integer or a floating node.
+  /// Returns the number of an integer or floating-point node.
   double number() const;
 
-  /// The entry of a table, nullptr if there is none (or this is no table).
+  /// Returns the entry of a table, or nullptr if there is none or if this is
+  /// not a table.
   const Node* find(const std::string& key) const;
   Node* find(const std::string& key);
 };
@@ -46,7 +48,8 @@ struct NodeEntry {
   Node node;
 };
 
-/// The node as TOML would write it, for messages: 14, "14 nm", [1, 2], a table.
+/// Returns the node in TOML notation for messages: 14, "14 nm", [1, 2] or "a
+/// table".
 std::string written(const Node& node);
 
 } // namespace asperity::cases

@@ -10,8 +10,8 @@
 namespace asperity::cases {
 namespace {
 
-/// Reads TOML as far as needed to tell brackets, dots and signs of its syntax
-/// from those in strings and comments.
+/// Scans TOML only as far as needed to distinguish brackets, dots and
+/// separators of the syntax from those in strings and comments.
 class Scan {
 public:
   explicit Scan(const std::string& text) : text_(text) {}
@@ -66,7 +66,7 @@ private:
     while (at_ < text_.size()) {
       const bool is_newline = text_[at_] == '\n';
       if (is_newline && !is_multiline)
-        return; // no TOML, which its library will say
+        return; // not TOML; the TOML library reports the error
       line_ += is_newline ? 1 : 0;
       if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size() &&
           text_[at_ + 1] != '\n') {
@@ -77,7 +77,8 @@ private:
       } else if (is_multiline && text_.compare(at_, 3, three) == 0) {
         at_ += 3;
         for (int more = 0; more < 2 && at_ < text_.size(); ++more)
-          at_ += text_[at_] == quote ? 1 : 0; // quotes that end the string
+          at_ += text_[at_] == quote ? 1 : 0; // quotes at the end of the string
+                                              // content
         return;
       } else {
         ++at_;

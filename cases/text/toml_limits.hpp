@@ -1,8 +1,8 @@
 #pragma once
 
-// The limits of a case's text, held before the TOML library sees it: that
-// library calls itself at each level of nesting, and looks for the line of each
-// value from the start of the text.
+// Limits on the text of a case, checked before the text is passed to the TOML
+// library. The library recurses for each level of nesting, and finds the line
+// of each value by counting from the start of the text.
 
 #include <cstddef>
 #include <optional>
@@ -10,20 +10,21 @@
 
 namespace asperity::cases {
 
-inline constexpr std::size_t largest_case_text = 1024 * 1024; ///< bytes
-inline constexpr int deepest_nesting = 32; ///< tables and lists in each other
-inline constexpr int longest_key = 32;     ///< parts with dots between them
+inline constexpr std::size_t largest_case_text = 1024 * 1024; ///< [B]
+inline constexpr int deepest_nesting = 32; ///< nested tables and lists
+inline constexpr int longest_key = 32;     ///< parts separated by dots
 inline constexpr int most_values = 20000;
-inline constexpr std::size_t most_overrides = 2000; ///< --set, or on a base
+/// By --set or by a case with a base.
+inline constexpr std::size_t most_overrides = 2000;
 
-/// What is wrong with a text, and its line.
+/// The description of a broken limit and its line.
 struct BrokenLimit {
-  int line = 0; ///< from 1; 0: of no line
+  int line = 0; ///< from 1; 0: not related to a line
   std::string what;
 };
 
-/// The first limit that the text breaks; nothing if it keeps all of them, which
-/// does not mean that it is TOML.
+/// Returns the first limit that the text breaks, or nothing if it complies with
+/// all limits. The text may still be invalid TOML.
 std::optional<BrokenLimit> broken_limit(const std::string& text);
 
 } // namespace asperity::cases

@@ -16,9 +16,9 @@
 namespace asperity::cases {
 namespace {
 
-// toml11 explains itself over several lines, the first like "[error]
-// toml::parse_table: invalid line format", one later "   ^--- expected
-// newline".
+// Shortens an error message of toml11, which has several lines. The first is
+// like "[error] toml::parse_table: invalid line format", a later one like "
+// ^--- expected newline".
 std::string short_reason(const std::string& explanation) {
   std::istringstream lines(explanation);
   std::string reason;
@@ -34,8 +34,9 @@ std::string short_reason(const std::string& explanation) {
   return reason + hint;
 }
 
-/// The file that values are read from, and its lines. The library counts them
-/// from the start of the text for each value and copies the line.
+/// The file from which values are read, with the positions of its line ends.
+/// The library would count the lines from the start of the text and copy the
+/// line for each value.
 class Source {
 public:
   Source(const std::string& text, std::string name) : name_(std::move(name)) {
@@ -80,7 +81,7 @@ void fill_table(Node& node, const toml::value& value, const Source& file) {
 }
 
 void fill_integer(Node& node, std::int64_t integer) {
-  // toml11 gives the largest integer for everything that is larger still.
+  // toml11 returns the largest integer for all values that exceed it.
   if (integer == std::numeric_limits<std::int64_t>::max()) {
     node.text = "an integer beyond 64 bits";
     return;
@@ -131,7 +132,7 @@ Node value_or_text(const std::string& text, const Place& place,
                    const std::string& path) {
   try {
     return parse_toml_value(text, place, path);
-  } catch (const CaseError&) { // no TOML: a string that needs no quotes
+  } catch (const CaseError&) { // not TOML: a string without quotes
     Node node;
     node.type = NodeType::text;
     node.text = text;
@@ -140,7 +141,8 @@ Node value_or_text(const std::string& text, const Place& place,
   }
 }
 
-// Where `letter` stands outside quotes, from `start` on; npos if nowhere.
+// Returns the position of `letter` outside quotes, searched from `start`; npos
+// if there is none.
 std::size_t find_unquoted(const std::string& text, char letter,
                           std::size_t start = 0) {
   bool is_quoted = false;
@@ -177,8 +179,8 @@ void put(Node& table, const std::string& key, Node node) {
     table.entries.push_back({key, std::move(node)});
 }
 
-// The table that holds the last key of the path, made on the way; nullptr
-// after a complaint.
+// Returns the table that holds the last key of the path. Missing tables are
+// created; nullptr is returned after reporting a mistake.
 Node* table_for(Node& file, const std::vector<std::string>& keys,
                 const Place& place, Mistakes& mistakes) {
   Node* table = &file;

@@ -1,7 +1,7 @@
 #pragma once
 
-// From TOML to nodes. Owns toml11 (its .cpp does), the syntax errors, and the
-// overrides that --set lays over a file.
+// Converts TOML to nodes. Encapsulates toml11 (in the source file), the syntax
+// errors, and the overrides that --set applies to a file.
 
 #include "cases/text/node.hpp"
 
@@ -10,27 +10,32 @@
 
 namespace asperity::cases {
 
-/// The whole file as one table.
-/// @param path  for messages, not opened
-/// @throws CaseError  the text is no TOML: "path:line: is not TOML: ...", or
-///                    breaks a limit of toml_limits.hpp
+/// Parses the whole file as one table.
+///
+/// @param path  for messages only; the file is not opened
+/// @throws CaseError  the text is not TOML: "path:line: is not TOML: ...", or
+///                    it breaks a limit of toml_limits.hpp
 Node parse_toml(const std::string& text, const std::string& path);
 
-/// One TOML value: 3, "14 nm", { from = 1, to = 2 }.
-/// @param path   of the key the value belongs to, "surface.length"
-/// @throws CaseError  it is none
+/// Parses one TOML value, such as 3, "14 nm" or { from = 1, to = 2 }.
+///
+/// @param path  path of the key of this value, such as "surface.length"
+/// @throws CaseError  the text is not a TOML value
 Node parse_toml_value(const std::string& text, const Place& place,
                       const std::string& path);
 
-/// A key and a value as TOML on one line, as parse_toml_value reads it again.
+/// Write a key and a value as TOML on one line, in the form that
+/// parse_toml_value() reads.
 std::string toml_key(const std::string& key);
 std::string toml_value(const Node& node);
 
-/// Lay "key.path=value" over the file. A key in double quotes may have dots and
-/// equals signs in it. The value is read as TOML, and as a
-/// string if it is none ("34 nm" needs no quotes); an empty value removes the
-/// key. Tables on the way are made. What cannot be applied is a mistake.
-/// @param place  of the override, for messages
+/// Applies the override "key.path=value" to the file. A key in double quotes
+/// may contain dots and equals signs. The value is read as TOML, or as a string
+/// if it is not TOML ("34 nm" needs no quotes); an empty value removes the key.
+/// Missing tables are created. An override that cannot be applied is added to
+/// `mistakes`.
+///
+/// @param place  place of the override for messages
 void apply_override(Node& file, const std::string& override_text,
                     Mistakes& mistakes, const Place& place = {"--set", 0});
 

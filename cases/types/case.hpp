@@ -1,7 +1,7 @@
 #pragma once
 
-// What a case is once it has been read: plain data, SI units, nothing of TOML.
-// Owns the vocabulary that every other room answers to.
+// A case after it has been read: plain data in SI units, independent of TOML.
+// Defines the types that all other modules use.
 
 #include "cases/types/block_spec.hpp"
 #include "cases/types/quantity.hpp"
@@ -28,18 +28,19 @@ enum class MapFormat { automatic, plain, gwyddion };
 enum class Levelling { none, plane, bow };
 enum class Edges { periodic, window, mirror };
 
-/// [surface]. Lengths [m], wavevectors [rad/m]. What a kind does not use stays
-/// empty: length and points of a measured map come from its file.
+/// [surface]. Lengths [m], wavevectors [rad/m]. Members that a kind does not
+/// use stay empty: the length and points of a measured map come from its file.
 struct SurfaceSpec {
   SurfaceKind kind = SurfaceKind::self_affine;
   std::optional<double> length; ///< side of the periodic square > 0
-  std::optional<int> points;    ///< nodes a side, even, >= 4
+  std::optional<int> points;    ///< nodes per side, even, >= 4
   std::uint64_t seed = 0;
   int realizations = 1;
   Amplitudes amplitudes = Amplitudes::spectrum;
-  bool rescale = false; ///< scale each realisation to the asked rms exactly
+  bool rescale = false; ///< scale each realisation exactly to the prescribed
+                        ///< rms value
 
-  std::optional<double> rms_height; ///< of the spectrum, over all of it
+  std::optional<double> rms_height; ///< of the complete spectrum
   std::optional<double> rms_slope;
   double hurst = 0.0;               ///< 0..1
   double wavevector_low = 0.0;      ///< q_L
@@ -51,44 +52,47 @@ struct SurfaceSpec {
   MapFormat format = MapFormat::automatic;
   Levelling level = Levelling::plane;
   Edges edges = Edges::periodic;
-  std::optional<double> height_unit; ///< m per unit of a plain file's numbers
+  std::optional<double> height_unit; ///< m per unit of the numbers in a plain
+                                     ///< file
 
   double radius = 0.0;     ///< sphere
   double amplitude = 0.0;  ///< waves
-  double wavelength = 0.0; ///< waves; length is a whole multiple of it
+  double wavelength = 0.0; ///< waves; length is an integer multiple of it
 };
 
-/// [material]: the block against a rigid face, or two elastic bodies reduced
-/// to one: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+/// [material]: a block in contact with a rigid counter-surface, or two elastic
+/// bodies reduced to one: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
 struct MaterialSpec {
   double contact_modulus = 0.0;        ///< E* [Pa] > 0, of the pair
   std::optional<double> poisson_ratio; ///< of the block, -1 < nu < 0.5
 
-  std::optional<BodyModuli> counter = {}; ///< the second body; E* has it
+  std::optional<BodyModuli> counter = {}; ///< the second body, which E*
+                                          ///< includes
   std::vector<MaterialLayer> layers = {};
   std::optional<MaterialInclusion> inclusion = {};
   std::optional<MaterialVariation> variation = {};
 
-  /// One modulus and one Poisson's ratio everywhere: the block that theory,
-  /// half-space and atoms know.
+  /// Returns true if modulus and Poisson's ratio are uniform, as theory,
+  /// half-space and atoms assume.
   bool is_uniform() const { return layers.empty() && !inclusion && !variation; }
 
-  /// Young's modulus of the one block that stands for the pair:
-  /// E = E* (1 - nu^2) [Pa]. Needs poisson_ratio.
+  /// Returns E = E* (1 - nu^2) [Pa], Young's modulus of the single block that
+  /// is equivalent to the pair. Needs poisson_ratio.
   double block_youngs_modulus() const;
 
-  /// The first of two bodies: what is left of E* without the counter's share;
-  /// the one block where there is no counter. Needs poisson_ratio.
+  /// Returns the moduli of the first of two bodies, obtained from E* by
+  /// removing the contribution of the second body; without a second body, those
+  /// of the single block. Needs poisson_ratio.
   BodyModuli first_body() const;
 };
 
 enum class Control { nominal_pressure, mean_gap };
 
-/// [load]: the steps in the order they are run; a cycle "load-unload" is
-/// already written out. is_unloading[i] marks the way back.
+/// [load]: the loading path as steps in the order in which they run. A cycle
+/// "load-unload" is expanded; is_unloading[i] marks the unloading steps.
 struct LoadProgram {
   Control control = Control::nominal_pressure;
-  std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] a step
+  std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] per step
   std::vector<bool> is_unloading;
 };
 
@@ -98,38 +102,42 @@ enum class Element { q1, q2 };
 enum class FemSolver { automatic, condensed, full };
 enum class TheorySpectrum { formula, surface };
 
-/// How an elastic method treats the interface.
+/// The contact law and its solver settings for an elastic method.
 struct ContactSettings {
   ContactLaw law = ContactLaw::hard;
   Quantity penalty{100.0, Yardstick::contact_modulus_per_spacing}; ///< [Pa/m]
-  double tolerance = 1e-8; ///< complementarity, relative to h_rms and p_0
+  double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 };
 
 struct TheorySettings {
-  double gamma = 0.0; ///< parameter of (10), 0 < gamma <= 1
+  double gamma = 0.0; ///< 0 < gamma <= 1, parameter of Eq. (10) of Yang and
+                      ///< Persson (2008)
   TheorySpectrum spectrum = TheorySpectrum::formula;
 };
 
 struct HalfspaceSettings {
   ContactSettings contact;
-  std::optional<Quantity> thickness; ///< none: infinitely thick [m]
-  TopFace top = TopFace::clamped;    ///< of a block of finite thickness
+  std::optional<Quantity> thickness; ///< none: half-space [m]
+  TopFace top = TopFace::clamped;    ///< far boundary of a block of finite
+                                     ///< thickness
 };
 
 struct FemSettings {
   ContactSettings contact;
   Element element = Element::q2;
   double surface_cell_depth = 1.0; ///< in node spacings
-  double growth = 1.2;             ///< thickness ratio of successive layers
+  double growth = 1.2;             ///< grading ratio of successive layers
   Quantity depth{1.0, Yardstick::length};
   TopFace top = TopFace::clamped;
   FemSolver solver = FemSolver::automatic;
   BlockSides sides = BlockSides::periodic;
-  LinearSolverChoice linear_solver = LinearSolverChoice::automatic; ///< full
-  ContactPoints contact_at = ContactPoints::nodes;                  ///< full
-  bool uses_case_mesh = false; ///< full: [mesh], else graded layers
-  int bodies = 1; ///< full: 2 meshes the counter body too, else E* has it
+  /// For solver = full.
+  LinearSolverChoice linear_solver = LinearSolverChoice::automatic;
+  ContactPoints contact_at = ContactPoints::nodes; ///< for solver = full
+  bool uses_case_mesh = false; ///< full: [mesh] instead of graded layers
+  int bodies = 1; ///< full: 2 meshes the second body too; with 1 it enters
+                  ///< through E*
 };
 
 enum class AtomEngine { asperity, lammps };
@@ -139,15 +147,15 @@ enum class AtomModes { vector, normal };
 enum class AtomPotential { repulsive, lennard_jones };
 enum class AtomMinimizer { automatic, lbfgs, fire, dynamics };
 
-/// [md]: a block of atoms, simple cubic of spacing length / atoms, on rigid
-/// atoms at the heights of the surface.
+/// [md]: a block of atoms on a simple cubic lattice with the spacing
+/// length / atoms, in contact with rigid atoms at the heights of the surface.
 struct MdSettings {
   AtomEngine engine = AtomEngine::asperity;
   AtomLattice lattice = AtomLattice::isotropic;
   AtomBulk bulk = AtomBulk::green;
   AtomModes modes = AtomModes::vector;
-  std::optional<int> atoms;           ///< a side, of the block's lowest layer
-  std::optional<int> substrate_atoms; ///< a side
+  std::optional<int> atoms; ///< per side, in the lowest layer of the block
+  std::optional<int> substrate_atoms; ///< per side
 
   AtomPotential potential = AtomPotential::repulsive;
   double interaction_energy = 0.0;   ///< eps [J] > 0
@@ -156,63 +164,67 @@ struct MdSettings {
   double contact_distance = 0.0;     ///< d_c [m] > 0: u = d - d_c
 
   Quantity depth{1.0, Yardstick::length}; ///< of the block, for green
-  int levels = 1; ///< of the explicit block: spacing doubles from each to next
-  int layers = 6; ///< of cells a level
+  int levels = 1; ///< of the explicit block; the spacing doubles from each to
+                  ///< the next
+  int layers = 6; ///< cell layers per level
 
   AtomMinimizer minimizer = AtomMinimizer::automatic;
-  double tolerance = 1e-4;     ///< root mean square force, relative to the mean
-                               ///< normal force an atom
-  int max_evaluations = 20000; ///< of the forces, a load step
+  double tolerance = 1e-4; ///< rms force, relative to the mean normal force per
+                           ///< atom
+  int max_evaluations = 20000; ///< force evaluations per load step
 
-  double mass = 0.0;        ///< of an atom [kg], for dynamics
+  double mass = 0.0;        ///< atomic mass [kg], for dynamics
   double time_step = 0.0;   ///< [s], for dynamics
-  double damping = 0.0;     ///< rate at which momenta fade [1/s], for dynamics
+  double damping = 0.0;     ///< damping rate of the momenta [1/s], for dynamics
   double temperature = 0.0; ///< [K] >= 0, for dynamics
-  double duration = 0.0;    ///< of a load step [s], for dynamics
-  std::uint64_t seed = 0;   ///< of the thermal noise
+  double duration = 0.0;    ///< duration of a load step [s], for dynamics
+  std::uint64_t seed = 0;   ///< seed of the thermal noise
 
-  int ranks = 1;     ///< of the child process, for lammps
+  int ranks = 1;     ///< number of MPI ranks of the child process, for lammps
   bool dump = false; ///< write the atoms of every step
 };
 
 /// One method to run. A table [fem] is the method "fem"; a table inside it,
-/// [fem.hard], is the method "fem.hard": [fem]'s keys with its own over them.
+/// [fem.hard], is the method "fem.hard", which has the keys of [fem] with its
+/// own keys taking precedence.
 struct MethodSpec {
   std::string name;
   std::variant<TheorySettings, HalfspaceSettings, FemSettings, MdSettings>
       settings;
-  /// zeta: of a self-affine surface, roughness above zeta q_0 is left out for
-  /// this method; phases and amplitudes of what stays do not change.
+  /// zeta: for a self-affine surface, this method omits roughness above zeta
+  /// q_0. Phases and amplitudes of the remaining roughness do not change.
   std::optional<double> magnification = {};
 };
 
-/// [report]
+/// [report]: what a result contains besides the curves.
 struct ReportSpec {
-  /// Number of load steps, spread over the program, whose pressure and gap
-  /// maps (of realisation 0) are kept.
+  /// Number of load steps, spread over the loading path, whose pressure and gap
+  /// maps (of realisation 0) are saved.
   int fields = 3;
-  /// The stress below the face is worked out under each kept pressure map.
+  /// Compute the subsurface stress for each saved pressure map.
   bool stress_inside = false;
-  /// The whole block writes its last step of each field for ParaView.
+  /// Write the solution of the full block for ParaView at each step whose
+  /// fields are saved.
   bool vtu = false;
 };
 
-/// One line of [expect]: the quantity must lie in low..high for each method.
+/// One entry of [expect]: the quantity must lie in low..high for each method.
 struct Expectation {
   std::string quantity; ///< one of expectation_names(), or one at a load
   double low = 0.0;
   double high = 0.0;
   std::vector<std::string> methods; ///< names of methods of this case
-  /// A value whose 95 % interval reaches over an end of the band counts as
-  /// passed; else as not passed.
+  /// Whether a value whose 95 % interval crosses a limit of the band counts as
+  /// passed.
   bool passes_if_undecided = false;
 };
 
 struct Case {
-  std::string path; ///< as given, for messages
-  std::string text; ///< the file, byte for byte, then a line "#--set key=value"
-                    ///< for each override: read again, it is the same case
-  std::string name; ///< of its folder or file, e.g. "polymer"
+  std::string path; ///< as given by the user, for messages
+  std::string text; ///< the file byte for byte, then one line
+                    ///< "#--set key=value" per override; reading it again
+                    ///< gives the same case
+  std::string name; ///< from the folder or file, e.g. "polymer"
   std::string title;
   SurfaceSpec surface;
   MaterialSpec material;
@@ -226,8 +238,8 @@ struct Case {
   std::vector<Expectation> expectations;
 };
 
-/// The theory that answers the studies: the first that takes the formula as
-/// its spectrum, null if none does.
+/// Returns the theory that evaluates the studies: the first one that uses the
+/// formula of the spectrum; null if there is none.
 const MethodSpec* study_theory(const std::vector<MethodSpec>& methods);
 
 } // namespace asperity::cases

@@ -1,7 +1,7 @@
 #pragma once
 
-// The quantities a case may hold an expectation of. Owns their names, and
-// which methods and surfaces can answer each.
+// The quantities for which a case may state expectations: their names, and the
+// methods and surfaces for which they are defined.
 
 #include "cases/types/case.hpp"
 
@@ -10,24 +10,27 @@
 
 namespace asperity::cases {
 
-/// The table of the case that a quantity needs beside its methods.
+/// The table of a study that a quantity needs.
 enum class Study { none, magnification, adhesion };
 
 struct ExpectationName {
   std::string name;
   std::string description;     ///< one sentence, with the unit
-  bool theory_answers = false; ///< else: numerical methods only
-  bool needs_theory = false;   ///< the case must have a [theory] to compare to
-  bool variants_only = false;  ///< of "md.explicit" beside "md", not of "md"
+  bool theory_answers = false; ///< false: numerical methods only
+  bool needs_theory = false;   ///< the case must have a [theory] for comparison
+  bool variants_only = false;  ///< defined for the variant "md.explicit", but
+                               ///< not for "md"
   std::vector<SurfaceKind> surfaces = {}; ///< empty: any
-  bool theory_only = false;               ///< no numerical method answers
-  Study study = Study::none; ///< answered by study_theory() alone if not none
+  bool theory_only = false;               ///< defined for no numerical method
+  Study study = Study::none; ///< if not none, only study_theory() provides the
+                             ///< quantity
 };
 
 const std::vector<ExpectationName>& expectation_names();
 
-/// Of that name, or of a quantity at a load ("area_fraction@p=0.01 E*", see
-/// quantity_at_load.hpp); nullptr if there is no such quantity.
+/// Returns the entry of that name, or of a quantity at a load
+/// ("area_fraction@p=0.01 E*", see quantity_at_load.hpp); nullptr if there is
+/// no such quantity.
 const ExpectationName* expectation_called(const std::string& name);
 
 } // namespace asperity::cases

@@ -1,20 +1,20 @@
 #pragma once
 
-// A number and what it is measured in.
+// Numbers with the reference unit in which they are given.
 
 namespace asperity::cases {
 
-/// The problem's own yardsticks, in which a case may measure besides SI.
+/// The reference units of a problem that a case may use besides SI.
 enum class Yardstick {
   si,                          ///< already in SI
   contact_modulus,             ///< "E*" [Pa]
   length,                      ///< "length", side of the periodic square [m]
-  spacing,                     ///< "h", distance of neighbouring nodes [m]
+  spacing,                     ///< "h", distance between neighbouring nodes [m]
   rms_height,                  ///< "h_rms" of the realisation [m]
   contact_modulus_per_spacing, ///< "E*/h" [Pa/m]
 };
 
-/// The yardsticks' values for one realisation of the surface.
+/// The values of the reference units for one realisation of the surface.
 struct Scales {
   double contact_modulus = 0.0; ///< E* [Pa]
   double length = 0.0;          ///< [m]
@@ -22,8 +22,9 @@ struct Scales {
   double rms_height = 0.0;      ///< h_rms [m]
 };
 
-/// A number with its yardstick: "0.3 E*" is {0.3, contact_modulus}. What is
-/// known only when the surface is (measured maps) stays open until then.
+/// A number with its reference unit: "0.3 E*" is {0.3, contact_modulus}. It is
+/// converted when the reference value is known, for measured maps only after
+/// the surface is read.
 struct Quantity {
   double value = 0.0;
   Yardstick yardstick = Yardstick::si;

@@ -17,7 +17,8 @@ QuantityAtLoadReading refused_at_load(const std::string& mistake) {
   return {std::nullopt, mistake};
 }
 
-/// The text behind "@key =" between two places of `name`, if it is that key.
+/// Returns the text after "@key =" in the given range of `name`, if the key
+/// matches.
 std::optional<std::string> value_of(const std::string& key,
                                     const std::string& name, std::size_t at,
                                     std::size_t end) {
@@ -40,7 +41,8 @@ std::optional<double> positive_number(const std::optional<std::string>& text) {
   return is_good ? std::optional(number) : std::nullopt;
 }
 
-/// What is wrong with a name that should be one of `known`; "" if it is.
+/// Returns the mistake in a name that should be one of `known`; "" if it is
+/// correct.
 std::string mistake_in_name(const std::string& quantity,
                             const std::vector<ExpectationName>& known) {
   std::vector<std::string> names;

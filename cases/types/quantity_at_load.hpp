@@ -1,8 +1,9 @@
 #pragma once
 
-// "area_fraction@p=0.0129 E*": a quantity of the curve at one nominal pressure,
-// and "area_fraction@p=10 MPa@zeta=10": one of the contact seen at a
-// magnification; for [expect] and reference.csv. Owns spelling and names.
+// Quantities at one load, for [expect] and reference.csv:
+// "area_fraction@p=0.0129 E*" is a quantity of the curve at one nominal
+// pressure, "area_fraction@p=10 MPa@zeta=10" one of the contact at a
+// magnification. Defines their syntax and their names.
 
 #include "cases/types/expectations.hpp"
 
@@ -18,24 +19,25 @@ struct QuantityAtLoad {
   std::optional<double> magnification = {}; ///< zeta > 0
 };
 
-/// All dimensionless [1].
+/// Returns the quantities at a load. All are dimensionless [1].
 const std::vector<ExpectationName>& quantities_at_load();
 
-/// At a load and a magnification: the load is one of [magnification].
+/// Returns the quantities at a load and a magnification. The load is one of
+/// [magnification].
 const std::vector<ExpectationName>& quantities_at_magnification();
 
-/// True if the name has the '@' that only these have.
+/// Returns true if the name contains '@', which only these names do.
 bool names_a_load(const std::string& name);
 
-/// What came of reading such a name: the quantity, or what is wrong with it.
+/// The result of reading such a name: the quantity or the mistake.
 struct QuantityAtLoadReading {
   std::optional<QuantityAtLoad> at_load;
-  std::string mistake; ///< to be put behind the name
+  std::string mistake; ///< text that follows the name in a message
 };
 
-/// Read "name@p=number unit" or "name@p=number unit@zeta=number", blanks
-/// allowed around each part. The numbers lie above 0; the unit is one of a
-/// pressure, or E*.
+/// Reads "name@p=number unit" or "name@p=number unit@zeta=number" with optional
+/// blanks around each part. The numbers must be > 0; the unit is a pressure
+/// unit or E*.
 QuantityAtLoadReading read_quantity_at_load(const std::string& name);
 
 } // namespace asperity::cases

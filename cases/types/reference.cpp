@@ -19,11 +19,12 @@ namespace {
 
 constexpr std::size_t needed_fields = 5;
 const std::string header = "quantity,value,unit,uncertainty,source";
-// With the columns that may stand behind the needed ones, all before it too.
+// The valid headers: the required columns, followed by the optional ones. An
+// optional column requires those before it.
 const std::array<std::string, 3> headers = {header, header + ",why",
                                             header + ",why,input"};
 
-// The fields of a line; none if a quote is not closed.
+// Returns the fields of a line, or nothing if a quote is not closed.
 std::optional<std::vector<std::string>> fields_of(const std::string& line) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
@@ -57,7 +58,9 @@ double number_in(const std::string& field, const std::string& column,
   return number;
 }
 
-/// @param optional_columns  how many stand behind the needed ones
+/// Reads one line of values.
+///
+/// @param optional_columns  number of optional columns
 void read_line(const std::string& line, const Place& place,
                std::size_t optional_columns,
                std::vector<ReferenceValue>& values, Mistakes& mistakes) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a case asks of the theory besides its curve: the contact seen at
-// magnifications (Sec. 8), and adhesion (Sec. 9). Plain data, part of a Case.
+// The theoretical studies of a case besides its curve: the contact at a range
+// of magnifications, and adhesion (Secs. 8 and 9 of Yang and Persson, 2008).
+// Plain data, part of a Case.
 
 #include "cases/types/quantity.hpp"
 
@@ -10,33 +11,36 @@
 
 namespace asperity::cases {
 
-/// [magnification.leak]: what is sealed in.
+/// [magnification.leak]: the fluid and the seal.
 struct LeakStudy {
   double density = 0.0;                ///< [kg/m^3] >= 0
   double viscosity = 0.0;              ///< [Pa s] > 0
   double pressure_drop = 0.0;          ///< [Pa] >= 0
-  std::optional<double> critical_area; ///< A/A_0 [1], 0..1, ends excluded
+  std::optional<double> critical_area; ///< critical A/A_0 [1], 0..1, ends
+                                       ///< excluded
 };
 
-/// [magnification]: A(zeta), u(zeta), u_1(zeta) under each pressure.
+/// [magnification]: A(zeta), u(zeta) and u_1(zeta) for each pressure.
 struct MagnificationStudy {
   std::vector<Quantity> nominal_pressures; ///< [Pa] > 0
   double from = 0.0;                       ///< lowest zeta [1] > 0
   double to = 0.0;                         ///< highest zeta > from
-  int points = 0;                          ///< magnifications, both ends in
-  double reference_wavevector = 0.0;       ///< q_ref = q/zeta [rad/m] > 0
+  int points = 0; ///< number of magnifications, including both ends
+  double reference_wavevector = 0.0; ///< q_ref = q/zeta [rad/m] > 0
   std::optional<LeakStudy> leak;
 };
 
-/// [adhesion]: gamma_eff at ratios h_rms/h_rms0, h_rms0 that of the case.
+/// [adhesion]: gamma_eff at the ratios h_rms/h_rms0, where h_rms0 is the rms
+/// height of the case.
 struct AdhesionStudy {
-  double work_of_adhesion = 0.0;           ///< Dgamma [J/m^2] > 0
-  double from = 0.0;                       ///< lowest ratio [1] > 0
-  double to = 0.0;                         ///< highest ratio > from
-  int points = 0;                          ///< ratios, both ends in
-  std::optional<double> detachment_factor; ///< c; none: 2/pi of theory/
+  double work_of_adhesion = 0.0; ///< Dgamma [J/m^2] > 0
+  double from = 0.0;             ///< lowest ratio [1] > 0
+  double to = 0.0;               ///< highest ratio > from
+  int points = 0;                ///< number of ratios, including both ends
+  std::optional<double> detachment_factor; ///< c; none: 2/pi, the default of
+                                           ///< the theory
   std::optional<double> sphere_radius; ///< R [m] > 0, for the pull-off force
-  int steps = 0;                       ///< of the discretisation of ln q
+  int steps = 0;                       ///< number of steps from q_L to q_1
 };
 
 } // namespace asperity::cases

@@ -1,7 +1,7 @@
 #pragma once
 
-// "14 nm", "0.3 E*": a number with a unit. Owns the table of units and the
-// only lines of the program that convert one into SI.
+// Numbers with a unit, such as "14 nm" and "0.3 E*". Defines the table of units
+// and the only conversion of units to SI.
 
 #include "cases/types/case.hpp"
 
@@ -28,53 +28,56 @@ enum class Dimension {
   viscosity,       ///< [Pa s]
 };
 
-/// A unit as a case file spells it. A number of it is worth
-/// number * multiplier / divisor in SI, or in its yardstick. Two factors,
-/// because powers of ten are exact upwards only: "14 nm" is 14 / 1e9, the very
-/// double that 14e-9 is.
+/// A unit as it is written in a case file. A number in this unit has the value
+/// number * multiplier / divisor in SI or in its reference unit. There are two
+/// factors because only positive powers of ten are exact: "14 nm" is 14 / 1e9,
+/// which equals the double 14e-9 exactly.
 struct Unit {
   std::string symbol;
   Dimension dimension = Dimension::none;
   double multiplier = 1.0;
   double divisor = 1.0;
   Yardstick yardstick = Yardstick::si;
-  bool is_alias = false; ///< another spelling, read but not listed in messages
+  bool is_alias = false; ///< alternative spelling, accepted but not listed in
+                         ///< messages
 };
 
-/// All units, in the order messages show them.
+/// Returns all units in the order in which messages list them.
 const std::vector<Unit>& units();
 
-/// "length", "pressure", ...
+/// Returns the name of a dimension: "length", "pressure", ...
 std::string dimension_name(Dimension dimension);
 
-/// The SI unit: "m", "Pa", "1/m", "Pa/m", "N", "J/m^2", "1".
+/// Returns the SI unit: "m", "Pa", "1/m", "Pa/m", "N", "J/m^2", "1".
 std::string si_unit(Dimension dimension);
 
-/// "E*", "length", "h", "h_rms", "E*/h"; "" for si.
+/// Returns the symbol of a reference unit: "E*", "length", "h", "h_rms",
+/// "E*/h"; "" for si.
 std::string yardstick_symbol(Yardstick yardstick);
 
-/// May the unit stand behind a number of that dimension, the yardsticks being
-/// those that are offered?
+/// Returns true if the unit may follow a number of that dimension, given the
+/// allowed reference units.
 bool is_allowed(const Unit& unit, Dimension dimension,
                 const std::vector<Yardstick>& yardsticks);
 
-/// The symbols of the allowed units, without the aliases.
+/// Returns the symbols of the allowed units without aliases.
 std::vector<std::string> unit_symbols(Dimension dimension,
                                       const std::vector<Yardstick>& yardsticks);
 
-/// What came of reading a quantity: the quantity, or what is wrong with it.
+/// The result of reading a quantity: the quantity or the mistake.
 struct QuantityReading {
   std::optional<Quantity> quantity;
-  std::string mistake; ///< to be put behind `key = "text" `
+  std::string mistake; ///< text that follows `key = "text" ` in a message
 };
 
-/// Read "number unit", the blank between them optional. A number without a
-/// unit is a mistake in a string (it is written without quotes: then it is SI).
-/// The number is finite; its range is the caller's business.
+/// Reads "number unit"; the blank between them is optional. A string with a
+/// number but no unit is a mistake, because a number in SI is written without
+/// quotes. The number is finite; the caller checks its range.
 QuantityReading read_quantity(const std::string& text, Dimension dimension,
                               const std::vector<Yardstick>& yardsticks);
 
-/// The quantity as read_quantity reads it back, to the last bit: "2e-07 m".
+/// Writes the quantity such that read_quantity() restores it to the last bit:
+/// "2e-07 m".
 std::string write_quantity(const Quantity& quantity, Dimension dimension);
 
 } // namespace asperity::cases
