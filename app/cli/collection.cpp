@@ -20,11 +20,16 @@ void write_collection_report(const FoundCases& collection,
     contact_cases.push_back(reports::case_of(results.back()));
   }
   std::vector<reports::PaperPart> pages;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    pages.push_back(
-        {parts[i].part.file.parent_path().filename().string(), parts[i].folder,
-         text_of_file(parts[i].part.file.parent_path() / "README.md"),
-         reports::entry_of(results[i], contact_cases[i])});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::filesystem::path part = parts[i].part.file.parent_path();
+    const std::string name = part.filename().string();
+    const auto figures = collection.figures.find(name);
+    pages.push_back({name, parts[i].folder, text_of_file(part / "README.md"),
+                     figures == collection.figures.end()
+                         ? std::vector<std::string>()
+                         : figures->second,
+                     reports::entry_of(results[i], contact_cases[i])});
+  }
   const std::string readme = text_of_file(collection.folder / "README.md");
   for (const std::string& failure :
        reports::write_paper_report(pages, readme, folder))

@@ -1,10 +1,14 @@
 #include "app/run/case_library.hpp"
 
+#include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
 #include "cases/text/nearest.hpp"
 #include "cases/types/reference.hpp"
+#include "reports/figures/figure_names.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -52,20 +56,35 @@ std::vector<std::string> shipped_words() {
   return words;
 }
 
+// Throws unless reports can draw a figure of this name.
+void require_figure(const cases::ShownFigure& figure) {
+  if (!reports::is_figure_name(figure.name))
+    cases::throw_mistake(
+        figure.place,
+        fmt::format("figures.{} has \"{}\", but no figure has this name; "
+                    "nearest: {}",
+                    figure.part, figure.name,
+                    cases::nearest(figure.name, reports::figure_names())));
+}
+
 FoundCases collection_in(const fs::path& folder, const std::string& name) {
-  const std::string readme = text_of_file(folder / "README.md");
-  std::vector<std::pair<std::size_t, std::string>> parts;
-  for (const std::string& part : cases_in(folder))
-    parts.emplace_back(readme.find("`" + part + "`"), part);
-  std::sort(parts.begin(), parts.end());
-  FoundCases found{name, folder, {}};
-  for (const auto& [place, part] : parts)
+  const std::set<std::string> folders = cases_in(folder);
+  cases::Collection collection{{folders.begin(), folders.end()}, {}};
+  if (fs::exists(folder / "collection.toml"))
+    collection =
+        cases::read_collection(folder / "collection.toml", collection.parts);
+  FoundCases found{name, folder, {}, {}};
+  for (const std::string& part : collection.parts)
     found.cases.push_back({folder / part / "case.toml", name + "/" + part});
+  for (const cases::ShownFigure& figure : collection.figures) {
+    require_figure(figure);
+    found.figures[figure.part].push_back(figure.name);
+  }
   return found;
 }
 
 FoundCases single(const fs::path& file, const std::string& name) {
-  return {"", file.parent_path(), {{file, name}}};
+  return {"", file.parent_path(), {{file, name}}, {}};
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "cases/types/case.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct FoundCase {
 struct FoundCases {
   std::string collection; ///< name of the collection; empty: a single case
   std::filesystem::path folder; ///< folder of the collection
-  std::vector<FoundCase> cases; ///< parts in the order in which README.md names
-                                ///< them as `part`, then the others
+  std::vector<FoundCase> cases; ///< parts in the order of collection.toml, or
+                                ///< by name if there is no such file
+  std::map<std::string, std::vector<std::string>> figures; ///< shown by each
+                                                           ///< part
 };
 
 /// Finds the cases that an argument refers to: a file, a folder with a

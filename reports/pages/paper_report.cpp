@@ -54,32 +54,39 @@ DrawnFigure already_drawn(const Figure& figure, const fs::path& folder) {
   return drawn;
 }
 
-// The figures that the first part's README names, in its order.
+// Draws one figure of a section; that of a single part was drawn by its own
+// report.
+DrawnFigure figure_of(const Section& section, const std::string& name,
+                      std::span<const FigureGroup> groups,
+                      const fs::path& folder, const std::string& gnuplot) {
+  const PaperPart& first = *section.parts.front();
+  for (const FigureGroup& group : groups)
+    for (const Figure& figure : group.figures)
+      if (figure.name == name)
+        return section.parts.size() == 1
+                   ? already_drawn(figure,
+                                   first.folder / "figures" / group.folder)
+                   : draw(figure,
+                          folder / "figures" / section.name / group.folder,
+                          gnuplot);
+  return {name, name, "", "", "this result has no such figure"};
+}
+
+// The figures that collection.toml names for the first part, in its order.
 DrawnGroup drawn_figures(const Section& section, const fs::path& folder,
                          const std::string& gnuplot,
                          std::vector<std::string>& problems) {
   std::vector<ReportEntry> entries;
   for (const PaperPart* part : section.parts)
     entries.push_back(part->entry);
-  const bool is_alone = entries.size() == 1;
   const std::vector<FigureGroup> groups = figures_of(entries);
   DrawnGroup shown;
-  for (const std::string& name :
-       names_in_paragraph_on(section.parts.front()->readme, "Shown"))
-    for (const FigureGroup& group : groups)
-      for (const Figure& figure : group.figures) {
-        if (figure.name != name)
-          continue;
-        shown.figures.push_back(
-            is_alone
-                ? already_drawn(figure, section.parts.front()->folder /
-                                            "figures" / group.folder)
-                : draw(figure, folder / "figures" / section.name / group.folder,
-                       gnuplot));
-        if (!shown.figures.back().problem.empty())
-          problems.push_back(
-              fmt::format("{}: {}", name, shown.figures.back().problem));
-      }
+  for (const std::string& name : section.parts.front()->figures) {
+    shown.figures.push_back(figure_of(section, name, groups, folder, gnuplot));
+    if (!shown.figures.back().problem.empty())
+      problems.push_back(
+          fmt::format("{}: {}", name, shown.figures.back().problem));
+  }
   return shown;
 }
 

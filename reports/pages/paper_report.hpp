@@ -17,12 +17,13 @@ namespace asperity::reports {
 inline constexpr const char* quick_mark = " (quick)";
 
 /// A part that has run. Its README.md is read by paragraphs: "**Claim.** ..."
-/// and "**What does not come out.** ..." are shown, and "**Shown.** `a`, `b`"
-/// names the figures, by their file names without ending.
+/// and "**What does not come out.** ..." are shown.
 struct PaperPart {
-  std::string name;             ///< of its folder, "pressures-atoms"
-  std::filesystem::path folder; ///< of its result and its own report
-  std::string readme;           ///< text of README.md
+  std::string name;                 ///< of its folder, "pressures-atoms"
+  std::filesystem::path folder;     ///< of its result and its own report
+  std::string readme;               ///< text of README.md
+  std::vector<std::string> figures; ///< to be shown, by their file names
+                                    ///< without ending
   ReportEntry entry;
 };
 

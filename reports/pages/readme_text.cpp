@@ -58,18 +58,4 @@ std::string paragraph_on(const std::string& readme, const std::string& word) {
   return plain(marked_paragraph_on(readme, word));
 }
 
-std::vector<std::string> names_in_paragraph_on(const std::string& readme,
-                                               const std::string& word) {
-  std::vector<std::string> names;
-  const std::string marked = marked_paragraph_on(readme, word);
-  for (std::size_t open = marked.find('`'); open != std::string::npos;) {
-    const std::size_t close = marked.find('`', open + 1);
-    if (close == std::string::npos)
-      break;
-    names.push_back(marked.substr(open + 1, close - open - 1));
-    open = marked.find('`', close + 1);
-  }
-  return names;
-}
-
 } // namespace asperity::reports

@@ -15,8 +15,4 @@ std::vector<std::string> plain_paragraphs(const std::string& readme);
 /// empty if there is none.
 std::string paragraph_on(const std::string& readme, const std::string& word);
 
-/// What stands in backquotes in the paragraph that begins with "**Word.**".
-std::vector<std::string> names_in_paragraph_on(const std::string& readme,
-                                               const std::string& word);
-
 } // namespace asperity::reports

@@ -14,9 +14,10 @@ protected:
   Collection() {
     for (const char* part : {"mine/light", "mine/heavy"})
       fs::create_directories(folder / part);
-    write("mine/README.md", "# My <paper>\n\nFirst `light`, then `heavy`.\n");
+    write("mine/README.md", "# My <paper>\n\nLight, then heavy.\n");
     write("mine/light/case.toml", small_case);
-    write("mine/light/README.md", "**Shown.** `pressure-gap`\n");
+    write("mine/collection.toml", "parts = [\"light\", \"heavy\"]\n"
+                                  "[figures]\nlight = [\"pressure-gap\"]\n");
     write("mine/light/reference.csv",
           "quantity,value,unit,uncertainty,source,why\n"
           "epsilon,4.047,1,0.0005,A,\n"
@@ -65,6 +66,20 @@ TEST_F(Collection, ReadsEveryPartBeforeItRunsOne) {
   const Ended refused = run("run mine");
 
   EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_FALSE(has("out"));
+}
+
+// Claim: a figure that no report has is an error before anything runs.
+TEST_F(Collection, RefusesAMisspeltFigure) {
+  write("mine/collection.toml", "parts = [\"light\", \"heavy\"]\n"
+                                "[figures]\nlight = [\"presure-gap\"]\n");
+
+  const Ended refused = run("run mine");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.output.find("collection.toml:3"), std::string::npos)
+      << refused.output;
+  EXPECT_NE(refused.output.find("nearest: pressure-gap"), std::string::npos);
   EXPECT_FALSE(has("out"));
 }
 

@@ -1,5 +1,6 @@
 // Claims about the folders in cases/: each reads without a mistake, is
 // complete, and its exact references are what its own numbers give.
+#include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/types/reference.hpp"

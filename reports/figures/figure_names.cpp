@@ -1,0 +1,43 @@
+#include "reports/figures/figure_names.hpp"
+
+#include <algorithm>
+
+namespace asperity::reports {
+
+const std::vector<std::string>& figure_names() {
+  static const std::vector<std::string> names = {"adhesion-branches",
+                                                 "adhesion-equilibrium",
+                                                 "adhesion-height",
+                                                 "area-coefficient",
+                                                 "area-pressure",
+                                                 "area-theory",
+                                                 "cost",
+                                                 "exact-area",
+                                                 "exact-gap",
+                                                 "gap-deviation",
+                                                 "gap-distribution-",
+                                                 "height-distribution",
+                                                 "magnification-opening",
+                                                 "magnification-parts",
+                                                 "magnification-separation",
+                                                 "maps-",
+                                                 "pressure-distribution-",
+                                                 "pressure-gap",
+                                                 "separation-distributions-",
+                                                 "spectrum",
+                                                 "stress-inside",
+                                                 "stress-section-",
+                                                 "surface",
+                                                 "two-faces"};
+  return names;
+}
+
+bool is_figure_name(const std::string& name) {
+  return std::ranges::any_of(figure_names(), [&](const std::string& known) {
+    return known.ends_with('-')
+               ? name.size() > known.size() && name.starts_with(known)
+               : name == known;
+  });
+}
+
+} // namespace asperity::reports
