@@ -20,13 +20,13 @@ int degree_of(const cases::FemSettings& settings) {
   return settings.element == cases::Element::q1 ? 1 : 2;
 }
 
-/// A point a cell instead of a point a node.
+/// The grid with one point per cell instead of one point per node.
 Grid cells_of(const Grid& nodes, int degree) {
   return {nodes.points_x / degree, nodes.points_y / degree, nodes.length_x,
           nodes.length_y};
 }
 
-/// Depths of the faces between the material's layers [m].
+/// Depths of the interfaces between the material's layers [m].
 std::vector<double>
 interfaces_of(const std::vector<cases::MaterialLayer>& layers,
               const cases::Scales& scales) {
@@ -96,7 +96,8 @@ std::vector<double> thicknesses_of(const LayeredBlock& block) {
   return thicknesses;
 }
 
-/// The body that is meshed: the first of two, or the one that stands for both.
+/// The moduli of the meshed body: the first of two bodies, or the single one
+/// that represents both.
 cases::BodyModuli own_moduli(const cases::MaterialSpec& material, int bodies) {
   return bodies == 2 ? material.first_body()
                      : cases::BodyModuli{material.block_youngs_modulus(),
@@ -109,8 +110,9 @@ LayeredBlock layered_block(const cases::FemSettings& settings,
                            const std::vector<cases::MaterialLayer>& layers,
                            const cases::BodyModuli& own, const Grid& grid,
                            const cases::Scales& scales) {
-  // surface_cell_depth counts node spacings: the planes of nodes next to the
-  // contact face are that far apart, so 1 is a cubic cell for Q1 and Q2 alike.
+  // surface_cell_depth is measured in node spacings: the node planes next to
+  // the contact surface are that far apart, so 1 gives a cubic cell for Q1 and
+  // Q2 alike.
   const double surface_cell =
       settings.surface_cell_depth * degree_of(settings) * grid.spacing_x();
   const std::vector<double> interfaces = interfaces_of(layers, scales);
@@ -139,8 +141,9 @@ BlockProblem problem_of_case(const FullRequest& request,
   const bool is_layered = !settings.uses_case_mesh ||
                           rough_case.mesh.kind == cases::MeshKind::layers;
 
-  // Before the aggregate that it goes into: where a later member's initialiser
-  // throws, GCC 12 destroys earlier members that were never made.
+  // The moduli are computed before the aggregate that they are moved into: if
+  // the initialiser of a later member throws, GCC 12 destroys earlier members
+  // that were never constructed.
   ModuliField moduli = moduli_field(rough_case.material, request.scales, own,
                                     grid, settings.depth.in_si(request.scales));
   BlockProblem problem{grid, {}, degree_of(settings), std::move(moduli)};

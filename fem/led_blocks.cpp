@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// As CBOR: the mesh is bytes.
+/// Serialises the request and the mesh. The format is CBOR because the mesh is
+/// binary data.
 std::string packed(const FullRequest& request, const meshes::BlockMesh& mesh) {
   const Grid& grid = request.grid;
   const cases::Scales& scales = request.scales;
@@ -49,7 +50,8 @@ BlockProblem problem_in(const std::string& text) {
           {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
 }
 
-/// A step's arguments as numbers: the heights, then these six.
+/// The arguments of a load step are sent as numbers: the heights, followed by
+/// these six settings.
 constexpr std::size_t n_settings = 6;
 
 std::vector<double> packed(std::span<const double> heights,
@@ -73,7 +75,8 @@ void solve_as_told(FullBlock& block, const std::vector<double>& numbers) {
   static_cast<void>(block.solve({numbers.data(), n_heights}, load, contact));
 }
 
-/// A plane as numbers: y, the body, how many x, these, the depths.
+/// Serialises a plane as numbers: y, the body, the number of x, the x, the
+/// depths.
 std::vector<double> packed(const SectionPlane& plane) {
   std::vector<double> numbers{plane.y, plane.is_counter ? 1.0 : 0.0,
                               static_cast<double>(plane.x.size())};
@@ -91,7 +94,7 @@ SectionPlane plane_in(const std::vector<double>& numbers) {
           {first_depth, numbers.end()}};
 }
 
-/// Rank 0: passes an order on, then does its own share.
+/// To be called on rank 0. Broadcasts a command, then executes it on this rank.
 void lead(const Order& order, const std::function<void()>& share) {
   pass_on(order);
   do_share(share);
@@ -156,10 +159,11 @@ private:
   std::unique_ptr<FullBlock> own_;
 };
 
-/// How many blocks rank 0 has asked for, refused ones too.
+/// Number of blocks that rank 0 has requested, including those that were
+/// refused.
 int built = 0;
 
-/// The share of a rank that follows.
+/// Executes one command on a rank other than 0.
 void do_as_told(const Order& order, const BlockMaker& make_block,
                 std::unique_ptr<FullBlock>& block) {
   if (order.kind == OrderKind::build) {
@@ -191,7 +195,7 @@ void do_as_told(const Order& order, const BlockMaker& make_block,
   }
 }
 
-/// Orders of rank 0, until the last.
+/// Executes the commands of rank 0 until the last one.
 void follow(const BlockMaker& make_block) {
   std::map<int, std::unique_ptr<FullBlock>> blocks;
   for (Order order = next_order(); order.kind != OrderKind::quit;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whole blocks that all ranks of an mpirun solve together though only rank 0
-// runs the program. Owns which block an order is for.
+// Full 3-D blocks that all ranks of an mpirun solve together although only rank
+// 0 runs the program. This file maps each broadcast command to its block.
 
 #include "fem/case_problem.hpp"
 
@@ -10,24 +10,27 @@
 
 namespace asperity::fem {
 
-/// Builds a rank's own part of a block: make_full_block, but in tests of
-/// failures.
+/// Builds the part of a block that one rank owns. It is make_full_block, except
+/// in tests of failures.
 using BlockMaker =
     std::function<std::unique_ptr<FullBlock>(const BlockProblem&)>;
 
-/// Rank 0: reads the case and makes the mesh, alone; then builds the block on
-/// every rank, and passes each call of it on before it is done here. One call
-/// at a time, from any thread. On one rank alone it is the block itself. What
-/// fails on every rank is thrown; what fails on some ends all (ranks.hpp).
+/// To be called on rank 0. Reads the case and generates the mesh on rank 0
+/// alone, then builds the block on every rank. The block returned is a proxy:
+/// it broadcasts each call to the other ranks before it executes the call here.
+/// Only one call may be active at a time, from any thread. On a single rank the
+/// block itself is returned. A failure on every rank is thrown as an exception;
+/// a failure on some ranks terminates all of them (ranks.hpp).
 /// @throws std::domain_error, cases::CaseError  as problem_of_case and
 ///                                              make_full_block
 std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request,
                                            const BlockMaker& make_block);
 
-/// The other ranks: does what rank 0 passes on until it ends.
+/// To be called on the other ranks. Executes the commands that rank 0
+/// broadcasts until rank 0 ends.
 void follow_rank_0(const BlockMaker& make_block);
 
-/// Rank 0: lets the others end when the program does.
+/// To be called on rank 0. Lets the other ranks end when the program exits.
 void end_followers_at_exit();
 
 } // namespace asperity::fem

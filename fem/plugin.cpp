@@ -26,7 +26,8 @@ LayeredBlock layers_of(const BlockRequest& request) {
                        request.grid, request.scales);
 }
 
-/// The blocks as raw bytes, if they are as many as this grid has.
+/// Copies the cached raw bytes into the compliance blocks. Returns false if
+/// there are none or if their number does not match the grid.
 bool take_blocks(const std::optional<std::string>& bytes,
                  Q2Compliance& compliance) {
   const std::size_t size = sizeof(KindBlock) *
@@ -101,7 +102,7 @@ public:
 } // namespace
 } // namespace asperity::fem
 
-/// The module's one symbol.
+/// The only symbol that the plugin exports.
 extern "C" const asperity::fem::FemRoom* asperity_fem_room() {
   static const asperity::fem::DealiiRoom room;
   return &room;

@@ -1,7 +1,8 @@
 #pragma once
 
-// The finite elements as the rest of the program sees them: loaded at run
-// time, so that only commands that compute with them pay deal.II's start.
+// Interface of the finite-element module to the rest of the program. The module
+// is loaded at run time, so that only commands that need it pay for the
+// start-up of deal.II.
 
 #include "cases/types/case.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -17,67 +18,76 @@
 
 namespace asperity::fem {
 
-/// A place that remembers bytes between two processes.
+/// A cache that stores bytes from one process to the next.
 struct Keeper {
   std::function<std::optional<std::string>()> read;
   std::function<void(std::string_view)> write;
 };
 
-/// One block to build: the case's [fem] on one realisation of the surface.
+/// One block to build: the case's [fem] section applied to one realisation of
+/// the surface.
 struct BlockRequest {
   Grid grid;
   cases::FemSettings settings;
   cases::Scales scales;
   double youngs_modulus = 0.0; ///< E [Pa] > 0
   double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
-  int threads = 1;             ///< changes no bit of an answer
-  Keeper keeper = {}; ///< of this very block's condensed operator; may be empty
-  /// Bonded to the contact face, whose first; E and nu are those below them.
+  int threads = 1;             ///< results are bitwise independent of it
+  /// Cache of the condensed operator of this particular block; may be empty.
+  Keeper keeper = {};
+  /// Layers bonded to the contact surface, outermost first; youngs_modulus and
+  /// poisson_ratio are those of the material below them.
   std::vector<cases::MaterialLayer> layers = {};
 };
 
-/// What the module gives. Each call throws std::domain_error, in words, for a
-/// block that cannot be built (layers that do not fit, an odd grid for Q2).
+/// The services of the finite-element module. Each call throws
+/// std::domain_error with a description if a block cannot be built (for example
+/// if layers do not fit, or for an odd grid with Q2).
 class FemRoom {
 public:
   virtual ~FemRoom() = default;
 
-  /// Road 2: settings.solver automatic or condensed. What costs more to build
-  /// than to read, the blocks of Q2, is asked of the keeper first and given to
-  /// it when built.
+  /// The condensed method: settings.solver is automatic or condensed. The
+  /// compliance blocks of Q2 cost more to build than to read, so they are
+  /// requested from the cache first and written to it after they have been
+  /// built.
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 
-  /// Road 1: settings.solver full. Under mpirun all ranks share the work; a
-  /// call at a time.
-  /// @throws cases::CaseError  besides, for a file that the case names
+  /// The full method: settings.solver is full. Under mpirun all ranks share the
+  /// work; only one call may be active at a time.
+  /// @throws cases::CaseError  in addition, for a file that the case names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
-  /// The same without a case: the block of condensed(), whole, on one process
-  /// alone.
+  /// The full method without a case: the block of condensed() as a full 3-D
+  /// finite-element model, on a single process.
   virtual std::unique_ptr<FullBlock>
   uncondensed(const BlockRequest& request) const = 0;
 
-  /// Under mpirun, before anything else is done: on rank 0 false, and the
-  /// others end when the program does; on the others true, once it has ended.
+  /// Must be called under mpirun before anything else. On rank 0 it returns
+  /// false immediately, and the other ranks end when the program does. On the
+  /// other ranks it returns true after rank 0 has ended.
   virtual bool has_followed() const = 0;
 
-  /// Processes that share a whole block.
+  /// Number of processes that share a full 3-D block.
   virtual int ranks() const = 0;
 
-  /// "deal.II 9.4.1, Trilinos 13.2.0": for the provenance.
+  /// Library versions for the provenance, such as "deal.II 9.4.1, Trilinos
+  /// 13.2.0".
   virtual std::string versions() const = 0;
 };
 
-/// The interface law of the case in the units the whole block takes.
+/// Converts the contact law of the case to SI units, as the full 3-D block
+/// needs it.
 BlockContact block_contact(const cases::ContactSettings& settings,
                            const cases::Scales& scales);
 
-/// The room, loaded at the first call: the module asperity_fem from the folder
-/// of the running program, from ../fem beside it (the build tree), or from
-/// ../lib/asperity beside it (an installation).
-/// @throws std::runtime_error  none could be loaded; says where it looked and
-///                             what the loader answered
+/// Returns the finite-element module, loaded at the first call: the plugin
+/// asperity_fem from the folder of the running program, from ../fem relative to
+/// it (the build tree), or from ../lib/asperity relative to it (an
+/// installation).
+/// @throws std::runtime_error  no plugin could be loaded; the message lists the
+///                             places searched and the loader's errors
 const FemRoom& load_fem_room();
 
 } // namespace asperity::fem

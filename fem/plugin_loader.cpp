@@ -9,7 +9,7 @@ namespace {
 
 using RoomEntry = const FemRoom* (*)();
 
-/// The module is never closed: its libraries do not survive that.
+/// The plugin is never closed, because its libraries do not support unloading.
 const FemRoom* open_room() {
   const std::filesystem::path here =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();

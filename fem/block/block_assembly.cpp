@@ -13,8 +13,8 @@ namespace {
 
 using dealii::types::global_dof_index;
 
-/// What this rank may write to: unknowns of its cells, the roots of their
-/// constraints and what its points of contact need.
+/// The unknowns that this rank may write to: those of its cells, the master
+/// unknowns of their constraints and those that its contact points need.
 dealii::IndexSet writable(const BlockSystem& system) {
   const BlockSpace& space = system.space();
   std::vector<global_dof_index> roots;
@@ -30,7 +30,8 @@ dealii::IndexSet writable(const BlockSystem& system) {
   return set;
 }
 
-/// Whether two unknowns' nodes are corners of one of the eight small cells.
+/// Table of whether the nodes of two unknowns are vertices of a common cell
+/// among the eight small cells.
 dealii::Table<2, bool> neighbours(const dealii::FiniteElement<3>& element) {
   const auto& places = element.get_unit_support_points();
   dealii::Table<2, bool> couples(places.size(), places.size());
@@ -85,7 +86,8 @@ void assemble_low_order(const BlockSystem& system,
   const dealii::FESystem<3> element(dealii::FE_Q_iso_Q1<3>(2), 3);
   CellMatrices matrices(
       system.space(), element,
-      dealii::QIterated<3>(dealii::QGauss<1>(2), 2)); // exact on boxes
+      dealii::QIterated<3>(dealii::QGauss<1>(2), 2)); // exact on box-shaped
+                                                      // cells
   assemble(system, matrices, neighbours(element), matrix);
 }
 

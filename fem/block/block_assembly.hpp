@@ -1,8 +1,9 @@
 #pragma once
 
-// Cell matrices into a distributed matrix of the block, and the matrix that
-// stands for second-order cells in a preconditioner.
-// Include from .cpp files of fem/ only.
+// Assembly of cell matrices into a distributed matrix of the block, and the
+// matrix of first-order cells that replaces the one of second-order cells in a
+// preconditioner.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
 #include "fem/block/cell_matrices.hpp"
@@ -11,24 +12,25 @@
 
 namespace asperity::fem {
 
-/// Sums a matrix a cell under the block's constraints, with room for springs
-/// at the points of contact. Collective.
-/// @param couples  which unknowns of a cell share an entry; empty for all
+/// Sums one matrix per cell under the block's constraints. The sparsity pattern
+/// reserves entries for springs at the contact points. This call is collective.
+/// @param couples  which pairs of unknowns of a cell share an entry; empty for
+///                 all
 void assemble(const BlockSystem& system, CellMatrices& matrices,
               const dealii::Table<2, bool>& couples,
               dealii::TrilinosWrappers::SparseMatrix& matrix);
 
-/// Whether the block is of second-order hexahedra.
+/// Whether the block consists of second-order hexahedra.
 bool has_low_order(const BlockSpace& space);
 
-/// The stiffness K_1 of first-order cells, eight in each second-order
-/// hexahedron, between its 27 nodes and under the same constraints. On each
-/// cell, and so on the whole block at any size of cells,
+/// Assembles the stiffness K_1 of first-order cells, eight in each second-order
+/// hexahedron, on its 27 nodes and under the same constraints. On each cell,
+/// and therefore on the full block for any cell size,
 ///
 ///     c u.K_1 u <= u.K u <= C u.K_1 u                               (F.4)
 ///
-/// with c, C of order one, and K_1 has two fifths of K's entries: what stands
-/// for K in a preconditioner. Collective.
+/// with c and C of order one. K_1 has two fifths of the entries of K and
+/// replaces K in a preconditioner. This call is collective.
 /// @see  S. A. Orszag, J. Comput. Phys. 37, 70 (1980)
 void assemble_low_order(const BlockSystem& system,
                         dealii::TrilinosWrappers::SparseMatrix& matrix);

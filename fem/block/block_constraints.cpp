@@ -18,14 +18,16 @@ using dealii::Point;
 using dealii::types::global_dof_index;
 using meshes::FaceGroup;
 
-/// Bodies meet at z = 0: apart, no node of one is taken for one of the other.
+/// Shifts the second body away from the first. The bodies touch at z = 0; the
+/// shift keeps a node of one from being taken for a node of the other.
 Point<3> apart(Point<3> place, bool is_counter, double depth) {
   if (is_counter)
     place[2] -= depth;
   return place;
 }
 
-/// The nodes of all ranks as numbers: place and unknowns, six a node.
+/// Gathers the nodes of all ranks as numbers: the place and the unknowns, six
+/// numbers per node.
 std::vector<double> gathered(const std::vector<FaceNode>& nodes, double depth) {
   std::vector<double> mine;
   mine.reserve(6 * nodes.size());
@@ -43,8 +45,9 @@ std::vector<double> gathered(const std::vector<FaceNode>& nodes, double depth) {
   return all;
 }
 
-/// The place of smallest badness over all ranks; of equals the smallest in x,
-/// then y: the same wherever the cells lie.
+/// The place with the smallest badness over all ranks. Ties are broken by the
+/// smallest x, then y, so the result does not depend on the distribution of
+/// cells.
 Point<3> best_place(const std::vector<FaceNode>& nodes, double tolerance,
                     const std::function<double(const Point<3>&)>& badness) {
   std::array<double, 4> best{1e300, 0.0, 0.0, 0.0};
@@ -97,7 +100,7 @@ void BlockSpace::hold_far_face(const BlockProblem& problem) {
     pin(problem, nodes, true);
 }
 
-/// Takes away the rigid motions that the far face leaves one body.
+/// Removes the rigid-body motions that the far boundary leaves to one body.
 void BlockSpace::pin(const BlockProblem& problem,
                      const std::vector<FaceNode>& nodes, bool is_counter) {
   std::vector<FaceNode> own;
@@ -120,7 +123,8 @@ void BlockSpace::pin(const BlockProblem& problem,
     hold(pinned, i);
   if (problem.sides == cases::BlockSides::periodic)
     return;
-  // The second node may move towards the first and away from it.
+  // The second node may move towards the first and away from it, but not
+  // sideways.
   const Point<3> second = best_place(own, tolerance_, [&](const Point<3>& p) {
     return std::abs(p[1] - pinned[1]) - std::abs(p[0] - pinned[0]);
   });
@@ -133,9 +137,10 @@ void BlockSpace::pin(const BlockProblem& problem,
     }
 }
 
-/// Each node at x = length_x or y = length_y is its root's image. The roots,
-/// few against the unknowns, are made known to all ranks, so that no chain of
-/// images ends at a neighbour's neighbour.
+/// Constrains each node at x = length_x or y = length_y to its root, the node
+/// that it is the periodic image of. The roots are few compared with the
+/// unknowns and are made known to all ranks, so that no chain of images ends at
+/// a rank beyond the neighbour.
 void BlockSpace::identify_sides() {
   const auto root_place = [&](Point<3> place) {
     for (unsigned int i = 0; i < 2; ++i)

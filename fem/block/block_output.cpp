@@ -23,8 +23,8 @@ namespace mpi = dealii::Utilities::MPI;
 using Interpretation =
     dealii::DataComponentInterpretation::DataComponentInterpretation;
 
-/// The six raw entries of a symmetric stress, in deal.II's order, as what a
-/// reader looks at.
+/// Converts the six entries of a symmetric stress, in deal.II's order, to the
+/// output fields.
 class StressFields final : public dealii::DataPostprocessor<3> {
 public:
   std::vector<std::string> get_names() const override {
@@ -61,7 +61,7 @@ public:
   }
 };
 
-/// Nodal stresses, which may jump between cells, as deal.II's unknowns.
+/// A space of discontinuous nodal stresses, numbered by deal.II.
 class StressSpace {
 public:
   explicit StressSpace(const BlockSpace& space)
@@ -100,7 +100,7 @@ private:
   dealii::LinearAlgebra::distributed::Vector<double> values_;
 };
 
-/// Values of all this rank's cells, by active cell index.
+/// Values on all cells of this rank, by active cell index.
 struct CellFields {
   explicit CellFields(const BlockSystem& system)
       : youngs_modulus(system.space().triangulation().n_active_cells()),
@@ -122,8 +122,10 @@ struct CellFields {
   dealii::Vector<double> subdomain;
 };
 
-/// Runs what may fail on one rank alone, so that no rank waits for ever.
-/// @throws std::runtime_error  on every rank, the first one's complaint
+/// Runs an action that may fail on one rank only, so that no rank waits
+/// forever.
+/// @throws std::runtime_error  on every rank, with the message of the first
+///                             rank that failed
 void all_or_none(const std::function<void()>& action) {
   std::string complaint;
   try {
@@ -142,8 +144,8 @@ std::string text_of(const std::function<void(std::ostream&)>& print) {
   return text.str();
 }
 
-/// This rank's part, the list of parts and the list of steps, in this order:
-/// no list ever names a file that is not there.
+/// Writes this rank's part, the list of parts and the list of steps, in this
+/// order, so that no list ever names a file that does not exist.
 void write_files(const std::filesystem::path& path,
                  const dealii::DataOut<3>& data,
                  const std::vector<double>& pressures) {

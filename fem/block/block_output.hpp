@@ -1,8 +1,8 @@
 #pragma once
 
-// Solved blocks as files for ParaView. Owns names, steps and the form of the
-// files; the stress in them is block_stress.hpp's.
-// Include from .cpp files of fem/ only.
+// Output of solved blocks as files for ParaView. This file defines the names,
+// the steps and the format of the files; block_stress.hpp computes the stress.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_stress.hpp"
 
@@ -13,7 +13,7 @@
 
 namespace asperity::fem {
 
-/// The files of FullBlock::write. Fields, all in SI:
+/// Writes the files of FullBlock::write. The fields are, in SI units:
 ///
 ///     displacement       u, vector                  quadratic where u is
 ///     stress             sigma, tensor              nodal averages
@@ -22,25 +22,29 @@ namespace asperity::fem {
 ///     youngs_modulus     E of the cell
 ///     subdomain          rank of the cell
 ///
-/// A cell of second order is written as eight of half the width, or as a
-/// tetrahedron of ten nodes. Time is the nominal pressure, cycle the step.
+/// A second-order hexahedron is written as eight cells of half the width, a
+/// second-order tetrahedron with its ten nodes. The time of a step is the
+/// nominal pressure, the cycle is the number of the step.
 class BlockOutput {
 public:
-  /// Collective. The step is the count of calls with this stem before.
-  /// @param folder_and_stem   "out/block"; the folder is made if need be
-  /// @param nominal_pressure  of the solution [Pa]
-  /// @throws std::runtime_error  on every rank if one could not write; files of
-  ///                             earlier steps are then untouched
+  /// Writes one step; its number is the number of earlier calls with this stem.
+  /// This call is collective.
+  /// @param folder_and_stem   for example "out/block"; the folder is created if
+  ///                          necessary
+  /// @param nominal_pressure  nominal pressure of the solution [Pa]
+  /// @throws std::runtime_error  on every rank if one of them could not write;
+  ///                             files of earlier steps are then unchanged
   void write(const std::string& folder_and_stem, const BlockSystem& system,
              BlockStress& stress, double nominal_pressure);
 
 private:
-  std::map<std::string, std::vector<double>> steps_; ///< [Pa], by stem
+  std::map<std::string, std::vector<double>> steps_; ///< nominal pressures
+                                                     ///< [Pa], by stem
 };
 
-/// What a PVD file calls the time of each step: the nominal pressure if it
-/// grows from step to step, or else the number of the step, because ParaView
-/// lays files of one time over each other.
+/// Times of the steps in a PVD file: the nominal pressures if they increase
+/// from step to step, otherwise the numbers of the steps, because ParaView
+/// superimposes files with equal times.
 std::vector<double> times_of(const std::vector<double>& nominal_pressures);
 
 } // namespace asperity::fem

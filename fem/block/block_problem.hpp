@@ -1,7 +1,7 @@
 #pragma once
 
-// A whole block to be solved, as plain data: its mesh, what it is made of, how
-// it is held and how its contact and its linear systems are treated.
+// Plain data of a full 3-D block problem: mesh, materials, boundary conditions,
+// and treatment of contact and of the linear systems.
 
 #include "base/grid.hpp"
 #include "cases/types/case.hpp"
@@ -15,32 +15,37 @@
 
 namespace asperity::fem {
 
-/// What make_full_block builds. Equal on every rank.
+/// The problem that make_full_block builds. It must be equal on every rank.
 struct BlockProblem {
-  Grid grid;              ///< of the heights and of the answer's maps
-  meshes::BlockMesh mesh; ///< its contact face spans the grid's rectangle
-  int degree = 1;         ///< of the shape functions, 1 or 2
+  Grid grid;              ///< grid of the heights and of the fields in the
+                          ///< solution
+  meshes::BlockMesh mesh; ///< its contact surface covers the rectangle of the
+                          ///< grid
+  int degree = 1;         ///< polynomial degree of the shape functions, 1 or 2
   ModuliField moduli;
   cases::TopFace top = cases::TopFace::clamped;
-  /// Free sides with a pressed top are refused: such a block may tilt.
+  /// Free sides with a pressure-loaded far boundary are refused, because such a
+  /// block may tilt.
   cases::BlockSides sides = cases::BlockSides::periodic;
   cases::ContactPoints contact_at = cases::ContactPoints::nodes;
   LinearSolver linear_solver = LinearSolver::automatic;
 
-  /// The second body, if it is meshed too: the mirror image of the first below
-  /// the contact face, held at its own far face as the first is.
+  /// The second body, if it is meshed as well: the mirror image of the first
+  /// below the contact surface, supported at its own far boundary as the first
+  /// body is.
   std::optional<cases::BodyModuli> counter = {};
 
-  /// The laterally uniform block on the grid's lattice that the mesh is, or is
-  /// near to: what LinearSolver::fourier preconditions with.
+  /// The laterally uniform block on the same node grid that the mesh equals or
+  /// approximates; LinearSolver::fourier uses it as preconditioner.
   std::optional<LayeredBlock> lattice = {};
 
-  std::string quality = {}; ///< lines about the mesh, for report()
+  std::string quality = {}; ///< lines on the mesh quality, for report()
 };
 
-/// Builds the mesh, numbers the unknowns and assembles; collective.
-/// @throws std::domain_error  a part is outside its range, periodic sides do
-///                            not match, or the combination is refused
+/// Builds the mesh, numbers the unknowns and assembles the matrices. This call
+/// is collective.
+/// @throws std::domain_error  a parameter is outside its range, the periodic
+///                            sides do not match, or the combination is refused
 std::unique_ptr<FullBlock> make_full_block(const BlockProblem& problem);
 
 } // namespace asperity::fem

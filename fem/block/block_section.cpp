@@ -16,12 +16,14 @@ namespace {
 
 using dealii::Point;
 
-/// How far a place may lie outside of a cell that answers for it, in the
-/// cell's own coordinates: rounding of the mapping.
+/// Distance that a place may lie outside of a cell that provides its value, in
+/// the reference coordinates of the cell. It allows for roundoff of the
+/// mapping.
 constexpr double outside = 1e-8;
 
-/// One cell's answer for a place: distance of its centre from the face, its
-/// x and y [m], then the von Mises stress [Pa]. The least one counts.
+/// The value that one cell provides for a place: distance of the cell's centre
+/// from the contact surface, x and y of the centre [m], then the von Mises
+/// stress [Pa]. The smallest one in lexicographic order is used.
 using Answer = std::array<double, 4>;
 
 constexpr double nobody = std::numeric_limits<double>::infinity();
@@ -32,7 +34,7 @@ std::unique_ptr<dealii::FiniteElement<3>> linear_on(const BlockSpace& space) {
   return std::make_unique<dealii::FE_SimplexP<3>>(1);
 }
 
-/// The place in the cell's own coordinates, if it lies in the cell.
+/// The reference coordinates of the place, if it lies in the cell.
 std::optional<Point<3>> place_in(const BlockStress::Cell& cell,
                                  const Point<3>& place,
                                  const dealii::Mapping<3>& mapping) {
@@ -41,11 +43,11 @@ std::optional<Point<3>> place_in(const BlockStress::Cell& cell,
     if (cell->reference_cell().contains_point(unit, outside))
       return unit;
   } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
-  } // far outside of a distorted cell
+  } // the place is far outside of a distorted cell
   return std::nullopt;
 }
 
-/// What one cell says of the places in it.
+/// Evaluates the stress of one cell at the places that lie in it.
 class CellInPlane {
 public:
   CellInPlane(const SectionPlane& plane, const BlockSpace& space)

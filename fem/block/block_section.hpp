@@ -1,8 +1,8 @@
 #pragma once
 
-// The stress of a solved block in a plane through it, at places that need not
-// be the mesh's. Owns which cell answers for a place.
-// Include from .cpp files of fem/ only.
+// Stress of a solved block in a plane section, at places that need not be mesh
+// nodes. This file determines which cell provides the value at a place.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_stress.hpp"
 
@@ -10,7 +10,8 @@
 
 namespace asperity::fem {
 
-/// FullBlock::section. Collective; every rank gets all of it.
+/// Implements FullBlock::section. This call is collective; every rank receives
+/// all values.
 std::vector<double> von_mises_in(const SectionPlane& plane,
                                  const BlockSpace& space, BlockStress& stress);
 

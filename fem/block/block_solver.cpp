@@ -21,15 +21,17 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 namespace {
 
-/// What setting up multigrid costs, in iterations of CG.
+/// Cost of a multigrid setup in CG iterations.
 constexpr double setup_steps = 20.0;
 
-/// MUMPS under Amesos waits for ever at its second matrix on two ranks.
+/// Whether this process runs alone. MUMPS called through Amesos deadlocks at
+/// its second matrix on two ranks.
 bool is_alone() {
   return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
 }
 
-/// Clears rows and columns of the flagged unknowns but for the diagonal.
+/// Sets the rows and columns of the flagged unknowns to zero except for the
+/// diagonal.
 void clear_rows_and_columns(Matrix& matrix, const Vector& flags) {
   const Epetra_CrsMatrix& crs = matrix.trilinos_matrix();
   const Epetra_MultiVector& by_row = flags.trilinos_vector();
@@ -59,7 +61,7 @@ PreconditionAMG::AdditionalData multigrid_settings(const BlockSpace& space,
   settings.elliptic = true;
   settings.higher_order_elements = is_second_order;
   settings.smoother_sweeps = 2;
-  settings.aggregation_threshold = 1e-4; // 0.02 of step-42 needs more steps
+  settings.aggregation_threshold = 1e-4; // 0.02 as in step-42 needs more steps
   dealii::DoFTools::extract_constant_modes(space.dof_handler(),
                                            dealii::ComponentMask(3, true),
                                            settings.constant_modes);
@@ -73,7 +75,8 @@ struct BlockSolver::Factors {
   PreconditionAMG::AdditionalData settings;
 };
 
-/// A preconditioner between two projections on the unknowns that are not held.
+/// Applies a preconditioner between two projections onto the unknowns that are
+/// not held.
 class BlockSolver::Masked {
 public:
   explicit Masked(const BlockSolver& solver) : solver_(solver) {}
@@ -90,7 +93,7 @@ private:
   const BlockSolver& solver_;
 };
 
-/// K + B^T diag(s) B on vectors that are zero at held unknowns.
+/// Applies K + B^T diag(s) B to vectors that are zero at held unknowns.
 class BlockSolver::Operator {
 public:
   explicit Operator(const BlockSolver& solver) : solver_(solver) {}
@@ -109,7 +112,7 @@ public:
 
 private:
   const BlockSolver& solver_;
-  mutable std::vector<double> forces_; ///< [N] on the points
+  mutable std::vector<double> forces_; ///< forces on the points [N]
 };
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
@@ -168,7 +171,8 @@ void BlockSolver::clear_held(Vector& vector) const {
   vector.compress(dealii::VectorOperation::insert);
 }
 
-/// matrix_ = stiffness, with what the contact adds and clears.
+/// Sets matrix_ to the stiffness with the springs added and the rows and
+/// columns of held unknowns cleared.
 void BlockSolver::write_matrix(const Matrix& stiffness) {
   matrix_.copy_from(stiffness);
   system_.contact().add_springs(springs_, matrix_);
@@ -224,8 +228,9 @@ void BlockSolver::refresh_multigrid() {
   ++setups_;
 }
 
-/// Whether the hierarchy still serves: what the contacts since cost beyond its
-/// own, until that would have paid for a new one. Short solves say little.
+/// Decides whether the hierarchy is still efficient: it is stale as soon as the
+/// accumulated excess of iterations since its setup would have paid for a new
+/// one. Short solves are not counted because they are not representative.
 void BlockSolver::judge(int steps, double decades) {
   constexpr int fewest_steps = 5;
   if (own_ || steps < fewest_steps || !(decades > 1.0))
@@ -249,7 +254,7 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
     return true;
   }
   constexpr unsigned int most_steps = 1000;
-  // A hierarchy of another contact may not serve this one at all.
+  // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
   if (own_)
     return iterate(unknowns, forces, tolerance, most_steps);

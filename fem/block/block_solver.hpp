@@ -1,8 +1,9 @@
 #pragma once
 
-// Linear solves with the block's stiffness and what contact adds to it: a
-// direct solver for small blocks, preconditioned CG beyond.
-// Include from .cpp files of fem/ only.
+// Linear solves with the stiffness matrix of the block and the contribution of
+// the contact: a direct solver for small blocks and preconditioned CG for
+// larger ones.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
 
@@ -15,81 +16,87 @@
 
 namespace asperity::fem {
 
-/// Stands for the inverse of the matrix in CG: symmetric, positive definite.
+/// Approximates the inverse of the matrix in CG. It must be symmetric and
+/// positive definite.
 class BlockPreconditioner {
 public:
   virtual ~BlockPreconditioner() = default;
 
-  /// Told of each new contact: a spring [N/m] at each point of this rank, and
-  /// whether the point's unknown is held (an infinite spring). Collective.
+  /// Prepares for a new contact state: one spring [N/m] per contact point of
+  /// this rank, and whether the unknown of the point is held (an infinite
+  /// spring). This call is collective.
   virtual void prepare(std::span<const double> springs,
                        const std::vector<bool>& held) = 0;
 
-  /// Collective.
+  /// Applies the preconditioner. This call is collective.
   virtual void vmult(dealii::TrilinosWrappers::MPI::Vector& to,
                      const dealii::TrilinosWrappers::MPI::Vector& from) = 0;
 
   virtual std::string name() const = 0;
 
-  /// What went wrong in it since the last prepare(); empty: nothing.
+  /// Description of a failure since the last prepare(); empty if there was
+  /// none.
   virtual std::string failure() const { return {}; }
 
-  virtual std::size_t bytes() const = 0; ///< of memory, on this rank
+  virtual std::size_t bytes() const = 0; ///< memory on this rank [bytes]
 };
 
-/// How Trilinos ML is set up for a matrix on the unknowns of a block.
-/// @param is_second_order  whether it is of second-order cells
+/// Settings of Trilinos ML for a matrix on the unknowns of a block.
+/// @param is_second_order  whether the matrix is that of second-order cells
 dealii::TrilinosWrappers::PreconditionAMG::AdditionalData
 multigrid_settings(const BlockSpace& space, bool is_second_order);
 
-/// K + B^T diag(s) B, with the rows and columns of held unknowns cleared off
-/// their diagonal. Only the direct solver writes it down; conjugate gradients
-/// apply it.
+/// Solves with K + B^T diag(s) B, in which the rows and columns of held
+/// unknowns are zero except for their diagonal. Only the direct solver
+/// assembles this matrix; conjugate gradients apply it matrix-free.
 ///
-/// Multigrid (Trilinos ML) is set up for the first contact: for the matrix
-/// itself, or where the block is of second-order hexahedra for that of
-/// first-order cells between the same nodes (block_assembly.hpp), which is set
-/// up and swept in half the time. It is kept for the contacts that follow until
-/// the iterations they took beyond those it took when new would pay for another
-/// one. Held unknowns are masked around it, so a hierarchy that did not know of
-/// them stays symmetric and sees no big number.
+/// Multigrid (Trilinos ML) is set up for the first contact state: for the
+/// matrix itself, or for a block of second-order hexahedra for the matrix of
+/// first-order cells on the same nodes (block_assembly.hpp), for which setup
+/// and smoothing take half the time. The hierarchy is reused for later contact
+/// states until the iterations in excess of those with the new hierarchy would
+/// pay for another setup. Held unknowns are masked outside of the hierarchy, so
+/// a hierarchy that was set up without them remains symmetric and contains no
+/// large penalty numbers.
 class BlockSolver {
 public:
   /// @param system must outlive the solver
-  /// @param own    used in place of multigrid; may be null
+  /// @param own  preconditioner used in place of multigrid; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
               std::unique_ptr<BlockPreconditioner> own = {});
   ~BlockSolver();
 
-  /// Costs nothing where nothing has changed.
-  /// @param springs  [N/m] of the contact points of this rank
-  /// @param held     whether a point's only unknown is held; node-wise contact
-  ///                 with one body only, else all false
+  /// Sets the contact state. The call is free if nothing has changed.
+  /// @param springs  springs of the contact points of this rank [N/m]
+  /// @param held     whether the only unknown of a point is held; may be true
+  ///                 only for node-wise contact with one body
   void set_contact(std::span<const double> springs,
                    const std::vector<bool>& held);
 
-  /// Solves for `unknowns` from what it holds (zeros are cheapest where
-  /// nothing is known). `forces` is zero at held unknowns; so is the answer.
-  /// @param tolerance  of the residual's l2 norm [N]; of no meaning to the
+  /// Solves for `unknowns`, starting from the values in it (zeros are cheapest
+  /// if no estimate is known). `forces` must be zero at held unknowns, and so
+  /// is the solution.
+  /// @param tolerance  of the l2 norm of the residual [N]; ignored by the
   ///                   direct solver
-  /// @return           false if CG gave up
+  /// @return           false if CG did not converge
   [[nodiscard]] bool solve(dealii::TrilinosWrappers::MPI::Vector& unknowns,
                            const dealii::TrilinosWrappers::MPI::Vector& forces,
                            double tolerance);
 
   bool is_direct() const { return is_direct_; }
 
-  int iterations() const { return iterations_; } ///< of CG, in all
+  int iterations() const { return iterations_; } ///< total CG iterations
 
-  int setups() const { return setups_; } ///< factorisations or hierarchies
+  int setups() const { return setups_; } ///< factorisations or multigrid setups
 
   std::string name() const;
 
-  /// Why the last solve failed.
+  /// The reason why the last solve failed.
   std::string failure() const;
 
-  /// Matrix and preconditioner of all ranks [bytes]; of the direct solver's
-  /// factors nothing is known.
+  /// Memory of the matrix and the preconditioner on all ranks [bytes]. The
+  /// factors of the direct solver are not included, because their size is not
+  /// available.
   double memory() const;
 
 private:
@@ -110,18 +117,20 @@ private:
   bool is_direct_;
   std::unique_ptr<BlockPreconditioner> own_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
-  dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< what factors_ are of
-  std::unique_ptr<Factors> factors_; ///< after the matrix: goes first
-  // The contact.
+  dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_
+                                                     ///< belong to
+  std::unique_ptr<Factors> factors_; ///< declared after matrix_, so destroyed
+                                     ///< first
+  // The contact state.
   bool is_set_ = false;
   std::vector<double> springs_;
-  std::vector<bool> holds_; ///< a point
+  std::vector<bool> holds_; ///< whether each point is held
   std::vector<dealii::types::global_dof_index> held_;
   bool has_springs_ = false;    ///< on any rank
-  bool is_stale_ = true;        ///< multigrid
-  bool is_new_ = false;         ///< multigrid is of this very contact
-  double steps_a_decade_ = 0.0; ///< when the hierarchy was new
-  double lost_steps_ = 0.0;     ///< beyond these, since
+  bool is_stale_ = true;        ///< multigrid hierarchy must be set up again
+  bool is_new_ = false;         ///< hierarchy is that of the current contact
+  double steps_a_decade_ = 0.0; ///< CG steps per decade with a new hierarchy
+  double lost_steps_ = 0.0;     ///< steps in excess of these, accumulated
   int iterations_ = 0;
   int setups_ = 0;
 };

@@ -21,7 +21,7 @@ namespace {
 using dealii::types::global_dof_index;
 using meshes::FaceGroup;
 
-/// Starts MPI before any member asks for it.
+/// Initialises MPI before any member needs it.
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
 first_of_all(const BlockProblem& problem) {
   start_mpi();

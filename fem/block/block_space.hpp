@@ -1,8 +1,9 @@
 #pragma once
 
-// The unknowns of a whole block: mesh, shape functions, their numbering over
-// the ranks and what constrains them. Knows nothing of stiffness or contact.
-// Include from .cpp files of fem/ only.
+// The finite-element space of a full 3-D block: mesh, shape functions,
+// numbering of the unknowns over the ranks, and constraints. It is independent
+// of stiffness and contact.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_problem.hpp"
 
@@ -20,24 +21,27 @@
 
 namespace asperity::fem {
 
-/// One place of the boundary where displacements are unknowns.
+/// A boundary node whose displacements are unknowns.
 struct FaceNode {
   dealii::Point<3> place;                                    ///< [m]
   std::array<dealii::types::global_dof_index, 3> unknowns{}; ///< u_x, u_y, u_z
-  bool is_counter = false; ///< of the second body
+  bool is_counter = false; ///< whether it belongs to the second body
 };
 
-/// Displacements (u_x, u_y, u_z), FE_Q or FE_SimplexP of the problem's degree.
+/// The space of displacements (u_x, u_y, u_z): FE_Q or FE_SimplexP of the
+/// problem's degree.
 ///
-/// Constrained are: hanging nodes; on the far faces what `top` holds; and with
-/// periodic sides every node at x = length_x or y = length_y, by its root, the
-/// node a period back in x and y. A sliding top is pinned laterally, a pressed
-/// top in all directions, at one node of the far face; a sliding block with
-/// free sides at a second one against turning. Under the loads of frictionless
-/// contact the pins carry nothing. Vectors hold zeros at constrained unknowns.
+/// The following unknowns are constrained: hanging nodes; on the far boundary
+/// those that `top` prescribes; and with periodic sides those of every node at
+/// x = length_x or y = length_y, by the root of the node, one period back in x
+/// and y. To remove rigid-body motions, one node of the far boundary is pinned
+/// laterally if the far boundary is sliding, and in all directions if it is
+/// pressure-loaded; with a sliding far boundary and free sides a second node is
+/// pinned against rotation. Under the loads of frictionless contact the pins
+/// carry no force. Vectors hold zeros at constrained unknowns.
 class BlockSpace {
 public:
-  /// @throws std::domain_error  as make_full_block
+  /// @throws std::domain_error  under the conditions of make_full_block
   explicit BlockSpace(const BlockProblem& problem);
 
   const dealii::parallel::TriangulationBase<3>& triangulation() const {
@@ -54,7 +58,7 @@ public:
     return constraints_;
   }
 
-  /// Unknowns of this rank, and those of all cells it owns or borders on.
+  /// Unknowns owned by this rank.
   const dealii::IndexSet& owned() const { return owned_; }
 
   const dealii::IndexSet& relevant() const { return relevant_; }
@@ -63,20 +67,20 @@ public:
 
   const dealii::Quadrature<2>& face_quadrature() const { return on_face_; }
 
-  /// Zeros over the owned unknowns.
+  /// Creates a zero vector of the owned unknowns.
   dealii::TrilinosWrappers::MPI::Vector make_vector() const;
 
-  /// Nodes on the faces of a group that this rank owns or borders on, once
-  /// each, in the order of u_z.
+  /// Nodes on the faces of a group that lie on cells this rank owns or borders
+  /// on, each once, ordered by the number of u_z.
   std::vector<FaceNode> face_nodes(meshes::FaceGroup group) const;
 
-  /// What a row of shape values means for the unconstrained unknowns: sorted,
-  /// each once.
+  /// Resolves the constraints in a row of shape values: the entries of the
+  /// unconstrained unknowns, sorted, each unknown once.
   std::vector<std::pair<dealii::types::global_dof_index, double>> resolved(
       const std::vector<std::pair<dealii::types::global_dof_index, double>>&
           row) const;
 
-  /// Below this two coordinates are one [m].
+  /// Coordinates that differ by less than this are considered equal [m].
   double coordinate_tolerance() const { return tolerance_; }
 
 private:

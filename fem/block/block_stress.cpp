@@ -14,8 +14,8 @@
 namespace asperity::fem {
 namespace {
 
-/// The matrix that takes values at the quadrature points of a cell to those of
-/// their linear projection at its vertices.
+/// The matrix that maps values at the quadrature points of a cell to the values
+/// of their linear projection at its vertices.
 dealii::FullMatrix<double> projection_of(const BlockSpace& space) {
   const dealii::Quadrature<3>& points = space.cell_quadrature();
   const auto project = [&](const dealii::FiniteElement<3>& linear) {
@@ -29,8 +29,8 @@ dealii::FullMatrix<double> projection_of(const BlockSpace& space) {
   return project(dealii::FE_SimplexP<3>(1));
 }
 
-/// Largest stress first, then the smallest coordinates: -von Mises [Pa], x, y,
-/// z [m], and the shear there [Pa].
+/// A place ordered by decreasing stress, then by increasing coordinates:
+/// -von Mises [Pa], x, y, z [m], and the largest shear stress there [Pa].
 using RankedPlace = std::array<double, 5>;
 
 } // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
-// The stress inside a solved block: at quadrature points, at the vertices and
-// where it is largest. Owns no file and no law of contact.
-// Include from .cpp files of fem/ only.
+// Stress inside a solved block: at quadrature points, at vertices, and its
+// maximum. This file is independent of output files and of the contact law.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
 
@@ -16,60 +16,67 @@
 
 namespace asperity::fem {
 
-/// sigma [Pa], tension positive, z into the first body.
+/// The stress sigma [Pa], positive in tension, with z pointing into the first
+/// body.
 using StressTensor = dealii::SymmetricTensor<2, 3>;
 
-/// sqrt(3 J_2) = sqrt(3/2 s : s) with s the deviator of sigma [Pa] >= 0.
+/// The von Mises stress sqrt(3 J_2) = sqrt(3/2 s : s), where s is the deviator
+/// of sigma [Pa] >= 0.
 double von_mises(const StressTensor& stress);
 
-/// Half the difference of the outermost principal stresses [Pa] >= 0.
+/// The largest shear stress: half the difference of the largest and the
+/// smallest principal stress [Pa] >= 0.
 double largest_shear(const StressTensor& stress);
 
-/// The stress of one displacement. Every call but at_points is collective.
+/// The stress of one displacement field. Every call except at_points is
+/// collective.
 ///
-/// A cell has sigma at its quadrature points from the strain there, the points
-/// that its stiffness was integrated with. In each cell they are projected in
-/// the least squares of those points' weights on functions linear in its own
-/// coordinates, and the values these take at a vertex are averaged over the
-/// cells of one material around it, weighted by their volumes: where moduli
-/// differ the stress keeps its jump. Averages do not reach across periodic
-/// sides.
+/// In each cell, sigma is computed from the strain at the quadrature points
+/// with which the stiffness was integrated. These values are projected onto
+/// functions that are linear in the reference coordinates of the cell, by least
+/// squares with the quadrature weights. The projections at a vertex are
+/// averaged over the cells of one material around it, weighted by cell volume,
+/// so the stress remains discontinuous where the moduli differ. Averages do not
+/// extend across periodic sides.
 class BlockStress {
 public:
   using Cell = dealii::DoFHandler<3>::active_cell_iterator;
 
-  /// What takes the stress at the vertices of a cell, in deal.II's order.
+  /// A callback that receives the stress at the vertices of a cell, in
+  /// deal.II's order.
   using TakeVertices =
       std::function<void(const Cell&, std::span<const StressTensor>)>;
 
-  /// @param system        must outlive this
-  /// @param displacement  u [m] over the owned unknowns; what it holds at
-  ///                      constrained ones is not read
+  /// @param system        must outlive this object
+  /// @param displacement  u over the owned unknowns [m]; its entries at
+  ///                      constrained unknowns are not read
   BlockStress(const BlockSystem& system,
               const dealii::TrilinosWrappers::MPI::Vector& displacement);
 
-  /// u [m] at all unknowns of this rank's cells, the constrained ones too.
+  /// The displacement u at all unknowns of this rank's cells, including
+  /// constrained ones [m].
   const dealii::TrilinosWrappers::MPI::Vector& displacement() const {
     return displacement_;
   }
 
-  /// sigma at the quadrature points of a cell this rank owns or borders on,
-  /// valid until the next call.
+  /// The stress sigma at the quadrature points of a cell that this rank owns or
+  /// borders on. The reference is valid until the next call.
   const std::vector<StressTensor>& at_points(const Cell& cell);
 
   /// Calls `take` for each cell of this rank in deal.II's order.
   void at_vertices(const TakeVertices& take);
 
-  /// The largest von Mises stress at a quadrature point of any rank; of equal
-  /// ones that of the smallest x, then y, then z. See StressPeak.
+  /// The largest von Mises stress at a quadrature point over all ranks. Ties
+  /// are resolved by the smallest x, then y, then z. See StressPeak.
   StressPeak strongest();
 
 private:
-  /// What the cells of one material around a vertex add up to.
+  /// Sum over the cells of one material around a vertex.
   struct Share {
     Moduli material;
-    double volume = 0.0;        ///< [m^3]
-    StressTensor volume_stress; ///< integral of sigma, by the vertex [Pa m^3]
+    double volume = 0.0; ///< [m^3]
+    /// Integral of sigma over the cells, from its value at the vertex [Pa m^3].
+    StressTensor volume_stress;
   };
 
   using VertexShares = std::vector<std::vector<Share>>; ///< by vertex index
@@ -81,7 +88,7 @@ private:
   dealii::TrilinosWrappers::MPI::Vector displacement_;
   dealii::FEValues<3> values_;
   std::vector<StressTensor> stress_;
-  dealii::FullMatrix<double> to_vertices_; ///< vertices by quadrature points
+  dealii::FullMatrix<double> to_vertices_; ///< n_vertices x n_quadrature_points
 };
 
 } // namespace asperity::fem

@@ -50,7 +50,7 @@ void BlockSystem::integrate_top_load() {
   const dealii::FEValuesExtractors::Scalar vertical(2);
   dealii::Vector<double> cell_load(space_.element().n_dofs_per_cell());
   std::vector<global_dof_index> unknowns(cell_load.size());
-  double far_area = 0.0; // of the first body
+  double far_area = 0.0; // far-boundary area of the first body
   for (const auto& cell : space_.dof_handler().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;

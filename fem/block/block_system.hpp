@@ -1,8 +1,8 @@
 #pragma once
 
-// The whole block as a linear system: stiffness, the load of a pressed top and
-// the points of contact. Owns no law of contact.
-// Include from .cpp files of fem/ only.
+// The full 3-D block as a linear system: stiffness matrix, load on the far
+// boundary and contact points. This file is independent of the contact law.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
 #include "fem/block/contact_points.hpp"
@@ -12,10 +12,11 @@
 
 namespace asperity::fem {
 
-/// K u = f of the block, distributed. Moduli are those at a cell's centre.
+/// The distributed linear system K u = f of the block. The moduli of a cell are
+/// those at its centre.
 class BlockSystem {
 public:
-  /// @throws std::domain_error  as make_full_block
+  /// @throws std::domain_error  under the conditions of make_full_block
   explicit BlockSystem(const BlockProblem& problem);
 
   const Grid& grid() const { return grid_; }
@@ -34,20 +35,20 @@ public:
     return stiffness_;
   }
 
-  /// Force on the unknowns of a nominal pressure of 1 Pa that pulls the far
-  /// faces away from the contact [m^2]: consistent, of the size of the contact
-  /// face, and zero where the far faces are held.
+  /// Consistent force on the unknowns from a nominal pressure of 1 Pa that
+  /// pulls the far boundaries away from the contact [m^2]. Its sum is the area
+  /// of the contact surface. It is zero if the far boundaries are held.
   const dealii::TrilinosWrappers::MPI::Vector& top_load() const {
     return top_load_;
   }
 
-  /// What a cell is made of.
+  /// The moduli of a cell.
   Moduli moduli_of(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
-  /// The largest shear modulus of a cell under the contact face [Pa].
+  /// The largest shear modulus of the cells at the contact surface [Pa].
   double face_shear_modulus() const { return face_shear_modulus_; }
 
-  /// Lines on cells, unknowns and ranks.
+  /// Lines of text on cells, unknowns and ranks.
   std::string report() const;
 
 private:

@@ -23,8 +23,8 @@ struct CoarseMesh {
   SubCellData boundary;
 };
 
-/// Appends the mesh, or its mirror image in z = 0: there the vertices of a
-/// cell are taken in an order that keeps it right-handed.
+/// Appends the mesh or its mirror image about z = 0. For the mirror image the
+/// vertices of a cell are reordered so that the cell remains right-handed.
 void append(const meshes::BlockMesh& mesh, bool is_mirrored,
             CoarseMesh& coarse) {
   const bool is_hexahedral = mesh.shape == meshes::CellShape::hexahedron;

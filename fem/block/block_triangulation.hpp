@@ -1,8 +1,9 @@
 #pragma once
 
-// From plain mesh data to deal.II's distributed triangulation. Owns which
-// boundary id a group of faces has and which kind of triangulation carries
-// which cells. Include from .cpp files of fem/ only.
+// Conversion of plain mesh data to deal.II's distributed triangulation. This
+// file defines the boundary id of each face group and the class of
+// triangulation for each cell shape.
+// Include this header in .cpp files of fem/ only.
 
 #include "meshes/block_mesh.hpp"
 
@@ -12,19 +13,22 @@
 
 namespace asperity::fem {
 
-/// A face's boundary id is its FaceGroup as a number.
+/// The boundary id of a face is its FaceGroup as a number.
 constexpr dealii::types::boundary_id boundary_of(meshes::FaceGroup group) {
   return static_cast<dealii::types::boundary_id>(group);
 }
 
-/// The mesh over all ranks. Hexahedra: parallel::distributed (p4est, a coarse
-/// cell a tree), refined by mesh.refine_below. Tetrahedra: parallel::shared
-/// (METIS), because deal.II 9.4's p4est knows hexahedra only: every rank holds
-/// the whole mesh and owns a part of its cells.
+/// Distributes the mesh over all ranks. Hexahedra use parallel::distributed
+/// (p4est, one tree per coarse cell) and are refined by mesh.refine_below.
+/// Tetrahedra use parallel::shared (METIS) because p4est in deal.II 9.4
+/// supports hexahedra only: every rank stores the complete mesh and owns a part
+/// of its cells.
 ///
 /// @param has_counter  adds the mirror image (x, y, -z) below the contact
-///                     face, disconnected: cells of negative z
-/// @throws std::domain_error  no cells; refine_below of tetrahedra
+///                     surface, disconnected from the first body: the cells of
+///                     negative z
+/// @throws std::domain_error  the mesh has no cells, or refine_below is set for
+///                            tetrahedra
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
 make_triangulation(const meshes::BlockMesh& mesh, bool has_counter);
 

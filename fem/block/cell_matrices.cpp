@@ -9,10 +9,12 @@ namespace {
 
 using dealii::Tensor;
 
-/// As many shapes as a graded block has layers; a free mesh fills them once.
+/// Capacity of the cache: at least the number of layers of a graded block. An
+/// unstructured mesh fills the cache once.
 constexpr std::size_t most_shapes = 128;
 
-/// Edges of congruent cells differ by the rounding of their places.
+/// Relative tolerance for equal edges: those of congruent cells differ by the
+/// roundoff of their coordinates.
 constexpr double same_edge = 1e-11;
 
 } // namespace
@@ -31,7 +33,7 @@ CellMatrices::CellMatrices(const BlockSpace& space,
 }
 
 /// Integrals of d_k phi_a d_l phi_b [m]. Functions that vanish in a part of the
-/// cell cost nothing there.
+/// cell are skipped there.
 CellMatrices::Products CellMatrices::integrate() const {
   Products products(values_.dofs_per_cell, values_.dofs_per_cell);
   std::vector<unsigned int> there;
@@ -84,7 +86,8 @@ const CellMatrices::Shape& CellMatrices::shape_of(
   const auto found = std::find_if(shapes_.begin(), shapes_.end(), is_same);
   if (found != shapes_.end())
     return *found;
-  // As a cell of the mesh alone: the handler's has three components.
+  // The cell is passed as a cell of the triangulation, because the DoFHandler's
+  // element has three components.
   values_.reinit(dealii::Triangulation<3>::active_cell_iterator(cell));
   const Products products = integrate();
   Shape shape{std::move(edges), contract(products, {1.0, 0.0}),

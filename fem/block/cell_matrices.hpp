@@ -1,7 +1,8 @@
 #pragma once
 
-// deal.II's stiffness of a cell, remembered for cells of one shape.
-// Include from .cpp files of fem/ only.
+// Stiffness matrices of cells computed with deal.II and cached for cells of
+// equal shape.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
 
@@ -13,22 +14,22 @@
 
 namespace asperity::fem {
 
-/// Cell matrices of linear elasticity,
+/// Computes cell matrices of linear elasticity,
 ///
 ///     K_(a,i),(b,j) = C_ikjl int d_k phi_a d_l phi_b dV              (F.3)
 ///
-/// of nodes a, b and directions i, j, with C from elastic_response. They are
-/// linear in the moduli, so what is kept for a shape is the matrix of
+/// for nodes a, b and directions i, j, with C from elastic_response. They are
+/// linear in the moduli, so the cache holds for each shape the matrix of
 /// lambda = 1 Pa and that of mu = 1 Pa.
 class CellMatrices {
 public:
   explicit CellMatrices(const BlockSpace& space);
 
-  /// Of other shape functions on the unknowns of the space's element.
+  /// Uses other shape functions on the unknowns of the space's element.
   CellMatrices(const BlockSpace& space, const dealii::FiniteElement<3>& element,
                const dealii::Quadrature<3>& quadrature);
 
-  /// The matrix of the cell, valid until the next call.
+  /// The matrix of the cell. The reference is valid until the next call.
   const dealii::FullMatrix<double>&
   of(const dealii::DoFHandler<3>::active_cell_iterator& cell,
      const Moduli& moduli);
@@ -47,7 +48,7 @@ private:
   dealii::FullMatrix<double> contract(const Products& products,
                                       const Moduli& moduli) const;
 
-  dealii::FEValues<3> values_; ///< of one component
+  dealii::FEValues<3> values_; ///< of a single component
   std::vector<std::pair<unsigned int, unsigned int>>
       component_and_node_; ///< of each unknown
   std::vector<Shape> shapes_;

@@ -10,28 +10,32 @@ namespace {
 
 using dealii::Utilities::MPI::max;
 
-/// What a start from nothing presses with, in shear moduli a spacing.
+/// Spring with which contact is first detected when no node is active, in shear
+/// moduli per node spacing.
 constexpr double first_spring = 1e3;
 
-/// Share of the tolerance below which an overlap or a pull is rounding.
+/// Fraction of the tolerance below which a penetration or a tensile pressure is
+/// considered roundoff.
 constexpr double slack = 0.1;
 
-/// A set that comes to rest does so within some ten steps; others cycle.
+/// Maximum number of steps: an active set that converges does so within some
+/// ten steps; others cycle.
 constexpr int most_steps = 30;
 
 } // namespace
 
-/// p of held points from what holds them; 0 elsewhere.
+/// Computes p of active points from the constraint forces; p is 0 elsewhere.
 void ContactNewton::take_wall_pressure(const std::vector<bool>& active) {
   std::fill(pressure_.begin(), pressure_.end(), 0.0);
-  find_imbalance(); // K u + P g alone
+  find_imbalance(); // gives K u + P g, since p = 0
   const ContactPoints& points = system_.contact();
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     if (active[i])
       pressure_[i] = imbalance_(points[i].row.front().first) / points[i].area;
 }
 
-/// Leaves out what is pulled and takes in what overlaps.
+/// The next active set: removes points under tension and adds points that
+/// penetrate.
 std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
                                              double gap_tolerance) const {
   double highest = 0.0;
@@ -46,8 +50,9 @@ std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
   return next;
 }
 
-/// The primal-dual active set: hold, balance, look who pulls and who overlaps.
-/// @return  whether the set came to rest; where it did not, the note says why
+/// The primal-dual active-set method: constrain the active points, solve for
+/// balance, then update the set from tensile pressures and penetrations.
+/// @return  whether the active set converged; if not, the note gives the reason
 bool ContactNewton::active_set(const BlockLoad& load,
                                const BlockContact& contact,
                                double gap_tolerance, BlockSolution& answer) {
@@ -85,16 +90,16 @@ bool ContactNewton::active_set(const BlockLoad& load,
   return false;
 }
 
-/// The wall by the active set, else by springs and multipliers, which have the
-/// same answer.
+/// Solves hard contact by the active-set method and, if that fails, by the
+/// augmented Lagrangian method, which has the same solution.
 void ContactNewton::solve_wall(const BlockLoad& load,
                                const BlockContact& contact, double height_scale,
                                BlockSolution& answer) {
   std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
   answer.converged =
       active_set(load, contact, contact.tolerance * height_scale, answer);
-  // A pull is no contact, be it of the size of rounding or of a set that did
-  // not come to rest.
+  // Tensile pressures are set to zero, whether they are roundoff or belong to
+  // an active set that did not converge.
   for (double& pressure : pressure_)
     pressure = std::max(0.0, pressure);
   answer.residual = violation(0.0) / height_scale;

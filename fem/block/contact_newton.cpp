@@ -16,9 +16,9 @@ using dealii::Utilities::MPI::min;
 using dealii::Utilities::MPI::sum;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// The springs that Newton's method is given, in shear moduli a spacing: with
-/// softer ones a multiplier takes many rounds, with stiffer ones the rounding
-/// of a gap is no longer small in the pressure.
+/// Bounds of the working penalty in Newton's method, in shear moduli per node
+/// spacing. With a softer one the multiplier needs many augmentations; with a
+/// stiffer one the roundoff of the gap is no longer small in the pressure.
 constexpr double softest_spring = 1e3;
 constexpr double stiffest_spring = 1e5;
 
@@ -94,8 +94,9 @@ bool ContactNewton::is_same(const std::vector<bool>& a,
   return min(a == b ? 1 : 0, MPI_COMM_WORLD) == 1;
 }
 
-/// The d at which the block as it is deformed now bears the pressure: a
-/// monotone equation, by bisection between just touching and all pressed in.
+/// The rigid gap at which the block in its present deformation carries the
+/// nominal pressure. The monotone equation is solved by bisection between first
+/// contact and all points in contact.
 double ContactNewton::touching_gap(double nominal_pressure,
                                    double penalty) const {
   double high = -1e300;
@@ -129,9 +130,9 @@ void ContactNewton::update_pressure(double penalty) {
     pressure_[i] = std::max(0.0, multiplier_[i] - penalty * gap(i));
 }
 
-/// Newton to a standing contact set at fixed multipliers. Steps on the same set
-/// refine what the linear solver, or the rounding of a step from far away,
-/// left.
+/// Newton's method at fixed multipliers until the contact set no longer
+/// changes. Steps on an unchanged set reduce the error that the linear solver,
+/// or the roundoff of a large step, has left.
 bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
                            BlockSolution& answer) {
   int refinements = 0;
@@ -164,8 +165,9 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
   return false;
 }
 
-/// The spring that Newton's method works with. A penalty within reach is its
-/// own; a wall ends at the same answer with any.
+/// The working penalty in Newton's method. A penalty within the bounds is used
+/// itself; for hard contact the solution does not depend on the working
+/// penalty.
 double ContactNewton::own_spring(const BlockContact& contact) const {
   const double low = contact.law == cases::ContactLaw::penalty
                          ? 0.0
@@ -173,8 +175,8 @@ double ContactNewton::own_spring(const BlockContact& contact) const {
   return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
 }
 
-/// Largest |gap + c p| in contact and overlap outside it: what the law still
-/// lacks.
+/// The violation of the contact law: the largest |gap + c p| in contact and the
+/// largest penetration outside of contact.
 double ContactNewton::violation(double compliance) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
@@ -185,9 +187,9 @@ double ContactNewton::violation(double compliance) const {
   return max(largest, MPI_COMM_WORLD);
 }
 
-/// Heights are kept below the highest: what bears a small load lies near it,
-/// and the gap there is no difference of large numbers. The block stays where
-/// it was.
+/// Stores heights relative to the highest: the points that carry a small load
+/// lie near it, and the gap there is then not a difference of large numbers.
+/// The position of the block does not change.
 void ContactNewton::take_heights(std::vector<double> heights, double highest) {
   rigid_gap_ += highest_ - highest;
   highest_ = highest;
@@ -204,7 +206,8 @@ void ContactNewton::solve_springs(const BlockLoad& load,
   spring.penalty = own_spring(contact);
   const double compliance =
       contact.law == cases::ContactLaw::penalty ? 1.0 / contact.penalty : 0.0;
-  // The part of a pressure that the working spring does not show in the gap.
+  // The part of a pressure that the working penalty does not represent in the
+  // gap.
   const bool is_own = contact.law == cases::ContactLaw::penalty &&
                       spring.penalty == contact.penalty;
   const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
@@ -237,7 +240,7 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   answer.mean_gap = mean_gap();
   answer.nominal_pressure = borne() / area();
   answer.residual = larger_residual(answer.residual, unbalanced());
-  // Sums keep a NaN or an infinity of any point.
+  // Sums propagate a NaN or an infinity of any point.
   if (!std::isfinite(answer.mean_gap) ||
       !std::isfinite(answer.nominal_pressure)) {
     answer.residual = std::numeric_limits<double>::infinity();

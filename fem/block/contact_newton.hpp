@@ -1,7 +1,8 @@
 #pragma once
 
-// The law of contact at the block's points and the state that its Newton
-// iteration moves. Include from .cpp files of fem/ only.
+// The contact law at the contact points of the block and the state of its
+// Newton iteration.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_solver.hpp"
 #include "fem/block/block_system.hpp"
@@ -13,45 +14,49 @@
 
 namespace asperity::fem {
 
-/// Steps on a standing contact set after which no more precision is had.
+/// Maximum number of refinement steps on an unchanged contact set; further
+/// steps gain no accuracy.
 constexpr int most_refinements = 8;
 
-/// The larger of two residuals, infinite where the second is NaN: std::max
-/// would drop it, and MPI's maximum may.
+/// The larger of two residuals, or infinity if the second is NaN: std::max
+/// would ignore a NaN, and MPI's maximum may.
 double larger_residual(double largest, double residual);
 
-/// (F.1) of full_block.hpp over the points of all ranks. contact_newton.cpp has
-/// springs (penalty, augmented), contact_active_set.cpp the wall and
-/// contact_step.cpp the linear step that both take.
+/// Solves (F.1) of full_block.hpp over the points of all ranks.
+/// contact_newton.cpp implements penalty and augmented Lagrangian contact,
+/// contact_active_set.cpp hard contact, and contact_step.cpp the linear step
+/// that both use.
 class ContactNewton {
 public:
-  /// @param system must outlive this
+  /// @param system must outlive this object
   ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
                 std::unique_ptr<BlockPreconditioner> own = {});
 
-  /// Solves from the state the last call ended with, and writes what is no
-  /// field into the answer.
-  /// @param heights       of this rank's points [m]
-  /// @param highest       of all heights [m]
-  /// @param height_scale  what the tolerance of a gap is a share of [m] > 0
+  /// Solves, starting from the state at the end of the last call, and writes
+  /// all results that are not fields into the answer.
+  /// @param heights       heights of this rank's points [m]
+  /// @param highest       maximum of all heights [m]
+  /// @param height_scale  the tolerance of a gap is relative to this scale [m]
+  ///                      > 0
   void solve(std::vector<double> heights, double highest, double height_scale,
              const BlockLoad& load, const BlockContact& contact,
              BlockSolution& answer);
 
-  /// u under given pressures [Pa] of this rank's points, balanced by the top;
-  /// the state does not change. Returns false if CG gave up.
+  /// Computes u under given pressures [Pa] at this rank's points, balanced by
+  /// the load on the far boundary. The state does not change. Returns false if
+  /// CG did not converge.
   [[nodiscard]] bool
   solve_linear(std::span<const double> pressure,
                dealii::TrilinosWrappers::MPI::Vector& displacement);
 
-  /// u [m]; zeros at constrained unknowns.
+  /// The displacement u [m], with zeros at constrained unknowns.
   const dealii::TrilinosWrappers::MPI::Vector& displacement() const {
     return displacement_;
   }
 
   const std::vector<double>& pressure() const { return pressure_; } ///< [Pa]
 
-  /// gap = rigid gap + w - (height - highest), all [m].
+  /// The rigid gap in gap = rigid gap + w - (height - highest), all in [m].
   double rigid_gap() const { return rigid_gap_; }
 
   double highest() const { return highest_; }
@@ -60,19 +65,19 @@ public:
     return rigid_gap_ + face_displacement_[i] - heights_[i];
   }
 
-  double mean_gap() const; ///< over the area of all points [m]
+  double mean_gap() const; ///< weighted by the area of all points [m]
 
 private:
-  /// What the residual of a linear solve is kept within.
+  /// Bounds on the residual of a linear solve.
   struct Range {
     double finest = 0.0;
     double coarsest = std::numeric_limits<double>::infinity();
-    double share = 1.0; ///< of the usual part that is left
+    double share = 1.0; ///< fraction of the usual relative tolerance
   };
 
   double area() const { return system_.contact().area(); }
 
-  double borne() const; ///< sum a p [N]
+  double borne() const; ///< sum of a p [N]
   double touching_gap(double nominal_pressure, double penalty) const;
   void take_heights(std::vector<double> heights, double highest);
   double own_spring(const BlockContact& contact) const;
@@ -80,7 +85,7 @@ private:
   bool any(const std::vector<bool>& set) const;
   bool is_same(const std::vector<bool>& a, const std::vector<bool>& b) const;
   void find_imbalance();
-  double largest_force() const; ///< of a point [N]
+  double largest_force() const; ///< maximum over the points [N]
   double unbalanced();
   double violation(double compliance) const;
   void solve_springs(const BlockLoad& load, const BlockContact& contact,
@@ -105,19 +110,21 @@ private:
 
   const BlockSystem& system_;
   BlockSolver solver_;
-  double stiffness_scale_; ///< shear modulus of the face over the spacing
-  // The state (F.1) is solved for.
+  double stiffness_scale_; ///< shear modulus at the contact surface over
+                           ///< spacing
+  // The state in (F.1).
   dealii::TrilinosWrappers::MPI::Vector displacement_; ///< u [m]
-  double rigid_gap_ = 0.0;    ///< d less the highest height [m]
+  double rigid_gap_ = 0.0;    ///< d minus the highest height [m]
   double highest_ = 0.0;      ///< [m]
   double top_pressure_ = 0.0; ///< P [Pa]
   std::vector<double> multiplier_;
   std::vector<double> pressure_;
-  std::vector<double> heights_;                     ///< less the highest [m]
+  std::vector<double> heights_;                     ///< minus the highest
+                                                    ///< height [m]
   std::vector<double> face_displacement_;           ///< B u [m]
   dealii::TrilinosWrappers::MPI::Vector elastic_;   ///< K u [N]
   dealii::TrilinosWrappers::MPI::Vector imbalance_; ///< K u + P g - B^T a p
-  // Responses of the last step, where the next one's iterations start.
+  // Responses in the last step, used as initial guesses in the next one.
   dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_, by_top_;
 };
 

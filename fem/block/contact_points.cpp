@@ -21,10 +21,10 @@ using dealii::Utilities::MPI::sum;
 using meshes::FaceGroup;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-constexpr double same_place = 1e-6; // spacings
+constexpr double same_place = 1e-6; // in node spacings
 
-/// Calls `visit(cell, face number)` for the contact faces of the first body's
-/// own cells.
+/// Calls `visit(cell, face number)` for each face on the contact surface of the
+/// locally owned cells of the first body.
 template <typename Visitor>
 void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
   for (const auto& cell : space.dof_handler().active_cell_iterators()) {
@@ -65,8 +65,8 @@ ContactPoints::ContactPoints(const BlockSpace& space,
   finish(problem.grid);
 }
 
-/// Both contact faces are meshed alike, so nodes have partners; all ranks know
-/// all of them.
+/// Finds the pairs of opposite nodes. Both contact surfaces have the same mesh,
+/// so each node has a partner; all ranks know all pairs.
 void ContactPoints::find_counter() {
   std::vector<double> mine;
   for (const FaceNode& node : space_.face_nodes(FaceGroup::contact))
@@ -111,7 +111,7 @@ ContactPoints::row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
     if (element.system_to_component_index(i).first != 2)
       continue;
     const double value = element.shape_value(i, unit);
-    if (std::abs(value) > 1e-14) // functions that vanish on the face
+    if (std::abs(value) > 1e-14) // skips functions that vanish on the face
       row.emplace_back(unknowns[i], value);
   }
   return with_counter(space_.resolved(row));

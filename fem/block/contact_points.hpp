@@ -1,8 +1,9 @@
 #pragma once
 
-// Where the law of contact is asked for, and what a pressure there does to the
-// unknowns. Owns nodes and Gauss points alike; knows no law.
-// Include from .cpp files of fem/ only.
+// The points at which the contact law is evaluated, and the effect of a
+// pressure there on the unknowns. Nodes and Gauss points are treated alike;
+// this file is independent of the contact law.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
 
@@ -12,29 +13,33 @@
 
 namespace asperity::fem {
 
-/// A shape function's value for each unconstrained u_z it needs.
+/// The values of the shape functions, by unconstrained unknown u_z.
 using FaceRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
-/// One point of the contact face.
+/// One point of the contact surface.
 struct ContactPoint {
   dealii::Point<2> place; ///< [m]
   double area = 0.0;      ///< a_c [m^2] > 0
-  /// B_c: w_c = sum of row value times unknown; with two bodies less the
-  /// counter body's at the same place.
+  /// The row B_c: w_c is the sum over the row of value times unknown. With two
+  /// bodies the displacement of the second body at the same place is
+  /// subtracted.
   FaceRow row;
-  int grid_node = -1; ///< of the problem's grid if the point lies on it
+  int grid_node = -1; ///< node of the problem's grid at this point, if there is
+                      ///< one
 };
 
-/// The points of this rank: node-wise those of its own unknowns, else the
-/// Gauss points of its own cells' faces. Sums over points are over all ranks.
+/// The contact points of this rank: node-wise those of its own unknowns,
+/// otherwise the Gauss points on the faces of its own cells. Sums over points
+/// extend over all ranks.
 ///
 ///     w = B u [m],    f = B^T (a p) [N],    a = area of each point    (F.2)
 ///
-/// Node-wise a is the row sum of the face's mass matrix and B picks u_z.
+/// For node-wise contact a is the row sum of the mass matrix of the contact
+/// surface and B selects u_z.
 class ContactPoints {
 public:
-  /// @throws std::domain_error  no contact face, or one whose nodes have no
-  ///                            area (second-order tetrahedra)
+  /// @throws std::domain_error  there is no contact surface, or its nodes have
+  ///                            no area (second-order tetrahedra)
   ContactPoints(const BlockSpace& space, const BlockProblem& problem);
 
   std::size_t size() const { return points_.size(); }
@@ -43,29 +48,30 @@ public:
 
   bool is_nodal() const { return is_nodal_; }
 
-  /// Node-wise, and the nodes are exactly those of the grid.
+  /// Whether contact is node-wise and the nodes are exactly those of the grid.
   bool is_grid() const { return is_grid_; }
 
-  double area() const { return area_; } ///< of all ranks' points [m^2]
+  double area() const { return area_; } ///< of the points of all ranks [m^2]
 
   const dealii::IndexSet& needed() const { return needed_; }
 
-  /// w [m] of each point.
+  /// Computes w of each point [m].
   void take_displacement(const dealii::TrilinosWrappers::MPI::Vector& unknowns,
                          std::vector<double>& at_points) const;
 
-  /// f += B^T q for forces q [N] on the points.
+  /// Adds B^T q to the unknowns for forces q [N] on the points.
   void add_force(std::span<const double> forces,
                  dealii::TrilinosWrappers::MPI::Vector& unknowns) const;
 
-  /// B^T diag(s) B for springs s [N/m] on the points is added.
+  /// Adds B^T diag(s) B to the matrix for springs s [N/m] on the points.
   void add_springs(std::span<const double> springs,
                    dealii::TrilinosWrappers::SparseMatrix& matrix) const;
 
-  /// Room for any springs.
+  /// Reserves the entries for arbitrary springs.
   void reserve(dealii::TrilinosWrappers::SparsityPattern& pattern) const;
 
-  /// The row of u_z (less the counter body's) at a place of a cell's face.
+  /// The row of u_z at a place on the face of a cell, minus that of the second
+  /// body.
   FaceRow row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
                  const dealii::Point<3>& unit) const;
 
@@ -81,7 +87,8 @@ private:
   bool has_counter_;
   bool is_grid_ = false;
   std::vector<ContactPoint> points_;
-  /// With two bodies: u_z of the first, that of the second opposite.
+  /// With two bodies: maps u_z of the first body to u_z of the second at the
+  /// same place.
   std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>
       opposite_;
   double area_ = 0.0;
@@ -89,7 +96,7 @@ private:
   mutable dealii::TrilinosWrappers::MPI::Vector ghosted_;
 };
 
-/// The node of the grid at a place of its closed rectangle, or -1.
+/// The node of the grid at a place in its closed rectangle, or -1.
 int grid_node_at(const Grid& grid, double x, double y);
 
 } // namespace asperity::fem

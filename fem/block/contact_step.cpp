@@ -12,21 +12,21 @@ namespace {
 
 using dealii::TrilinosWrappers::MPI::Vector;
 
-/// Residual that a linear solve leaves of what it was given. Newton's steps are
-/// as inexact and go on until the forces balance, so no solve is finer than the
-/// step it serves. Errors are magnified in the pressure of stiff springs, which
-/// with 1e-2 need not find their contact set.
+/// Relative residual at which a linear solve stops. Newton's steps are equally
+/// inexact and continue until the forces balance, so no solve needs to be more
+/// accurate than the step that it serves. Stiff springs amplify errors in the
+/// pressure, so with 1e-2 the iteration might not find their contact set.
 constexpr double loose_on_wall = 1e-2;
 constexpr double loose_on_springs = 1e-3;
 
-/// What a refinement leaves of the residual of a response that it takes over
-/// from the step before.
+/// Factor by which a refinement reduces the residual of a response that it
+/// reuses from the previous step.
 constexpr double sharpening = 1e-2;
 
-/// Share of the tolerated imbalance below which no solve need go.
+/// Fraction of the permitted imbalance below which no solve needs to go.
 constexpr double finest = 0.1;
 
-/// A 2x2 system M (dd, dP) = r, by Cramer's rule.
+/// A 2x2 system M (dd, dP) = r, solved by Cramer's rule.
 struct Border {
   double force_d = 0.0, force_pressure = 0.0, force_right = 0.0;
   double control_d = 0.0, control_pressure = 0.0, control_right = 0.0;
@@ -61,18 +61,19 @@ double ContactNewton::largest_force() const {
   return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
 }
 
-/// The largest force left over, relative to the largest contact force [1].
+/// The largest unbalanced force, relative to the largest contact force [1].
 double ContactNewton::unbalanced() {
   find_imbalance();
   const double largest = largest_force();
-  // A sum keeps a NaN, the largest entry need not.
+  // A sum propagates a NaN; the maximum norm need not.
   if (!std::isfinite(imbalance_.l2_norm()))
     return std::numeric_limits<double>::infinity();
   return largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
 }
 
-/// The force of a unit of approach, l2 norm over the points [N/m]: the block's
-/// own stiffness where springs are stiffer. Infinite without springs.
+/// The force per unit of approach, as an l2 norm over the points [N/m]. A
+/// spring stiffer than the block counts with the stiffness of the block. The
+/// result is infinite without springs.
 double ContactNewton::stiffness_of(std::span<const double> springs) const {
   double square = 0.0;
   for (std::size_t i = 0; i < springs.size(); ++i)
@@ -83,9 +84,11 @@ double ContactNewton::stiffness_of(std::span<const double> springs) const {
                       : std::numeric_limits<double>::infinity();
 }
 
-/// answer = (K + springs)^-1 forces with the unknowns of held points at the
-/// given displacements; starts from what `answer` is.
-/// @param range  of the residual's l2 norm, in the unit of the forces
+/// Solves answer = (K + springs)^-1 forces with the unknowns of held points
+/// fixed at the given displacements. The initial guess is the content of
+/// `answer`.
+/// @param range  bounds on the l2 norm of the residual, in the unit of the
+///               forces
 bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
                               std::span<const double> held_displacement,
                               const Range& range) {
@@ -123,17 +126,18 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
   return true;
 }
 
-/// Solves (F.1), linear for one contact set, for the changes of u, d and P: u
-/// by block elimination, d and P from the two scalar equations. What the block
-/// does under a unit of approach or of pressure is the same in every step on
-/// one set: the more `refinements` there were, the better it is known.
+/// Solves (F.1), which is linear for a fixed contact set, for the changes of u,
+/// d and P: u by block elimination, d and P from the two scalar equations. The
+/// response of the block to a unit approach or pressure is the same in every
+/// step on one contact set, so its accuracy grows with the number of
+/// `refinements`.
 bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
                          const std::vector<bool>& held, double tolerance,
                          int refinements) {
   const ContactPoints& points = system_.contact();
   const bool is_load = load.control == cases::Control::nominal_pressure;
   if (is_load)
-    top_pressure_ = load.target; // then d is the one scalar unknown
+    top_pressure_ = load.target; // d is then the only scalar unknown
   solver_.set_contact(springs, held);
   find_imbalance();
 
@@ -174,20 +178,22 @@ bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
   return border(load, springs, held);
 }
 
-/// The two scalar equations, balance and control, and the step itself.
+/// Solves the two scalar equations, force balance and control, and applies the
+/// step.
 bool ContactNewton::border(const BlockLoad& load,
                            std::span<const double> springs,
                            const std::vector<bool>& held) {
   const ContactPoints& points = system_.contact();
   const std::array<Vector*, 3> responses{&by_imbalance_, &by_approach_,
                                          &by_top_};
-  // Of each response: the mean displacement and the contact force it brings.
+  // For each response: the mean displacement and the contact force that it
+  // causes.
   std::vector<double> sums(6, 0.0);
   std::vector<double> at_points;
   Vector reaction(imbalance_);
   for (std::size_t r = 0; r < 3; ++r) {
     if (r == 2 && responses[r]->linfty_norm() == 0.0)
-      continue; // the top is held
+      continue; // the far boundary is held
     points.take_displacement(*responses[r], at_points);
     system_.stiffness().vmult(reaction, *responses[r]);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -198,7 +204,8 @@ bool ContactNewton::border(const BlockLoad& load,
         sums[3 + r] += reaction(points[i].row.front().first);
     }
   }
-  // What holds a node now; free points' forces are in p.
+  // The present contact force: constraint forces of held points; at the other
+  // points it is contained in p.
   double now = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     now += points[i].area * pressure_[i] +

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a material answers to a strain: the one place where the law of the
-// block's inside is written. Include from .cpp files of fem/ only.
+// The response of a material to a strain. This is the only place where the
+// constitutive law of the block's interior is written.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/waves/moduli_field.hpp"
 
@@ -15,8 +16,9 @@ struct PointResponse {
   dealii::SymmetricTensor<4, 3> tangent; ///< d sigma / d epsilon [Pa]
 };
 
-/// sigma = lambda tr(epsilon) 1 + 2 mu epsilon: small strains, isotropic. A
-/// law with a memory takes its state beside the strain and answers the same.
+/// Evaluates sigma = lambda tr(epsilon) 1 + 2 mu epsilon for small strains in
+/// an isotropic material. A history-dependent law would take its state in
+/// addition to the strain and return the same type.
 inline PointResponse
 elastic_response(const dealii::SymmetricTensor<2, 3>& strain,
                  const Moduli& moduli) {

@@ -18,9 +18,10 @@ using dealii::types::global_dof_index;
 using meshes::FaceGroup;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-constexpr double inside = 1e-6; // of the unit cell, and of a spacing
+constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
 
-/// Weights of the nodes -1, 0, 1, 2 at a share t of the way from 0 to 1.
+/// Weights of the nodes -1, 0, 1, 2 at the fraction t of the distance from
+/// 0 to 1.
 std::array<double, 4> cubic_weights(double t) {
   return {0.5 * t * (-1.0 + t * (2.0 - t)),
           1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
@@ -56,8 +57,9 @@ FaceMaps::FaceMaps(const BlockSystem& system) : system_(system) {
     find_samples();
 }
 
-/// Every node of the grid on each contact face of this rank's cells that
-/// touches it. Faces come in the order in which the Gauss points were made.
+/// Collects every grid node on each cell face of this rank that lies on the
+/// contact surface. Faces are visited in the order in which the Gauss points
+/// were generated.
 void FaceMaps::find_samples() {
   const BlockSpace& space = system_.space();
   faces_a_node_.assign(system_.grid().size(), 0.0);
@@ -106,7 +108,7 @@ void FaceMaps::sample_face(
       take_sample(cell, ix, iy, first_point);
 }
 
-/// The node (ix, iy), if it lies on this cell.
+/// Adds the node (ix, iy) if it lies on this cell.
 void FaceMaps::take_sample(
     const dealii::DoFHandler<3>::active_cell_iterator& cell, int ix, int iy,
     std::size_t first_point) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Between the grid's maps and the points of the contact face.
-// Include from .cpp files of fem/ only.
+// Transfer of fields between the grid and the contact points.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
 
@@ -11,39 +11,43 @@
 namespace asperity::fem {
 
 /// Periodic bicubic convolution (R. G. Keys, IEEE Trans. Acoust. Speech Signal
-/// Process. 29, 1153 (1981), a = -1/2): exact at nodes and for quadratics,
-/// third order between.
+/// Process. 29, 1153 (1981), a = -1/2). It is exact at nodes and for quadratic
+/// functions, and of third order elsewhere.
 /// @param field  grid.size() values
 double bicubic(const Grid& grid, std::span<const double> field, double x,
                double y);
 
-/// Carries fields between the grid's nodes, known to every rank, and the
-/// points, known to their rank. See full_block.hpp for what a sample is.
+/// Transfers fields between the nodes of the grid, which every rank stores, and
+/// the contact points, which only their own rank stores. See full_block.hpp for
+/// the definition of a sample.
 class FaceMaps {
 public:
-  /// @param system must outlive this
-  /// @throws std::domain_error  a node of the grid is not on the contact face
+  /// @param system must outlive this object
+  /// @throws std::domain_error  a node of the grid is not on the contact
+  ///                            surface
   explicit FaceMaps(const BlockSystem& system);
 
-  /// A field of the grid at this rank's points.
+  /// A field of the grid evaluated at this rank's points.
   std::vector<double> at_points(std::span<const double> field) const;
 
-  /// w [m] at the grid's nodes on every rank; collective.
+  /// The displacement w at the grid's nodes, on every rank [m]. This call is
+  /// collective.
   std::vector<double>
   displacement(const dealii::TrilinosWrappers::MPI::Vector& unknowns) const;
 
-  /// Pressures [Pa] of this rank's points as the grid's map; collective.
+  /// The field on the grid from the pressures at this rank's points [Pa]. This
+  /// call is collective.
   std::vector<double> pressure(std::span<const double> at_points) const;
 
-  /// Areas of the points over their mean; ones where maps are samples.
+  /// Areas of the points over their mean; all ones if the fields are samples.
   std::vector<double> weights() const;
 
 private:
-  /// A node of the grid on one face of this rank.
+  /// A node of the grid on one cell face of this rank.
   struct Sample {
     std::size_t node = 0;
     FaceRow row;             ///< of u_z
-    std::size_t nearest = 0; ///< point of the same face, for Gauss points
+    std::size_t nearest = 0; ///< nearest Gauss point of the same face
   };
 
   void find_samples();
@@ -54,7 +58,7 @@ private:
   std::vector<double> summed(std::vector<double> field) const;
 
   const BlockSystem& system_;
-  std::vector<Sample> samples_; ///< empty where the points are the grid
+  std::vector<Sample> samples_; ///< empty if the points are the grid's nodes
   std::vector<double> faces_a_node_;
   dealii::IndexSet needed_;
 };

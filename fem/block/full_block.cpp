@@ -19,15 +19,15 @@
 namespace asperity::fem {
 namespace {
 
-/// rms height [m], or the spacing for a surface that is flat to rounding: what
-/// a gap's tolerance is a share of.
+/// Scale of the gap tolerance: the rms height [m], or the node spacing for a
+/// surface that is flat up to roundoff.
 double height_scale_of(std::span<const double> heights, double spacing) {
   constexpr double rounding = 1e-12;
   const double rms = rms_height(heights);
   return rms > rounding * largest_magnitude(heights) ? rms : spacing;
 }
 
-/// Refused before anything is built.
+/// Checks the problem before anything is built.
 const BlockProblem& checked(const BlockProblem& problem) {
   require_cells(problem.grid, 1);
   if (!is_same_length(problem.mesh.length_x, problem.grid.length_x) ||
@@ -37,7 +37,8 @@ const BlockProblem& checked(const BlockProblem& problem) {
   return problem;
 }
 
-/// The mesh is the boxes of its lattice and nothing else.
+/// Whether the mesh consists of the boxes of the regular node grid and nothing
+/// else.
 bool is_lattice(const BlockProblem& problem) {
   if (!problem.lattice || !problem.mesh.refine_below.empty() ||
       problem.counter || problem.sides != cases::BlockSides::periodic)
@@ -48,8 +49,8 @@ bool is_lattice(const BlockProblem& problem) {
              problem.lattice->layers.size() * problem.grid.size();
 }
 
-/// The lattice's waves where they are asked for, or may serve a block too large
-/// for a direct solver; null otherwise.
+/// The Fourier preconditioner if it is requested, or if it may be used for a
+/// block too large for a direct solver; null otherwise.
 std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::fourier;
@@ -118,7 +119,7 @@ private:
   BlockSystem system_;
   FaceMaps maps_;
   std::vector<double> weights_;
-  std::string report_; ///< asked of all ranks at once
+  std::string report_; ///< computed on all ranks together
   ContactNewton newton_;
   BlockOutput output_;
   double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
@@ -137,7 +138,7 @@ MeshedBlock::displacement(std::span<const double> pressure) {
   return face;
 }
 
-/// One finite value a node of the grid.
+/// Requires one finite value per node of the grid.
 void MeshedBlock::require_field(const char* name, std::span<const double> field,
                                 const char* unit) const {
   if (field.size() != grid().size())
@@ -169,7 +170,7 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
         "cannot be held at one place; choose augmented");
 }
 
-/// @param pressure  the map
+/// @param pressure  the field on the grid
 bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
   const ContactPoints& points = system_.contact();
   const std::vector<double>& at_points = newton_.pressure();

@@ -1,7 +1,8 @@
 #pragma once
 
-// The whole three-dimensional block in contact, solved naively: the judge of
-// the condensed block, and `solver = "full"`. Nothing of deal.II shows here.
+// The full 3-D finite-element block in contact, solved without condensation. It
+// serves as reference for the condensed solver and implements
+// `solver = "full"`. This header does not depend on deal.II.
 
 #include "fem/waves/elastic_layers.hpp"
 
@@ -13,112 +14,130 @@
 
 namespace asperity::fem {
 
-/// LinearSolver::automatic is direct up to this size.
+/// LinearSolver::automatic uses the direct solver up to this number of
+/// unknowns.
 inline constexpr unsigned int most_direct_unknowns = 12000;
 
-/// How the block's linear systems are solved.
+/// Solver of the block's linear systems.
 enum class LinearSolver {
-  automatic, ///< direct for small blocks; beyond, fourier where the mesh is a
-             ///< periodic lattice, else multigrid
+  automatic, ///< direct for small blocks; for larger ones fourier if the mesh
+             ///< is a periodic regular grid, else multigrid
   direct,    ///< MUMPS; KLU on several ranks
   multigrid, ///< CG, Trilinos ML smoothed aggregation
-  fourier,   ///< CG, the laterally uniform block by its waves
+  fourier,   ///< CG, preconditioned by the Fourier solver of the laterally
+             ///< uniform block
 };
 
-/// What is prescribed at one step.
+/// The quantity that is prescribed in one load step.
 struct BlockLoad {
   cases::Control control = cases::Control::nominal_pressure;
   double target = 0.0; ///< p_0 [Pa] > 0, or mean gap [m]
 };
 
-/// The interface law, in SI.
+/// The contact law, in SI units.
 struct BlockContact {
   cases::ContactLaw law = cases::ContactLaw::penalty;
-  double penalty = 0.0;    ///< k [Pa/m] > 0; the spring of the augmentation
-                           ///< where the law is hard or augmented
-  double tolerance = 1e-8; ///< of gap, relative to h_rms (to the spacing for a
-                           ///< flat surface), and of force
+  double penalty = 0.0; ///< k [Pa/m] > 0; the augmentation parameter if the
+                        ///< law is hard or augmented
+  /// Tolerance of the gap relative to h_rms (to the node spacing for a flat
+  /// surface), and of the unbalanced force relative to the largest contact
+  /// force.
+  double tolerance = 1e-8;
   int max_iterations = 2000; ///< Newton steps
 };
 
-/// Fields in the grid's order. gap = distance + w - heights, where w is the
-/// displacement without its mean; means are weighted by nodal area.
+/// The solution of one load step, with fields in the grid's order. The gap is
+/// distance + w - heights, where w is the displacement without its mean; means
+/// are weighted by nodal area.
 struct BlockSolution {
   std::vector<double> pressure;  ///< [Pa] >= 0
-  std::vector<double> gap;       ///< [m], negative where springs are pressed in
+  std::vector<double> gap;       ///< [m], negative where penalty contact
+                                 ///< penetrates
   double mean_gap = 0.0;         ///< [m]
   double nominal_pressure = 0.0; ///< [Pa]
-  double residual = 0.0; ///< larger of the gap's violation over h_rms and of
-                         ///< the unbalanced nodal force over the largest [1]
-  double area_by_points = 0.0; ///< area of the points under pressure over that
-                               ///< of the contact face [1]
-  bool is_contact_on_grid = true; ///< the points under pressure are exactly the
-                                  ///< grid's nodes under pressure
-  int iterations = 0;             ///< Newton steps
-  int linear_iterations = 0;      ///< of CG, in all of this step's solves
-  int preconditioner_setups = 0;  ///< or factorisations, in this step
-  double memory = 0.0;            ///< matrix and preconditioner, of all ranks
-                                  ///< [bytes]
-  std::string linear_solver;      ///< "direct (MUMPS)", ...
+  /// Larger of the violation of the gap over h_rms and the largest unbalanced
+  /// nodal force over the largest contact force [1].
+  double residual = 0.0;
+  /// Area of the points under pressure over that of the contact surface [1].
+  double area_by_points = 0.0;
+  /// Whether the points under pressure are exactly the grid's nodes under
+  /// pressure.
+  bool is_contact_on_grid = true;
+  int iterations = 0;            ///< Newton steps
+  int linear_iterations = 0;     ///< CG iterations in all solves of this step
+  int preconditioner_setups = 0; ///< or factorisations, in this step
+  double memory = 0.0;           ///< matrix and preconditioner, on all ranks
+                                 ///< [bytes]
+  std::string linear_solver;     ///< such as "direct (MUMPS)"
   bool converged = false;
-  std::string note; ///< why it did not converge, or that the wall's own method
-                    ///< did not and what found the answer; else empty
+  /// Why the step did not converge, or that the active-set method of hard
+  /// contact did not converge and which method found the solution; empty
+  /// otherwise.
+  std::string note;
 };
 
-/// Where a block is strained most: the largest von Mises stress sqrt(3 J_2) at
-/// a quadrature point, no cell left out. The place is
-/// known to about a cell: the stress is read between the cell's edges only.
+/// The largest von Mises stress sqrt(3 J_2) over the quadrature points of all
+/// cells and its place. The place is known to about one cell size, because the
+/// stress is evaluated only inside of cells.
 struct StressPeak {
   double von_mises = 0.0;        ///< [Pa]
   double largest_shear = 0.0;    ///< at that point [Pa]
-  double depth = 0.0;            ///< |z|, below the contact face [m]
+  double depth = 0.0;            ///< |z|, below the contact surface [m]
   std::array<double, 3> place{}; ///< [m]; z < 0 in a second body
 };
 
-/// Where a section is looked at: each x with each depth, x fastest.
+/// The points of a plane section: each x with each depth, x fastest.
 struct SectionPlane {
   double y = 0.0;            ///< of the plane [m]
-  bool is_counter = false;   ///< of the second body
+  bool is_counter = false;   ///< whether it lies in the second body
   std::vector<double> x;     ///< [m], in any order
   std::vector<double> depth; ///< |z| [m] >= 0, in any order
 };
 
-/// Contact of the block on rigid heights, at points c of the contact face:
+/// Contact of the block with a rigid surface of heights h, at the points c of
+/// the contact surface:
 ///
 ///     K u = B^T a p - P g,    gap_c = d + (B u)_c - h_c,               (F.1)
 ///     p_c = (lambda_c - k gap_c)+,    P A = sum_c a_c p_c,
 ///
-/// with K deal.II's stiffness, B u the displacement u_z at the points, a their
-/// areas, d the rigid approach, P g the balancing load on a pressed top, and P
-/// or the mean gap prescribed. Points are nodes (B picks u_z, a is the row sum
-/// of the face's mass matrix) or Gauss points. With two bodies B u is the
+/// where K is the stiffness matrix assembled with deal.II, B u the displacement
+/// u_z at the points, a their areas, d the rigid approach, and P g the
+/// balancing load on a pressure-loaded far boundary. P or the mean gap is
+/// prescribed. Points are nodes (B selects u_z, a is the row sum of the mass
+/// matrix of the contact surface) or Gauss points. With two bodies B u is the
 /// difference of their displacements.
 ///
-/// penalty, augmented: semi-smooth Newton. One step solves (F.1) exactly for a
-/// contact set; it ends when the set stands still. lambda = 0 for a penalty;
-/// otherwise lambda <- p until no gap in contact exceeds the tolerance.
+/// Penalty and augmented Lagrangian contact use a semi-smooth Newton method.
+/// One step solves (F.1) exactly for a given contact set; the iteration ends
+/// when the contact set no longer changes. The multiplier lambda is 0 for a
+/// penalty; otherwise lambda <- p is repeated until no gap in contact exceeds
+/// the tolerance.
 ///
-/// hard: the primal-dual active set, node-wise. Active nodes are held at
-/// u_z = h - d and p is what holds them; a node joins where it overlaps and
-/// leaves where it would be pulled. Second-order elements let this method cycle
-/// (a force on one node may lift another): where 30 steps find no set that
-/// stands, the augmented law goes on, which has the same answer. Gauss points
-/// cannot be held one by one and are refused: they have the augmented law.
+/// Hard contact uses the primal-dual active-set method, node-wise. Active nodes
+/// are constrained to u_z = h - d, and p is the constraint force per area. A
+/// node becomes active if it penetrates and inactive if its constraint force is
+/// tensile. With second-order elements this method may cycle, because a force
+/// on one node may lift another node. If no active set is found in 30 steps,
+/// the augmented Lagrangian method, which has the same solution, continues.
+/// Gauss points cannot be constrained one by one, so hard contact is refused
+/// for them; the augmented Lagrangian method is available.
 ///
-/// A spring acts on the primal unknowns: beyond some 1e7 E/h the rounding of
-/// the gap would exceed 1e-8 of the pressure. So k is bounded by 1e5 mu/h, and
-/// a stiffer penalty k_0 is reached like a wall, by lambda <- (1 - k/k_0) p
-/// until gap + p/k_0 is within the tolerance. Nor is an augmented k softer than
-/// 1e3 mu/h, with which it would take many rounds.
+/// A penalty acts on the primal unknowns: beyond some 1e7 E/h the roundoff of
+/// the gap would exceed 1e-8 of the pressure. Therefore k is bounded by
+/// 1e5 mu/h, and a stiffer penalty k_0 is reached by augmentation,
+/// lambda <- (1 - k/k_0) p, until gap + p/k_0 is within the tolerance. The
+/// augmentation parameter k is not less than 1e3 mu/h, because a softer one
+/// would need many augmentations.
 ///
-/// Maps of the answer are node-wise where the contact face's nodes are the
-/// grid's. Otherwise they are samples at the grid's nodes: the gap with the
-/// displacement of the face there; the pressure interpolated as u_z is from
-/// nodes and cut at 0, or that of the nearest Gauss point of the face (the mean
-/// of faces that share the node). Scalars are sums over the points always.
+/// Fields of the solution are node-wise if the nodes of the contact surface are
+/// those of the grid. Otherwise they are samples at the nodes of the grid: the
+/// gap is computed with the displacement of the contact surface there; the
+/// pressure is interpolated like u_z from nodal values and truncated at 0, or
+/// it is that of the nearest Gauss point of the cell face (the mean over the
+/// faces that share the node). Scalars are always sums over the contact points.
 ///
-/// Under mpirun every call is collective, with equal arguments on every rank,
-/// and every rank gets the whole answer.
+/// Under mpirun every call is collective and needs equal arguments on every
+/// rank; every rank receives the complete solution.
 class FullBlock {
 public:
   virtual ~FullBlock() = default;
@@ -127,47 +146,54 @@ public:
 
   virtual std::size_t unknowns() const = 0;
 
-  /// Row sums of the contact face's mass matrix over their mean, mean 1; all
-  /// ones where the maps are samples.
+  /// Row sums of the mass matrix of the contact surface over their mean; all
+  /// ones if the fields are samples.
   virtual std::span<const double> nodal_weights() const = 0;
 
   /// The displacement under a given pressure, without its mean.
   /// @param pressure  grid().size() values [Pa]
-  /// @return          grid().size() values [m]; empty if CG gave up
-  /// @throws std::domain_error  another number of values, or one not finite
+  /// @return          grid().size() values [m]; empty if CG did not converge
+  /// @throws std::domain_error  the number of values is wrong, or one is not
+  ///                            finite
   virtual std::vector<double>
   displacement(std::span<const double> pressure) = 0;
 
-  /// Lines on mesh, unknowns, contact points and ranks.
+  /// Lines of text on mesh, unknowns, contact points and ranks.
   virtual std::string report() const = 0;
 
-  /// @param heights  grid().size() values [m]: exact at points that are nodes
-  ///                 of the grid, by periodic bicubic convolution between
-  /// A call starts from the displacement the last one ended with.
+  /// Solves one load step, starting from the displacement at the end of the
+  /// last call.
+  /// @param heights  grid().size() values [m]; used exactly at points that are
+  ///                 nodes of the grid and interpolated by periodic bicubic
+  ///                 convolution elsewhere
   /// @throws std::domain_error  an argument is outside its range or not finite
   virtual BlockSolution solve(std::span<const double> heights,
                               const BlockLoad& load,
                               const BlockContact& contact) = 0;
 
-  /// Of the last solution; zeros before the first.
+  /// The largest stress of the last solution; zeros before the first.
   virtual StressPeak strongest_stress() const = 0;
 
   /// Von Mises stress of the last solution in a plane, from the averages at
-  /// vertices (block_stress.hpp), linear in each cell's own coordinates.
-  /// @return  [Pa], plane.x.size() times plane.depth.size() values; where cells
-  ///          meet, of the one whose centre is nearest to the face; NaN outside
-  ///          of the mesh
+  /// vertices (block_stress.hpp), interpolated linearly in the reference
+  /// coordinates of each cell.
+  /// @return  [Pa], plane.x.size() times plane.depth.size() values; on a common
+  ///          boundary of cells the value of the cell whose centre is nearest
+  ///          to the contact surface; NaN outside of the mesh
   virtual std::vector<double> section(const SectionPlane& plane) const = 0;
 
-  /// Writes the last solution as one more step for ParaView: <stem>_<step>.pvtu
-  /// with its parts .vtu, and <stem>.pvd over the steps, each file whole or not
-  /// at all. block_output.hpp has the fields.
-  /// @param folder_and_stem  "out/block"; the folder is made if need be
+  /// Writes the last solution as a further step for ParaView:
+  /// <stem>_<step>.pvtu with its parts .vtu, and <stem>.pvd over the steps.
+  /// Each file is written completely or not at all. block_output.hpp lists the
+  /// fields.
+  /// @param folder_and_stem  for example "out/block"; the folder is created if
+  ///                         necessary
   /// @throws std::runtime_error  a file could not be written
   virtual void write(const std::string& folder_and_stem) = 0;
 };
 
-/// @param degree 1 or 2; the grid's nodes are all nodes of the contact face
+/// Builds a full 3-D block on a regular node grid.
+/// @param degree  1 or 2; the grid's nodes are all nodes of the contact surface
 /// @throws std::domain_error  the grid or the block is outside its range
 std::unique_ptr<FullBlock>
 make_full_block(const Grid& grid, int degree, const LayeredBlock& block,

@@ -20,8 +20,8 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
-/// Left of the surface problem of each solve: far below what CG asks of a
-/// residual it started from, so that the preconditioner is one linear operator.
+/// Relative residual of the surface problem in each solve. It is far below the
+/// tolerance of CG, so that the preconditioner is a fixed linear operator.
 constexpr double face_tolerance = 1e-11;
 
 std::vector<double> planes_of(const LayeredBlock& block, int degree) {
@@ -83,8 +83,8 @@ std::size_t LatticePreconditioner::lattice_index(const Point<3>& place,
                  round(place[1] / grid.spacing_y(), grid.points_y)));
 }
 
-/// Constrained unknowns are nowhere; those that nothing but a pin constrains
-/// are remembered.
+/// Numbers the unknowns on the node grid. Constrained unknowns are set to
+/// nowhere; those that only a pin constrains are recorded.
 void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
   const BlockSpace& space = system_.space();
   std::map<global_dof_index, Point<3>> places;
@@ -97,7 +97,7 @@ void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
     of_component[c] = dealii::DoFTools::extract_dofs(space.dof_handler(), mask);
   }
   const std::vector<bool> held = held_components(uniform.top);
-  std::array<std::uint64_t, 3> pins{}; // one more than the index; 0: none
+  std::array<std::uint64_t, 3> pins{}; // index plus one; 0: none
   own_numbers_.assign(space.owned().n_elements(), nowhere);
   for (const global_dof_index unknown : space.owned()) {
     const std::size_t component = of_component[0].is_element(unknown)   ? 0
@@ -118,7 +118,8 @@ void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
       pins_[c] = pin - 1;
 }
 
-/// Which own unknowns go to which rank, and which nodes come from it.
+/// Determines which of the own unknowns go to which rank, and which nodes come
+/// from it.
 void LatticePreconditioner::agree_on_numbers() {
   const std::size_t nodes = solver_.lattice().grid.size();
   std::vector<std::vector<std::size_t>> numbers(solver_.share().n_ranks());
@@ -169,7 +170,7 @@ void LatticePreconditioner::prepare(std::span<const double> springs,
   }
   dealii::Utilities::MPI::sum(at_nodes, MPI_COMM_WORLD, at_nodes);
   for (double& spring : at_nodes)
-    spring = std::max(spring, 0.0); // quadratic shape values may be negative
+    spring = std::max(spring, 0.0); // quadratic shape functions may be negative
   has_springs_ = std::ranges::any_of(at_nodes, [](double s) { return s > 0; });
   solver_.set_springs(at_nodes);
   has_converged_ = true;
@@ -193,9 +194,9 @@ void LatticePreconditioner::send_back(Vector& to) {
     *(to.begin() + unknowns_.at[i]) = unknowns_.values[i];
 }
 
-/// Calls do_pin(fields, node) for each component that only a pin holds: the
-/// own fields of the component, and the pin's place among all values. Springs
-/// hold u_z themselves.
+/// Calls do_pin(fields, node) for each component that only a pin constrains,
+/// with the fields of the component on this rank and the index of the pin among
+/// all values. If there are springs, they constrain u_z themselves.
 template <class DoPin>
 void LatticePreconditioner::each_pin(const DoPin& do_pin) {
   const Range own = solver_.share().fields();
@@ -212,7 +213,7 @@ void LatticePreconditioner::each_pin(const DoPin& do_pin) {
   }
 }
 
-/// The pin bears what the forces of its component sum up to.
+/// Subtracts the sum of the forces of each component at its pin.
 void LatticePreconditioner::balance() {
   each_pin([&](const auto& fields, std::size_t pin) {
     double sum = 0.0;
@@ -223,7 +224,7 @@ void LatticePreconditioner::balance() {
   });
 }
 
-/// The shift that leaves the pin where it is.
+/// Subtracts the shift of each component so that its pin does not move.
 void LatticePreconditioner::rest() {
   const std::size_t nodes = solver_.lattice().grid.size();
   each_pin([&](const auto& fields, std::size_t pin) {
@@ -240,9 +241,9 @@ void LatticePreconditioner::rest() {
 void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
   send(from);
   balance();
-  // What CG calls its residual is one whatever this operator does, so a surface
-  // problem that did not converge costs iterations alone. It is said if CG then
-  // gives up.
+  // The residual in CG is correct whatever this operator does, so a surface
+  // problem that did not converge costs only iterations. It is reported if CG
+  // then fails to converge.
   if (has_springs_)
     has_converged_ = solver_
                          .solve_with_springs(lattice_values_, lattice_values_,

@@ -1,7 +1,8 @@
 #pragma once
 
-// The lattice solver as preconditioner of a distributed block: which unknown is
-// which node of the lattice. Include from .cpp files of fem/ only.
+// The Fourier solver as preconditioner of a distributed block. This file maps
+// unknowns to nodes of the regular node grid.
+// Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_solver.hpp"
 #include "fem/waves/lattice_solver.hpp"
@@ -13,20 +14,23 @@
 
 namespace asperity::fem {
 
-/// (K_0 + springs)^-1 of the laterally uniform block K_0 nearest to a periodic
-/// one on the same lattice. The residual goes to the ranks that solve for its
-/// fields, as LatticeShare divides them, and the answer back.
+/// Applies (K_0 + springs)^-1, where K_0 is the stiffness of the laterally
+/// uniform block nearest to a periodic block on the same node grid. The
+/// residual is sent to the ranks that solve for its fields, as LatticeShare
+/// distributes them, and the result is sent back.
 ///
-/// A component whose rigid shift only a pin holds is solved balanced: the pin
-/// bears the sum of the forces, and the shift is taken off until it rests.
+/// A displacement component whose rigid shift is prevented by a pin only is
+/// solved under balanced forces: the pin carries the sum of the forces, and the
+/// shift is then subtracted so that the pin does not move.
 class LatticePreconditioner final : public BlockPreconditioner {
 public:
-  /// @param system   periodic, its mesh the lattice of `uniform` on the grid
-  /// @throws std::domain_error  an unknown is at no node of the lattice
+  /// @param system  must be periodic; its mesh is the node grid of `uniform`
+  /// @throws std::domain_error  an unknown is not at a node of the node grid
   LatticePreconditioner(const BlockSystem& system, int degree,
                         const LayeredBlock& uniform);
 
-  /// Springs at Gauss points count for the nodes around by their shape values.
+  /// Springs at Gauss points are distributed to the surrounding nodes by their
+  /// shape values.
   void prepare(std::span<const double> springs,
                const std::vector<bool>& held) override;
 
@@ -53,21 +57,23 @@ private:
 
   const BlockSystem& system_;
   LatticeSolver solver_;
-  std::vector<double> plane_depths_;     ///< of the lattice's planes [m]
-  std::vector<std::size_t> own_numbers_; ///< on the lattice, in owned() order;
-                                         ///< constrained ones have `nowhere`
+  std::vector<double> plane_depths_; ///< of the node planes [m]
+  /// Numbers on the node grid, in owned() order; constrained unknowns have
+  /// `nowhere`.
+  std::vector<std::size_t> own_numbers_;
 
   struct Mail {
     std::vector<int> counts, starts; ///< of each rank
-    std::vector<std::size_t> at;     ///< where each value is, rank after rank
+    std::vector<std::size_t> at;     ///< index of each value, rank after rank
     std::vector<double> values;
   };
 
-  Mail unknowns_; ///< from and to the own unknowns
-  Mail lattice_;  ///< to and from the fields of this rank
-  std::array<std::optional<std::size_t>, 3> pins_; ///< a component
+  Mail unknowns_; ///< exchange with the ranks' own unknowns
+  Mail lattice_;  ///< exchange with the fields of this rank
+  std::array<std::optional<std::size_t>, 3> pins_; ///< one per component
   bool has_springs_ = false;
-  bool has_converged_ = true; ///< each surface problem since prepare()
+  bool has_converged_ = true; ///< whether all solves of (L.4) since prepare()
+                              ///< converged
   std::vector<double> lattice_values_;
 };
 

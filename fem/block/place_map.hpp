@@ -1,6 +1,6 @@
 #pragma once
 
-// Finds what lies at a place when coordinates differ by rounding.
+// Look-up of objects by place with a tolerance for roundoff of the coordinates.
 
 #include <deal.II/base/point.h>
 
@@ -12,8 +12,9 @@
 
 namespace asperity::fem {
 
-/// A map from places to numbers of things. Places nearer than the tolerance
-/// are one; places that are not must be three tolerances apart.
+/// A map from places to numbers of objects. Places closer than the tolerance
+/// are considered equal; different places must be at least three tolerances
+/// apart.
 class PlaceMap {
 public:
   /// @param tolerance  [m] > 0
@@ -38,7 +39,7 @@ public:
 private:
   using Key = std::array<std::int64_t, 3>;
 
-  static int shift(int i) { return i == 2 ? -1 : i; } // 0 first
+  static int shift(int i) { return i == 2 ? -1 : i; } // starts with 0
 
   Key key(const dealii::Point<3>& place) const {
     return {std::llround(place[0] / tolerance_),

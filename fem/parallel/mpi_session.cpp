@@ -16,11 +16,11 @@ void start_mpi() {
     static char name[] = "asperity";
     static char* arguments[] = {name, nullptr};
     static char** argv = arguments;
-    // The session empties the pool of CG's vectors when it ends, so the pool
-    // must have been made before it.
+    // The session releases the memory pool of CG's vectors when it ends, so the
+    // pool must be constructed before the session.
     const dealii::GrowingVectorMemory<dealii::TrilinosWrappers::MPI::Vector>
         pool;
-    // Asks for MPI_THREAD_SERIALIZED.
+    // The session requests MPI_THREAD_SERIALIZED.
     static const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv,
                                                                   1);
   }

@@ -1,14 +1,16 @@
 #pragma once
 
-// MPI for libraries that will not work without it.
+// Initialisation of MPI for the libraries that require it.
 
 namespace asperity::fem {
 
-/// Initialises MPI once, unless the host program has done so: all processes of
-/// an mpirun together, one process alone without. Calls may come from any one
-/// thread at a time (MPI_THREAD_SERIALIZED). What was started here is finalised
-/// when the program ends.
-/// @throws std::runtime_error  the host program started MPI for less
+/// Initialises MPI once, unless the host program has already done so. Under
+/// mpirun all processes initialise it together; without mpirun the process runs
+/// alone. Calls may come from any thread, one at a time
+/// (MPI_THREAD_SERIALIZED). If MPI was initialised here, it is finalised when
+/// the program ends.
+/// @throws std::runtime_error  the host program initialised MPI with a lower
+///                             thread level
 void start_mpi();
 
 } // namespace asperity::fem

@@ -20,17 +20,19 @@ namespace {
 
 constexpr int leader = 0;
 
-/// Kind, block, letters of the text, numbers.
+/// The command's kind, its block, the length of its text and the number of its
+/// numbers.
 using Head = std::array<std::int64_t, 4>;
 
 using Clock = std::chrono::steady_clock;
 
-/// How long a rank that failed waits for the others to fail too, and how long
-/// one that did not waits for the end.
+/// Time that a failed rank waits for the other ranks to fail as well, and time
+/// that a rank without a failure waits to be terminated.
 constexpr std::chrono::seconds patience{5};
 
-/// The ranks again, for agreeing on failures: what is sent here never meets
-/// what a failed rank left undone in MPI_COMM_WORLD. Collective the first time.
+/// A second communicator over all ranks, for reaching agreement on failures:
+/// messages on it never match operations that a failed rank left incomplete in
+/// MPI_COMM_WORLD. The first call is collective.
 MPI_Comm agreement() {
   static const MPI_Comm ranks = [] {
     MPI_Comm made = MPI_COMM_NULL;
@@ -40,9 +42,9 @@ MPI_Comm agreement() {
   return ranks;
 }
 
-/// Asleep rather than turning, so that a rank that waits leaves its core to
-/// others.
-/// @return  whether the request was done in time
+/// Waits for a request by sleeping instead of polling continuously, so that a
+/// waiting rank leaves its core to others.
+/// @return  whether the request completed in time
 bool is_done_by(MPI_Request& request, Clock::time_point end) {
   int is_done = 0;
   MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
@@ -82,12 +84,12 @@ Failure described(const std::exception_ptr& failure) {
     return {error.what(), 2};
   } catch (const std::exception& error) {
     return {error.what()};
-  } catch (...) { // Trilinos throws numbers
+  } catch (...) { // Trilinos throws integers
     return {"a library threw something that is no exception"};
   }
 }
 
-/// How many ranks failed; -1 if they did not all say so in time.
+/// Number of ranks that failed, or -1 if not all of them reported in time.
 int count_failed(bool has_failed) {
   static const int n = n_ranks();
   int failed = has_failed ? 1 : 0;
@@ -149,7 +151,7 @@ void do_share(const std::function<void()>& share) {
       std::rethrow_exception(failure);
     return;
   }
-  if (!failure) { // another rank ends this one
+  if (!failure) { // another rank terminates this one
     std::this_thread::sleep_for(patience);
     failure =
         std::make_exception_ptr(std::runtime_error("another rank failed"));
@@ -160,12 +162,12 @@ void do_share(const std::function<void()>& share) {
 void pass_on(const Order& order) {
   if (n_ranks() == 1)
     return;
-  // Refused before anything is sent.
+  // Oversized commands are refused before anything is sent.
   Head head{static_cast<std::int64_t>(order.kind), order.block,
             mpi_count(order.text.size(), "bytes of an order"),
             mpi_count(order.numbers.size(), "numbers of an order")};
   broadcast_asleep(head);
-  Order sent = order; // MPI takes no constant
+  Order sent = order; // MPI_Bcast does not accept a pointer to const
   broadcast_body(sent);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The processes of one mpirun: rank 0 leads, the others do as it does. Owns
-// how an order is passed on and how a failure of any rank ends all of them;
-// what an order means is led_blocks' business.
+// The processes of one mpirun: rank 0 broadcasts commands and the other ranks
+// execute them. This file defines how a command is broadcast and how a failure
+// on any rank terminates all of them; led_blocks defines what a command means.
 
 #include <cstddef>
 #include <exception>
@@ -19,42 +19,47 @@ enum class OrderKind : int {
   strongest_stress,
   section, ///< numbers: the plane
   write,   ///< text: folder and stem of the files
-  drop,    ///< a block is not needed any more
+  drop,    ///< the block is no longer needed
   quit,    ///< rank 0 has ended
 };
 
-/// What every rank is to do with one block.
+/// A command that every rank executes for one block.
 struct Order {
   OrderKind kind = OrderKind::quit;
-  int block = 0; ///< which, counted from 0 in the order they were built
+  int block = 0; ///< number of the block, from 0 in the order of construction
   std::string text = {};
   std::vector<double> numbers = {};
 };
 
-/// Of MPI_COMM_WORLD, started if need be; 1 without mpirun.
+/// Size of MPI_COMM_WORLD, which is initialised if necessary; 1 without mpirun.
 int n_ranks();
 int own_rank();
 
-/// Rank 0: to all others. Nothing happens on one rank alone.
+/// To be called on rank 0. Broadcasts a command to all other ranks; does
+/// nothing on a single rank.
 void pass_on(const Order& order);
 
-/// The other ranks: waits for it, asleep rather than turning.
+/// To be called on the other ranks. Waits for the next command, sleeping
+/// instead of polling continuously.
 Order next_order();
 
-/// Every rank: does its share of an order and waits for the others. Where all
-/// failed, the ranks are still in step: rank 0 throws its own failure, and the
-/// others return. Where some failed, or the others do not come within
-/// seconds because a collective call of theirs waits for this rank, each failed
-/// rank ends all of them as below.
+/// To be called on every rank. Executes this rank's share of a command and
+/// waits for the other ranks. If the share failed on all ranks, the ranks are
+/// still synchronised: rank 0 throws its own failure and the others return. If
+/// it failed on some ranks only, or if the others do not arrive within seconds
+/// because one of their collective calls waits for this rank, each failed rank
+/// terminates all ranks as end_all_ranks does.
 void do_share(const std::function<void()>& share);
 
-/// Prints the failure with this rank's number and ends all ranks: exit code 2
-/// for a refused argument or case, 4 for anything else, as the program's main.
+/// Prints the failure with the number of this rank and terminates all ranks.
+/// The exit code is 2 for a refused argument or case and 4 for anything else,
+/// as in the program's main function.
 [[noreturn]] void end_all_ranks(const std::exception_ptr& failure);
 
-/// A count as MPI takes it.
-/// @param what  is counted, for the message
-/// @throws std::domain_error  more than 2^31 - 1; names what and how many
+/// Converts a count to the integer type of MPI.
+/// @param what  what is counted, for the message
+/// @throws std::domain_error  the count exceeds 2^31 - 1; the message names
+///                            what is counted and the count
 int mpi_count(std::size_t count, const char* what);
 
 } // namespace asperity::fem

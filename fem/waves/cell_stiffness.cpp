@@ -20,7 +20,7 @@ using dealii::FEValues;
 using dealii::Point;
 using dealii::QGauss;
 
-/// The row in our order of each of deal.II's local unknowns.
+/// The row, in the order of CellStiffness, of each of deal.II's local unknowns.
 std::vector<std::size_t> rows_by_place(const FESystem<3>& element,
                                        const CellStiffness& stiffness) {
   std::vector<std::size_t> rows(element.n_dofs_per_cell());

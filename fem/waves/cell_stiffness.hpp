@@ -1,7 +1,7 @@
 #pragma once
 
-// deal.II's stiffness matrix of one box-shaped cell, its unknowns sorted by
-// place instead of by deal.II's numbering.
+// deal.II's stiffness matrix of one box-shaped cell, with its unknowns ordered
+// by place instead of by deal.II's numbering.
 
 #include "fem/waves/elastic_layers.hpp"
 
@@ -10,13 +10,14 @@
 
 namespace asperity::fem {
 
-/// K of one cell dx * dy * thickness, FE_Q(degree) with QGauss(degree + 1):
+/// Stiffness matrix K of one cell dx * dy * thickness with FE_Q(degree) and
+/// QGauss(degree + 1):
 ///
 ///     K_rs = int_cell [ lambda div(phi_r) div(phi_s)
 ///                       + 2 mu eps(phi_r) : eps(phi_s) ] dV        [N/m]
 ///
-/// Row of component c (0..2) of the node at lattice place (a, b, k), each
-/// 0..degree and k = 0 the side of the contact face:
+/// The row of component c (0..2) of the node at lattice place (a, b, k), each
+/// 0..degree, where k = 0 is the side of the contact surface, is
 /// ((k * (degree+1) + b) * (degree+1) + a) * 3 + c.
 struct CellStiffness {
   int degree = 1;
@@ -34,21 +35,22 @@ struct CellStiffness {
     return entries[row * size() + column];
   }
 
-  /// Row of a component of a node.
+  /// The row of a component of a node.
   std::size_t row(std::size_t a, std::size_t b, std::size_t k,
                   std::size_t component) const {
     return ((k * nodes_a_side() + b) * nodes_a_side() + a) * 3 + component;
   }
 };
 
-/// @param degree 1 or 2
-/// @param dx,dy  lateral sides of the cell [m] > 0
+/// @param degree  1 or 2
+/// @param dx,dy   lateral side lengths of the cell [m] > 0
 CellStiffness cell_stiffness(int degree, double dx, double dy,
                              const ElasticLayer& layer);
 
-/// Area of the nodes of a cell's face relative to their mean, from the row sums
-/// of deal.II's mass matrix of the face: by parity (a, b) of the lattice place,
-/// index a + 2 b; four ones for degree 1, (1, 2, 2, 4) * 4/9 for degree 2.
+/// Nodal areas on a cell face relative to their mean, from the row sums of
+/// deal.II's mass matrix of the face. The index is a + 2 b, where (a, b) is the
+/// parity of the lattice place; the values are four ones for degree 1 and
+/// (1, 2, 2, 4) * 4/9 for degree 2.
 std::vector<double> relative_nodal_areas(int degree);
 
 } // namespace asperity::fem

@@ -14,7 +14,7 @@ namespace asperity::fem {
 namespace {
 
 /// Sums of a cell-matrix entry over the node pairs at one lateral offset
-/// (dx, dy) in -1..1: index (dy + 1) * 3 + dx + 1.
+/// (dx, dy) in -1..1, with index (dy + 1) * 3 + dx + 1.
 using Stencil = std::array<double, 9>;
 
 Stencil stencil(const CellStiffness& cell, std::size_t row_plane,
@@ -31,12 +31,12 @@ Stencil stencil(const CellStiffness& cell, std::size_t row_plane,
   return sums;
 }
 
-/// The lateral phases of one wavevector: theta = q h in x and y.
+/// The lateral phases of one wavevector, theta = q h in x and y.
 struct Phases {
   double cos_x, sin_x, cos_y, sin_y, cos_cos;
 };
 
-/// xx, yy or zz: sum of s cos(theta.d).
+/// An xx, yy or zz entry: the sum of s cos(theta.d).
 struct EvenEntry {
   double one = 0.0, cos_x = 0.0, cos_y = 0.0, cos_cos = 0.0;
 
@@ -51,7 +51,8 @@ struct EvenEntry {
   }
 };
 
-/// xz: sum of s sin(theta.d), odd in x; its transpose zx has the other sign.
+/// An xz entry: the sum of s sin(theta.d), odd in x. The transposed entry zx
+/// has the opposite sign.
 struct OddX {
   double one = 0.0, cos_y = 0.0;
 
@@ -63,7 +64,7 @@ struct OddX {
   }
 };
 
-/// yz, likewise.
+/// A yz entry, odd in y.
 struct OddY {
   double one = 0.0, cos_x = 0.0;
 
@@ -75,7 +76,7 @@ struct OddY {
   }
 };
 
-/// xy: sum of s cos(theta.d), odd in both.
+/// An xy entry: the sum of s cos(theta.d), odd in both directions.
 struct OddBoth {
   double sin_sin = 0.0;
 
@@ -108,7 +109,7 @@ Symmetric3 inverse(const Symmetric3& m) {
           (m.xy * m.xz - m.xx * m.yz) * scale};
 }
 
-/// One plane's own block: A_l or D_l.
+/// The diagonal block of one plane: A_l or D_l.
 struct PlaneBlock {
   EvenEntry xx, yy, zz;
   OddBoth xy;
@@ -128,7 +129,8 @@ struct PlaneBlock {
   }
 };
 
-/// B_l: rows of the lower plane, columns of the upper one.
+/// The coupling block B_l, with rows of the lower plane and columns of the
+/// upper one.
 struct CouplingBlock {
   EvenEntry xx, yy, zz;
   OddBoth xy, yx;
@@ -160,7 +162,7 @@ CouplingBlock::Row times(const Symmetric3& m, const CouplingBlock::Row& v) {
           m.xz * v[0] + m.yz * v[1] + m.zz * v[2]};
 }
 
-/// A - B M B^T for a symmetric M.
+/// Computes A - B M B^T for a symmetric M.
 Symmetric3 schur_complement(const Symmetric3& a,
                             const std::array<CouplingBlock::Row, 3>& b,
                             const Symmetric3& m) {
@@ -179,7 +181,7 @@ struct Q1Layer {
       : lower(cell, 0), upper(cell, 1), coupling(cell) {}
 };
 
-/// (D_(n-1) + T_n)^-1 at the top plane.
+/// Computes (D_(n-1) + T_n)^-1 at the far boundary.
 Symmetric3 top_compliance(const Symmetric3& top_block, cases::TopFace top) {
   if (top == cases::TopFace::clamped)
     return {};
@@ -190,7 +192,7 @@ Symmetric3 top_compliance(const Symmetric3& top_block, cases::TopFace top) {
   return {m.yy * scale, m.xx * scale, 0.0, -m.xy * scale, 0.0, 0.0};
 }
 
-/// (T_0^-1)_zz, by (Q1.1).
+/// Computes (T_0^-1)_zz by (Q1.1).
 double surface_compliance(const std::vector<Q1Layer>& layers,
                           cases::TopFace top, const Phases& at) {
   Symmetric3 upper = top_compliance(layers.back().upper(at), top);

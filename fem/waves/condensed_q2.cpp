@@ -10,7 +10,8 @@
 namespace asperity::fem {
 namespace {
 
-/// The block of the wavevector mirrored in the diagonal: x-edges are y-edges.
+/// The block of the wavevector mirrored about the diagonal, which exchanges
+/// x-edges and y-edges.
 KindBlock mirrored(const KindBlock& block) {
   constexpr std::array<std::size_t, 4> image{0, 2, 1, 3};
   KindBlock mirror{};
@@ -20,7 +21,8 @@ KindBlock mirrored(const KindBlock& block) {
   return mirror;
 }
 
-/// Four neighbours in jx, those beyond the last column its repetition.
+/// Computes four neighbouring blocks in jx; those beyond the last column repeat
+/// it.
 void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
                  const Q2Compliance& compliance,
                  std::array<KindBlock, lanes>& blocks) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
-// Apart from the rest of moduli_field.hpp: the program reads a table before it
-// loads the finite elements.
+// This function is kept apart from the rest of moduli_field.hpp because the
+// program reads a table before it loads the finite-element module.
 
 namespace asperity::fem {
 

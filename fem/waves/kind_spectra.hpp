@@ -1,7 +1,8 @@
 #pragma once
 
-// Fields on the nodes of a face and their waves by cell wavevector and kind of
-// node, as blocks of packs take them.
+// Transforms between fields on the nodes of a surface and their Fourier
+// amplitudes by cell wavevector and node class, and their storage in SIMD
+// batches.
 
 #include "base/fourier.hpp"
 #include "fem/waves/layer_symbol.hpp"
@@ -13,46 +14,51 @@
 
 namespace asperity::fem {
 
-/// Four neighbours in jx of one |jy|, with both signs of jy. Lanes that lie
-/// beyond the last column repeat it and are not stored.
+/// Four neighbouring wavevectors in jx for one |jy|, with both signs of jy.
+/// Lanes beyond the last column repeat it and are not stored.
 struct WaveBatch {
-  std::size_t row, first, count; ///< |jy|, jx of lane 0, lanes in use
-  std::size_t opposite;          ///< row of -jy; `row` itself if it is the same
+  std::size_t row, first, count; ///< |jy|, jx of lane 0, number of lanes in use
+  std::size_t opposite;          ///< row of -jy; equal to `row` if -jy and jy
+                                 ///< coincide
   Pack theta_x, theta_y;         ///< q times the node spacing, jy > 0 [1]
-  std::array<std::array<Pack, 4>, 2> cosine, sine; ///< of q.x of each kind, for
-                                                   ///< jy and for -jy
+  /// Cosine and sine of q.x for each node class, for jy and for -jy.
+  std::array<std::array<Pack, 4>, 2> cosine, sine;
 };
 
-/// Real and imaginary part for jy, then for -jy: four columns of values.
+/// Number of columns of values: real and imaginary part for jy, then for -jy.
 constexpr std::size_t wave_columns = 4;
 
-/// p_k(q) = 1/cells sum_cells f(x) exp(-i q.x), x the true places of the nodes
-/// of kind k, q in the cells' Brillouin zone, by transforms of one kind at a
-/// time. An instance is immutable: threads share it.
+/// Computes p_k(q) = 1/cells sum_cells f(x) exp(-i q.x), where x are the actual
+/// places of the nodes of class k and q lies in the Brillouin zone of the
+/// cells, by a transform of one class at a time. Objects of this class are
+/// immutable, so threads may share one.
 class KindSpectra {
 public:
-  /// @param grid   of the nodes; its points are multiples of the degree
+  /// @param grid  grid of the nodes; its point counts are multiples of the
+  ///              degree
   KindSpectra(const Grid& grid, int degree);
 
   const Grid& grid() const { return grid_; }
 
   std::size_t kinds() const { return kinds_of(degree_); }
 
-  std::size_t rows() const { return cells_y_ / 2 + 1; } ///< of |jy|
+  /// Number of values of |jy|.
+  std::size_t rows() const { return cells_y_ / 2 + 1; }
 
-  std::size_t batches() const; ///< in a row
+  std::size_t batches() const; ///< number per row
 
-  std::size_t size() const; ///< complex numbers of one field
+  std::size_t size() const; ///< complex numbers per field
 
   WaveBatch batch(std::size_t row, std::size_t number) const;
 
-  /// Calls visit(first, count) for the stretches of one field's spectra that
-  /// hold the waves of |jy| = begin..end-1, each wave once.
+  /// Calls visit(first, count) for each contiguous range of one field's spectra
+  /// that holds the waves of |jy| = begin..end-1, each wave once.
   template <class Visit>
   void each_stretch(std::size_t begin, std::size_t end,
                     const Visit& visit) const {
     const std::size_t columns = cells_x_ / 2 + 1;
-    // 0 and, of an even number, the half are their own opposites.
+    // Wavenumber 0 and, if their number is even, half of it are their own
+    // opposites.
     const std::size_t from = std::max<std::size_t>(begin, 1);
     const std::size_t to = std::min(end, (cells_y_ + 1) / 2);
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
@@ -66,15 +72,16 @@ public:
 
   /// @param field    grid().size() values
   /// @param spectra  size() numbers, overwritten
-  /// @param scratch  a thread's own
+  /// @param scratch  scratch memory, one per thread
   void forward(std::span<const double> field,
                std::span<std::complex<double>> spectra,
                std::vector<double>& scratch) const;
-  /// @param spectra  destroyed
+  /// @param spectra  overwritten
   void backward(std::span<std::complex<double>> spectra,
                 std::span<double> field, std::vector<double>& scratch) const;
 
-  /// Columns of each kind: values[kind * stride * wave_columns + column].
+  /// Loads the columns of each class:
+  /// values[kind * stride * wave_columns + column].
   void load(std::span<const std::complex<double>> spectra,
             const WaveBatch& batch, std::size_t stride, Pack* values) const;
   void store(const Pack* values, const WaveBatch& batch, std::size_t stride,
@@ -84,7 +91,7 @@ private:
   Grid grid_;
   std::size_t degree_;
   std::size_t cells_x_, cells_y_;
-  RealFourier fourier_; ///< of one kind
+  RealFourier fourier_; ///< of one node class
 };
 
 } // namespace asperity::fem

@@ -7,8 +7,8 @@
 namespace asperity::fem {
 namespace {
 
-/// S_bb and S_gg, lower triangles by columns, and S_gb row by row, one after
-/// the other.
+/// Layout of S_bb and S_gg, lower triangles by columns, and S_gb by rows, one
+/// after the other.
 template <std::size_t degree>
 LayerSymbol::Target three_blocks(std::size_t row, std::size_t column) {
   constexpr std::size_t plane = plane_unknowns(degree);
@@ -47,7 +47,8 @@ private:
   static void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
                        Pack* to_lower);
 
-  /// L, 1/D and R of the layers from the contact face up, then T_0's L and 1/D.
+  /// The factors of a batch: L, 1/D and R of the layers from the contact
+  /// surface upwards, then L and 1/D of T_0.
   const Pack* of_batch(const WaveBatch& batch) const {
     return &packs_[((batch.row - rows_.begin) * batches_ +
                     batch.first / lanes) *
@@ -83,7 +84,7 @@ Factors<degree>::Factors(const KindSpectra& spectra, const LayeredBlock& block,
   });
 }
 
-/// (L.1) from the top down to T_0.
+/// Applies (L.1) from the far boundary down to T_0.
 template <std::size_t degree>
 void Factors<degree>::factorise_batch(const std::vector<LayerSymbol>& layers,
                                       const LayeredBlock& block, double spring,

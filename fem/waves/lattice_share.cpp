@@ -30,8 +30,8 @@ std::size_t LatticeShare::owner_of(std::size_t field) const {
   return rank;
 }
 
-/// Calls visit(first, count) for each stretch of the fields' modes that holds
-/// waves of the rows.
+/// Calls visit(first, count) for each contiguous range of the fields' modes
+/// that holds wavevectors of the rows.
 template <class Visit>
 void LatticeShare::each_stretch(const Box& box, const Visit& visit) const {
   for (std::size_t field = box.fields.begin; field < box.fields.end; ++field)
@@ -41,7 +41,7 @@ void LatticeShare::each_stretch(const Box& box, const Visit& visit) const {
                           });
 }
 
-/// @param sent, received  the box that goes to a rank, or comes from it
+/// @param sent, received  the box that is sent to a rank, or received from it
 template <class Sent, class Received>
 void LatticeShare::exchange(std::span<std::complex<double>> modes,
                             const Sent& sent, const Received& received) {

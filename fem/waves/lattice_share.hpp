@@ -1,8 +1,8 @@
 #pragma once
 
-// How ranks divide the work on a lattice: its fields among them for the
-// transforms, the rows of waves for the elimination. Owns the division and
-// what is sent in between; computes nothing.
+// Distribution of the work on a node grid over ranks: the fields for the
+// transforms, the rows of wavevectors for the elimination. This file defines
+// the distribution and the communication; it does no computation.
 
 #include "fem/waves/kind_spectra.hpp"
 
@@ -13,7 +13,7 @@
 
 namespace asperity::fem {
 
-/// begin <= i < end.
+/// The indices begin <= i < end.
 struct Range {
   std::size_t begin = 0, end = 0;
 
@@ -22,45 +22,47 @@ struct Range {
   bool contains(std::size_t i) const { return begin <= i && i < end; }
 };
 
-/// Number `part` of `parts` pieces of 0..n-1, in order, their sizes equal or
-/// one apart.
+/// Range number `part` if 0..n-1 is split in order into `parts` ranges whose
+/// sizes differ by at most one.
 Range piece_of(std::size_t n, std::size_t part, std::size_t parts);
 
-/// Who shares the work on a lattice.
+/// The processes that share the work on a node grid.
 enum class Among { this_process, all_ranks };
 
-/// Each rank has room for everything and holds what is its own. Every call is
-/// collective; on one process alone none does anything.
+/// Each rank has memory for all data and stores its own part. Every call is
+/// collective; on a single process the calls do nothing.
 class LatticeShare {
 public:
-  /// @param spectra  of one field; outlives this
-  /// @param fields   of the lattice
-  /// @throws std::domain_error  more modes on a rank than MPI counts, 2^31 - 1
+  /// @param spectra  spectra of one field; must outlive this object
+  /// @param fields   number of fields on the node grid
+  /// @throws std::domain_error  a rank has more modes than MPI can count,
+  ///                            2^31 - 1
   LatticeShare(const KindSpectra& spectra, std::size_t fields, Among among);
 
   Range fields() const { return fields_of(own_rank_); }
 
-  Range rows() const { return rows_of(own_rank_); } ///< of |jy|
+  Range rows() const { return rows_of(own_rank_); } ///< rows of |jy|
 
   std::size_t owner_of(std::size_t field) const;
 
   std::size_t n_ranks() const { return n_ranks_; }
 
-  /// From whole spectra of the own fields to the own rows of all fields.
-  /// @param modes  of all fields, one after the other
+  /// Redistributes from complete spectra of the own fields to the own rows of
+  /// all fields.
+  /// @param modes  modes of all fields, one field after the other
   void fields_to_rows(std::span<std::complex<double>> modes);
-  /// And back.
+  /// Reverses fields_to_rows().
   void rows_to_fields(std::span<std::complex<double>> modes);
 
-  /// From the own rows of one field to the whole field on every rank.
+  /// Collects the own rows of one field into the complete field on every rank.
   void rows_to_all(std::span<std::complex<double>> field_modes);
 
-  /// The same for values that lie row by row.
+  /// As above, for values that are stored row by row.
   /// @param values  a multiple of spectra.rows() numbers
   void rows_to_all(std::span<double> values) const;
 
-  /// Adds up each value over the ranks; exact where one rank alone holds
-  /// something other than 0.
+  /// Sums each value over the ranks. The sum is exact if only one rank holds a
+  /// nonzero value.
   void add_up(std::span<double> values) const;
 
 private:

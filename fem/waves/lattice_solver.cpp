@@ -15,8 +15,8 @@ namespace {
 
 using Modes = std::span<std::complex<double>>;
 
-/// Columns of u_x, u_y become those of w, u = i w (or back); w_y turns its
-/// sign where jy does.
+/// Converts the columns of u_x and u_y to those of w, with u = i w, or back.
+/// w_y changes its sign with jy.
 void turn(std::size_t component, bool is_back, Pack* column) {
   if (component == 2)
     return;
@@ -29,7 +29,7 @@ void turn(std::size_t component, bool is_back, Pack* column) {
   }
 }
 
-/// Which part of a solve a sweep over the wavevectors does.
+/// The part of a solve that a sweep over the wavevectors performs.
 enum class Sweep { whole, down_to_face, up_from_face };
 
 } // namespace
@@ -43,10 +43,10 @@ struct LatticeSolver::Parts {
   std::unique_ptr<const LatticeFactors> factors;
   SpringFace face;
   std::vector<std::complex<double>> modes;      ///< of every field
-  std::vector<std::complex<double>> face_modes; ///< of one
+  std::vector<std::complex<double>> face_modes; ///< of one field
   std::vector<double> face_field, forces;
-  std::vector<std::vector<double>> scratch; ///< a thread's
-  std::vector<std::vector<Pack>> values;    ///< a thread's batch
+  std::vector<std::vector<double>> scratch; ///< one per thread
+  std::vector<std::vector<Pack>> values;    ///< a batch per thread
 
   Parts(const Grid& grid, int degree, const LayeredBlock& block, int n_threads,
         Among among)
@@ -78,13 +78,14 @@ struct LatticeSolver::Parts {
     return Modes(modes).subspan(field * spectra.size(), spectra.size());
   }
 
-  /// First value of a field in a batch; its kinds are 3 rows apart.
+  /// The first value of a field in a batch; its node classes are 3 rows apart.
   std::size_t first_value(std::size_t field) const {
     return (field / 3 * 3 * spectra.kinds() + field % 3) * wave_columns;
   }
 
   template <class DoField>
-  void each_field(const DoField& do_field); ///< of the own, with a scratch
+  void each_field(const DoField& do_field); ///< visits the own fields, with
+                                            ///< scratch memory
   double total_force(std::span<const double> force) const; ///< in z [N]
   void transform(std::span<const double> force);
   void transform_back(std::span<double> displacement, double shift);
@@ -195,7 +196,7 @@ void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
     factors->solve_face(batch, face_values.data());
     spectra.store(&face_values[u_z], batch, 3, face_modes);
   }
-  if (part == Sweep::up_from_face) { // less what the springs bear
+  if (part == Sweep::up_from_face) { // subtracts the forces of the springs
     std::array<Pack, 4 * wave_columns> borne;
     spectra.load(face_modes, batch, 1, borne.data());
     for (std::size_t kind = 0; kind < kinds; ++kind)

@@ -9,7 +9,8 @@
 namespace asperity::fem {
 namespace {
 
-/// Place among 1, cos, cos 2, sin, sin 2 of a distance 0..2 in node spacings.
+/// The index in the list 1, cos, cos 2, sin, sin 2 for a distance of 0..2 node
+/// spacings.
 std::size_t cosine(int distance) {
   return static_cast<std::size_t>(std::abs(distance));
 }
@@ -26,7 +27,7 @@ struct Node {
   int a, b, plane;
 };
 
-/// Sums of the contributions to one entry and product.
+/// Sum of the contributions to one entry and product.
 struct Sum {
   double amount = 0.0, magnitude = 0.0;
 
@@ -35,20 +36,20 @@ struct Sum {
     magnitude += std::abs(contribution);
   }
 
-  /// Mirror images cancel to rounding.
+  /// Whether the contributions of mirror images cancel up to roundoff.
   bool is_nothing() const { return std::abs(amount) <= 1e-13 * magnitude; }
 };
 
 using Sums = std::map<std::pair<std::size_t, std::size_t>, Sum>;
 
-/// entry * cos(theta . d), as products.
+/// Adds entry * cos(theta . d) as a sum of products.
 void add_even(Sums& sums, std::size_t to, int dx, int dy, double entry) {
   sums[{to, 5 * cosine(dx) + cosine(dy)}].add(entry);
   if (dx != 0 && dy != 0)
     sums[{to, 5 * sine(dx) + sine(dy)}].add(-entry * sign(dx) * sign(dy));
 }
 
-/// entry * sin(theta . d), as products.
+/// Adds entry * sin(theta . d) as a sum of products.
 void add_odd(Sums& sums, std::size_t to, int dx, int dy, double entry) {
   if (dx != 0)
     sums[{to, 5 * sine(dx) + cosine(dy)}].add(entry * sign(dx));
@@ -56,7 +57,7 @@ void add_odd(Sums& sums, std::size_t to, int dx, int dy, double entry) {
     sums[{to, 5 * cosine(dx) + sine(dy)}].add(entry * sign(dy));
 }
 
-/// What the pair of nodes puts into S.
+/// Adds the contribution of a pair of nodes to S.
 void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
               LayerSymbol::Layout layout, Sums& sums) {
   const auto degree = static_cast<std::size_t>(cell.degree);
@@ -81,7 +82,7 @@ void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
     const bool from_z = c / 3 == 2, to_z = c % 3 == 2;
     if (from_z == to_z)
       add_even(sums, target.place, to.a - from.a, to.b - from.b, entry);
-    else // i on u_x and u_y turns the sign in the rows of u_z
+    else // the factor i of u_x and u_y changes the sign in the rows of u_z
       add_odd(sums, target.place, to.a - from.a, to.b - from.b,
               from_z ? -entry : entry);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// The stiffness of a layer of cells as lateral waves see it: deal.II's cell
-// matrix summed with the phases of four wavevectors at once.
+// The symbol of the stiffness of a cell layer: deal.II's cell matrix summed
+// with the phases of four lateral wavevectors at a time.
 
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/pack.hpp"
@@ -12,46 +12,50 @@
 
 namespace asperity::fem {
 
-/// Kinds of nodes of a face, by parity (a, b) of their place: index a + 2 b.
+/// Number of node classes of a surface, by the parity (a, b) of their place;
+/// the index is a + 2 b.
 constexpr std::size_t kinds_of(std::size_t degree) {
   return degree * degree;
 }
 
-/// Unknowns of a plane at one wavevector: (kind, component), 3 kind + c.
+/// Unknowns of a node plane at one wavevector, in the order (kind, component)
+/// with index 3 kind + c.
 constexpr std::size_t plane_unknowns(std::size_t degree) {
   return 3 * kinds_of(degree);
 }
 
-/// Unknowns of a layer above its lower plane: `degree` planes.
+/// Unknowns of a layer without those of its lower plane: `degree` planes.
 constexpr std::size_t layer_unknowns(std::size_t degree) {
   return degree * plane_unknowns(degree);
 }
 
-/// Products f(theta_x) g(theta_y) of 1, cos, cos 2, sin and sin 2, f slower;
-/// theta is q times the node spacing.
+/// Products f(theta_x) g(theta_y) of 1, cos, cos 2, sin and sin 2, with f the
+/// slower index; theta is q times the node spacing.
 struct WaveProducts {
   std::array<Pack, 25> values;
 
-  /// One wavevector a lane.
+  /// Each lane holds one wavevector.
   WaveProducts(const Pack& theta_x, const Pack& theta_y);
 };
 
-/// Entries of S(q), real by u_x and u_y multiplied by i, in a layout of their
-/// own. The cell's mirror images leave few products to each entry.
+/// Entries of S(q), made real by multiplying u_x and u_y by i, in a layout that
+/// the caller defines. By the mirror symmetries of the cell each entry needs
+/// few products.
 class LayerSymbol {
 public:
-  /// Where an entry goes, and by which sign; nowhere if `place` is none.
+  /// The place and sign with which an entry is stored; it is not stored if
+  /// `place` is none.
   struct Target {
     std::size_t place = none;
     double sign = 1.0;
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
   };
 
-  /// Target of entry (row, column), each plane_unknowns * plane + 3 kind + c,
-  /// plane 0..degree from below.
+  /// Maps an entry (row, column) to its target; row and column are
+  /// plane_unknowns * plane + 3 kind + c, with plane 0..degree from below.
   using Layout = Target (*)(std::size_t row, std::size_t column);
 
-  /// @param size  of the layout, in packs
+  /// @param size  size of the layout, in packs
   LayerSymbol(const CellStiffness& cell, std::size_t size, Layout layout);
 
   /// @param blocks  size() packs, overwritten [N/m]
@@ -65,7 +69,7 @@ private:
   };
 
   std::size_t size_;
-  std::vector<Term> terms_; ///< by target
+  std::vector<Term> terms_; ///< ordered by target
 };
 
 } // namespace asperity::fem

@@ -9,11 +9,12 @@
 namespace asperity::fem {
 namespace {
 
-constexpr std::size_t flat = 8;    // components in the plane, p
+constexpr std::size_t flat = 8;    // in-plane components, p
 constexpr std::size_t upright = 4; // u_z, v, which follow them
 constexpr std::size_t plane = flat + upright;
 
-// The blocks of (Q2.4) one after the other. Symmetric ones are lower triangles.
+// Offsets of the blocks of (Q2.4), which are stored one after the other.
+// Symmetric blocks are stored as lower triangles.
 constexpr std::size_t own = 0;                        // S_tt
 constexpr std::size_t across = own + triangle(plane); // S_tb P
 constexpr std::size_t middle_flat = across + triangle(plane);
@@ -25,7 +26,7 @@ constexpr std::size_t layer_packs = y_rows + upright * plane;
 using LayerBlocks = std::array<Pack, layer_packs>;
 
 LayerSymbol::Target mirrored_blocks(std::size_t row, std::size_t column) {
-  const auto place = [](std::size_t unknown) { // in its plane: p, then v
+  const auto place = [](std::size_t unknown) { // index in its plane: p, then v
     const std::size_t kind = unknown % plane / 3, component = unknown % 3;
     return component == 2 ? flat + kind : 2 * kind + component;
   };
@@ -46,8 +47,9 @@ LayerSymbol::Target mirrored_blocks(std::size_t row, std::size_t column) {
   return {};
 }
 
-/// How entries of a cell matrix depend on its thickness t: those between p and
-/// p or v and v are C t + A/t, those between p and v are constant.
+/// Splits the entries of a cell matrix by their dependence on the thickness t:
+/// those between p and p or v and v are C t + A/t, those between p and v are
+/// constant.
 struct ThicknessParts {
   CellStiffness growing, falling, constant; ///< at the thickness of `layer`
 
@@ -89,7 +91,7 @@ struct MaterialBlocks {
   }
 };
 
-/// (Q2.4): F and H in the places of S_tt and S_tb P.
+/// Applies (Q2.4): F and H overwrite S_tt and S_tb P.
 [[gnu::always_inline]] inline void eliminate_middle(LayerBlocks& layer) {
   std::array<Pack, triangle(plane)> even{}, odd{};
   factorise<flat>(&layer[middle_flat]);
@@ -105,8 +107,8 @@ struct MaterialBlocks {
   }
 }
 
-/// Identity in the rows of held components, and springs on the others' uniform
-/// modes.
+/// Writes the identity into the rows of held components and adds springs to the
+/// uniform modes of the others.
 inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
                      Pack* rows) {
   const auto component = [](std::size_t i) {
@@ -126,7 +128,7 @@ inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
   }
 }
 
-/// (Q2.5): T_(l+1) in `stiffness` becomes T_l.
+/// Applies (Q2.5): T_(l+1) in `stiffness` becomes T_l.
 [[gnu::always_inline]] inline void take_layer(const LayerBlocks& layer,
                                               const cases::TopFace* top,
                                               const Pack& spring,
@@ -151,7 +153,7 @@ inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
           -stiffness[in_triangle(plane, i, j)];
 }
 
-/// (T_0^-1)_zz; uses up T_0.
+/// Computes (T_0^-1)_zz; T_0 is overwritten.
 [[gnu::always_inline]] inline void upright_compliance(Pack* stiffness,
                                                       Pack* block) {
   std::array<Pack, plane * upright> load{};
@@ -162,14 +164,14 @@ inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
   for (std::size_t i = 0; i < upright; ++i)
     for (std::size_t j = 0; j < upright; ++j) {
       Pack sum{};
-      for (std::size_t k = flat; k < plane; ++k) // zero above
+      for (std::size_t k = flat; k < plane; ++k) // the rows above are zero
         sum += load[k * upright + i] * load[k * upright + j] *
                stiffness[in_triangle(plane, k, k)];
       block[i * upright + j] = sum;
     }
 }
 
-/// The block and four wavevectors.
+/// The block, evaluated at four wavevectors.
 struct Waves {
   cases::TopFace top;
   std::span<const MirroredQ2::Layer> layers;
@@ -195,7 +197,8 @@ void eliminate_on_any(const Waves& waves, Pack* block) {
 }
 
 #ifdef __x86_64__
-/// Four numbers an instruction; without fused products, hence the same bits.
+/// Compiled for four numbers per instruction, but without fused multiply-add,
+/// so that the result is bitwise the same.
 [[gnu::target("avx2")]] void eliminate_on_avx2(const Waves& waves,
                                                Pack* block) {
   eliminate(waves, block);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Elastic moduli as a function of the place in the block. Owns how what a case
-// says of its material becomes lambda and mu of a cell.
+// Elastic moduli as a function of the place in the block. This file converts
+// the material description of a case to lambda and mu of a cell.
 
 #include "cases/types/case.hpp"
 #include "fem/waves/elastic_layers.hpp"
@@ -27,61 +27,71 @@ struct Moduli {
 /// @throws std::domain_error  E or nu is outside its range
 Moduli moduli(const cases::BodyModuli& body);
 
-/// A dimensionless factor on E by place (x, y, z) [m], z into the block.
+/// A dimensionless factor on E as a function of the place (x, y, z) [m], with z
+/// pointing into the block.
 using ModulusFactor = std::function<double(const meshes::Place&)>;
 
-/// The factor of a muParser expression in x, y, z, each over `length`; `pi` is
-/// known too. Copies share one parser: not for several threads at once.
-/// @param length  what one unit of x, y, z stands for [m] > 0
-/// @throws std::domain_error  the parser's own message and the column
+/// The factor given by a muParser expression in x, y, z, each divided by
+/// `length`; `pi` is defined too. Copies share one parser, so they must not be
+/// used by several threads at once.
+/// @param length  unit of length of x, y, z [m] > 0
+/// @throws std::domain_error  the expression is invalid; the message contains
+///                            the parser's own message and the column
 ModulusFactor expression_factor(const std::string& expression, double length);
 
-/// 1 - spread..1 + spread, uniform and independent from cell to cell: Philox
-/// with the seed as key and the cell's place, in eighths of the spacing, as
-/// counter. So a cell's factor knows neither the order of cells nor the ranks.
+/// A factor that is uniformly distributed in 1 - spread..1 + spread and
+/// independent from cell to cell. It is computed by Philox with the seed as key
+/// and the place of the cell, in eighths of the spacing, as counter, so the
+/// factor of a cell does not depend on the order of cells or on the ranks.
 /// @param spread   [1] 0..0.99
-/// @param spacing  [m] > 0; places nearer than an eighth of it share a factor
+/// @param spacing  [m] > 0; places closer than an eighth of it share a factor
 ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing);
 
-/// Factors in equal boxes over length_x, length_y, depth, piecewise constant.
+/// Piecewise constant factors in equal boxes over length_x, length_y, depth.
 struct FactorTable {
-  std::array<int, 3> boxes{};      ///< in x, y, z, each >= 1
-  std::vector<double> factors;     ///< of E [1] > 0, x fastest, then y
-  std::array<double, 3> lengths{}; ///< of the whole block [m] > 0
+  std::array<int, 3> boxes{};      ///< number of boxes in x, y, z, each >= 1
+  std::vector<double> factors;     ///< factors on E [1] > 0, x fastest, then y
+  std::array<double, 3> lengths{}; ///< of the full block [m] > 0
 };
 
-/// @throws std::domain_error  sizes that do not fit, or a factor not positive
+/// @throws std::domain_error  the sizes are inconsistent, or a factor is not
+///                            positive
 ModulusFactor table_factor(FactorTable table);
 
-/// Reads a text of numbers: a comment "# boxes nx ny nz", then ny nz rows of
-/// nx factors, those of the contact face first.
+/// Reads a text file of numbers: a comment "# boxes nx ny nz", then ny nz rows
+/// of nx factors, starting at the contact surface.
 /// @param lengths  of the block [m]
-/// @throws cases::CaseError  as surfaces::read_number_file, another count, and
-///                           a factor that is not positive, by its line
+/// @throws cases::CaseError  as surfaces::read_number_file; also for a wrong
+///                           number of factors, or a factor that is not
+///                           positive, with its line
 FactorTable read_factor_table(const std::string& path,
                               const std::array<double, 3>& lengths);
 
-/// What a cell is made of, by the place of its centre. A sphere goes before
-/// layers and layers before the rest; a factor multiplies E of all three and
-/// leaves nu. A counter body (z < 0) is not asked for here.
+/// The moduli of a cell as a function of the place of its centre. A sphere
+/// takes precedence over layers and layers over the remaining material; a
+/// factor multiplies E of all three and leaves nu unchanged. The second body
+/// (z < 0) is not covered by this class.
 class ModuliField {
 public:
-  /// One material everywhere.
+  /// A field with one material everywhere.
   explicit ModuliField(Moduli everywhere) : rest_(everywhere) {}
 
-  /// The block's layers; the last goes on for ever.
+  /// A field with the block's layers; the last one extends to infinity.
   explicit ModuliField(const LayeredBlock& block);
 
-  /// @param thickness  of the next layer from the contact face up [m] > 0
+  /// Adds the next layer from the contact surface upwards.
+  /// @param thickness  thickness of the layer [m] > 0
   void add_layer(double thickness, const Moduli& layer);
 
-  /// @param radius, depth  of the sphere's centre below (centre x, y) [m]
+  /// @param centre  centre of the sphere [m]
+  /// @param radius  radius of the sphere [m]
   void set_sphere(const meshes::Place& centre, double radius,
                   const Moduli& sphere);
 
   void set_factor(ModulusFactor factor) { factor_ = std::move(factor); }
 
-  /// @throws std::domain_error  a factor that is not positive and finite there
+  /// @throws std::domain_error  the factor is not positive and finite at the
+  ///                            place
   Moduli at(const meshes::Place& place) const;
 
 private:
@@ -104,11 +114,11 @@ private:
   ModulusFactor factor_;
 };
 
-/// The material of a case.
+/// The moduli field of a case.
 /// @param block  E and nu of the block itself, below the layers
-/// @param grid   of the surface: expressions count lengths in grid.length_x,
-///               random factors places in grid.spacing_x()
-/// @param depth  of the block [m] > 0, which a table covers
+/// @param grid   grid of the surface: expressions measure lengths in
+///               grid.length_x, random factors places in grid.spacing_x()
+/// @param depth  depth of the block, which a table covers [m] > 0
 /// @throws std::domain_error, cases::CaseError  as the factors above
 ModuliField moduli_field(const cases::MaterialSpec& material,
                          const cases::Scales& scales,

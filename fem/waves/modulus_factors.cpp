@@ -12,7 +12,7 @@
 namespace asperity::fem {
 namespace {
 
-/// The counter's word of a length: its place in eighths of the spacing.
+/// The counter word of a coordinate: its value in eighths of the spacing.
 std::uint32_t eighths(double place, double spacing) {
   return static_cast<std::uint32_t>(
       static_cast<std::int32_t>(std::lround(8.0 * place / spacing)));
@@ -32,7 +32,8 @@ ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing) {
   require_between("spread", spread, 0.0, 0.99, "1");
   require_positive("spacing", spacing, "m");
   return [=](const meshes::Place& place) {
-    // Reserved: the last word of the counter, for a second number of a cell.
+    // The last word of the counter is reserved for a second random number per
+    // cell.
     const r123::Philox4x32::ctr_type counter = {
         {eighths(place[0], spacing), eighths(place[1], spacing),
          eighths(place[2], spacing), 0U}};

@@ -1,34 +1,38 @@
 #pragma once
 
-// Four wavevectors computed together: small dense algebra on packs of numbers,
-// in which the compiler finds the processor's vectors. Owns no loop over waves.
+// Small dense linear algebra for four wavevectors at a time, on packs of
+// numbers that the compiler maps to SIMD vectors. Loops over wavevectors are
+// elsewhere.
 
 #include <array>
 #include <cstddef>
 
 namespace asperity::fem {
 
-/// Wavevectors in a pack, one a lane.
+/// Number of wavevectors in a pack, one per lane.
 constexpr std::size_t lanes = 4;
 
-/// The same number of each of them: + - * / act on every lane.
+/// A SIMD batch that holds one number for each wavevector; + - * / act on every
+/// lane.
 using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
 
-/// Numbers in the lower triangle of a symmetric n x n matrix.
+/// Number of entries in the lower triangle of a symmetric n x n matrix.
 constexpr std::size_t triangle(std::size_t n) {
   return n * (n + 1) / 2;
 }
 
-/// Where entry (row, column) of the lower triangle lies: column by column.
+/// Index of the entry (row, column) of the lower triangle, stored by columns.
 constexpr std::size_t in_triangle(std::size_t n, std::size_t row,
                                   std::size_t column) {
   return column * n - column * (column + 1) / 2 + row;
 }
 
-// Always inlined: compiled for the processor that their caller is compiled for.
+// The functions below are always inlined so that they are compiled for the same
+// processor as their caller.
 
-/// In place: A = L D L^T becomes L below the diagonal and 1/D on it. Without
-/// roots: powers of two pass through to the last bit.
+/// Factorises A = L D L^T in place: the result is L below the diagonal and 1/D
+/// on it. No square roots are taken, so scaling by powers of two is exact to
+/// the last bit.
 template <std::size_t n>
 [[gnu::always_inline]] inline void factorise(Pack* a) {
   for (std::size_t k = 0; k < n; ++k) {
@@ -46,7 +50,7 @@ template <std::size_t n>
   }
 }
 
-/// values = L^-1 values, n rows of m columns, row by row.
+/// Computes values = L^-1 values, n rows of m columns, stored by rows.
 template <std::size_t n, std::size_t m>
 [[gnu::always_inline]] inline void solve_lower(const Pack* factor,
                                                Pack* values) {
@@ -58,7 +62,7 @@ template <std::size_t n, std::size_t m>
   }
 }
 
-/// values = D^-1 values.
+/// Computes values = D^-1 values.
 template <std::size_t n, std::size_t m>
 [[gnu::always_inline]] inline void solve_diagonal(const Pack* factor,
                                                   Pack* values) {
@@ -67,7 +71,7 @@ template <std::size_t n, std::size_t m>
       values[k * m + j] *= factor[in_triangle(n, k, k)];
 }
 
-/// values = L^-T values.
+/// Computes values = L^-T values.
 template <std::size_t n, std::size_t m>
 [[gnu::always_inline]] inline void solve_upper(const Pack* factor,
                                                Pack* values) {
@@ -79,8 +83,8 @@ template <std::size_t n, std::size_t m>
   }
 }
 
-/// a -= R^T D^-1 R on the lower triangle of the m x m matrix a, R of n rows
-/// and m columns and D the factor's.
+/// Computes a -= R^T D^-1 R on the lower triangle of the m x m matrix a, where
+/// R has n rows and m columns and D is that of the factor.
 template <std::size_t n, std::size_t m>
 [[gnu::always_inline]] inline void take_schur(const Pack* factor,
                                               const Pack* rows, Pack* a) {

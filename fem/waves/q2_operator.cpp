@@ -17,14 +17,14 @@ namespace {
 using Amplitudes = std::array<std::complex<double>, node_kinds>;
 using BlockView = Eigen::Map<const Eigen::Matrix4d>;
 
-/// (Q2.3) without a factor; its own inverse up to 1/4.
+/// Computes (Q2.3) without a factor; it is its own inverse up to 1/4.
 Amplitudes hadamard(const Amplitudes& f) {
   const auto even = f[0] + f[1], odd = f[0] - f[1];
   const auto even_y = f[2] + f[3], odd_y = f[2] - f[3];
   return {even + even_y, odd + odd_y, even - even_y, odd - odd_y};
 }
 
-/// Compliance of the long wave of a group to itself [m/Pa].
+/// Compliance of the longest wave of a group with respect to itself [m/Pa].
 double long_wave(const Q2Compliance& compliance, const KindBlock& block) {
   double sum = 0.0;
   for (std::size_t i = 0; i < node_kinds; ++i)
@@ -33,7 +33,7 @@ double long_wave(const Q2Compliance& compliance, const KindBlock& block) {
   return sum / static_cast<double>(node_kinds);
 }
 
-/// Takes the uniform displacement, weighted by area, out of the block of q = 0.
+/// Removes the uniform displacement, weighted by area, from the block of q = 0.
 void remove_uniform_mode(Q2Compliance& compliance) {
   const Eigen::Map<const Eigen::Vector4d> weights(
       compliance.kind_weights.data());
@@ -44,8 +44,9 @@ void remove_uniform_mode(Q2Compliance& compliance) {
   block = (keep * block * keep.transpose()).eval();
 }
 
-/// The four grid modes of one cell wavevector in the half spectrum. Those
-/// beyond half of the grid in x are stored as conjugates of their opposites.
+/// The four grid modes of one cell wavevector in the half spectrum. Modes
+/// beyond half of the grid in x are stored as the conjugates of their
+/// opposites.
 struct Group {
   std::array<std::size_t, node_kinds> place;
 
@@ -82,9 +83,9 @@ struct Group {
 
 struct Q2Operator::Shared {
   RealFourier fourier;
-  Q2Compliance compliance; ///< its block of q = 0 without the uniform mode
+  Q2Compliance compliance; ///< the block of q = 0 is without the uniform mode
   std::vector<double> nodal_weights;
-  double softest; ///< of the long waves [m/Pa]
+  double softest; ///< largest compliance of a long wave [m/Pa]
   int threads;
 };
 
@@ -125,7 +126,8 @@ std::span<const double> Q2Operator::nodal_weights() const {
   return shared_->nodal_weights;
 }
 
-/// result = B W field, B the blocks and W the kinds' weights.
+/// Computes result = B W field, where B are the blocks and W the weights of the
+/// node classes.
 void Q2Operator::apply(const std::vector<KindBlock>& blocks,
                        std::span<const double> field,
                        std::span<double> result) {
@@ -175,7 +177,8 @@ void Q2Operator::displacement_change(std::span<const float> pressure_change,
   apply(shared_->compliance.blocks, pressure_change, displacement_change);
 }
 
-/// (G W + c)^-1 = (W G W + c W)^-1 W: a symmetric block again, times W.
+/// Applies (G W + c)^-1 = (W G W + c W)^-1 W, which is again a symmetric block
+/// times W.
 void Q2Operator::pressure_estimate(std::span<const float> gap,
                                    double local_compliance,
                                    std::span<float> pressure) {
@@ -187,12 +190,13 @@ void Q2Operator::pressure_estimate(std::span<const float> gap,
     inverse_.resize(compliance.blocks.size());
     for (std::size_t i = 0; i < inverse_.size(); ++i) {
       Eigen::Matrix4d block = BlockView(compliance.blocks[i].data());
-      if (i == 0) // the uniform mode yields like the longest wave
+      if (i == 0) // the uniform mode gets the compliance of the longest wave
         block.array() += shared_->softest / 4.0;
       Eigen::Matrix4d whole =
           weights.asDiagonal() * block * weights.asDiagonal();
       whole.diagonal() += local_compliance * weights;
-      // Cholesky takes roots, which round otherwise in other units.
+      // The block is scaled because Cholesky factorisation takes square roots,
+      // whose roundoff depends on the unit.
       const double scale = whole(0, 0);
       whole /= scale;
       Eigen::Map<Eigen::Matrix4d>(inverse_[i].data()) =

@@ -1,6 +1,6 @@
 #pragma once
 
-// The condensed Q2 block as the contact solver sees it.
+// The condensed Q2 block as an operator for the contact solver.
 
 #include "base/fourier.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -12,22 +12,25 @@
 
 namespace asperity::fem {
 
-/// displacement = C pressure on all nodes of a Q2 face, by one transform pair
-/// of the node grid: the four node kinds of a cell wavevector q are the sums
+/// Computes displacement = C pressure on all nodes of a Q2 surface with one
+/// pair of transforms on the node grid: the amplitudes of the four node classes
+/// at a cell wavevector q are the sums
 ///
 ///     p_k = sum_s (-1)^(s.k) F(q + s pi/h),   s, k in {0,1}^2,         (Q2.3)
 ///
-/// of the four grid modes that alias to q, and back with a factor 1/4.
+/// over the four grid modes that alias to q; the inverse has an additional
+/// factor 1/4.
 class Q2Operator final : public contact::SurfaceOperator {
 public:
-  /// @param threads used by each transform, >= 1
+  /// @param threads  used by each transform, >= 1
   explicit Q2Operator(Q2Compliance compliance, int threads = 1);
 
   std::unique_ptr<contact::SurfaceOperator> clone() const override;
 
   const Grid& grid() const override;
 
-  /// 4/9, 8/9, 8/9, 16/9 at corners, edges and face centres.
+  /// The relative nodal areas: 4/9, 8/9, 8/9, 16/9 at vertices, edges and face
+  /// centres.
   std::span<const double> nodal_weights() const override;
 
   void displacement(std::span<const double> pressure,
@@ -39,8 +42,9 @@ public:
   double short_wave_compliance() const override;
   int threads() const override;
 
-  /// The cells' corners alone, as waves longer than a cell see them; null
-  /// below 64 points a side or where the cells cannot be halved.
+  /// The operator on the vertices of the cells only, accurate for waves longer
+  /// than a cell; null below 64 points per side or if the cells cannot be
+  /// halved.
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_iterations = 500;
 
-/// (block + diag(added))^-1, full.
+/// Computes (block + diag(added))^-1, with all entries stored.
 template <std::size_t kinds>
 void invert_block(const Pack* block, const double* added, Pack* inverse) {
   std::array<Pack, triangle(kinds)> factor;
@@ -65,7 +65,7 @@ void SpringFace::set_springs(std::span<const double> springs) {
   const auto width = static_cast<std::size_t>(grid.points_x);
   nodes_.clear();
   local_.clear();
-  std::array<double, 5> sum{}, count{}; // by kind, then of all
+  std::array<double, 5> sum{}, count{}; // by node class, then of all nodes
   for (std::size_t i = 0; i < springs.size(); ++i) {
     if (springs[i] <= 0.0)
       continue;
@@ -177,7 +177,8 @@ SpringSolve SpringFace::solve(std::span<const double> free_displacement,
     d_[node] = 0.0;
   }
   double allowed = dot(r_, r_);
-  if (shifts_freely_) { // starts with the right sum, which the steps keep
+  if (shifts_freely_) { // the initial guess has the required sum, which the
+                        // steps preserve
     for (const std::size_t node : nodes_)
       forces[node] = total_force / sum_of_ones_ * of_ones_[node];
     compliance(forces, cd_);

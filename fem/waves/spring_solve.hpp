@@ -1,12 +1,12 @@
 #pragma once
 
-// What is known after springs under a contact face were solved for.
+// Result of a solve for the springs on a contact surface.
 
 namespace asperity::fem {
 
-/// How a solve with springs went.
+/// Iteration count and convergence of a solve with springs.
 struct SpringSolve {
-  int iterations = 0; ///< of conjugate gradients on the contact face
+  int iterations = 0; ///< of conjugate gradients on the contact surface
   bool converged = true;
 };
 
