@@ -10,9 +10,10 @@
 namespace asperity::meshes {
 namespace {
 
-/// One pass: the mesh above one depth cut once. A place of the 3 x 3 x 3 (or
-/// 3 x 3) vertices of the children is the mean of the parent's corners that
-/// agree with it: 1 in a direction (the middle) agrees with both ends.
+/// Performs one pass, in which the mesh above one depth is cut once. Each of
+/// the 3 x 3 x 3 (or 3 x 3) vertices of the children is the mean of the
+/// parent's corners that agree with its place: the index 1 in a direction (the
+/// middle) agrees with both ends.
 class Cutter {
 public:
   explicit Cutter(BlockMesh mesh) : mesh_(std::move(mesh)) {}
@@ -38,7 +39,7 @@ private:
   using Corners = std::array<unsigned int, 8>;
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-  /// The corners among 2^n_directions that agree with a place, sorted.
+  /// The corners among the 2^n_directions that agree with a place, sorted.
   template <std::size_t size>
   static Corners agreeing(const std::array<unsigned int, size>& corners,
                           const std::array<unsigned int, 3>& place) {
@@ -91,7 +92,8 @@ private:
     mesh_.cell_group.push_back(group);
   }
 
-  /// A face of the boundary has one cell: it was cut if the face has a middle.
+  /// Adds a boundary face. It belongs to one cell only, so it was cut if and
+  /// only if there is a vertex at its middle.
   void add_face(const BoundaryFace& face) {
     if (!middles_.contains(agreeing(face.vertices, {1, 1, 0}))) {
       mesh_.faces.push_back(face);

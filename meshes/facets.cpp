@@ -66,7 +66,8 @@ std::size_t vertices_a_cell(CellShape shape) {
 
 std::array<unsigned int, 4> facet_key(CellShape shape,
                                       std::array<unsigned int, 4> vertices) {
-  // The place that a triangle leaves free is sorted to the end, then zero.
+  // The unused fourth entry of a triangle is sorted to the end and then set to
+  // zero.
   const bool is_triangle = vertices_a_facet(shape) == 3;
   if (is_triangle)
     vertices.back() = std::numeric_limits<unsigned int>::max();
@@ -78,7 +79,8 @@ std::array<unsigned int, 4> facet_key(CellShape shape,
 
 std::vector<Facet> boundary_facets(const BlockMesh& mesh) {
   std::vector<KeyedFacet> facets = all_facets(mesh);
-  // Stable: among equal keys the order of the cells stays.
+  // The sort is stable, so facets with equal keys stay in the order of their
+  // cells.
   std::stable_sort(
       facets.begin(), facets.end(),
       [](const KeyedFacet& a, const KeyedFacet& b) { return a.key < b.key; });

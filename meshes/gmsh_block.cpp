@@ -58,7 +58,7 @@ void check(const GmshBlock& block) {
   check_geometry(block);
 }
 
-/// The block with every length over `unit`.
+/// The block with every length divided by `unit`.
 GmshBlock in_units_of(GmshBlock block, double unit) {
   for (double* length :
        {&block.length_x, &block.length_y, &block.depth, &block.size_at_contact,
@@ -70,7 +70,8 @@ GmshBlock in_units_of(GmshBlock block, double unit) {
   return block;
 }
 
-/// The plane a coordinate is on to 1e-8, gmsh's own accuracy.
+/// The exact coordinate of the plane within 1e-8 of a coordinate, which is
+/// gmsh's own accuracy; otherwise the coordinate in metres.
 double snapped(double value, const std::vector<double>& planes,
                const std::vector<double>& exact, double unit) {
   for (std::size_t i = 0; i < planes.size(); ++i)
@@ -79,7 +80,8 @@ double snapped(double value, const std::vector<double>& planes,
   return value * unit;
 }
 
-/// Metres instead of units, with the planes to the bit.
+/// Converts the mesh to metres and places the vertices of the planes exactly on
+/// them.
 void scale(BlockMesh& mesh, const GmshBlock& block, double unit) {
   const GmshBlock scaled = in_units_of(block, unit);
   const std::array<std::vector<double>, 3> planes = {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int gmsh_tetrahedron = 4;
 constexpr int gmsh_hexahedron = 5;
-/// Which of gmsh's vertices is deal.II's 0, 1, 2...
+/// For each of deal.II's vertices 0, 1, 2, ..., the index of gmsh's vertex.
 constexpr std::array<std::size_t, 8> hexahedron_order = {0, 1, 3, 2,
                                                          4, 5, 7, 6};
 
 using Tags = std::vector<std::size_t>;
 
-/// Cells still by gmsh's numbers.
+/// Cells that still refer to gmsh's numbers.
 struct TaggedCells {
   CellShape shape = CellShape::hexahedron;
   std::vector<std::array<std::size_t, 8>> cells;
@@ -72,7 +72,7 @@ void add_cells(TaggedCells& all, int volume, int group) {
   }
 }
 
-/// The group of each volume, and the groups' names.
+/// The group of each volume, and the names of the groups.
 struct Groups {
   std::map<int, int> of_volume;
   std::vector<std::string> names;
@@ -105,7 +105,7 @@ Groups physical_volumes() {
 TaggedCells all_cells(const Groups& groups) {
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
-  // By group, then in gmsh's order.
+  // Volumes are sorted by group, then in gmsh's order.
   std::vector<std::pair<int, int>> by_group;
   for (const auto& [dimension, volume] : volumes) {
     const auto found = groups.of_volume.find(volume);

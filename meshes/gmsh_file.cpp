@@ -36,7 +36,7 @@ struct Bounds {
   Place low{}, high{};
 };
 
-/// What the file says: cells, and the groups of facets it names.
+/// The contents of the file: its cells and the groups of facets that it names.
 struct FileMesh {
   GmshMesh cells;
   std::map<FacetKey, FaceGroup> groups;
@@ -61,7 +61,7 @@ void open_file(const std::filesystem::path& path) {
                             "in three dimensions");
 }
 
-/// Enters the elements of one surface under the group.
+/// Adds the elements of one surface to the group.
 void add_surface(FileMesh& file, int surface, const GroupName& of) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> numbers;
@@ -151,7 +151,7 @@ Bounds bounds_of_contact(const FileMesh& file) {
   return bounds;
 }
 
-/// A mirrored cell, numbered so that it is right-handed again.
+/// Renumbers mirrored cells so that they are right-handed again.
 void turn_cells(BlockMesh& mesh) {
   for (auto& cell : mesh.cells)
     if (mesh.shape == CellShape::tetrahedron)
@@ -161,8 +161,9 @@ void turn_cells(BlockMesh& mesh) {
         std::swap(cell[i], cell[i + 4]);
 }
 
-/// Moves the contact face to z = 0 and its bounds to x = y = 0. A face that is
-/// not flat keeps its heights above its lowest vertex.
+/// Moves the contact surface to z = 0 and its bounds to x = y = 0. If the
+/// surface is not flat, its lowest vertex is at z = 0 and the others keep their
+/// heights above it.
 void place(BlockMesh& mesh, const Bounds& contact, double unit) {
   Bounds all = nothing();
   for (const Place& vertex : mesh.vertices)
@@ -185,7 +186,8 @@ void place(BlockMesh& mesh, const Bounds& contact, double unit) {
   mesh.length_y = (contact.high[1] - contact.low[1]) * unit;
 }
 
-/// The side of the box that a facet lies on to 1e-9 of its size, or sides.
+/// The side of the box on which a facet lies within 1e-9 of the size of the
+/// box, otherwise FaceGroup::sides.
 FaceGroup nearest_side_of(const BlockMesh& mesh, const Facet& facet) {
   const double tolerance =
       1e-9 * std::max({mesh.length_x, mesh.length_y, mesh.depth});
@@ -209,7 +211,8 @@ void add_faces(BlockMesh& mesh, const std::map<FacetKey, FaceGroup>& groups) {
       face.group = FaceGroup::sides;
 }
 
-/// Every named facet is on the boundary: inside, nothing is pressed or held.
+/// Requires every named facet to be on the boundary, because facets inside the
+/// block can be neither loaded nor held.
 void require_named_on_boundary(const BlockMesh& mesh,
                                std::map<FacetKey, FaceGroup> groups) {
   for (const BoundaryFace& face : mesh.faces)

@@ -1,7 +1,7 @@
 #pragma once
 
-// A user's file read or meshed by gmsh in this very process: what asperity_mesh
-// does for mesh_file.hpp.
+// A user's file read or meshed by gmsh in the calling process. The program
+// asperity_mesh uses it on behalf of mesh_file.hpp.
 
 #include "cases/types/block_spec.hpp"
 #include "meshes/block_mesh.hpp"
@@ -10,8 +10,8 @@
 
 namespace asperity::meshes {
 
-/// As read_mesh_file, but for its limits: a file may keep gmsh busy for ever or
-/// take all memory, and may end the process.
+/// As read_mesh_file, but without its limits: a file may occupy gmsh forever,
+/// use up all memory, or end the process.
 BlockMesh gmsh_file(const std::string& path, double unit,
                     cases::BlockSides sides);
 

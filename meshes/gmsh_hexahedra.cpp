@@ -14,10 +14,10 @@ struct Interval {
   EdgeLaw law;
 };
 
-/// Intervals side by side between n + 1 ends.
+/// Adjacent intervals between n + 1 ends.
 using Intervals = std::vector<Interval>;
 
-/// Corners of boxes between the ends of three lists of intervals.
+/// Corners of the boxes between the ends of three lists of intervals.
 class BoxGrid {
 public:
   BoxGrid(TransfiniteBlocks& blocks, Intervals x, Intervals y, Intervals z)
@@ -61,7 +61,8 @@ EdgeLaw equal_cells(double length, double size) {
   return graded_edge(length, size, size);
 }
 
-/// Columns over the whole face; block has one layer, layered several.
+/// Builds columns over the complete contact surface; the geometry block has one
+/// layer, layered several.
 void layers(TransfiniteBlocks& blocks, const GmshBlock& block) {
   const std::vector<double> depths = depths_of(block);
   Intervals down;
@@ -78,16 +79,17 @@ void layers(TransfiniteBlocks& blocks, const GmshBlock& block) {
     grid.add(0, 0, k, static_cast<int>(k));
 }
 
-/// A box in a larger one, corner for corner, and the six blocks between them.
+/// A box inside a larger one with corresponding corners, and the six blocks
+/// between them.
 struct Shell {
   std::array<int, 8> inner{};
   std::array<int, 8> outer{};
-  std::array<EdgeLaw, 3> across; ///< of both boxes' edges
+  std::array<EdgeLaw, 3> across; ///< of the edges of both boxes
   EdgeLaw outwards;
   int group = 0;
 };
 
-/// The block of the shell on one side of the inner box.
+/// Adds the block of the shell on one side of the inner box.
 void add_side(TransfiniteBlocks& blocks, const Shell& shell,
               std::size_t direction, bool is_high) {
   const std::size_t bit = std::size_t{1} << direction;
@@ -113,7 +115,8 @@ void add_all_sides(TransfiniteBlocks& blocks, const Shell& shell) {
 void indentation(TransfiniteBlocks& blocks, const GmshBlock& block) {
   const double fine = block.fine_radius;
   const double half = 0.5 * std::min(block.length_x, block.length_y);
-  // The fan ends at the bottom of a cube; a deeper block goes on in layers.
+  // The fan ends at the bottom of a cube; below it a deeper block continues in
+  // layers.
   const double fan_depth = block.depth <= 1.5 * half ? block.depth : half;
   const double x = 0.5 * block.length_x;
   const double y = 0.5 * block.length_y;
@@ -145,7 +148,7 @@ void indentation(TransfiniteBlocks& blocks, const GmshBlock& block) {
     around.add(0, 0, 1, 0);
 }
 
-/// The corners of a cube about the centre.
+/// The corners of a cube around the centre.
 std::array<int, 8> cube_corners(TransfiniteBlocks& blocks, const Place& centre,
                                 double half) {
   std::array<int, 8> corners{};
@@ -158,8 +161,8 @@ std::array<int, 8> cube_corners(TransfiniteBlocks& blocks, const Place& centre,
   return corners;
 }
 
-/// The ball in the box of the given corners: a cube, six blocks to the sphere,
-/// six from there to the box.
+/// Builds the ball inside the box with the given corners: a cube, six blocks
+/// from the cube to the sphere, and six from the sphere to the box.
 void ball(TransfiniteBlocks& blocks, const GmshBlock& block,
           const Place& centre, const std::array<int, 8>& box, double box_half) {
   const double radius = block.inclusion_radius;

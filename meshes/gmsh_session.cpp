@@ -9,7 +9,7 @@
 namespace asperity::meshes {
 namespace {
 
-/// gmsh from its initialisation to its end.
+/// Initialises gmsh and finalises it on destruction.
 class Session {
 public:
   Session() {
@@ -35,7 +35,7 @@ void in_gmsh(const std::function<void()>& work) {
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
   const Session session;
-  // gmsh throws its words as a string; its newer versions as an exception.
+  // gmsh throws its message as a string; newer versions throw an exception.
   try {
     work();
   } catch (const std::string& words) {

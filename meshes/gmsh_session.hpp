@@ -1,18 +1,18 @@
 #pragma once
 
-// gmsh has one state for the whole process. Here it is entered and left.
+// Access to gmsh, which has a single state for the complete process.
 
 #include <functional>
 
 namespace asperity::meshes {
 
-/// Runs `work` between gmsh's initialisation and its end, one caller at a time:
-/// no configuration files, no signal handlers, nothing printed, one thread, the
-/// same random numbers each time.
+/// Runs `work` between the initialisation and the finalisation of gmsh, one
+/// caller at a time. gmsh runs without configuration files, signal handlers and
+/// output, with one thread and with the same random numbers each time.
 ///
 /// @param work  may call gmsh's interface; must not call in_gmsh
-/// @throws std::domain_error  in gmsh's own words, where gmsh gives up; what
-///                            `work` itself throws passes through
+/// @throws std::domain_error  gmsh fails; the message is its own. Exceptions of
+///                            `work` itself are passed on
 void in_gmsh(const std::function<void()>& work);
 
 } // namespace asperity::meshes

@@ -12,7 +12,8 @@ namespace {
 namespace occ = gmsh::model::occ;
 using BoundingBox = std::array<double, 6>;
 
-constexpr double same = 1e-6; ///< of places in OpenCASCADE's boxes
+constexpr double same = 1e-6; ///< tolerance of coordinates in OpenCASCADE's
+                              ///< boxes
 
 BoundingBox bounds_of(int surface) {
   BoundingBox box{};
@@ -21,7 +22,7 @@ BoundingBox bounds_of(int surface) {
   return box;
 }
 
-/// The surface whose bounds are those of the first, moved along x or y.
+/// The surface whose bounds are those of the given one, shifted along x or y.
 int partner_of(int surface, std::size_t direction, double period) {
   BoundingBox moved = bounds_of(surface);
   moved[direction] += period;
@@ -35,7 +36,7 @@ int partner_of(int surface, std::size_t direction, double period) {
   return found.front().second;
 }
 
-/// Opposite sides get one mesh.
+/// Makes gmsh mesh opposite sides identically.
 void make_periodic(const GmshBlock& block) {
   for (const std::size_t direction : {0U, 1U}) {
     const double period = direction == 0 ? block.length_x : block.length_y;
@@ -54,7 +55,7 @@ void make_periodic(const GmshBlock& block) {
   }
 }
 
-/// The volumes, one a group.
+/// Creates the volumes, one per group.
 std::vector<int> make_volumes(const GmshBlock& block) {
   const std::vector<double> depths = depths_of(block);
   gmsh::vectorpair parts;
@@ -75,7 +76,8 @@ std::vector<int> make_volumes(const GmshBlock& block) {
   occ::fragment({parts.front()}, {parts.begin() + 1, parts.end()}, pieces,
                 pieces_of);
   occ::synchronize();
-  // Of the box with a ball in it both are pieces: the ball is the later part's.
+  // After the fragmentation of a box by a ball, the pieces of the box include
+  // the ball, which belongs to the last part only.
   std::vector<int> volumes;
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (const auto& [dimension, volume] : pieces_of[i])
@@ -109,7 +111,7 @@ double size_at(const GmshBlock& block, const Place& place) {
                   block.inclusion_radius / 3.0 + 0.5 * std::max(0.0, beyond));
 }
 
-/// Tells gmsh the size, until it is done or has given up.
+/// Supplies the cell size to gmsh until meshing has finished or failed.
 class SizeEverywhere {
 public:
   explicit SizeEverywhere(const GmshBlock& block) {

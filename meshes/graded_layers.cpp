@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_layers = 100000;
 
-/// 1 + g + ... + g^(n-1).
+/// Computes 1 + g + ... + g^(n-1).
 double geometric_sum(double growth, int n_layers) {
   double sum = 0.0;
   for (int i = 0; i < n_layers; ++i)
@@ -18,7 +18,8 @@ double geometric_sum(double growth, int n_layers) {
   return sum;
 }
 
-/// Smallest n with geometric_sum(growth, n) >= ratio, forgiving rounding.
+/// The smallest n with geometric_sum(growth, n) >= ratio, with a tolerance for
+/// roundoff.
 int layers_needed(double growth, double ratio) {
   int n_layers = 0;
   double sum = 0.0;
@@ -31,7 +32,8 @@ int layers_needed(double growth, double ratio) {
   return n_layers;
 }
 
-/// The growth in [0, highest] that solves (M.1): the sum grows with it.
+/// The grading ratio in [0, highest] that solves (M.1), by bisection; the sum
+/// increases with it.
 double fitted_growth(double highest, int n_layers, double ratio) {
   double low = 0.0;
   double high = highest;
@@ -45,7 +47,7 @@ double fitted_growth(double highest, int n_layers, double ratio) {
 }
 
 /// Adds the layers of (M.2), the first of them at most `thickest`, that fill
-/// the block from where `thickness` ends, at `top`, down to `bottom`.
+/// the block from the end of `thickness`, at `top`, down to `bottom`.
 void fill(double thickest, double growth, double top, double bottom,
           std::vector<double>& thickness) {
   const double distance = bottom - top;

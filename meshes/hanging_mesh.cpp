@@ -10,7 +10,8 @@
 namespace asperity::meshes {
 namespace {
 
-/// d_l of (M.6) in edges of the face's cells, l = 0..n_levels-1.
+/// Computes d_l of (M.6) in edges of the cells at the contact surface,
+/// l = 0..n_levels-1.
 std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
   std::vector<long> bottoms;
   long above = 0;
@@ -24,11 +25,11 @@ std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
   return bottoms;
 }
 
-/// The coarse mesh under n_levels of cuts.
+/// The coarse mesh that is refined n_levels times.
 struct Coarse {
   Grid face;
   int n_layers = 1;
-  int edge = 1; ///< in edges of the face's cells
+  int edge = 1; ///< in edges of the contact surface's cells
 };
 
 Coarse coarse_mesh(const Grid& face, double depth, int n_levels) {

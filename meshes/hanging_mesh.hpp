@@ -1,39 +1,43 @@
 #pragma once
 
-// Cubes that double in size away from the contact face, joined by hanging
-// nodes: the cheapest structured way to a deep block under a fine face.
+// Cubes that double in size away from the contact surface, connected by hanging
+// nodes: the most economical structured mesh of a deep block with a fine
+// contact surface.
 
 #include "base/grid.hpp"
 #include "meshes/block_mesh.hpp"
 
 namespace asperity::meshes {
 
-/// A coarse mesh of equal boxes, nearly cubes, and the depths above which to
-/// cut it. With h the edge of the face's cells, in units of which all follows,
-/// level l = 0..n-1 has cells of edge 2^l and reaches down to
+/// Generates a coarse mesh of equal boxes, nearly cubes, and the depths above
+/// which they are refined. In units of the edge h of the cells at the contact
+/// surface, level l = 0..n-1 has cells of edge 2^l and extends down to
 ///
 ///     d_l = smallest multiple of 2^(l+1) with d_l - d_(l-1) >= m 2^l,   (M.6)
 ///
-/// d_(-1) = 0: at least m cells a level through its thickness, at most one
-/// more (for m = 4 only the third level has five). Below d_(n-1) are the
-/// coarse cells of edge 2^n. There are as many levels as leave the coarse
-/// cells m deep and two a side; none, when the block is that shallow.
+/// where d_(-1) = 0. Each level is therefore at least m and at most m + 1 cells
+/// thick (for m = 4 only the third level has five). Below d_(n-1) are the
+/// coarse cells of edge 2^n. The number of levels is the largest for which at
+/// least m coarse cells remain in depth and two per side; it is zero if the
+/// block is too shallow.
 ///
-/// Every box has the same shape: cell edges along z are those along x times
-/// depth / (n_z H), H the mean coarse edge and n_z = round(depth / H), so that
-/// the face's cells are cubes to 1 / (2 m).
+/// All boxes have the same shape: cell edges along z are those along x times
+/// depth / (n_z H), where H is the mean coarse edge and n_z = round(depth / H),
+/// so the cells at the contact surface are cubes to within 1 / (2 m).
 ///
-/// @param face  a point a cell of the contact face after cutting; both
-///              counts even, best a power of two times a small number
-/// @param depth of the block                                     [m]  > 0
-/// @param cells_a_level  m                                       [1]  1..64
-/// @return      the coarse mesh with refine_below = d_(n-1), ..., d_0 [m]; its
-///              vertices and cells are those of layered_mesh
+/// @param face           grid with one point per cell of the contact surface
+///                       after refinement; both counts must be even and are
+///                       best a power of two times a small number
+/// @param depth          depth of the block [m] > 0
+/// @param cells_a_level  m [1] 1..64
+/// @return               the coarse mesh with refine_below = d_(n-1), ..., d_0
+///                       [m]; its vertices and cells are those of layered_mesh
 /// @throws std::domain_error  an argument is outside its range, or a count of
-///                            the face is odd
+///                            `face` is odd
 /// @par Accuracy
-///              What doubling the cells costs falls quickly with m: the finite
-///              elements' tests hold it against the uniform mesh.
+///              The error caused by doubling the cells decreases quickly with
+///              m; the tests of the finite-element module compare with the
+///              uniform mesh.
 BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level);
 
 } // namespace asperity::meshes

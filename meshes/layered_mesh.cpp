@@ -31,7 +31,7 @@ void check(const Grid& face, const std::vector<double>& thickness) {
   require_between("number of vertices", n_vertices, 8.0, 2147483648.0, "1");
 }
 
-/// 0..length in n equal steps; the ends to the bit.
+/// Coordinate i of n equal steps from 0 to length; both ends are exact.
 double step(unsigned int i, unsigned int n, double length) {
   return length * (static_cast<double>(i) / static_cast<double>(n));
 }

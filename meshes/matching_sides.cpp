@@ -19,7 +19,7 @@ struct Side {
   const char* name;
 };
 
-/// Two sides and the way from the first to the second.
+/// Two opposite sides and the translation from the first to the second.
 struct Pair {
   Side from, to;
   std::size_t direction; ///< 0: x, 1: y
@@ -28,7 +28,7 @@ struct Pair {
 
 using VertexByPlace = std::multimap<double, unsigned int>;
 
-/// The vertices of a side, by the coordinate along it that is not z.
+/// The vertices of a side, sorted by the in-plane coordinate other than z.
 VertexByPlace vertices_of(const BlockMesh& mesh, const Pair& pair,
                           const Side& side) {
   std::set<unsigned int> vertices;
@@ -61,8 +61,8 @@ std::optional<unsigned int> vertex_at(const BlockMesh& mesh,
   return std::nullopt;
 }
 
-/// The partner of each vertex of the first side; both sides wholly matched to
-/// `accuracy` of the largest extent.
+/// The partner of each vertex of the first side. Every vertex of both sides
+/// must have a partner within `accuracy` times the largest extent.
 std::map<unsigned int, unsigned int>
 partners(const BlockMesh& mesh, const Pair& pair, double accuracy) {
   const std::size_t along = 1 - pair.direction;

@@ -1,26 +1,31 @@
 #pragma once
 
-// Whether a block can be periodic: opposite sides are one another, moved.
+// Check of whether a block can be periodic: opposite sides must be translates
+// of each other.
 
 #include "meshes/block_mesh.hpp"
 
 namespace asperity::meshes {
 
-/// Accepts a mesh whose faces right are its faces left moved by length_x along
-/// x, and back those of front moved by length_y along y: vertex to vertex to
-/// 1e-9 of the block's largest extent, and face to face.
+/// Accepts a mesh whose right faces are its left faces shifted by length_x
+/// along x, and whose back faces are its front faces shifted by length_y along
+/// y: vertex to vertex within 1e-9 of the block's largest extent, and face to
+/// face.
 ///
 /// @throws std::domain_error  a side has no faces; a vertex of either side has
-///                            no partner on the other (its place is named); the
-///                            vertices match, but a face's partners are no face
+///                            no partner on the other (the message gives its
+///                            place); or the vertices match, but the partners
+///                            of a face's vertices form no face
 void require_matching_sides(const BlockMesh& mesh);
 
-/// Moves the vertices of right and back onto their partners' places, a period
-/// on, so that require_matching_sides accepts them: for meshes of few digits,
-/// or of gmsh's graded curves (which it integrates to about 1e-8).
+/// Moves the vertices of the right and back sides to the places of their
+/// partners shifted by one period, so that require_matching_sides accepts the
+/// mesh. It is meant for meshes that are written with few digits, or that have
+/// graded curves of gmsh, which gmsh integrates to about 1e-8.
 ///
-/// @throws std::domain_error  as require_matching_sides, but for vertices more
-///                            than 1e-6 of the block's largest extent apart
+/// @throws std::domain_error  as require_matching_sides, but for vertices that
+///                            differ by more than 1e-6 of the block's largest
+///                            extent
 void align_sides(BlockMesh& mesh);
 
 } // namespace asperity::meshes

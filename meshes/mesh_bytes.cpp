@@ -8,7 +8,7 @@
 namespace asperity::meshes {
 namespace {
 
-/// Appends what it is given.
+/// Appends the bytes of each value that it is called with.
 class Writer {
 public:
   template <class Value>
@@ -31,7 +31,7 @@ public:
   std::string bytes;
 };
 
-/// Fills what it is given, in the order of the writer.
+/// Fills each value that it is called with, in the order of the writer.
 class Reader {
 public:
   explicit Reader(std::string_view bytes) : left(bytes) {}

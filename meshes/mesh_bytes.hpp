@@ -1,7 +1,8 @@
 #pragma once
 
-// A mesh on its way to another process of this program. Owns the order of its
-// bytes, which is no file format: it changes with the program.
+// Serialisation of a mesh for another process of this program. This file
+// defines the order of the bytes, which is not a file format: it changes with
+// the program.
 
 #include "meshes/block_mesh.hpp"
 
@@ -10,10 +11,10 @@
 
 namespace asperity::meshes {
 
-/// All of the mesh, bit for bit.
+/// Serialises the complete mesh, bit for bit.
 std::string bytes_of(const BlockMesh& mesh);
 
-/// @throws std::runtime_error  the bytes end early or go on after the mesh
+/// @throws std::runtime_error  the bytes end early or continue after the mesh
 BlockMesh mesh_of_bytes(std::string_view bytes);
 
 } // namespace asperity::meshes

@@ -19,8 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// asperity_mesh from the folder of the running program, from ../meshes beside
-/// it (the build tree), or from ../lib/asperity beside it (an installation).
+/// Path of asperity_mesh: in the folder of the running program, in ../meshes
+/// relative to it (the build tree), or in ../lib/asperity relative to it (an
+/// installation).
 fs::path mesh_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* folder :
@@ -35,7 +36,7 @@ fs::path mesh_program() {
                            here.string());
 }
 
-/// A folder of its own, removed with all that is in it.
+/// A temporary folder that is removed with all of its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {
@@ -59,7 +60,8 @@ public:
 
 [[noreturn]] void refuse(const std::string& path, const ChildAnswer& answer,
                          const MeshFileLimits& limits) {
-  if (answer.end.exit_code == 2) // in words that begin with the path
+  if (answer.end.exit_code == 2) // the output is a message that begins with the
+                                 // path
     throw std::domain_error(answer.output);
   throw std::domain_error(fmt::format(
       "{}: gmsh ended without a mesh: {}{}{}. It may take {:.6g} s and {:.6g} "

@@ -1,9 +1,11 @@
-// asperity_mesh: has gmsh read or mesh a user's file, apart from the program
-// that needs the mesh, which limits what this one may take.
+// The program asperity_mesh lets gmsh read or mesh a user's file in a process
+// separate from the program that needs the mesh, so that the latter can limit
+// its resources.
 //
 //     asperity_mesh FILE UNIT periodic|free OUTPUT
 //
-// OUTPUT gets mesh_bytes.hpp's bytes. Exit codes as asperity's.
+// It writes the bytes of mesh_bytes.hpp to OUTPUT. The exit codes are those of
+// asperity.
 #include "meshes/gmsh_file.hpp"
 #include "meshes/mesh_bytes.hpp"
 

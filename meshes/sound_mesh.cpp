@@ -18,7 +18,8 @@
 namespace asperity::meshes {
 namespace {
 
-constexpr double least_shape = 1e-6; ///< of an inverted or flat cell
+constexpr double least_shape = 1e-6; ///< smaller values mark an inverted or
+                                     ///< flat cell
 
 template <class... Parts>
 [[noreturn]] void refuse(fmt::format_string<Parts...> format,
@@ -73,8 +74,9 @@ void require_positive_cells(const BlockMesh& mesh) {
   }
 }
 
-/// Places that are the same in the coordinates before `direction` fall into
-/// runs along it; what shares a run in all three is one place.
+/// Refuses coincident vertices. Vertices whose coordinates before `direction`
+/// coincide are grouped into runs along it; vertices that share a run in all
+/// three directions coincide.
 void refuse_coincident(const BlockMesh& mesh, std::span<std::size_t> vertices,
                        std::size_t direction) {
   const double tolerance = tolerance_of(mesh);
@@ -108,7 +110,7 @@ void refuse_coincident(const BlockMesh& mesh, std::span<std::size_t> vertices,
   }
 }
 
-/// Each vertex has a cell and a place of its own.
+/// Requires each vertex to belong to a cell and to have a place of its own.
 void require_joined_vertices(const BlockMesh& mesh) {
   std::vector<bool> has_cell(mesh.vertices.size(), false);
   for (const auto& cell : mesh.cells)
@@ -124,7 +126,8 @@ void require_joined_vertices(const BlockMesh& mesh) {
   refuse_coincident(mesh, all, 0);
 }
 
-/// Every facet of the boundary is in one group, and nothing else is.
+/// Requires every boundary facet to be in exactly one group, and no other facet
+/// to be in any.
 void require_closed(const BlockMesh& mesh) {
   std::map<std::array<unsigned int, 4>, bool> is_listed;
   for (const Facet& facet : boundary_facets(mesh))

@@ -10,7 +10,7 @@ namespace {
 
 namespace geo = gmsh::model::geo;
 
-/// A hexahedron's faces by its corners, in turn around each.
+/// The faces of a hexahedron by its corners, in cyclic order.
 constexpr std::array<std::array<std::size_t, 4>, 6> faces_of_block = {
     {{0, 2, 6, 4},
      {1, 3, 7, 5},
