@@ -83,9 +83,9 @@ BlockContact block_contact(const cases::ContactSettings& settings,
                            const cases::Scales& scales);
 
 /// Returns the finite-element module, loaded at the first call: the plugin
-/// asperity_fem from the folder of the running program, from ../fem relative to
-/// it (the build tree), or from ../lib/asperity relative to it (an
-/// installation).
+/// asperity_fem from the folder of the running program, from ../fem or
+/// ../../fem relative to it (the build tree), or from ../lib/asperity relative
+/// to it (an installation).
 /// @throws std::runtime_error  no plugin could be loaded; the message lists the
 ///                             places searched and the loader's errors
 const FemRoom& load_fem_room();

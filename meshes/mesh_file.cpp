@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Path of asperity_mesh: in the folder of the running program, in ../meshes
-/// relative to it (the build tree), or in ../lib/asperity relative to it (an
-/// installation).
+/// or ../../meshes relative to it (the build tree), or in ../lib/asperity
+/// relative to it (an installation).
 fs::path mesh_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* folder :
