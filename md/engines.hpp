@@ -1,7 +1,8 @@
 #pragma once
 
-// The engines that can press a block of atoms, and the choice between them.
-// Other modules include this header and atomic_contact.hpp, and nothing else.
+// This file declares the functions that select and create an atomistic engine.
+// Of this module, other modules include only this header and
+// atomic_contact.hpp.
 
 #include "md/contact/atomic_contact.hpp"
 
@@ -10,18 +11,21 @@
 
 namespace asperity::md {
 
-/// Whether what the engine needs is installed; to be asked before anything is
-/// written.
-/// @throws cases::CaseError  a program is not, with the package that has it
+/// Checks whether the programs that the engine needs are installed. It is
+/// called before any output is written.
+/// @throws cases::CaseError  a program is missing; the message names the
+///                           package that provides it
 void require_engine(const cases::MdSettings& settings);
 
-/// Which program answers, where it is not this one: path, size and time of the
-/// file that would be started; empty for our own engine, or if there is none.
+/// Identifies the external program that computes the result by the path, size
+/// and modification time of its executable. The string is empty for the
+/// built-in engine, or if the program is not found.
 std::string engine_identity(const cases::MdSettings& settings);
 
-/// @throws cases::CaseError   settings that do not go together, a program that
-///                            is not installed
-/// @throws std::domain_error  what a part refuses
+/// Creates the engine that the request selects.
+/// @throws cases::CaseError   incompatible settings, or a program that is not
+///                            installed
+/// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request);
 
 } // namespace asperity::md

@@ -1,7 +1,8 @@
 #pragma once
 
-// A block of atoms on a surface, one load step after the other, answered in
-// the quantities every method answers in.
+// This file declares the interface of atomistic contact engines. An engine
+// solves the load steps one after another and returns the quantities that are
+// common to all methods.
 
 #include "base/grid.hpp"
 #include "cases/types/case.hpp"
@@ -16,67 +17,70 @@
 
 namespace asperity::md {
 
-/// Everything that defines the block.
+/// Complete definition of the block and the substrate.
 struct AtomRequest {
   cases::MdSettings settings;
   cases::Scales scales;
-  double youngs_modulus = 0.0; ///< of the one block that stands for the pair
-                               ///< [Pa]
+  double youngs_modulus = 0.0; ///< effective modulus of the single elastic
+                               ///< block that represents both bodies [Pa]
   double poisson_ratio = 0.0;  ///< [1]
-  Grid layer;                  ///< the block's lowest layer of atoms
-  Grid substrate;              ///< the rigid atoms
+  Grid layer;                  ///< grid of the block's lowest layer of atoms
+  Grid substrate;              ///< grid of the rigid atoms
   std::vector<double> heights; ///< of the rigid atoms [m], mean 0
   int threads = 1;
-  std::filesystem::path scratch; ///< folder for checkpoints, dumps and what a
-                                 ///< child process reads and writes
+  std::filesystem::path scratch; ///< folder for checkpoints, dumps and the
+                                 ///< files of a child process
 };
 
-/// One load step. Maps are on the grid of the lowest layer.
+/// Result of one load step. Maps are on the grid of the lowest layer.
 struct AtomStep {
-  std::vector<double> pressure; ///< normal force an atom over a^2 [Pa]
-  std::vector<double> gap;      ///< z - h(x) - d_c [m], negative where the soft
-                                ///< potential is pressed in
+  std::vector<double> pressure; ///< normal force per atom divided by a^2 [Pa]
+  std::vector<double> gap;      ///< z - h(x) - d_c [m]; negative where the soft
+                                ///< repulsion is compressed
   double nominal_pressure = 0.0; ///< [Pa]
   double mean_gap = 0.0;         ///< u = d - d_c [m]
-  double contact_count = 0.0;    ///< share of atoms with a pair nearer than
+  double contact_count = 0.0;    ///< fraction of atoms with a pair closer than
                                  ///< d_c [1]
-  double elastic_energy = 0.0;   ///< of the bulk per nominal area [J/m^2]
-  double interface_energy = 0.0; ///< of all pairs per nominal area [J/m^2]
+  double elastic_energy = 0.0;   ///< bulk, per nominal area [J/m^2]
+  double interface_energy = 0.0; ///< all pairs, per nominal area [J/m^2]
   Inspection inspection;
   int evaluations = 0;    ///< of energy and forces
-  int linearisations = 0; ///< of the second derivatives, a sum over all pairs
-  int products = 0;       ///< of the second derivatives with a step
+  int linearisations = 0; ///< evaluations of the second derivatives, each a sum
+                          ///< over all pairs
+  int products = 0;       ///< products with the second derivatives
   double residual = 0.0;  ///< as RelaxationSettings::tolerance
-  bool converged = false; ///< in balance, and nothing went through
-  std::string note;       ///< why not, or by how much a hot step fluctuates;
-                          ///< empty otherwise
+  bool converged = false; ///< in equilibrium, and no atom has penetrated
+  std::string note;       ///< why it did not converge, or the fluctuations at
+                          ///< T > 0; empty otherwise
 };
 
 class AtomicContact {
 public:
   virtual ~AtomicContact() = default;
 
-  /// The next step of the load program: warm from the one before, or from
-  /// above where there is none.
+  /// Solves the next step of the loading path. The initial guess is the
+  /// previous solution or, in the first step, the block above the substrate.
   /// @param amount  nominal pressure [Pa] or mean gap [m]
-  /// @param step    index in the program, names what is dumped
+  /// @param step    index in the loading path, used in the names of dump files
   virtual AtomStep solve(cases::Control control, double amount, int step,
                          const Watch& watch = {}) = 0;
 
-  /// Where the next step starts from, to go on in another process; empty for a
-  /// block that cannot.
+  /// Returns the initial guess of the next step, so that another process can
+  /// continue; empty if the engine does not support this.
   virtual std::vector<double> state() const { return {}; }
 
-  /// @param state  of an equal block
-  /// @throws std::domain_error  it is not of this block's size
+  /// Restores an initial guess returned by state().
+  /// @param state  of an identical block
+  /// @throws std::domain_error  the size is not that of this block
   virtual void restore(std::span<const double> state) {
     static_cast<void>(state);
   }
 
-  /// One line for the report: lattice, bulk, modulus really shown.
+  /// Returns a one-line description for the report: lattice, bulk and effective
+  /// modulus.
   virtual std::string description() const = 0;
 
-  /// E* that a wave of wavevector q a = 0.1 really meets [Pa].
+  /// Returns the effective contact modulus E* at q a = 0.1 [Pa].
   virtual double shown_contact_modulus() const = 0;
 };
 

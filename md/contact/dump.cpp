@@ -15,7 +15,8 @@ namespace {
 constexpr double in_angstrom = 1e10;
 constexpr double in_gigapascal = 1e-9;
 
-/// Adds the atoms of a grid: sites and displacements, z from its own plane.
+/// Adds the atoms of a grid, at their sites plus displacements; z is relative
+/// to the plane at `height`.
 void add_layer(const Grid& grid, const LayerView& atoms, double height,
                AtomGroup& group) {
   for (int iy = 0; iy < grid.points_y; ++iy)

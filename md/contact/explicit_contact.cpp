@@ -31,7 +31,8 @@ void require_explicit_bulk(const cases::MdSettings& settings) {
                            "for bulk = \"green\"");
 }
 
-/// Statics needs no masses: any will do.
+/// Returns the mass of an atom. Minimisers do not depend on it, so any value
+/// will do for them.
 double mass_of(const cases::MdSettings& settings) {
   return settings.minimizer == AtomMinimizer::dynamics ? settings.mass : 1.0;
 }
@@ -123,7 +124,7 @@ ExplicitContact::balance(const Load& load, int step, std::vector<double>& state,
     return {relax_by_fire(system_, state, settings, watch), {}};
 
   DynamicsRun run;
-  // Another seed for each load step: its kicks are not the last one's again.
+  // Each load step has its own seed, so that random numbers are not repeated.
   run.dynamics = {asked.time_step, asked.damping, asked.temperature,
                   asked.seed +
                       0x9E3779B97F4A7C15U * static_cast<std::uint64_t>(step),

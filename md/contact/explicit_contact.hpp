@@ -1,7 +1,7 @@
 #pragma once
 
-// Bulk explicit behind the room's front door: the multiscale block, by L-BFGS,
-// FIRE or motion in time.
+// This file declares the engine with an explicit bulk: the multiscale block,
+// solved by L-BFGS, FIRE or molecular dynamics.
 
 #include "md/contact/atomic_contact.hpp"
 
@@ -9,24 +9,27 @@
 
 namespace asperity::md {
 
-/// The block has request.settings.levels levels of .layers layers of cells;
-/// .depth is not used. Loads given as a mean gap are held at the lowest layer:
-/// the first of them is come down to from above, in steps short enough for the
-/// surface to give way.
+/// Creates a block with request.settings.levels levels of
+/// request.settings.layers layers of cells; settings.depth is not used. A
+/// prescribed mean gap is imposed on the lowest layer, which is lowered in
+/// steps that are short enough for the surface to deform.
 ///
-/// Minimizer dynamics: at T = 0 damped motion until the residual is within
-/// tolerance or `duration` is over, which is then said. At T > 0 pressure is
-/// the mean over the second half of `duration`; gap, energies and inspection
-/// are those of the mean positions, `note` says how much the mean pressure and
-/// height fluctuate, and residual is how far the mean pressure is from the
-/// load (0 where the height is held). Each load step has its own kicks. With
-/// a scratch folder the motion is put aside there every 1000 steps,
-/// "step-0003.motion", and the same step of the same block goes on from it.
+/// With the minimizer `dynamics` and T = 0, the motion is damped until the
+/// residual is within the tolerance or until `duration` has elapsed, which is
+/// then reported. At T > 0, the pressure is the mean over the second half of
+/// `duration`; gap, energies and inspection are evaluated at the mean
+/// positions, except that the interface energy is the mean of its samples;
+/// `note` states the fluctuations of the mean pressure and height; and the
+/// residual is the relative deviation of the mean pressure from the load (0
+/// under a prescribed height). Each load step uses its own random numbers. If a
+/// scratch folder is given, a checkpoint such as "step-0003.motion" is written
+/// there at regular intervals, from which the same step of the same block
+/// resumes.
 ///
-/// settings.dump writes all atoms to scratch / "step-0003.xyz".
+/// If settings.dump is set, all atoms are written to scratch / "step-0003.xyz".
 ///
-/// @throws cases::CaseError   modes = "normal", another engine or bulk
-/// @throws std::domain_error  what a part refuses
+/// @throws cases::CaseError   modes = "normal", or another engine or bulk
+/// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_explicit_contact(AtomRequest request);
 
 } // namespace asperity::md

@@ -87,7 +87,7 @@ void ExplicitSystem::precondition(std::span<const double> forces,
     solver_ = std::make_unique<BlockSolver>(
         block_, BlockFooting{contact_stiffness, is_held}, threads_);
   solver_->solve(forces, step);
-  hold(step); // to the last bit
+  hold(step); // exactly, without roundoff
 }
 
 double ExplicitSystem::elastic_energy(std::span<const double> state) const {

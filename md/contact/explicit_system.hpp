@@ -1,7 +1,7 @@
 #pragma once
 
-// The block of all its atoms over the substrate: bulk explicit. Owns how block,
-// interface and load add up.
+// This file declares the system that consists of an explicit block, the
+// interface with the substrate, and the load.
 
 #include "md/dynamics/inertial_system.hpp"
 #include "md/lattice/block_solver.hpp"
@@ -13,19 +13,21 @@
 
 namespace asperity::md {
 
-/// State: MultiscaleBlock's. Under pressure the plate is pushed down with
-/// p_0 A_0; under Kind::height it is free and the mean z of the lowest layer
-/// is held, which differs by a uniform strain of the block alone: coarse or
-/// not, that strain meets no other displacement.
+/// The state is that of MultiscaleBlock. Under a prescribed pressure, the load
+/// p_0 A_0 acts on the plate. Under Kind::height the plate is free and the mean
+/// z of the lowest layer is fixed. Both differ only by a uniform strain of the
+/// block, which does not couple to any other displacement, irrespective of the
+/// coarsening.
 ///
-/// The mean x and y of the lowest layer never move. precondition is the exact
-/// inverse of BlockSolver, its factors kept until contact stiffness or kind of
-/// load change: one thread at a time.
+/// The mean x and y of the lowest layer are fixed. precondition() applies the
+/// exact inverse by BlockSolver, whose factors are cached until the contact
+/// stiffness or the kind of load changes. An instance must be used by one
+/// thread at a time.
 class ExplicitSystem final : public InertialSystem {
 public:
-  /// @param atom_mass  of an atom of level 0 [kg] > 0
-  /// @throws std::domain_error  as MultiscaleBlock; an interface of another
-  ///                            layer
+  /// @param atom_mass  mass of an atom of level 0 [kg] > 0
+  /// @throws std::domain_error  as MultiscaleBlock; or the interface has
+  ///                            another layer
   ExplicitSystem(const Crystal& crystal, const BlockShape& shape,
                  Interface interface, double atom_mass, int threads = 1);
 

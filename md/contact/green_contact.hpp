@@ -1,7 +1,7 @@
 #pragma once
 
-// The block as its surface stiffness (bulk = "green"), brought to balance load
-// after load.
+// This file declares the engine with bulk = "green", in which the block is
+// represented by its surface stiffness.
 
 #include "md/contact/atomic_contact.hpp"
 
@@ -9,13 +9,15 @@
 
 namespace asperity::md {
 
-/// The block is settings.depth deep, rounded to whole cells, its top clamped.
-/// The first load is come to from above, where nothing touches; each further
-/// one starts from the answer before. A mean gap is come down to in short
-/// steps, so that the surface gives way and no atom is pushed through.
+/// Creates a block of depth settings.depth, rounded to whole cells, with a
+/// clamped far boundary. The first load step starts from above, without
+/// contact; each further one starts from the previous solution. A prescribed
+/// mean gap is approached in short steps, so that the surface can deform and no
+/// atom is pushed through the substrate.
 ///
-/// @throws cases::CaseError   another engine, bulk or minimizer than this one
-/// @throws std::domain_error  what a part refuses
+/// @throws cases::CaseError   the engine, bulk or minimizer is not supported
+///                            here
+/// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_green_contact(AtomRequest request);
 
 } // namespace asperity::md

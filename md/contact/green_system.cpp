@@ -11,7 +11,7 @@
 namespace asperity::md {
 namespace {
 
-/// Of the contact's normal stiffness, what it has laterally.
+/// Ratio of the lateral to the normal contact stiffness.
 constexpr double lateral_share = 0.1;
 
 double mean_size(std::span<const double> values) {
@@ -54,7 +54,8 @@ LayerForces GreenSystem::planes_of(std::span<double> unknowns) const {
           unknowns.subspan(2 * n, n)};
 }
 
-/// Takes out what the load and the modes hold, of forces or of a step.
+/// Removes the components of forces, or of a step, that the load and the modes
+/// constrain.
 void GreenSystem::hold(const LayerForces& forces) const {
   if (bulk_.modes() == cases::AtomModes::normal) {
     std::ranges::fill(forces.x, 0.0);
@@ -91,7 +92,10 @@ Evaluation GreenSystem::energy_and_forces(std::span<const double> state,
   return evaluation;
 }
 
-/// planes = S planes.
+/// Computes planes = S planes, where S is diagonal with
+/// S_i^2 = (k + k_c) / (k + k_i). Here k is the bulk stiffness of a single
+/// atom, k_i the contact stiffness of atom i, and k_c the given contact
+/// stiffness.
 void GreenSystem::scale(const LayerForces& planes,
                         double contact_stiffness) const {
   const auto factor = [&](double mean, double local) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// The block whose bulk is its surface stiffness alone: Green's function
-// molecular dynamics. Owns how bulk, interface and load add up.
+// This file declares the system of Green's function molecular dynamics, in
+// which the bulk is represented by its surface stiffness, together with the
+// interface and the load.
 
 #include "md/interface/interface_curvature.hpp"
 #include "md/lattice/surface_stiffness.hpp"
@@ -9,13 +10,14 @@
 
 namespace asperity::md {
 
-/// State: the planes x, y, z of the lowest layer, nothing else.
+/// The state consists of the planes x, y, z of the lowest layer.
 ///
 ///     E = (1/2) u K u + sum of pairs + p a^2 sum of z
 ///
-/// The mean of z is free under pressure and fixed under Kind::height; it costs
-/// the bulk nothing. The mean of x and y never moves; with Modes::normal, x
-/// and y never move at all. An instance holds scratch: one thread at a time.
+/// The mean of z is free under a prescribed pressure and fixed under
+/// Kind::height; the elastic energy does not depend on it. The means of x and y
+/// are fixed; with AtomModes::normal, x and y are fixed entirely. An instance
+/// contains work arrays and must be used by one thread at a time.
 class GreenSystem final : public CurvedSystem {
 public:
   /// @throws std::domain_error  bulk and interface of different layers
@@ -53,7 +55,8 @@ private:
   Load load_;
   double local_stiffness_ = 0.0;
   InterfaceCurvature curvature_;
-  mutable std::vector<double> contact_; ///< k_i [N/m]
+  mutable std::vector<double> contact_; ///< k_i, contact stiffness per atom
+                                        ///< [N/m]
   mutable std::vector<double> scratch_; ///< three planes
 };
 

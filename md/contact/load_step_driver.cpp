@@ -16,8 +16,9 @@ namespace {
 
 using cases::Control;
 
-constexpr double descent = 0.5e-10;       ///< of a held height, at once [m]
-constexpr double descent_tolerance = 0.1; ///< of the balances on the way
+constexpr double descent = 0.5e-10;       ///< largest decrease of the height
+                                          ///< per step [m]
+constexpr double descent_tolerance = 0.1; ///< tolerance of intermediate steps
 
 void add_effort(const Relaxation& more, Relaxation& sum) {
   sum.evaluations += more.evaluations;
@@ -42,8 +43,10 @@ void LoadStepDriver::restore(std::span<const double> state) {
   state_.assign(state.begin(), state.end());
 }
 
-/// k_c is what all atoms together meet when each is one pair of force f near
-/// r_0 in r^-12: 13 f / r_0 on average. It follows the load.
+/// Returns the settings of the minimiser. The contact stiffness k_c is the mean
+/// stiffness of all atoms if each interacts through one pair with force f at r
+/// close to r_0 and a repulsion r^-12, i.e. 13 f / r_0. It therefore scales
+/// with the load.
 RelaxationSettings LoadStepDriver::settings_for(double contact_force) const {
   RelaxationSettings settings;
   settings.tolerance = request_.settings.tolerance;
@@ -54,19 +57,20 @@ RelaxationSettings LoadStepDriver::settings_for(double contact_force) const {
   return settings;
 }
 
-/// Moves the whole block until its lowest layer is at a mean height.
+/// Translates the block so that its lowest layer has the given mean height.
 void LoadStepDriver::raise_to(double height) {
   lift(state_, height - mean(layer_of(system(), state_).z));
 }
 
-/// Of the state as it is, 0 where nothing touches [N].
+/// Returns the contact force of the present state [N], which is 0 without
+/// contact.
 double LoadStepDriver::contact_force() {
   std::vector<double> forces(system().size());
   return system().energy_and_forces(state_, forces).contact_force;
 }
 
-/// Brings a held height down in steps that the surface can follow, and up at
-/// once. Returns what it took.
+/// Lowers the block to a prescribed height in steps that the surface can
+/// follow, or raises it in one step. Returns the number of evaluations used.
 Relaxation LoadStepDriver::descend_to(double height) {
   const double start = mean(layer_of(system(), state_).z);
   Relaxation taken;
@@ -94,12 +98,12 @@ LoadStepDriver::Balance LoadStepDriver::balance_at(const Load& load, int step,
                    watch);
   }
   Relaxation before = descend_to(load.amount);
-  ++before.evaluations; // the force below
+  ++before.evaluations; // for the force below
   system().set_load(load);
   const double force = contact_force();
   Balance found;
   if (force == 0.0 && request_.settings.temperature == 0.0) {
-    // Nothing touches: the flat block is the answer.
+    // Without contact, the undeformed block is the solution.
     state_ = system().undeformed(load.amount);
     found.relaxation.converged = true;
   } else {

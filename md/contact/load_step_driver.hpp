@@ -1,8 +1,9 @@
 #pragma once
 
-// One load step of a block of our own: approach, balance, reading, and what is
-// kept for the next step. Owns these for every bulk; a bulk says how it moves
-// and how its forces are balanced.
+// This file declares the driver of load steps of the built-in engine. It is
+// common to all bulk models: approach, equilibrium, evaluation, and the initial
+// guess of the next step. A derived class defines how the block moves and how
+// equilibrium is found.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/contact/dump.hpp"
@@ -25,16 +26,17 @@ public:
   void restore(std::span<const double> state) final;
 
 protected:
-  /// How the balance of one load step was found.
+  /// Result of the search for the equilibrium of one load step.
   struct Balance {
     Relaxation relaxation;
-    TimeAverage average; ///< of motion at a temperature; no samples without
+    TimeAverage average; ///< at finite temperature; otherwise it has no samples
   };
 
-  /// @param request  kept by the driver
+  /// @param request  moved into the driver
   explicit LoadStepDriver(AtomRequest request);
 
-  /// To be called once, by the constructor of the class that owns the system.
+  /// Initialises the state. The constructor of the class that owns the system
+  /// must call this once.
   void start();
 
   const AtomRequest& request() const { return request_; }
@@ -45,17 +47,17 @@ protected:
   /// Adds `change` [m] to the height of every atom of the block.
   virtual void lift(std::span<double> state, double change) const = 0;
 
-  /// From `state` to a rough balance at the height that is held.
+  /// Relaxes `state` to an approximate equilibrium at the prescribed height.
   virtual Relaxation approach(std::vector<double>& state,
                               const RelaxationSettings& settings) = 0;
 
-  /// From `state` to the balance, by the minimiser that was asked for.
+  /// Relaxes `state` to equilibrium by the minimiser that the case selects.
   virtual Balance balance(const Load& load, int step,
                           std::vector<double>& state,
                           const RelaxationSettings& settings,
                           const Watch& watch) = 0;
 
-  /// The atoms of the block, for a dump.
+  /// Returns the atoms of the block for a dump.
   virtual std::vector<AtomGroup> block_atoms(std::span<const double> state,
                                              const AtomStep& step) const = 0;
 
@@ -71,7 +73,8 @@ private:
                     AtomStep& result) const;
 
   AtomRequest request_;
-  std::vector<double> state_; ///< of the last valid step, or over the substrate
+  std::vector<double> state_; ///< of the last valid step, initially above the
+                              ///< substrate
 };
 
 } // namespace asperity::md

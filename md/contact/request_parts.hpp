@@ -1,6 +1,7 @@
 #pragma once
 
-// What a request says, in the words of the parts that compute.
+// This file converts an AtomRequest to the arguments of the components of this
+// module.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/interface/interaction.hpp"
@@ -8,17 +9,17 @@
 
 namespace asperity::md {
 
-/// A step starts this far over the highest substrate atom where no earlier
+/// Initial distance of the block above the highest substrate atom if no earlier
 /// step was solved [m].
 inline constexpr double start_clearance = 4e-10;
 
 Crystal crystal_of(const AtomRequest& request);
 
-/// The taper begins at 0.9 of the cut-off.
+/// Returns the pair potential. Its taper begins at 0.9 of the cutoff.
 Interaction interaction_of(const cases::MdSettings& settings);
 
-/// Two atoms nearer than this have gone through each other: 2.2 angstrom for
-/// the paper's r_0 = 3.28 angstrom.
+/// Returns the distance below which two atoms are considered to have penetrated
+/// each other: 2.2 angstrom for r_0 = 3.28 angstrom of Yang and Persson (2008).
 double close_distance(const cases::MdSettings& settings);
 
 } // namespace asperity::md

@@ -1,7 +1,7 @@
 #pragma once
 
-// From positions and normal forces to what a load step reports. Owns how gap,
-// area and energies are read off a system.
+// This file computes the results of a load step from positions and normal
+// forces: gap, area and energies.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/minimise/system.hpp"
@@ -14,19 +14,21 @@ namespace asperity::md {
 
 struct ReadingDistances {
   double contact = 0.0; ///< d_c [m]
-  double close = 0.0;   ///< of a pair that went through [m]
+  double close = 0.0;   ///< of a penetrating pair [m]
 };
 
-/// Sets the maps, the nominal pressure, which is their mean, mean gap, contact
-/// count, energies and inspection of `step`, and leaves the rest.
+/// Sets the maps, the nominal pressure (the mean of the pressure map), the mean
+/// gap, the contact count, the energies and the inspection of `step`, and
+/// leaves its other members unchanged.
 /// @param state          of the system [m]
 /// @param normal_forces  on the atoms of the lowest layer [N]
 void read_step(const System& system, std::span<const double> state,
                std::span<const double> normal_forces,
                const ReadingDistances& distances, AtomStep& step);
 
-/// Why a balance is no result in spite of its residual: "3.1 % of the atoms
-/// are below the substrate ..."; empty if nothing went through.
+/// Returns why an equilibrium is not valid in spite of its residual, e.g.
+/// "3.1 % of the atoms are below the substrate ..."; empty if no atom has
+/// penetrated.
 std::string fault_of(const Inspection& inspection, std::size_t atoms);
 
 } // namespace asperity::md

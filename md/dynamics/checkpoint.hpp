@@ -1,7 +1,8 @@
 #pragma once
 
-// A run in time, put aside and taken up again bit for bit. Owns the file's
-// layout and the check that it belongs to the run.
+// This file declares checkpoints, from which a dynamics run can be resumed with
+// bitwise identical results. It defines the file layout and verifies that a
+// checkpoint belongs to the run.
 
 #include "md/dynamics/dynamics.hpp"
 
@@ -16,7 +17,8 @@
 
 namespace asperity::md {
 
-/// SHA-1 over everything that defines a run, in the order it is added.
+/// SHA-1 hash of everything that defines a run, in the order in which it is
+/// added.
 class Fingerprint {
 public:
   Fingerprint();
@@ -25,7 +27,7 @@ public:
   Fingerprint& add(double value);
   Fingerprint& add(std::string_view text);
 
-  /// 40 hexadecimal digits of what was added so far.
+  /// Returns the 40 hexadecimal digits of the hash of everything added so far.
   std::string text() const;
 
 private:
@@ -35,19 +37,21 @@ private:
 
 struct Checkpoint {
   Motion motion;
-  std::vector<double> sums; ///< whatever the run has added up so far
+  std::vector<double> sums; ///< accumulated sums of the run
 };
 
-/// Writes by base/atomic_file.hpp, so that a reader finds the old file or the
-/// new one. Binary, in this machine's byte order: 8 bytes "ASPMOT01", a known
-/// word, the fingerprint, step, the two sizes, then the numbers.
+/// Writes a checkpoint through base/atomic_file.hpp, so that a reader finds
+/// either the old or the new file. The file is binary, in the byte order of the
+/// machine: the 8 bytes "ASPMOT01", a constant that identifies the byte order,
+/// the fingerprint, the step, the two sizes, and the numbers.
 /// @throws std::system_error  naming the path
 void write_checkpoint(const std::filesystem::path& path,
                       const std::string& fingerprint,
                       const Checkpoint& checkpoint);
 
-/// @return  nothing if there is no such file, or it is another run's, of
-///          another size, layout or byte order
+/// Reads a checkpoint.
+/// @return  nothing if there is no such file, or if it belongs to another run
+///          or has another size, layout or byte order
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path,
                                           const std::string& fingerprint,
                                           std::size_t n_unknowns,

@@ -59,7 +59,7 @@ void Dynamics::exchange_heat() {
 
   const std::span<const double> masses = system_.masses();
   const double spread = (1.0 - kept * kept) * boltzmann *
-                        settings_.temperature; // m <v^2> of the kicks
+                        settings_.temperature; // m <v^2> of the random impulses
   noise_.resize(forces_.size());
   draw_normal(settings_.seed, motion_.step, settings_.threads, noise_);
   for (std::size_t i = 0; i < noise_.size(); ++i)

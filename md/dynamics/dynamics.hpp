@@ -1,7 +1,8 @@
 #pragma once
 
-// Motion in time: velocity Verlet, and Langevin's thermostat split around it.
-// Owns the state of a run and what one time step does to it.
+// This file declares the time integrator: velocity Verlet combined with a
+// Langevin thermostat by operator splitting. It defines the state of a run and
+// one time step.
 
 #include "md/dynamics/inertial_system.hpp"
 
@@ -12,33 +13,36 @@ namespace asperity::md {
 
 struct DynamicsSettings {
   double time_step = 0.0;   ///< h [s] > 0
-  double damping = 0.0;     ///< rate gamma at which momenta fade [1/s] >= 0
+  double damping = 0.0;     ///< relaxation rate gamma of momenta [1/s] >= 0
   double temperature = 0.0; ///< T [K] >= 0
-  std::uint64_t seed = 0;   ///< of the kicks
+  std::uint64_t seed = 0;   ///< of the random forces
   int threads = 1;
 };
 
-/// All that a run in time is, between two steps.
+/// State of a run between two time steps.
 struct Motion {
   std::int64_t step = 0;
   std::vector<double> state;      ///< of the system [m]
   std::vector<double> velocities; ///< [m/s]
 };
 
-/// The step BAOAB of B. Leimkuhler and C. Matthews, Appl. Math. Res. Express
-/// 2013, 34: with kicks xi of draw_normal and c = exp(-gamma h),
+/// Integrates one step by the BAOAB scheme of B. Leimkuhler and C. Matthews,
+/// Appl. Math. Res. Express 2013, 34. With normal random numbers xi from
+/// draw_normal() and c = exp(-gamma h),
 ///
 ///     B  v += F h / 2 m        A  x += v h / 2
 ///     O  v = c v + sqrt((1 - c^2) k_B T / m) xi
 ///     A  x += v h / 2          B  v += F h / 2 m
 ///
-/// With gamma = 0 it is velocity Verlet; with T = 0 damped motion. In a
-/// harmonic system of frequency w the positions have the canonical spread
-/// exactly, the velocities (1 - w^2 h^2 / 4) times it.
+/// With gamma = 0 the scheme is velocity Verlet; with T = 0 it is damped
+/// motion. In a harmonic system of angular frequency w, the variance of the
+/// positions is exactly canonical; that of the velocities is (1 - w^2 h^2 / 4)
+/// times the canonical one.
 class Dynamics {
 public:
-  /// @param motion  where to go on from; velocities may be empty: at rest
-  /// @throws std::domain_error  a setting outside its range, wrong sizes
+  /// @param motion  initial state; empty velocities mean a start from rest
+  /// @throws std::domain_error  a setting is outside its range, or a size is
+  ///                            wrong
   Dynamics(const InertialSystem& system, const DynamicsSettings& settings,
            Motion motion);
 
@@ -65,8 +69,8 @@ private:
   Evaluation evaluation_;
 };
 
-/// Velocities of temperature T, held as the system holds them: draws number
-/// -1 of the seed.
+/// Returns random velocities of temperature T that satisfy the constraints of
+/// the system. They use step number -1 of the random stream.
 std::vector<double> thermal_velocities(const InertialSystem& system,
                                        const DynamicsSettings& settings);
 

@@ -24,7 +24,7 @@ void add(std::span<double> sums, std::span<const double> values) {
     sums[i] += values[i];
 }
 
-/// Sums over samples in one flat vector, as a checkpoint keeps them.
+/// Accumulates samples in one flat vector, in the form stored in checkpoints.
 class Samples {
 public:
   explicit Samples(const System& system)
@@ -102,7 +102,7 @@ std::int64_t steps_of(const DynamicsRun& run) {
   return std::llround(run.duration / run.dynamics.time_step);
 }
 
-/// The run itself, between its beginning or checkpoint and its end.
+/// Controls one run from its start or checkpoint to its end.
 class Run {
 public:
   Run(const InertialSystem& system, const Load& load,

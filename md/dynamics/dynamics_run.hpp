@@ -1,7 +1,8 @@
 #pragma once
 
-// A load step answered by motion in time: damped until it rests, or hot and
-// averaged. Owns when to stop, what is averaged, and when it is put aside.
+// This file declares the solution of a load step by molecular dynamics: damped
+// motion until equilibrium, or a time average at finite temperature. It defines
+// the stopping criteria, the averages and the checkpoints.
 
 #include "md/dynamics/dynamics.hpp"
 #include "md/minimise/relaxation.hpp"
@@ -14,39 +15,40 @@ namespace asperity::md {
 
 struct DynamicsRun {
   DynamicsSettings dynamics;
-  double duration = 0.0;  ///< [s], of at least one time step
-  double tolerance = 0.0; ///< as RelaxationSettings; at T = 0 the run ends
-                          ///< when it is reached
-  std::filesystem::path checkpoint; ///< empty: none is written or looked for
+  double duration = 0.0;  ///< [s], at least one time step
+  double tolerance = 0.0; ///< as RelaxationSettings; at T = 0 the run ends when
+                          ///< it is reached
+  std::filesystem::path checkpoint; ///< empty: no checkpoints
   int checkpoint_interval = 1000;   ///< steps, >= 1
-  std::string label; ///< what else defines the run: another label, no resume
+  std::string label; ///< everything else that defines the run; a checkpoint
+                     ///< with another label is not used
 };
 
-/// Averages over samples of the second half of a hot run.
+/// Averages over samples from the second half of a run at T > 0.
 struct TimeAverage {
-  int samples = 0;                   ///< 0 for a run without temperature
+  int samples = 0;                   ///< 0 for a run at T = 0
   std::vector<double> state;         ///< mean positions [m]
   std::vector<double> normal_forces; ///< mean, of the lowest layer [N]
   double interface_energy = 0.0;     ///< mean [J]
-  double force_spread = 0.0;  ///< standard deviation in time of the mean normal
-                              ///< force an atom [N]
-  double height_spread = 0.0; ///< of the layer's mean height [m]
+  double force_spread = 0.0;  ///< temporal standard deviation of the mean
+                              ///< normal force per atom [N]
+  double height_spread = 0.0; ///< same, of the mean height of the layer [m]
 };
 
 struct DynamicsOutcome {
-  Relaxation relaxation; ///< evaluations are steps; at T > 0 converged means
-                         ///< that the whole duration was run
+  Relaxation relaxation; ///< evaluations counts steps; at T > 0, converged
+                         ///< means that the whole duration was simulated
   TimeAverage average;
 };
 
-/// Moves `state` from rest (at T > 0 from velocities of that temperature) and
-/// overwrites it with the last state. Looks first for a checkpoint of the same
-/// system, load, settings and label, wherever that began, and goes on from it;
-/// interrupted and taken up again is the
-/// uninterrupted run, bit for bit. A run that reaches its end removes the
-/// checkpoint; one that `watch` ends leaves it at that step.
-/// @throws std::domain_error  as Dynamics; T = 0 without damping; a duration
-///                            under one time step
+/// Integrates the motion of `state` from rest (at T > 0 with random velocities
+/// of that temperature) and overwrites `state` with the last state. If there is
+/// a checkpoint of the same system, load, settings and label, the run resumes
+/// from it, whatever its initial state was. An interrupted and resumed run is
+/// bitwise identical to an uninterrupted one. A completed run removes its
+/// checkpoint; a run that `watch` stops writes a checkpoint at that step.
+/// @throws std::domain_error  as Dynamics; or T = 0 without damping; or a
+///                            duration shorter than one time step
 DynamicsOutcome run_dynamics(const InertialSystem& system, const Load& load,
                              std::vector<double>& state, const DynamicsRun& run,
                              const Watch& watch = {});

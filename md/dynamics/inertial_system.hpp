@@ -1,7 +1,7 @@
 #pragma once
 
-// A system that can also move in time: its unknowns have masses. Owns what an
-// integrator needs besides forces.
+// This file declares the interface of systems with masses, as needed by time
+// integrators.
 
 #include "md/minimise/system.hpp"
 
@@ -11,11 +11,11 @@ namespace asperity::md {
 
 class InertialSystem : public System {
 public:
-  /// Mass of each unknown [kg], > 0.
+  /// Returns the mass of each unknown [kg], > 0.
   virtual std::span<const double> masses() const = 0;
 
-  /// Takes out of velocities, or of random kicks, what the load holds fixed,
-  /// as energy_and_forces does with forces.
+  /// Projects velocities or random impulses onto the constraints of the load,
+  /// as energy_and_forces() does with forces.
   virtual void hold(std::span<double> velocities) const = 0;
 };
 

@@ -15,9 +15,10 @@ namespace asperity::md {
 namespace {
 
 constexpr std::size_t random_words = 4;
-constexpr std::size_t chunk = 1024 * random_words; // unknowns a thread takes at once
+constexpr std::size_t chunk = 1024 * random_words; // unknowns per parallel task
 
-/// (k + 1/2) 2^-52 for the upper 52 bits k: never 0 and never 1.
+/// Returns (k + 1/2) 2^-52 for the upper 52 bits k, which is never 0 and never
+/// 1.
 double to_unit_interval(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
 }

@@ -1,20 +1,22 @@
 #pragma once
 
-// The random kicks of a thermostat: fixed by seed, step and unknown, not by
-// when they are drawn or on which thread. Owns their generator.
+// This file declares the random numbers of the thermostat. They are determined
+// by seed, step and unknown, independently of the order and the thread in which
+// they are drawn.
 
 #include <cstdint>
 #include <span>
 
 namespace asperity::md {
 
-/// Independent standard normal numbers for all unknowns of one step:
-/// Philox-4x64-10 with
+/// Draws independent standard normal numbers for all unknowns of one step from
+/// the generator Philox-4x64-10 with
 ///
-///     key = (seed, RandomStream::thermal_noise),  counter = (step, i / 4, 0,
-///     0)
+///     key = (seed, RandomStream::thermal_noise)
+///     counter = (step, i / 4, 0, 0)
 ///
-/// whose four words make unknowns i..i+3 by Box and Muller's polar angles.
+/// The four words of each counter yield the numbers of unknowns i..i+3 by the
+/// Box-Muller transform.
 /// @param numbers  overwritten
 /// @see  surfaces/maps/random_modes.hpp
 void draw_normal(std::uint64_t seed, std::int64_t step, int threads,

@@ -35,7 +35,8 @@ PairTerm pair_term(const Interaction& interaction, double distance) {
 
   const double width = y_begin - y_end;
   const double full = y_begin - interaction.attraction;
-  double steepness = y - interaction.attraction; // of U/2 over y
+  double steepness = y - interaction.attraction; // derivative of U/2 with
+                                                 // respect to y
   double energy = 0.0;
   if (y < y_begin) {
     const double t = (y - y_end) / width;

@@ -1,26 +1,29 @@
 #pragma once
 
-// The law between one atom of the block and one of the substrate. Owns U(r),
-// its cut-off and its taper.
+// This file defines the pair potential between an atom of the block and an atom
+// of the substrate, with its cutoff and taper.
 
 namespace asperity::md {
 
-/// U(r) = eps [(r_0/r)^12 - attraction 2 (r_0/r)^6]
+/// The pair potential is
 ///
-/// attraction = 0 is the paper's repulsion (Sec. 4); attraction = 1 is
-/// Lennard-Jones with its minimum -eps at r_0, scaled in between. With
-/// y = (r_0/r)^6 this is eps (y^2 - 2 attraction y), and between taper_begin
-/// and the cut-off its slope over y, 2 (y - attraction), is replaced by a cubic
-/// in y that joins it there with value and slope and is 0 with slope 0 at the
-/// cut-off:
+///     U(r) = eps [(r_0/r)^12 - attraction 2 (r_0/r)^6]
+///
+/// attraction = 0 is the repulsion of Yang and Persson (2008), Sec. 4;
+/// attraction = 1 is the Lennard-Jones potential with its minimum -eps at r_0.
+/// With y = (r_0/r)^6 this is eps (y^2 - 2 attraction y). Between taper_begin
+/// and the cutoff, its derivative with respect to y, 2 (y - attraction) in
+/// units of eps, is replaced by a cubic in y that matches value and slope at
+/// taper_begin and has zero value and slope at the cutoff:
 ///
 ///     dU/dy = 2 eps t^2 [(3 - 2t)(y_begin - attraction) - (1 - t) D]
 ///     t = (y - y_end)/D,  D = y_begin - y_end
 ///
-/// The energy is the integral of that from the cut-off inwards, a polynomial
-/// in y, so force = -grad U holds exactly, and the force has a continuous
-/// slope. Up to taper_begin the force is the untruncated one, and the energy of
-/// every pair is shifted by one constant.
+/// The energy is the integral of this derivative from the cutoff inwards, which
+/// is a polynomial in y. Hence force = -grad U holds exactly, and the force has
+/// a continuous derivative. For r up to taper_begin the force is that of the
+/// untruncated potential, and the energy of every pair is shifted by a
+/// constant.
 struct Interaction {
   double energy = 0.0;      ///< eps [J] > 0
   double distance = 0.0;    ///< r_0 [m] > 0
@@ -29,25 +32,31 @@ struct Interaction {
   double attraction = 0.0;  ///< [1] 0..1
 };
 
+/// Checks that the parameters are valid.
 /// @throws std::domain_error  a member is outside its range
 void require_sound(const Interaction& interaction);
 
-/// U and -U'(r)/r.
+/// Energy U and -U'(r)/r of one pair.
 struct PairTerm {
   double energy = 0.0;              ///< U [J]
   double force_over_distance = 0.0; ///< -U'(r)/r [N/m]
 };
 
-/// At one distance r > 0 [m]: the plain version, judge of the vectorised
-/// kernel. Both are 0 from the cut-off on.
-/// @throws std::domain_error  a bad interaction or distance
+/// Returns the pair term at a distance r > 0 [m]. This is the scalar reference
+/// implementation, against which the vectorised kernel is verified. Both values
+/// are 0 from the cutoff on.
+/// @throws std::domain_error  invalid interaction or distance
 PairTerm pair_term(const Interaction& interaction, double distance);
 
-/// Pressure of the untruncated repulsion on a plane of atoms, one an
-/// atom_area, at height d over a plane of atoms, one a substrate_area, both
-/// smeared out: p = 2 pi eps r_0^12 / (atom_area substrate_area d^11) [Pa].
-/// The real sum over a plane without common periods is the same, but for what
-/// the cut-off takes: (d/cutoff)^12 of it, and what the taper does.
+/// Returns the pressure of the untruncated repulsion between two parallel
+/// planes of atoms with one atom per atom_area and one per substrate_area, both
+/// treated as continuous, at a distance d:
+///
+///     p = 2 pi eps r_0^12 / (atom_area substrate_area d^11)             [Pa]
+///
+/// The discrete sum over two incommensurate planes has the same mean, except
+/// for the effects of the cutoff, which removes a fraction (d/cutoff)^12, and
+/// of the taper.
 /// @throws std::domain_error  an argument is not > 0
 double wall_pressure(const Interaction& interaction, double atom_area,
                      double substrate_area, double height);

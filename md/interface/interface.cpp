@@ -16,8 +16,9 @@
 namespace asperity::md {
 namespace {
 
-/// The sites of one side of the layer in the substrate's lattice, site i at
-/// i n_s / n_l, split in integers so that nothing is lost.
+/// Returns the positions of the lattice sites along one side of the layer in
+/// substrate spacings. Site i is at i n_s / n_l, split into integers to avoid
+/// roundoff.
 std::vector<double> sites_of(int layer_points, int substrate_points) {
   std::vector<double> sites;
   for (std::int64_t i = 0; i < layer_points; ++i) {
@@ -28,7 +29,7 @@ std::vector<double> sites_of(int layer_points, int substrate_points) {
   return sites;
 }
 
-/// A coordinate brought into 0 <= c < points.
+/// Maps a coordinate periodically to 0 <= c < points.
 double wrapped(double coordinate, int points) {
   if (coordinate >= 0.0 && coordinate < points)
     return coordinate;
@@ -71,7 +72,7 @@ struct Interface::Kernel {
   ReducedLaw law;
   Substrate substrate;
 
-  std::vector<double> sites; ///< along a side, in substrate spacings
+  std::vector<double> sites; ///< along one side, in substrate spacings
 
   LatticePoint point(const LayerView& atoms, int ix, int iy) const {
     const int points = substrate_grid.points_x;

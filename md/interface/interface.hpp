@@ -1,7 +1,8 @@
 #pragma once
 
-// All pairs between the block's lowest layer and the rigid substrate. Owns the
-// kernel: energy, forces, and the inspection that tells a wrong answer.
+// This file declares the interface between the lowest layer of the block and
+// the rigid substrate. It computes the energy and the forces of all pairs, and
+// checks whether a configuration is physically valid.
 
 #include "base/grid.hpp"
 #include "md/interface/interaction.hpp"
@@ -14,42 +15,45 @@
 
 namespace asperity::md {
 
-/// Where the atoms of a layer are, in three planes of grid.size() values each:
-/// displacement in x and y from the lattice site, and height z over the mean
-/// plane of the substrate [m]. The storage order of Grid.
+/// Positions of the atoms of a layer in three planes of grid.size() values
+/// each, in the storage order of Grid: the displacements in x and y from the
+/// lattice site, and the height z above the mean plane of the substrate [m].
 struct LayerView {
   std::span<const double> x;
   std::span<const double> y;
   std::span<const double> z;
 };
 
-/// Forces on the layer's atoms [N], the same three planes.
+/// Forces on the atoms of the layer in three planes of the same layout [N].
 struct LayerForces {
   std::span<double> x;
   std::span<double> y;
   std::span<double> z;
 };
 
-/// What a converged answer must not have: an atom that went through.
+/// Result of Interface::inspect. A valid solution has no atom that has
+/// penetrated the substrate.
 struct Inspection {
-  int below_substrate = 0;        ///< atoms lower than the surface under them,
-                                  ///< or at no finite place
-  int close_pairs = 0;            ///< pairs nearer than the asked distance
-  double shortest_distance = 0.0; ///< of any pair within the cut-off [m];
+  int below_substrate = 0;        ///< atoms below the surface, or with a
+                                  ///< position that is not finite
+  int close_pairs = 0;            ///< pairs closer than the given distance
+  double shortest_distance = 0.0; ///< of all pairs within the cutoff [m];
                                   ///< infinity if there is none
-  int in_contact = 0;             ///< atoms with a pair nearer than d_c
+  int in_contact = 0;             ///< atoms with a pair closer than d_c
 };
 
-/// Rigid substrate atoms at the nodes of `substrate` with `heights` over its
-/// mean plane, block atoms at the nodes of `layer`: two periodic square
-/// lattices over the same lengths, of any two spacings. An atom finds its
-/// partners by an index window about its own position, so there is no list to
-/// be out of date; displacements may be of any size.
+/// Sum over all pairs of block atoms at the nodes of `layer` and rigid
+/// substrate atoms at the nodes of `substrate` with `heights` above its mean
+/// plane. Both are periodic square lattices with the same period but arbitrary
+/// spacings. The neighbours of an atom are found by an index window around its
+/// current position, so there is no neighbour list that could become outdated,
+/// and displacements may be arbitrarily large.
 class Interface {
 public:
-  /// @throws std::domain_error  lengths differ, or twice the cut-off is longer
-  ///                            than the period; a bad interaction; a lattice
-  ///                            that is not square; heights that are not finite
+  /// @throws std::domain_error  the lengths differ, twice the cutoff exceeds
+  ///                            the period, the interaction is invalid, a
+  ///                            lattice is not square, or a height is not
+  ///                            finite
   Interface(const Interaction& interaction, const Grid& layer,
             const Grid& substrate, std::span<const double> heights,
             int threads = 1);
@@ -59,33 +63,38 @@ public:
   const Grid& layer() const;
   const Interaction& interaction() const;
 
-  /// Overwrites `forces`. An atom at no finite place has NaN for a force, and
-  /// so has the energy.
-  /// @return  the energy of all pairs [J]
-  /// @throws std::domain_error  planes of another size
-  /// @par Accuracy  1e-12 of the largest force, and of the sum of |U|, against
-  /// a
-  ///                plain double loop; force = -grad U as exactly. The same
-  ///                bits for any number of threads and, as nothing is fused and
-  ///                lanes are summed in one order, on any x86-64 processor.
+  /// Overwrites `forces`. If the position of an atom is not finite, its force
+  /// and the total energy are NaN.
+  /// @return  energy of all pairs [J]
+  /// @throws std::domain_error  planes of a wrong size
+  /// @par Accuracy  The error is 1e-12 of the largest force, and of the sum of
+  ///                |U|, relative to a scalar double loop; force = -grad U
+  ///                holds to the same accuracy. The result is bitwise identical
+  ///                for any number of threads and on any x86-64 processor,
+  ///                because no operations are fused and the SIMD lanes are
+  ///                summed in a fixed order.
   double energy_and_forces(const LayerView& atoms,
                            const LayerForces& forces) const;
 
-  /// Second derivatives of that energy with the place of each atom [N/m], one
-  /// block an atom: the substrate is rigid, so atoms do not couple. Overwrites
-  /// `blocks`; an atom at no finite place has NaN.
-  /// @throws std::domain_error  planes or blocks of another size
+  /// Computes the second derivatives of this energy with respect to the
+  /// position of each atom [N/m], one block per atom. The atoms do not couple
+  /// because the substrate is rigid. Overwrites `blocks`; the block of an atom
+  /// whose position is not finite is NaN.
+  /// @throws std::domain_error  planes or blocks of a wrong size
   void second_derivatives(const LayerView& atoms,
                           std::span<SymmetricBlock> blocks) const;
 
-  /// @param close_distance    [m], 2.2e-10 for the paper's atoms
+  /// Counts penetrating, too close and contacting atoms.
+  /// @param close_distance    [m], 2.2e-10 for the interaction of Yang and
+  ///                          Persson (2008)
   /// @param contact_distance  d_c [m]
-  /// @throws std::domain_error  planes of another size, a distance beyond the
-  ///                            cut-off
+  /// @throws std::domain_error  planes of a wrong size, or a distance beyond
+  ///                            the cutoff
   Inspection inspect(const LayerView& atoms, double close_distance,
                      double contact_distance) const;
 
-  /// Height of the (bilinearly interpolated) substrate under each atom [m].
+  /// Returns the bilinearly interpolated height of the substrate below each
+  /// atom [m].
   std::vector<double> heights_below(const LayerView& atoms) const;
 
 private:
@@ -93,8 +102,9 @@ private:
   std::unique_ptr<Kernel> kernel_;
 };
 
-/// The periodic substrate lattice nearest to spacing a/phi, phi the golden
-/// mean, with an even number of atoms: 648 for 400 (Sec. 4).
+/// Returns the number of atoms per side of the periodic substrate lattice whose
+/// spacing is closest to a/phi, where phi is the golden mean. The number is
+/// even: 648 for 400 block atoms, as in Yang and Persson (2008), Sec. 4.
 /// @throws std::domain_error  layer_atoms < 1
 int incommensurate_atoms(int layer_atoms);
 

@@ -105,7 +105,7 @@ void InterfaceCurvature::take(const Interface& interface,
 }
 
 void InterfaceCurvature::limit_softness(double share) {
-  if (!(share >= 0.0)) // infinity is a share
+  if (!(share >= 0.0)) // infinity is valid
     require_not_negative("share", share, "1");
   const double lowest = -share * bulk_stiffness_;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {

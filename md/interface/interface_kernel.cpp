@@ -5,17 +5,18 @@
 namespace asperity::md {
 namespace {
 
-// Processors differ in how many doubles they take at a time. Each operation
-// rounds alike in all, and the lanes of a strip are summed in one order.
+// Processors differ in their SIMD width. Every operation rounds identically for
+// all widths, and the lanes of a strip are summed in a fixed order.
 using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
 
 template <class Vector>
 struct Lanes {
   static constexpr std::size_t width = sizeof(Vector) / sizeof(double);
-  static constexpr std::size_t parts = strip_width / width; ///< of a strip
+  static constexpr std::size_t parts = strip_width / width; ///< vectors per
+                                                            ///< strip
 
-  /// As it lies in an array of doubles.
+  /// Unaligned vector in an array of doubles.
   using Unaligned [[gnu::aligned(alignof(double)), gnu::may_alias]] = Vector;
 
   using Strip = std::array<Vector, parts>;
@@ -28,8 +29,9 @@ struct Lanes {
   }
 };
 
-// The processor keeps few pairs in flight, and from the distance to the force
-// is a long way: so strips go through in bundles, each step for all of them.
+// The dependency chain from distance to force is long, and a processor keeps
+// only few pairs in flight. Strips are therefore processed in bundles, one
+// operation at a time for all strips of a bundle.
 constexpr std::size_t bundle = 32;
 
 template <class Vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The sum over the pairs of one atom, in vectors of four. Owns the arithmetic,
-// in lengths of r_0 and energies of eps.
+// This file declares the SIMD kernel that sums over the pairs of one atom.
+// Lengths are in units of r_0 and energies in units of eps.
 
 #include "md/interface/interaction.hpp"
 #include "md/interface/symmetric_block.hpp"
@@ -12,14 +12,14 @@
 
 namespace asperity::md {
 
-/// What the kernel needs of the pair law: with y = (r_0/r)^6, p = y - y_end >=
-/// 0, u = min(p, width) and v = p - u,
+/// Parameters of the pair potential in the form used by the kernel. With
+/// y = (r_0/r)^6, p = max(y - y_end, 0), u = min(p, width) and v = p - u,
 ///
 ///     G           = u^2 (square + cube u) + v
 ///     U           = u^3 (2/3 square + 1/2 cube u) + v (v + lever)      [eps]
 ///     -U'(r)/r    = G y (r_0/r)^2                            [12 eps/r_0^2]
 ///
-/// which is pair_term without a branch.
+/// This equals pair_term() and needs no branches.
 struct ReducedLaw {
   double y_end = 0.0;
   double width = 0.0; ///< y_begin - y_end
@@ -32,18 +32,20 @@ ReducedLaw reduced(const Interaction& interaction);
 
 constexpr int strip_width = 4;
 
-/// Four substrate atoms next to each other in a row, from the corner of a cell.
+/// Four consecutive substrate atoms of one row, relative to the corner of a
+/// cell.
 struct Strip {
-  double x = 0.0;          ///< of the first of them [r_0]
+  double x = 0.0;          ///< of the first atom [r_0]
   double y = 0.0;          ///< [r_0]
   std::int64_t height = 0; ///< index of its height
 };
 
-/// What one atom sees.
+/// The surroundings of one atom.
 struct Window {
-  double x = 0.0;                  ///< the atom from the corner [r_0]
+  double x = 0.0;                  ///< position of the atom relative to the
+                                   ///< corner [r_0]
   double y = 0.0;                  ///< [r_0]
-  const double* heights = nullptr; ///< [r_0], the first is that of the corner
+  const double* heights = nullptr; ///< [r_0], starting at the corner
   std::span<const Strip> strips;
 };
 
@@ -54,24 +56,26 @@ struct AtomSum {
   double z = 0.0;
 };
 
-/// Four wide where the processor has AVX2, else two wide: the same bits.
+/// Sums over the window with four lanes on processors with AVX2 and two lanes
+/// otherwise. Both give bitwise identical results.
 /// @param spacing  of the substrate [r_0]
 /// @param z        height of the atom [r_0]
 AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
                    double z);
 
-/// Second derivatives of that energy with the atom's place [12 eps/r_0^2]. With
-/// g = -U'(r)/r of ReducedLaw and G' = dG/dy = u (2 square + 3 cube u), a pair
-/// at distance d adds
+/// Returns the second derivatives of this energy with respect to the position
+/// of the atom [12 eps/r_0^2]. With g = -U'(r)/r as in ReducedLaw and
+/// G' = dG/dy = u (2 square + 3 cube u), a pair at distance d contributes
 ///
 ///     -g 1 + 2 y (r_0/r)^4 (3 y G' + 4 G) d d
 ///
-/// Lanes as in sum_window.
+/// The number of lanes is that of sum_window().
 SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
                                       const Window& window, double spacing,
                                       double z);
 
-/// What sum_window does on a processor without AVX2.
+/// Runs the two-lane version of sum_window(), which is used on processors
+/// without AVX2.
 AtomSum sum_two_wide(const ReducedLaw& law, const Window& window,
                      double spacing, double z);
 

@@ -7,7 +7,8 @@ namespace asperity::md {
 namespace {
 
 constexpr int block_width = 4;
-constexpr int parts = 4; ///< of a cell, along a side, with lists of their own
+constexpr int parts = 4; ///< per side of a cell; each has its own lists of
+                         ///< strips
 
 std::size_t as_index(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -42,7 +43,7 @@ void Substrate::pad(const Grid& grid, std::span<const double> heights,
                         unit);
 }
 
-// The maximum over a square about each block, one direction after the other.
+// Computes the maximum over a square around each block, separably in x and y.
 void Substrate::find_highest(int points) {
   const int window = static_cast<int>(std::ceil(reach_ / spacing_));
   const int n_rows = points + 2 * margin_;
@@ -74,7 +75,7 @@ void Substrate::find_highest(int points) {
     }
 }
 
-// The squares of the radii are 1, 2, 3 ... spacings^2 up to beyond the reach.
+// The squared radii are 1, 2, 3 ... spacings^2 up to a value beyond the reach.
 void Substrate::list_strips() {
   const int n_radii = static_cast<int>(reach_square_) + 1;
   for (int radius_square = 1; radius_square <= n_radii; ++radius_square)
@@ -87,8 +88,8 @@ void Substrate::list_strips() {
   list_begins_.push_back(strips_.size());
 }
 
-// All columns within the radius of any point of the part, row by row; a little
-// more, for the rounding.
+// Lists, row by row, all columns within the radius of any point of the part,
+// with a small margin for roundoff.
 void Substrate::list_strips(double column, double row, double radius_square) {
   const double side = 1.0 / parts + 1e-9;
   const int farthest = static_cast<int>(std::sqrt(radius_square)) + 1;

@@ -1,7 +1,8 @@
 #pragma once
 
-// The rigid atoms as the kernel finds them. Owns the padded array of heights
-// and the window of partners about a point.
+// This file declares the rigid substrate as used by the SIMD kernel: the
+// periodically padded array of heights and the search for the neighbours of a
+// point.
 
 #include "base/grid.hpp"
 #include "md/interface/interface_kernel.hpp"
@@ -11,30 +12,31 @@
 
 namespace asperity::md {
 
-/// A point over the substrate in its lattice spacings, 0 <= column < points_x
-/// and 0 <= row < points_y: node (i, j) lies at column i, row j.
+/// A point in the plane of the substrate in units of its lattice spacing, with
+/// 0 <= column < points_x and 0 <= row < points_y. Node (i, j) lies at column i
+/// and row j.
 struct LatticePoint {
   double column = 0.0;
   double row = 0.0;
 };
 
-/// The heights of the rigid lattice with enough of its periodic images about
-/// it that no window ever leaves the array. Lengths are those of the unit it
-/// was made with (r_0).
+/// The heights of the rigid lattice, padded with enough periodic images that no
+/// window extends beyond the array. All lengths are in the unit that is passed
+/// to the constructor (r_0).
 class Substrate {
 public:
-  /// @param heights  of the nodes of `grid` [m]
-  /// @param reach    the longest distance asked for [m]
-  /// @param unit     of all lengths from here on [m]
+  /// @param heights  heights at the nodes of `grid` [m]
+  /// @param reach    largest distance at which neighbours are searched [m]
+  /// @param unit     unit of all lengths in this class [m]
   Substrate(const Grid& grid, std::span<const double> heights, double reach,
             double unit);
 
-  /// All substrate atoms that are nearer than `reach` to an atom at this point
-  /// and height, and some that are not. No strips if the atom is that much
-  /// higher than any of them.
+  /// Returns a superset of the substrate atoms that are closer than `reach` to
+  /// an atom at the given point and height. The window has no strips if the
+  /// atom is farther than `reach` above all of them.
   Window window(const LatticePoint& point, double z) const;
 
-  /// Bilinear between the four nodes about the point.
+  /// Returns the height at the point by bilinear interpolation.
   double height_at(const LatticePoint& point) const;
 
   double spacing() const { return spacing_; }
@@ -48,15 +50,15 @@ private:
   double reach_ = 0.0;
   double spacing_ = 0.0;
   double reach_square_ = 0.0; ///< in spacings^2
-  int margin_ = 0;            ///< rows and columns of images on each side
+  int margin_ = 0;            ///< periodic images on each side
   std::int64_t stride_ = 0;
   std::vector<double> padded_;
 
-  int blocks_ = 0;              ///< along a side
-  std::vector<double> highest_; ///< within reach of any point of a block
+  int blocks_ = 0;              ///< number of blocks per side
+  std::vector<double> highest_; ///< maximum within reach of a block
 
-  /// The strips about a point of each part of a cell, for each radius, one
-  /// list after the other; list i ends where list i + 1 begins.
+  /// Strips around a point in each part of a cell, for each radius. The lists
+  /// are stored contiguously; list i ends where list i + 1 begins.
   std::vector<Strip> strips_;
   std::vector<std::size_t> list_begins_;
 };

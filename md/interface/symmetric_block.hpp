@@ -1,7 +1,8 @@
 #pragma once
 
-// A real symmetric 3 x 3 block: of a wavevector's stiffness, or of the second
-// derivatives with the place of one atom.
+// This file defines a real symmetric 3 x 3 matrix, which is used for the
+// stiffness at one wavevector and for the second derivatives with respect to
+// the position of one atom.
 
 namespace asperity::md {
 

@@ -15,7 +15,7 @@
 namespace asperity::md {
 namespace {
 
-/// Numbers one after the other in a text.
+/// Reads consecutive numbers from a text.
 class NumberReader {
 public:
   NumberReader(std::string_view text, std::string name)
@@ -39,8 +39,8 @@ private:
   std::string name_;
 };
 
-/// The table of a dump with `columns` numbers after the atom's own, which must
-/// count from 1; each times its unit.
+/// Reads the table of a dump with `columns` values after the atom number, which
+/// must count from 1. Each value is multiplied by its unit.
 std::vector<double> read_dump(const std::filesystem::path& path,
                               std::size_t atoms,
                               const std::vector<double>& units) {
@@ -64,7 +64,7 @@ std::vector<double> read_dump(const std::filesystem::path& path,
   return table;
 }
 
-/// Three neighbouring columns of a table.
+/// Extracts three adjacent columns of a table.
 BlockVectors columns(const std::vector<double>& table, std::size_t width,
                      std::size_t first) {
   BlockVectors vectors;
@@ -75,7 +75,7 @@ BlockVectors columns(const std::vector<double>& table, std::size_t width,
   return vectors;
 }
 
-/// The numbers of a line; empty if it holds anything else.
+/// Returns the numbers of a line; empty if it contains anything else.
 std::vector<double> numbers_of(const std::string& line) {
   std::istringstream words(line);
   std::vector<double> numbers;
@@ -119,7 +119,7 @@ LammpsAnswer read_answer(const LammpsBlock& block,
 }
 
 std::optional<LammpsProgress> progress_in(const std::string& log) {
-  // A last line without its end may hold half a number.
+  // The last line may be incomplete and end within a number.
   std::istringstream lines(log.substr(0, log.rfind('\n') + 1));
   std::optional<LammpsProgress> progress;
   for (std::string line; std::getline(lines, line);) {

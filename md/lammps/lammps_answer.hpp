@@ -1,6 +1,7 @@
 #pragma once
 
-// What LAMMPS leaves behind after a load step, read back into SI.
+// This file reads the output of LAMMPS after a load step and converts it to SI
+// units.
 
 #include "md/lammps/lammps_block.hpp"
 
@@ -13,13 +14,13 @@ namespace asperity::md {
 
 struct LammpsAnswer {
   BlockVectors positions;   ///< [m]
-  BlockVectors forces;      ///< left over on every atom [N]
-  BlockVectors contact;     ///< of the substrate on the lowest layer [N]
+  BlockVectors forces;      ///< residual force on every atom [N]
+  BlockVectors contact;     ///< force of the substrate on the lowest layer [N]
   double bond_energy = 0.0; ///< [J]
   double pair_energy = 0.0; ///< [J]
 };
 
-/// Where a minimiser is, from LAMMPS' log.
+/// Progress of a minimisation, from the LAMMPS log.
 struct LammpsProgress {
   int iterations = 0;      ///< since LAMMPS started
   double energy = 0.0;     ///< [J]
@@ -27,20 +28,23 @@ struct LammpsProgress {
   double push = 0.0;       ///< normal force of the substrate on the block [N]
 };
 
-/// The whole file; empty if there is none.
+/// Returns the contents of a file; empty if it does not exist.
 std::string file_text(const std::filesystem::path& path);
 
-/// @throws std::runtime_error  a file is missing, cut short or not as asked for
+/// Reads the results of a load step.
+/// @throws std::runtime_error  a file is missing, truncated or not as expected
 LammpsAnswer read_answer(const LammpsBlock& block,
                          const std::filesystem::path& folder);
 
-/// The last line of numbers in a log that may still be written, if any.
+/// Returns the last complete line of numbers in a log that may still be written
+/// to, if there is one.
 std::optional<LammpsProgress> progress_in(const std::string& log);
 
-/// Evaluations of the forces, summed over the minimisations in a log.
+/// Returns the number of force evaluations, summed over the minimisations in a
+/// log.
 int evaluations_in(const std::string& log);
 
-/// LAMMPS' own words on why it ended; empty if the log holds none.
+/// Returns the error message of LAMMPS; empty if the log contains none.
 std::string error_in(const std::string& log);
 
 } // namespace asperity::md

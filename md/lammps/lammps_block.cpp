@@ -10,7 +10,8 @@
 namespace asperity::md {
 namespace {
 
-/// What LAMMPS' own parts cannot be, said before anything is computed.
+/// Rejects settings that the LAMMPS engine does not support, before any
+/// computation.
 void require_supported(const cases::MdSettings& settings,
                        double poisson_ratio) {
   const auto refuse = [](const std::string& what) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// The block as LAMMPS is told of it: which atom has which number, which bonds
-// hold it, the law with the substrate. Owns the files that are the same for
-// every load step.
+// This file defines the block as represented in LAMMPS: the numbering of the
+// atoms, the bonds and the pair potential with the substrate. It generates the
+// files that are common to all load steps.
 
 #include "base/grid.hpp"
 #include "md/contact/atomic_contact.hpp"
@@ -16,14 +16,15 @@
 
 namespace asperity::md {
 
-/// x, y, z of every atom of the block [m] (forces: [N]), z over the mean plane
-/// of the substrate. Atom (ix, iy) of layer k from below is at
-/// k layer.size() + layer.index(ix, iy), and LAMMPS counts it from 1.
+/// Positions x, y, z of every atom of the block [m], with z above the mean
+/// plane of the substrate, or forces [N]. Atom (ix, iy) of layer k, counted
+/// from the bottom, has the index k layer.size() + layer.index(ix, iy). LAMMPS
+/// numbers the atoms from 1.
 using BlockVectors = std::vector<std::array<double, 3>>;
 
-/// `cells` layers of cells of the central crystal, so cells + 1 of atoms, the
-/// uppermost of which stays flat; and the rigid atoms, which LAMMPS counts
-/// after the block's.
+/// The block consists of `cells` layers of cells of the central crystal, i.e.
+/// cells + 1 layers of atoms, of which the uppermost stays flat. The rigid
+/// atoms follow the block in the numbering of LAMMPS.
 struct LammpsBlock {
   Crystal crystal;
   Interaction interaction;
@@ -36,47 +37,51 @@ struct LammpsBlock {
     return layer.size() * (static_cast<std::size_t>(cells) + 1);
   }
 
-  /// k = mu a, of every whole bond [N/m].
+  /// Returns the stiffness k = mu a of a complete bond [N/m].
   double bond_stiffness() const;
 };
 
-/// LAMMPS' atom types.
+/// Atom types in LAMMPS.
 enum class AtomType { lowest = 1, inner = 2, top = 3, substrate = 4 };
 
-/// @throws cases::CaseError   the lattice is not central, or what only our own
-///                            engine does
+/// Converts a request.
+/// @throws cases::CaseError   the lattice is not central, or a setting is
+///                            supported only by the built-in engine
 /// @throws std::domain_error  grids, heights or a modulus outside their range
 LammpsBlock lammps_block(const AtomRequest& request);
 
-/// The flat block, undeformed, its lowest layer at `height` [m].
+/// Returns the positions of the flat, undeformed block with its lowest layer at
+/// `height` [m].
 BlockVectors undeformed(const LammpsBlock& block, double height);
 
-/// Mean height of the lowest layer [m].
+/// Returns the mean height of the lowest layer [m].
 double mean_height(const LammpsBlock& block, const BlockVectors& positions);
 
-/// RelaxationSettings::tolerance is compared with this: the norm of the forces
-/// left over on all atoms, as if the lowest layer bore them alone, relative to
-/// what the substrate does [1]. A mean over all layers would let a deep block
-/// off too soon.
+/// Returns the residual that is compared with RelaxationSettings::tolerance:
+/// the norm of the residual forces on all atoms, attributed to the lowest layer
+/// alone, relative to the contact force [1]. A mean over all layers would
+/// accept a deep block too early.
 /// @param force_norm     root of the sum of squares of all components [N]
 /// @param contact_force  sum over the lowest layer of |normal force| [N]
 double residual(const LammpsBlock& block, double force_norm,
                 double contact_force);
 
-/// LAMMPS' data file: masses, bonds and all atoms, the block undeformed with
-/// its lowest layer at `height` [m].
+/// Returns the data file of LAMMPS with masses, bonds and all atoms. The block
+/// is undeformed, with its lowest layer at `height` [m].
 std::string data_file(const LammpsBlock& block, double height);
 
-/// The section of pair_table() and the points it has.
+/// Section name and number of points of pair_table().
 inline constexpr const char* table_section = "ATOM_ON_SUBSTRATE";
 inline constexpr int table_points = 20000;
 
-/// pair_term() for LAMMPS' pair style table, even in r^2 up to the cut-off.
-/// @par Accuracy  LAMMPS interpolates linearly in r^2: 2e-6 of the force at
-///                r_0, less beyond.
+/// Returns pair_term() as a table for the LAMMPS pair style `table`,
+/// equidistant in r^2 up to the cutoff.
+/// @par Accuracy  LAMMPS interpolates linearly in r^2. The error is 2e-6 of the
+///                force at r_0 and smaller beyond.
 std::string pair_table(const Interaction& interaction);
 
-/// Positions of the block for LAMMPS' read_dump.
+/// Returns the positions of the block in the format of the LAMMPS command
+/// read_dump.
 std::string positions_file(const LammpsBlock& block,
                            const BlockVectors& positions);
 

@@ -29,7 +29,7 @@ double height_above(const LammpsBlock& block) {
          start_clearance;
 }
 
-/// Displacements from the lattice sites, heights.
+/// Lateral displacements from the lattice sites, and heights.
 struct Layer {
   std::vector<double> x;
   std::vector<double> y;
@@ -77,7 +77,8 @@ private:
   Interface interface_;
   std::filesystem::path folder_;
   LammpsProgram program_;
-  BlockVectors start_; ///< of the next step: above, then the last sound answer
+  BlockVectors start_; ///< initial state of the next step: the block above the
+                       ///< substrate, then the last valid solution
 };
 
 LammpsContact::LammpsContact(AtomRequest request)
@@ -125,7 +126,8 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
   return result;
 }
 
-/// Nothing of an earlier step may be taken for an answer to this one.
+/// Writes the input files and removes the output of the previous step, so that
+/// it cannot be mistaken for the result of this step.
 void LammpsContact::write_inputs(Control control, double amount) const {
   const cases::MdSettings& settings = request_.settings;
   LammpsTask task;
@@ -181,8 +183,9 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
   result.contact_count = result.inspection.in_contact / static_cast<double>(n);
   result.elastic_energy = answer.bond_energy / area;
   result.interface_energy = answer.pair_energy / area;
-  // A held block out of reach is in balance; a load is not, with nothing there
-  // to bear it.
+  // Under a prescribed height, a block beyond the range of the interaction is
+  // in equilibrium. Under a prescribed pressure it is not, because nothing
+  // supports the load.
   const bool is_free = control == Control::mean_gap &&
                        std::isinf(result.inspection.shortest_distance);
   result.residual =

@@ -1,8 +1,8 @@
 #pragma once
 
-// The block of atoms computed by LAMMPS, a program of other people, run as a
-// child process a load step: the independent judge of our own engine, and the
-// one for several processes.
+// This file declares the engine that runs LAMMPS as a child process for each
+// load step. It is an independent implementation against which the built-in
+// engine is verified, and the one that runs on several processes.
 
 #include "md/contact/atomic_contact.hpp"
 
@@ -10,16 +10,18 @@
 
 namespace asperity::md {
 
-/// The block is `central`, of one spacing down to the asked depth, its
-/// uppermost layer a rigid plate that carries the load. It is not linearised:
-/// bonds turn and stretch as they must, where our own engine has small strains.
+/// Creates a block with the lattice `central` and a uniform spacing down to the
+/// requested depth, whose uppermost layer is a rigid plate. The block is not
+/// linearised: bonds rotate and stretch, whereas the built-in engine assumes
+/// small strains.
 ///
-/// Files are exchanged in request.scratch / "lammps"; the log of every step
-/// stays there, and with settings.dump its atoms, step-0003.dump.
+/// Files are exchanged in request.scratch / "lammps". The log of every step
+/// remains there and, if settings.dump is set, also the atoms, e.g.
+/// step-0003.dump.
 ///
-/// @throws cases::CaseError   settings LAMMPS' parts cannot be, or no program
-///                            lmp
-/// @throws std::domain_error  what a part refuses
+/// @throws cases::CaseError   a setting is not supported by the LAMMPS engine,
+///                            or the program lmp is not found
+/// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_lammps_contact(AtomRequest request);
 
 } // namespace asperity::md

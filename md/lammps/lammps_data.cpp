@@ -1,4 +1,5 @@
-// The text of the files that LAMMPS reads before the first step.
+// This file generates the text of the files that LAMMPS reads before the first
+// step.
 #include "md/lammps/lammps_block.hpp"
 #include "md/lammps/lammps_units.hpp"
 
@@ -12,7 +13,8 @@
 namespace asperity::md {
 namespace {
 
-/// In the free lower face a bond belongs to half as many cells as inside.
+/// Bonds in the free lower surface belong to half as many cells as bonds
+/// inside.
 enum class BondType {
   edge = 1,
   face_edge = 2,
@@ -26,7 +28,8 @@ struct Bond {
   std::size_t second;
 };
 
-/// LAMMPS' number of the block's atom (ix, iy) of layer k, periodic in x, y.
+/// Returns the number in LAMMPS of the block's atom (ix, iy) of layer k,
+/// periodic in x and y.
 std::size_t number_of(const LammpsBlock& block, int ix, int iy, int k) {
   const int nx = block.layer.points_x;
   const int ny = block.layer.points_y;
@@ -34,8 +37,8 @@ std::size_t number_of(const LammpsBlock& block, int ix, int iy, int k) {
          block.layer.index((ix + nx) % nx, (iy + ny) % ny) + 1;
 }
 
-/// The bonds of one atom with its neighbours beside and above it. Bonds within
-/// the uppermost layer never stretch and are left out.
+/// Adds the bonds of one atom with its neighbours beside and above it. Bonds
+/// within the uppermost layer never stretch and are omitted.
 void add_bonds(const LammpsBlock& block, int ix, int iy, int k,
                std::vector<Bond>& bonds) {
   const std::size_t self = number_of(block, ix, iy, k);
@@ -72,8 +75,8 @@ AtomType type_of_layer(const LammpsBlock& block, int k) {
   return k == block.cells ? AtomType::top : AtomType::inner;
 }
 
-/// The harmonic bond of LAMMPS is K (r - r_0)^2, so K is half the stiffness. A
-/// balance of forces knows no mass; LAMMPS wants one.
+/// The harmonic bond energy of LAMMPS is K (r - r_0)^2, so K is half the
+/// stiffness. Equilibrium does not depend on the mass, but LAMMPS requires one.
 std::string header(const LammpsBlock& block, double height,
                    std::size_t n_bonds) {
   const double half = 0.5 * block.bond_stiffness() / metal::stiffness;

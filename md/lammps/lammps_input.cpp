@@ -12,20 +12,21 @@
 namespace asperity::md {
 namespace {
 
-/// Room beyond the cut-off in the neighbour lists [m]: lists are rebuilt when
-/// an atom has moved by half of it.
+/// Margin of the neighbour lists beyond the cutoff [m]. The lists are rebuilt
+/// when an atom has moved by half of it.
 constexpr double neighbour_skin = 0.5e-10;
 
-/// A minimiser of LAMMPS may stop for want of a descent in the energy's last
-/// digits; from the same place it then starts afresh.
+/// Number of attempts. A minimiser of LAMMPS may stop because roundoff in the
+/// energy prevents a further descent; it is then restarted from the same state.
 constexpr int attempts = 3;
 
-/// On the way to a height, a stage need only follow the substrate.
+/// During the approach to a prescribed height, a stage only needs to follow the
+/// substrate approximately.
 constexpr double stage_tolerance = 0.03;
 constexpr int stage_evaluations = 200;
 
-/// Neighbours an atom may have: the substrate's under it, with room to spare
-/// for slopes.
+/// Returns an upper bound of the number of neighbours of an atom: the substrate
+/// atoms below it, with a margin for slopes.
 int neighbours(const LammpsBlock& block) {
   const double radius = block.interaction.cutoff + neighbour_skin;
   const double in_disc =
@@ -33,9 +34,10 @@ int neighbours(const LammpsBlock& block) {
   return std::max(2000, static_cast<int>(4.0 * in_disc));
 }
 
-/// Bonds bind by number, and pairs are only those of the lowest layer with the
-/// substrate: every other pair of types is excluded, so nothing needs LAMMPS'
-/// lists of bonded neighbours beyond the first.
+/// Returns the lines that define the crystal. Bonds are defined by atom
+/// numbers, and only pairs of the lowest layer with the substrate interact. All
+/// other pairs of types are excluded, so the LAMMPS lists of bonded neighbours
+/// are not needed beyond the first.
 std::string crystal_lines(const LammpsBlock& block) {
   std::string text = fmt::format(
       "units metal\natom_style bond\natom_modify map array\n"
@@ -58,8 +60,9 @@ std::string crystal_lines(const LammpsBlock& block) {
                             lammps_file::start);
 }
 
-/// The addition to the lowest layer's forces takes their mean out of what is
-/// held. It does no work on what may move, so its energy is 0.
+/// Returns the lines that define constraints and load. The force added to the
+/// lowest layer removes the mean of the constrained components. It does no work
+/// on the free displacements, so its energy is 0.
 std::string load_lines(const LammpsBlock& block, const LammpsTask& task) {
   const bool is_height = task.control == cases::Control::mean_gap;
   const double load =
@@ -80,8 +83,9 @@ std::string load_lines(const LammpsBlock& block, const LammpsTask& task) {
       is_height ? "-c_mean[3]" : "0.0", -load);
 }
 
-/// FIRE's time step follows the fastest vibration, sqrt(12 k/m), which it may
-/// approach with ten times the step.
+/// Returns the lines that select the minimiser. The time step of FIRE is based
+/// on the highest frequency, sqrt(12 k/m); FIRE may increase the step tenfold,
+/// which approaches the stability limit.
 std::string minimizer_lines(const LammpsBlock& block, const LammpsTask& task) {
   if (task.minimizer != cases::AtomMinimizer::fire)
     return "min_style cg\nmin_modify dmax 0.1 line quadratic\n";
@@ -92,8 +96,8 @@ std::string minimizer_lines(const LammpsBlock& block, const LammpsTask& task) {
                      0.17 / frequency / metal::time);
 }
 
-/// The norm LAMMPS stops at where the residual is `tolerance`, per contact
-/// force.
+/// Returns the force norm, relative to the contact force, at which LAMMPS must
+/// stop for the residual to equal `tolerance`.
 double stopping_norm(const LammpsBlock& block, double tolerance) {
   return tolerance / residual(block, 1.0, 1.0);
 }
@@ -102,8 +106,9 @@ std::string minimize(const std::string& norm, int evaluations) {
   return fmt::format("minimize 0.0 {} {} {}\n", norm, evaluations, evaluations);
 }
 
-/// The force the tolerance is relative to is not known beforehand: it is asked
-/// for after each stage. Far from any contact it is 0, and so is the residual.
+/// Returns the lines for a prescribed height. The contact force to which the
+/// tolerance refers is not known in advance; it is evaluated after each stage.
+/// Without contact it is 0, and so is the residual.
 std::string height_lines(const LammpsBlock& block, const LammpsTask& task) {
   const double way = task.start_height - task.amount;
   const int stages = std::max(
@@ -132,7 +137,8 @@ std::string pressure_lines(const LammpsBlock& block, const LammpsTask& task) {
   return text;
 }
 
-/// Without bonds and loads what is left on an atom is what the substrate does.
+/// Returns the lines that write the results. Without bonds and loads, the
+/// remaining force on an atom is that of the substrate.
 std::string answer_lines() {
   return fmt::format(
       "write_dump block custom {} id xu yu zu fx fy fz modify sort id "

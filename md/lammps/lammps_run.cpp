@@ -14,8 +14,9 @@ namespace {
 
 constexpr double seconds_between_looks = 0.25;
 
-/// Ours without what an MPI started in this process left there, and as root
-/// with the two variables that OpenMPI then asks for.
+/// Returns the environment of this process without the variables that an MPI
+/// started in this process has set and, for the root user, with the two
+/// variables that Open MPI then requires.
 std::vector<std::string> lammps_environment() {
   std::vector<std::string> variables = own_environment();
   std::erase_if(variables, [](const std::string& variable) {
@@ -29,7 +30,8 @@ std::vector<std::string> lammps_environment() {
   return variables;
 }
 
-/// mpirun ends its ranks when it is asked to end, not when it is killed.
+/// Builds the command. mpirun terminates its ranks if it is asked to terminate,
+/// but not if it is killed.
 ChildCommand lammps_command(std::vector<std::string> words,
                             const std::filesystem::path& folder,
                             const std::filesystem::path& output) {
@@ -38,8 +40,8 @@ ChildCommand lammps_command(std::vector<std::string> words,
   return command;
 }
 
-/// "Large-scale ... Simulator - 29 Sep 2021 - Update 2" from the first line
-/// with words of `lmp -h`.
+/// Returns the version, e.g. "29 Sep 2021 - Update 2", which follows "Simulator
+/// - " in the output of `lmp -h`.
 std::string version_of(const std::filesystem::path& lmp,
                        const std::filesystem::path& folder) {
   const std::filesystem::path output = folder / "lammps-version.txt";

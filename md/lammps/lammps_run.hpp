@@ -1,7 +1,7 @@
 #pragma once
 
-// The program lmp as a child process: found, started, watched, ended. Owns
-// everything about processes; knows nothing of atoms.
+// This file runs the program lmp as a child process. It finds, starts, monitors
+// and ends the process, and does not depend on the atomistic model.
 
 #include <filesystem>
 #include <functional>
@@ -13,31 +13,32 @@ struct LammpsProgram {
   std::filesystem::path lmp;
   std::filesystem::path mpirun; ///< empty for one rank
   int ranks = 1;
-  std::string version; ///< as lmp says it: "29 Sep 2021 - Update 2"
+  std::string version; ///< as reported by lmp: "29 Sep 2021 - Update 2"
 };
 
-/// The programs a run needs, their version not yet asked for; touches no file.
-/// @throws cases::CaseError  one of them is not installed
+/// Finds the programs that a run needs, without determining their version. It
+/// accesses no file of the run.
+/// @throws cases::CaseError  a program is not installed
 LammpsProgram require_lammps(int ranks);
 
-/// Looks along PATH.
-/// @param folder  for what lmp says of itself
-/// @throws cases::CaseError  no lmp there, or one that does not start; no
-///                           mpirun for more than one rank
+/// Searches PATH for the programs and determines the version of lmp.
+/// @param folder  working folder for the output of `lmp -h`
+/// @throws cases::CaseError  lmp is not found or does not start, or mpirun is
+///                           not found although more than one rank is requested
 LammpsProgram find_lammps(int ranks, const std::filesystem::path& folder);
 
 struct LammpsRun {
   bool finished = false;
-  std::string note; ///< why not: LAMMPS' own line and where its log is, or
-                    ///< that it was stopped
+  std::string note; ///< why not: the error message of LAMMPS and the location
+                    ///< of its log, or that it was stopped
 };
 
-/// Runs `input` in `folder` and waits for its end; LAMMPS' log goes to `log`
-/// and what else it says to `log` + ".out". The child ends with this process,
-/// however that ends.
+/// Runs `input` in `folder` and waits for its end. The log of LAMMPS is written
+/// to `log`, and its other output to `log` + ".out". The child process ends
+/// with this process, even if this process is killed.
 ///
-/// @param go_on  asked some times a second with the log so far; false stops
-///               the child
+/// @param go_on  called several times per second with the log so far; the
+///               return value false stops the child process
 LammpsRun run_lammps(const LammpsProgram& program,
                      const std::filesystem::path& folder,
                      const std::string& input, const std::string& log,

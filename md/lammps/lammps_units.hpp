@@ -1,7 +1,8 @@
 #pragma once
 
-// LAMMPS' units "metal" in SI: a number it writes times its unit here is SI,
-// an SI number over its unit is what it reads.
+// Conversion factors of the LAMMPS units "metal": a number written by LAMMPS
+// times its unit is in SI, and an SI number divided by the unit is what LAMMPS
+// reads.
 
 #include "base/physical_constants.hpp"
 

@@ -1,7 +1,9 @@
 #pragma once
 
-// Which waves of a grid look alike on the grid of half the points a side, in
-// the half spectra of both. Owns the bookkeeping of conjugates.
+// This file maps the modes of a lateral grid to the modes of the grid with half
+// as many points per side. It determines which fine modes alias to the same
+// coarse mode, in the half spectra of both grids, and handles complex
+// conjugates.
 
 #include "base/grid.hpp"
 
@@ -10,13 +12,14 @@
 
 namespace asperity::md {
 
-/// A mode of a half spectrum, or the conjugate of one.
+/// A mode of a half spectrum, or the conjugate of such a mode.
 struct HalfMode {
-  std::size_t index = 0; ///< into the half spectrum
+  std::size_t index = 0; ///< index into the half spectrum
   bool is_conjugate = false;
 };
 
-/// The mode (jx, jy) of the full spectrum, each any non-negative number.
+/// Returns the entry of the half spectrum that represents the mode (jx, jy) of
+/// the full spectrum. Both numbers may be any non-negative integers.
 inline HalfMode half_mode(const Grid& grid, int jx, int jy) {
   int x = jx % grid.points_x;
   int y = jy % grid.points_y;
@@ -30,7 +33,8 @@ inline HalfMode half_mode(const Grid& grid, int jx, int jy) {
           is_conjugate};
 }
 
-/// The four modes of the fine grid that are (jx, jy) on the coarse one.
+/// Returns the four modes of the fine grid that alias to the mode (jx, jy) of
+/// the coarse grid.
 inline std::array<HalfMode, 4> aliases(const Grid& fine, int jx, int jy) {
   const int x = jx + fine.points_x / 2;
   const int y = jy + fine.points_y / 2;

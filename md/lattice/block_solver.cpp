@@ -51,7 +51,9 @@ BlockSolver::BlockSolver(const MultiscaleBlock& block,
   plate_stiffness_ = below[0].zz;
 }
 
-/// @return  what the layer over the level feels of it, a mode
+/// Factorises the layers of one level, from the lowest upwards.
+/// @return  the contribution of this level to the stiffness of the layer above
+///          it, per mode
 std::vector<SymmetricBlock>
 BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
   Level& level = levels_[static_cast<std::size_t>(at)];
@@ -77,7 +79,7 @@ BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
       WaveBlock own = stiffness(slab.within_lower) + full(below[mode]);
       WaveBlock inverse = own.inverse();
       if (at == 0 && mode == 0) {
-        inverse(0, 0) = inverse(1, 1) = 0.0; // held: infinitely stiff
+        inverse(0, 0) = inverse(1, 1) = 0.0; // held, i.e. infinitely stiff
         if (footing_.is_height_held)
           inverse(2, 2) = 0.0;
       }
@@ -89,7 +91,8 @@ BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
         level.inverse[static_cast<std::size_t>(layer) * modes + mode] =
             packed(inverse);
       }
-      // The last level bears the plate itself, no interpolated layer.
+      // The last level is attached to the plate directly, without
+      // interpolation.
       const bool is_last = at + 1 == block_->shape().levels;
       const double share = is_last ? 1.0 : interpolated_share(x, y);
       level.share[mode] = share;
@@ -127,7 +130,7 @@ BlockSolver::spectra_of(std::span<const double> forces) const {
   return spectra;
 }
 
-/// Destroys the spectra.
+/// The spectra are overwritten.
 void BlockSolver::fields_of(Spectra& spectra, std::span<double> answer) const {
   for (int at = 0; at < block_->shape().levels; ++at) {
     const Grid grid = block_->level_grid(at);
@@ -148,7 +151,9 @@ void BlockSolver::fields_of(Spectra& spectra, std::span<double> answer) const {
   }
 }
 
-/// Forces on each layer with all below it gone, and on the layer above.
+/// Forward elimination within one level. On return, `layers` holds the forces
+/// on each layer after elimination of the layers below it; the returned value
+/// is the force on the layer above the level.
 std::vector<std::complex<double>>
 BlockSolver::eliminate(int at, std::vector<Complex>& layers) const {
   const Level& level = levels_[static_cast<std::size_t>(at)];
@@ -175,8 +180,9 @@ BlockSolver::eliminate(int at, std::vector<Complex>& layers) const {
   return above;
 }
 
-/// Displacements of each layer, from those above: of the coarser level's
-/// lowest layer, or of the plate.
+/// Back substitution within one level: computes the displacements of each layer
+/// from those above it, which are the displacements of the coarser level's
+/// lowest layer or of the plate.
 void BlockSolver::substitute(int at, Complex* coarse, double plate,
                              std::vector<Complex>& layers) const {
   const Level& level = levels_[static_cast<std::size_t>(at)];
@@ -209,7 +215,8 @@ void BlockSolver::substitute(int at, Complex* coarse, double plate,
   });
 }
 
-/// Adds to the lowest layer of a level what the finer one leaves on it.
+/// Adds to the forces on the lowest layer of a level those that the elimination
+/// of the finer level transfers to it.
 void BlockSolver::gather(int at, std::vector<Complex>& lifted,
                          std::vector<Complex>& layers) const {
   const Grid grid = block_->level_grid(at);

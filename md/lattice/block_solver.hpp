@@ -1,7 +1,8 @@
 #pragma once
 
-// The explicit block solved exactly for given forces: one tree of small blocks
-// for each coarse wavevector. Owns the factors.
+// This file declares the direct solver of the explicit block for given forces.
+// The solver factorises one tree of small matrix blocks per coarse wavevector
+// and stores the factors.
 
 #include "base/fourier.hpp"
 #include "md/lattice/multiscale_block.hpp"
@@ -14,26 +15,28 @@
 
 namespace asperity::md {
 
-/// What a BlockSolver solves besides the block itself.
+/// Support conditions that a BlockSolver adds to the stiffness of the block.
 struct BlockFooting {
-  double contact_stiffness = 0.0; ///< on every atom of the lowest layer, in
-                                  ///< each direction [N/m] >= 0
-  bool is_height_held = false;    ///< the mean z of the lowest layer is fixed;
-                                  ///< its mean x and y always are
+  double contact_stiffness = 0.0; ///< stiffness on every atom of the lowest
+                                  ///< layer, in each direction [N/m], >= 0
+  bool is_height_held = false;    ///< whether the mean z of the lowest layer is
+                                  ///< fixed; its mean x and y always are
 };
 
-/// u = (K + k_c)^-1 F with K the stiffness of a MultiscaleBlock, all levels and
-/// the plate included.
+/// Computes u = (K + k_c)^-1 F, where K is the stiffness of a MultiscaleBlock
+/// with all levels and the plate, and k_c is the contact stiffness.
 ///
-/// Within a level a lateral wave couples the layers as a block tridiagonal
-/// matrix. Interpolation between two levels is the same at every coarse atom,
-/// so a coarse wave hangs together with the four fine ones that look alike on
-/// the coarse grid and with no other: elimination from the lowest layer up
-/// meets no fill, and costs what one level costs.
+/// Within a level, each lateral wavevector couples the layers through a block
+/// tridiagonal matrix. The interpolation between two levels is the same at
+/// every coarse atom, so a coarse mode couples only to the four fine modes that
+/// alias to it. Block elimination from the lowest layer upwards therefore
+/// produces no fill-in, and its cost per level is the cost of a single-level
+/// block.
 class BlockSolver {
 public:
-  /// @throws std::domain_error  no contact stiffness and no height held either:
-  ///                            the block could fly off
+  /// @throws std::domain_error  the contact stiffness is zero and the mean
+  ///                            height is not held, so that the rigid
+  ///                            translation in z is not determined
   BlockSolver(const MultiscaleBlock& block, const BlockFooting& footing,
               int threads = 1);
 
@@ -51,13 +54,14 @@ private:
     Level(const Grid& grid) : fourier(grid) {}
 
     RealFourier fourier;
-    std::vector<double> share;                  ///< interpolated_share a mode
-    std::vector<std::array<double, 9>> upwards; ///< on a layer from the next
-    std::vector<SymmetricBlock> inverse; ///< of a layer with all below it gone:
-                                         ///< layer by mode
+    std::vector<double> share;                  ///< interpolated_share per mode
+    std::vector<std::array<double, 9>> upwards; ///< coupling to the next layer
+    std::vector<SymmetricBlock> inverse; ///< of a layer, with all layers below
+                                         ///< it eliminated; layer by mode
   };
 
-  /// Three spectra a layer, -i x, -i y, z, one layer behind the other.
+  /// Three spectra per layer, -i x, -i y and z, stored contiguously layer by
+  /// layer.
   using Spectra = std::vector<std::vector<Complex>>;
 
   std::vector<SymmetricBlock>
@@ -74,7 +78,7 @@ private:
   BlockFooting footing_;
   int threads_;
   std::vector<Level> levels_;
-  double plate_stiffness_ = 0.0; ///< with everything below it gone [N/m]
+  double plate_stiffness_ = 0.0; ///< all layers below eliminated [N/m]
 };
 
 } // namespace asperity::md

@@ -16,7 +16,7 @@ double shear_modulus(const Crystal& crystal) {
   return crystal.youngs_modulus / (2.0 * (1.0 + crystal.poisson_ratio));
 }
 
-/// kappa = lambda - mu.
+/// Returns kappa = lambda - mu.
 double dilatation_modulus(const Crystal& crystal) {
   const double nu = crystal.poisson_ratio;
   return shear_modulus(crystal) * (4.0 * nu - 1.0) / (1.0 - 2.0 * nu);
@@ -32,7 +32,7 @@ void require(const Crystal& crystal) {
     refuse_argument("poisson_ratio", nu, "1/4 for central springs");
 }
 
-/// Adds (1/2) stiffness (direction . (u_second - u_first))^2.
+/// Adds the spring energy (1/2) stiffness (direction . (u_second - u_first))^2.
 void add_spring(CellStiffness& matrix, std::size_t first, std::size_t second,
                 const LatticeVector& direction, double stiffness) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ void add_spring(CellStiffness& matrix, std::size_t first, std::size_t second,
   }
 }
 
-/// The twelve edges, a quarter of each.
+/// Adds the twelve edges, a quarter of each.
 void add_edges(CellStiffness& matrix, double normal, double tangential) {
   for (std::size_t corner = 0; corner < corners; ++corner) {
     for (std::size_t along = 0; along < 3; ++along) {
@@ -62,7 +62,7 @@ void add_edges(CellStiffness& matrix, double normal, double tangential) {
   }
 }
 
-/// The twelve face diagonals, half of each.
+/// Adds the twelve face diagonals, half of each.
 void add_face_diagonals(CellStiffness& matrix, double stiffness) {
   for (std::size_t normal = 0; normal < 3; ++normal) {
     const std::size_t along = (normal + 1) % 3;
@@ -81,8 +81,8 @@ void add_face_diagonals(CellStiffness& matrix, double stiffness) {
   }
 }
 
-/// (1/2) kappa a^3 (div u)^2 with the mean divergence over the cell, the sum
-/// of +-u_axis / (4 a) over its corners.
+/// Adds (1/2) kappa a^3 (div u)^2, where div u is the mean divergence over the
+/// cell, the sum of +-u_axis / (4 a) over its corners.
 void add_dilatation(CellStiffness& matrix, double modulus, double spacing) {
   std::array<double, unknowns> divergence{};
   for (std::size_t corner = 0; corner < corners; ++corner)

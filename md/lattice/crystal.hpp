@@ -1,7 +1,8 @@
 #pragma once
 
-// The block's lattice: simple cubic, its energy a sum over cells. Owns the
-// springs; everything elastic in this room is made of one cell's stiffness.
+// This file defines the crystal of the block: a simple cubic lattice whose
+// energy is a sum over unit cells. All elastic operators of this module are
+// assembled from the stiffness matrix of one cell.
 
 #include <array>
 #include <cstddef>
@@ -9,18 +10,24 @@
 namespace asperity::md {
 
 enum class Lattice {
-  isotropic, ///< springs on edges and face diagonals, and cell dilatation
+  isotropic, ///< springs on edges and face diagonals, plus a dilatation energy
+             ///< per cell
   born,      ///< edges with a normal and a tangential spring
-  central,   ///< springs on edges and face diagonals alone: nu = 1/4
+  central,   ///< springs on edges and face diagonals only, so that nu = 1/4
 };
 
 /// A simple cubic crystal.
 ///
-/// isotropic: edges and face diagonals of stiffness k = mu a, and (1/2) kappa
-/// (div u)^2 a^3 a cell with kappa = lambda - mu; isotropic in the long-wave
-/// limit. born: edges of normal stiffness E a and tangential stiffness G a,
-/// G = E / (2 (1 + nu)): C_11 = E, C_44 = G, C_12 = 0; not invariant under
-/// rotation. central: isotropic without the dilatation, so nu must be 1/4.
+/// - isotropic: the edges and face diagonals are springs of stiffness k = mu a,
+/// and each cell has the energy (1/2) kappa (div u)^2 a^3 with
+/// kappa = lambda - mu. The crystal is isotropic in the long-wave limit.
+///
+/// - born: the edges have the normal stiffness E a and the tangential stiffness
+/// G a, where G = E / (2 (1 + nu)). Hence C_11 = E, C_44 = G, C_12 = 0. The
+/// energy is not invariant under rotation.
+///
+/// - central: as isotropic, but without the dilatation energy, so nu must be
+/// 1/4.
 struct Crystal {
   Lattice lattice = Lattice::isotropic;
   double spacing = 0.0;        ///< a [m] > 0
@@ -28,18 +35,20 @@ struct Crystal {
   double poisson_ratio = 0.0;  ///< nu [1], -1 < nu < 0.5
 };
 
-/// Second derivatives of one cell's energy [N/m], 24 x 24, symmetric, row
-/// major. Corner c = 0..7 lies at a (c & 1, (c >> 1) & 1, c >> 2); unknown 3 c
-/// + axis. Each bond belongs in equal parts to the cells around it (an edge to
-/// four, a face diagonal to two), so bonds in a free face count half.
+/// Second derivatives of the energy of one cell [N/m]: a symmetric 24 x 24
+/// matrix in row-major order. Corner c = 0..7 lies at a (c & 1, (c >> 1) & 1,
+/// c >> 2) and has the unknowns 3 c + axis. Each bond is shared equally by the
+/// cells around it (an edge by four, a face diagonal by two), so bonds in a
+/// free surface count half.
 using CellStiffness = std::array<double, 24 * 24>;
 
-/// @throws std::domain_error  a modulus, spacing or Poisson's ratio outside its
-///                            range; central with nu other than 1/4
+/// @throws std::domain_error  a modulus, the spacing or Poisson's ratio is
+///                            outside its range, or the lattice is central and
+///                            nu is not 1/4
 CellStiffness cell_stiffness(const Crystal& crystal);
 
-/// E* of the crystal in the limit of long waves [Pa]: E / (1 - nu^2), for born
-/// 2 sqrt(E G).
+/// Returns the contact modulus E* of the crystal in the long-wave limit [Pa]:
+/// E / (1 - nu^2), and 2 sqrt(E G) for the Born lattice.
 double long_wave_contact_modulus(const Crystal& crystal);
 
 } // namespace asperity::md

@@ -7,7 +7,7 @@
 namespace asperity::md {
 namespace {
 
-/// The coarse row above row iy, around the period.
+/// Returns the index of the coarse row after row iy, periodically.
 int next(int iy, int n_y) {
   return iy + 1 == n_y ? 0 : iy + 1;
 }

@@ -26,7 +26,7 @@ void require(const BlockShape& shape, double spacing) {
                       "the crystal's spacing [m]");
 }
 
-/// 2^level, the factor of lengths and stiffnesses.
+/// Returns 2^level, the scale factor of lengths and stiffnesses.
 double scale_of(int level) {
   return std::ldexp(1.0, level);
 }
@@ -160,7 +160,8 @@ double MultiscaleBlock::energy_and_forces(std::span<const double> state,
   });
   add_plate(state, forces);
 
-  // -f . u / 2 with heights over the plate's, a layer at a time.
+  // The energy is -f . u / 2 with heights relative to the plate, summed layer
+  // by layer.
   const double height = state[plate()];
   std::vector<double> works(
       static_cast<std::size_t>(shape_.levels * shape_.layers));
@@ -208,7 +209,8 @@ std::vector<double> MultiscaleBlock::masses(double atom_mass) const {
   for (int level = 0; level < shape_.levels; ++level) {
     const double mass = atom_mass * std::ldexp(1.0, 3 * level);
     for (int layer = 0; layer < shape_.layers; ++layer) {
-      // Under a coarse face hangs half a fine layer of 4 / 8 the mass.
+      // A coarse boundary atom (1/2) also carries the half fine layer below it,
+      // which has 4 atoms of 1/8 of the mass: 1/2 + 1/2 * 4/8 = 0.75.
       const double share = layer > 0 ? 1.0 : level > 0 ? 0.75 : 0.5;
       std::fill_n(masses.begin() +
                       static_cast<std::ptrdiff_t>(begin_of(level, layer)),

@@ -1,7 +1,8 @@
 #pragma once
 
-// The explicit block: layers of cells whose spacing doubles from level to
-// level. Owns the order of its atoms, their masses, energy and forces.
+// This file declares the explicit block, which consists of layers of cells
+// whose spacing doubles from level to level. The class defines the order of the
+// atoms and computes their masses, energy and forces.
 
 #include "base/grid.hpp"
 #include "md/lattice/crystal.hpp"
@@ -13,32 +14,39 @@
 
 namespace asperity::md {
 
-/// How an explicit block is divided.
+/// Shape of an explicit block.
 struct BlockShape {
-  Grid layer;     ///< of the lowest layer of atoms, square cells of the
-                  ///< crystal's spacing
-  int levels = 1; ///< >= 1
-  int layers = 6; ///< of cells a level, >= 1
+  Grid layer;     ///< grid of the lowest layer of atoms; its cells are squares
+                  ///< of the crystal's spacing
+  int levels = 1; ///< number of levels, >= 1
+  int layers = 6; ///< layers of cells per level, >= 1
 };
 
-/// Level l = 0..levels-1 is `layers` layers of cells of spacing 2^l a on a grid
-/// of N / 2^l atoms a side. A cell's stiffness scales by 2^l, which keeps the
-/// moduli, and the mass of its atoms by 8^l, which keeps the density; bonds and
-/// mass in a face count half. The layer of atoms between two levels is the
-/// coarse one's: the fine atoms there that have no coarse one in their place
-/// hang on the coarse ones bilinearly, and the forces on them go to the coarse
-/// ones in the same shares. The top is a rigid plate that moves in z alone.
-/// After Yang, Tartaglino, Persson, Eur. Phys. J. E 19, 47 (2006).
+/// A block of atoms that is coarsened away from the contact.
 ///
-/// The state: planes x, y, z of each free layer of atoms from the lowest up,
-/// level after level, each in its own grid's storage order; last the plate. x
-/// and y are displacements, z is height less the layer's own height in the
-/// block at rest, so the block at rest has one number for all z [m].
+/// Level l = 0..levels-1 consists of `layers` layers of cells of spacing 2^l a
+/// on a grid of N / 2^l atoms per side. The stiffness of a cell scales with
+/// 2^l, which preserves the elastic moduli, and the mass of its atoms with 8^l,
+/// which preserves the density. Bonds and masses in a boundary plane of a level
+/// count half. The layer of atoms between two levels belongs to the coarse
+/// level: the fine atoms in this plane that do not coincide with coarse atoms
+/// are hanging nodes, whose displacements are interpolated bilinearly and whose
+/// forces are distributed to the coarse atoms with the same weights. The far
+/// boundary is a rigid plate that moves only in z. The scheme follows Yang,
+/// Tartaglino and Persson, Eur. Phys. J. E 19, 47 (2006).
+///
+/// The state vector contains the planes x, y, z of each free layer of atoms
+/// from the lowest layer upwards, level after level, each in the storage order
+/// of its own grid, and finally the height of the plate. The values x and y are
+/// displacements; z is the height minus the height of the layer above the
+/// lowest one in the block at rest, so that z has the same value everywhere in
+/// the block at rest [m].
 class MultiscaleBlock {
 public:
-  /// @throws std::domain_error  levels or layers < 1, a side of the layer that
-  ///                            2^(levels-1) does not divide, spacings of the
-  ///                            layer other than the crystal's, a bad crystal
+  /// @throws std::domain_error  levels or layers < 1, a side of the layer is
+  ///                            not divisible by 2^(levels-1), the spacings of
+  ///                            the layer differ from that of the crystal, or
+  ///                            the crystal is invalid
   MultiscaleBlock(const Crystal& crystal, const BlockShape& shape,
                   int threads = 1);
 
@@ -46,44 +54,47 @@ public:
 
   Grid level_grid(int level) const;
 
-  std::size_t size() const { return size_; } ///< unknowns
+  std::size_t size() const { return size_; } ///< number of unknowns
 
   std::size_t plate() const { return size_ - 1; } ///< index of the plate's z
 
-  /// Index of the first unknown of layer 0..layers-1 of a level.
+  /// Returns the index of the first unknown of a layer 0..layers-1 of a level.
   std::size_t begin_of(int level, int layer) const;
 
-  /// Height of that layer over the lowest in the block at rest [m].
+  /// Returns the height of that layer above the lowest one in the block at rest
+  /// [m].
   double height_of(int level, int layer) const;
 
   double depth() const { return height_of(shape_.levels, 0); } ///< [m]
 
-  /// Of one layer of cells of a level.
+  /// Returns the couplings of one layer of cells of a level.
   const SlabCouplings& couplings(int level) const {
     return couplings_[static_cast<std::size_t>(level)];
   }
 
-  /// Overwrites `forces` with minus the energy's gradient.
+  /// Overwrites `forces` with the negative gradient of the energy.
   /// @return  elastic energy [J], 0 at rest
-  /// @par Accuracy  rounding; the same bits for any number of threads
+  /// @par Accuracy  Roundoff only. The result is bitwise identical for any
+  ///                number of threads.
   double energy_and_forces(std::span<const double> state,
                            std::span<double> forces) const;
 
-  /// Elastic energy without that of the layers' mean displacements, the
-  /// uniform compression among them [J].
+  /// Returns the elastic energy without the contribution of the mean
+  /// displacement of each layer, and hence without uniform compression [J].
   double energy_of_waves(std::span<const double> state) const;
 
-  /// Mass of each unknown, `atom_mass` that of an atom inside level 0 [kg].
+  /// Returns the mass of each unknown [kg]; `atom_mass` is the mass of an atom
+  /// in the interior of level 0 [kg].
   std::vector<double> masses(double atom_mass) const;
 
 private:
-  /// Three planes of a state or of forces.
+  /// Returns the three planes of one layer, of a state or of forces.
   template <class Number>
   AtomPlane<Number> plane_of(std::span<Number> unknowns, int level,
                              int layer) const;
 
-  /// The fine atoms between two levels, displacements and forces, a level
-  /// below the last.
+  /// Displacements and forces of the fine plane of atoms between two levels.
+  /// There is one instance for each level except the last.
   struct Hanging {
     std::vector<double> displacements;
     std::vector<double> forces;
@@ -99,13 +110,13 @@ private:
   BlockShape shape_;
   int threads_ = 1;
   std::size_t size_ = 0;
-  double plate_stiffness_ = 0.0; ///< of the last cell layer, an atom [N/m]
+  double plate_stiffness_ = 0.0; ///< of the last cell layer, per atom [N/m]
 
-  std::vector<SlabCouplings> couplings_; ///< a level
+  std::vector<SlabCouplings> couplings_; ///< one entry per level
 
   struct RowJob {
     int level = 0;
-    int layer = 0; ///< layers of a level for the atoms that hang
+    int layer = 0; ///< the value `layers` denotes the plane of hanging nodes
     int row = 0;
   };
 

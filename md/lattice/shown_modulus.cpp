@@ -30,7 +30,7 @@ double shown_contact_modulus(const Crystal& crystal, int levels, int layers) {
         2.0 * std::numbers::pi *
         static_cast<double>(i % static_cast<std::size_t>(points)) / points);
   solver.solve(forces, answer);
-  const double compliance = // amplitude of z over that of the pressure
+  const double compliance = // ratio of the amplitudes of z and of the pressure
       2.0 * strip.cell_area() / static_cast<double>(n) *
       std::inner_product(forces.begin(), forces.end(), answer.begin(), 0.0);
   return 2.0 / (wavevector * compliance);

@@ -1,17 +1,18 @@
 #pragma once
 
-// The contact modulus an explicit block really shows. Owns the strip it is
-// measured on.
+// This file provides the effective contact modulus of an explicit block,
+// computed on a periodic strip.
 
 #include "md/lattice/crystal.hpp"
 
 namespace asperity::md {
 
-/// E* = 2 / (q C) [Pa] that a pressure wave of q a near 0.1 meets on a block of
-/// `levels` levels of `layers` layers of cells, C the displacement over the
-/// pressure: solved exactly on a strip one wave long, q a as near to 0.1 as the
-/// coarsest level allows.
-/// @throws std::domain_error  as MultiscaleBlock
+/// Returns the effective contact modulus E* = 2 / (q C) [Pa] of a block with
+/// `levels` levels of `layers` layers of cells for a sinusoidal pressure with
+/// q a close to 0.1, where C is the ratio of displacement to pressure. The
+/// response is solved exactly on a strip one wavelength long; q a is as close
+/// to 0.1 as the coarsest level allows.
+/// @throws std::domain_error  as the constructor of MultiscaleBlock
 double shown_contact_modulus(const Crystal& crystal, int levels, int layers);
 
 } // namespace asperity::md

@@ -15,8 +15,8 @@ bool is_odd(std::size_t axis, std::size_t i, std::size_t j) {
   return (i == axis) != (j == axis);
 }
 
-/// A row of a periodic grid and one more value at either end, with what its
-/// two neighbour rows add and differ by.
+/// A row of a periodic grid with one periodic ghost value at either end, and
+/// the sum and the difference of its two neighbouring rows.
 struct RowTriple {
   std::vector<double> centre;
   std::vector<double> sum;        ///< row above + row below
@@ -44,7 +44,7 @@ void load(const AtomPlane<const double>& plane, std::size_t axis, int iy,
   close_period(rows.difference);
 }
 
-/// Refuses a cell that differs from its image across x or y.
+/// Rejects a cell that differs from its mirror image in x or y.
 void require_mirror_planes(const CellStiffness& cell) {
   const double largest = std::abs(
       *std::max_element(cell.begin(), cell.end(), [](double a, double b) {
@@ -78,7 +78,7 @@ void LayerCoupling::add(const CellStiffness& cell, int to, int from,
       const bool is_behind = ((first ^ second) & 2U) != 0;
       const double sign_x = is_aside && (second & 1U) == 0 ? -1.0 : 1.0;
       const double sign_y = is_behind && (second & 2U) == 0 ? -1.0 : 1.0;
-      // An offset of length one comes in both signs, and once in the entry.
+      // An offset of length one occurs with both signs but is stored once.
       const double share =
           factor * (is_aside ? 0.5 : 1.0) * (is_behind ? 0.5 : 1.0);
       const std::size_t row = 3 * (first + 4 * static_cast<std::size_t>(to));
@@ -88,7 +88,8 @@ void LayerCoupling::add(const CellStiffness& cell, int to, int from,
         for (std::size_t j = 0; j < 3; ++j) {
           const double sign = (is_odd(0, i, j) ? sign_x : 1.0) *
                               (is_odd(1, i, j) ? sign_y : 1.0);
-          // What is odd and has no offset cancels between mirrored corners.
+          // Odd contributions without an offset cancel between mirrored
+          // corners.
           if ((is_odd(0, i, j) && !is_aside) || (is_odd(1, i, j) && !is_behind))
             continue;
           entries_[i][j][is_behind ? 1 : 0][is_aside ? 1 : 0] +=
@@ -155,8 +156,9 @@ std::array<double, 9> LayerCoupling::symbol(double angle_x,
                          (odd_y ? 0.0 : along_x * entry[0][1]) +
                          (odd_x ? 0.0 : along_y * entry[1][0]) +
                          along_x * along_y * entry[1][1];
-      // Times i for each odd direction: i i = -1; a single i is turned to 1 by
-      // the -i of x or y in the row, to i (i) = -1 by that of the column.
+      // Each odd direction contributes a factor i, so two give i i = -1. A
+      // single i is multiplied by -i (giving 1) if the lateral component is
+      // that of the row, or by i (giving -1) if it is that of the column.
       const double turn =
           (odd_x && odd_y) || ((odd_x != odd_y) && i == 2) ? -1.0 : 1.0;
       matrix[3 * i + j] = turn * sum;

@@ -13,26 +13,28 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-/// A slab that is its own mirror image in z.
+/// A slab that is mirror-symmetric in z.
 struct Slab {
   Matrix alike;  ///< F: force on the lower face, both faces moving alike
   Matrix across; ///< B: force on the lower face, the upper one moving
 };
 
-/// R M R with R = diag(1, 1, -1): the same seen from above.
+/// Returns R M R with R = diag(1, 1, -1), the mirror image of M in z.
 Matrix mirrored(Matrix matrix) {
   matrix.row(2) = -matrix.row(2);
   matrix.col(2) = -matrix.col(2);
   return matrix;
 }
 
-/// Eliminates the common face: with M its stiffness,
+/// Combines two slabs by elimination of their common face. With the stiffness M
+/// of that face,
 ///
 ///     B = -B_lower M^-1 B_upper
 ///     F = F_lower - B_lower M^-1 (R F_lower R + F_upper)
 ///
-/// the second from F = (lower face) + B and M = R (F_lower - B_lower) R +
-/// F_upper - B_upper, by hand, so that no large terms are subtracted.
+/// The second line follows from F = (lower face) + B and M =
+/// R (F_lower - B_lower) R + F_upper - B_upper. It is simplified by hand so
+/// that no large terms are subtracted.
 Slab stacked(const Slab& lower, const Slab& upper) {
   const Matrix common =
       mirrored(lower.alike - lower.across) + upper.alike - upper.across;
@@ -41,7 +43,7 @@ Slab stacked(const Slab& lower, const Slab& upper) {
           transfer * upper.across};
 }
 
-/// The upper face no longer matters to the lower one.
+/// Returns whether the upper face no longer affects the lower one.
 bool is_deep(const Slab& slab) {
   return slab.across.cwiseAbs().maxCoeff() <
          1e-18 * slab.alike.cwiseAbs().maxCoeff();
@@ -56,8 +58,9 @@ SymmetricBlock block_of(const Matrix& matrix) {
           0.5 * (matrix(1, 2) + matrix(2, 1))};
 }
 
-/// Whether the entry (row, column) joins a lateral axis and z: imaginary and
-/// odd in the wavevector, where all others are real and even.
+/// Returns whether the entry (row, column) couples a lateral axis to z. Such
+/// entries are imaginary and odd in the wavevector; all others are real and
+/// even.
 bool is_odd(std::size_t row, std::size_t column) {
   return (row == 2) != (column == 2);
 }
@@ -118,10 +121,10 @@ SymmetricBlock SlabSymbol::clamped(double angle_x, double angle_y,
         const auto column = static_cast<Eigen::Index>(j);
         const double alike = offset.moving_alike[3 * i + j];
         const double across = offset.across[3 * i + j];
-        // Multiplied by i or -i the odd entries become real: K_xz = -i S_xz.
+        // Multiplication by i or -i makes the odd entries real: K_xz = -i S_xz.
         const double sine = (i == 2 ? -1.0 : 1.0) * std::sin(angle);
-        // The sum of moving_alike over the offsets is 0 where it is even, so
-        // cos(angle) - 1 stands for cos(angle).
+        // The sum of moving_alike over the offsets vanishes for even entries,
+        // so cos(angle) may be replaced by cos(angle) - 1.
         power.alike(row, column) +=
             alike * (is_odd(i, j) ? sine : -2.0 * half * half);
         power.across(row, column) +=
@@ -130,7 +133,8 @@ SymmetricBlock SlabSymbol::clamped(double angle_x, double angle_y,
     }
   }
 
-  // The binary digits of `cells`, the largest power lowest.
+  // The slab is composed from the binary digits of `cells`, with the largest
+  // power of two at the bottom.
   Slab whole;
   bool is_begun = false;
   for (int rest = cells;; power = stacked(power, power)) {

@@ -26,13 +26,13 @@ const Grid& required(const Crystal& crystal, const Grid& layer) {
   return layer;
 }
 
-/// K(x, y) -> K(y, x) by the mirror x <-> y.
+/// Maps K(x, y) to K(y, x) by the mirror symmetry x <-> y.
 SymmetricBlock swapped(const SymmetricBlock& block) {
   return {block.yy, block.xx, block.zz, block.xy, block.yz, block.xz};
 }
 
-/// The eighth 0 <= jy <= jx <= n/2 of all wavevectors, from which symmetry
-/// makes the others.
+/// The octant 0 <= jy <= jx <= n/2 of all wavevectors, from which the others
+/// follow by symmetry.
 class Octant {
 public:
   Octant(const SlabSymbol& slab, int points, int cells, AtomModes modes) {
@@ -44,7 +44,8 @@ public:
         SymmetricBlock block = slab.clamped(angle(jx), angle(jy), cells);
         if (modes == AtomModes::normal)
           block = {.zz = 1.0 / inverse(block).zz};
-        // On the zone's edge +q and -q are one wave: what is odd is 0.
+        // On the zone boundary +q and -q are the same mode, so odd entries
+        // vanish.
         if (2 * jx == points)
           block.xy = block.xz = 0.0;
         if (2 * jy == points)
@@ -71,8 +72,9 @@ private:
   std::vector<SymmetricBlock> blocks_;
 };
 
-/// (x, y, z) = K (x, y, z) of true, unturned coefficients: the factors of i
-/// around the lateral ones leave a real even part and an imaginary odd one.
+/// Computes (x, y, z) = K (x, y, z) for Fourier coefficients without the
+/// factors -i. The even entries of K then remain real, and the odd ones become
+/// imaginary.
 void multiply(const SymmetricBlock& block, Complex& x, Complex& y, Complex& z) {
   const auto turned = [](double factor, const Complex& value) {
     return Complex(-factor * value.imag(), factor * value.real());
@@ -97,7 +99,7 @@ SurfaceStiffness::SurfaceStiffness(const Crystal& crystal, const Grid& layer,
   for (int jy = 0; jy < points; ++jy)
     for (int jx = 0; jx <= points / 2; ++jx)
       symbol_.push_back(octant.at(jx, signed_wavenumber(jy, points)));
-  symbol_[0] = {}; // the uniform displacement is free
+  symbol_[0] = {}; // the uniform displacement has no stiffness
   if (modes == AtomModes::vector) {
     x_.resize(layer.half_spectrum_size());
     y_.resize(layer.half_spectrum_size());
@@ -140,7 +142,7 @@ void SurfaceStiffness::from_spectra(const LayerForces& planes) {
 
 double SurfaceStiffness::apply(const LayerView& displacement,
                                const LayerForces& forces) {
-  // The transforms there and back multiply by the number of atoms.
+  // A forward and a backward transform multiply by the number of atoms.
   const double factor = 1.0 / static_cast<double>(layer().size());
   to_spectra(displacement);
   for (std::size_t j = 0; j < symbol_.size(); ++j) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// The block seen from its lowest layer of atoms: all wavevectors of the layer
-// at once. Owns the symbol of the surface and its way between the two spaces.
+// This file provides the surface stiffness of the block, i.e. its response at
+// the lowest layer of atoms for all lateral wavevectors. It stores the symbol
+// and transforms between real space and Fourier space.
 
 #include "base/fourier.hpp"
 #include "cases/types/case.hpp"
@@ -16,27 +17,30 @@
 
 namespace asperity::md {
 
-/// Stiffness that stands for the interface in front of every atom [N/m] >= 0.
+/// Stiffness on every atom that represents the interface [N/m], >= 0.
 struct ContactStiffness {
   double lateral = 0.0;
   double normal = 0.0;
 };
 
-/// K of the layer: forces that hold displacements u against the block above,
-/// whose top is clamped. The uniform displacement, q = 0, costs nothing here
-/// and is left to the caller.
+/// K is the surface stiffness of the lowest layer: it yields the forces that
+/// maintain the displacements u against the block above, whose far boundary is
+/// clamped. The uniform displacement, q = 0, has no stiffness here and is left
+/// to the caller.
 ///
-/// Modes::vector keeps all three directions. Modes::normal keeps u_z alone,
-/// with no tangential forces on the layer: K_n(q) = 1 / (K(q)^-1)_zz; planes x
-/// and y then neither act nor are acted on.
+/// AtomModes::vector includes all three directions. AtomModes::normal includes
+/// only u_z, with no tangential forces on the layer: K_n(q) = 1 / (K(q)^-1)_zz.
+/// The planes x and y then have no effect, and no forces act on them.
 ///
-/// An instance holds scratch: one thread at a time.
+/// An instance contains work arrays and must be used by one thread at a time.
 class SurfaceStiffness {
 public:
-  /// @param layer  square, even, its spacing that of the crystal
-  /// @param cells  layers of cells above, >= 1
-  /// @throws std::domain_error  as cell_stiffness; a layer that is not square,
-  ///                            odd or of another spacing; cells < 1
+  /// @param layer  square grid, even number of points per side, with the
+  ///               spacing of the crystal
+  /// @param cells  number of layers of cells above, >= 1
+  /// @throws std::domain_error  as cell_stiffness; or the layer is not square,
+  ///                            has an odd number of points or another spacing;
+  ///                            or cells < 1
   SurfaceStiffness(const Crystal& crystal, const Grid& layer, int cells,
                    cases::AtomModes modes, int threads = 1);
 
@@ -44,21 +48,21 @@ public:
 
   cases::AtomModes modes() const { return modes_; }
 
-  /// forces = K u [N]; returns the energy u K u / 2 [J].
+  /// Computes forces = K u [N] and returns the energy u K u / 2 [J].
   double apply(const LayerView& displacement, const LayerForces& forces);
 
-  /// displacement = (K + contact)^-1 forces without the mean of the forces;
-  /// the mean of the displacement is 0.
-  /// @param contact  its lateral part may be 0, and so may the normal one
+  /// Computes displacement = (K + contact)^-1 forces, ignoring the mean of the
+  /// forces; the mean of the displacement is 0.
+  /// @param contact  contact stiffness; its lateral and normal parts may be 0
   void solve(const LayerView& forces, const ContactStiffness& contact,
              const LayerForces& displacement);
 
-  /// What one atom meets that is pushed down alone [N/m]: the mean of zz over
-  /// all wavevectors.
+  /// Returns the stiffness of a single atom that is displaced normally [N/m],
+  /// which is the mean of K_zz over all wavevectors.
   double local_stiffness() const;
 
-  /// K of the half spectrum's wavevector (column jx, row jy); with Modes::
-  /// normal, zz alone.
+  /// Returns K at a wavevector of the half spectrum (column jx, row jy). With
+  /// AtomModes::normal, only the entry zz is set.
   const SymmetricBlock& at(int jx, int jy) const;
 
 private:

@@ -1,8 +1,8 @@
 #pragma once
 
-// The algebra of one wave of one layer: three amplitudes, x and y taken times
-// -i, and the real symmetric blocks that act on them. Owns what becomes of them
-// for the wave -q.
+// This file provides the algebra of one mode of one layer: three amplitudes, of
+// which x and y are multiplied by -i, and the real symmetric matrices that act
+// on them. It also defines how both transform from the mode q to the mode -q.
 
 #include "md/lattice/slab_symbol.hpp"
 
@@ -37,7 +37,7 @@ inline SymmetricBlock packed(const WaveBlock& matrix) {
           0.5 * (matrix(1, 2) + matrix(2, 1))};
 }
 
-/// sum += block, or the block of the wave -q.
+/// Adds the block, or the block of the mode -q, to the sum.
 inline void add(SymmetricBlock& sum, const SymmetricBlock& block,
                 bool is_conjugate) {
   const double sign = is_conjugate ? -1.0 : 1.0;
@@ -49,14 +49,15 @@ inline void add(SymmetricBlock& sum, const SymmetricBlock& block,
   sum.yz += sign * block.yz;
 }
 
-/// The amplitudes of the same real fields' wave -q, if asked for.
+/// Returns the amplitudes of the same real fields at -q if `is_conjugate` is
+/// set, and the vector itself otherwise.
 inline WaveVector conjugated(const WaveVector& vector, bool is_conjugate) {
   if (!is_conjugate)
     return vector;
   return {-std::conj(vector(0)), -std::conj(vector(1)), std::conj(vector(2))};
 }
 
-/// Three spectra of a layer, each n modes long, one behind the other.
+/// Three spectra of a layer, each with n modes, stored contiguously.
 struct WavePlanes {
   std::complex<double>* x = nullptr;
   std::size_t n = 0;

@@ -7,10 +7,11 @@
 namespace asperity::md {
 namespace {
 
-/// Unknowns that stay in the nearest cache while all pairs pass over them.
+/// Number of unknowns that remain in the first-level cache while all pairs are
+/// applied to them.
 constexpr std::size_t block = 2048;
 
-/// Sums that a processor may run side by side, in a fixed order.
+/// Number of partial sums, in a fixed order, that allow vectorisation.
 constexpr std::size_t lanes = 8;
 
 double dot_of_floats(const float* left, const double* right,
@@ -28,7 +29,7 @@ double dot_of_floats(const float* left, const double* right,
   return sum;
 }
 
-/// The products of each column with x.
+/// Returns the inner products of each column with x.
 std::vector<double> products(const std::vector<const float*>& columns,
                              std::span<const double> x) {
   std::vector<double> sums(columns.size(), 0.0);
@@ -40,7 +41,7 @@ std::vector<double> products(const std::vector<const float*>& columns,
   return sums;
 }
 
-/// x += sum of factors times columns.
+/// Adds the linear combination of the columns to x.
 void add(const std::vector<const float*>& columns,
          const std::vector<double>& factors, std::span<double> x) {
   for (std::size_t begin = 0; begin < x.size(); begin += block) {
@@ -99,7 +100,8 @@ void CurvatureMemory::learn(std::span<const double> direction, double length,
   }
   const double curvature =
       dot_of_floats(pair.step.data(), fall.data(), unknowns_);
-  // Below this the curvature is the rounding of single precision.
+  // Below this threshold the curvature is dominated by single-precision
+  // roundoff.
   if (!(curvature > 1e-7 * std::sqrt(step_square * fall_square)))
     return;
   kept_.push_back(slot);

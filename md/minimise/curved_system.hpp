@@ -1,7 +1,7 @@
 #pragma once
 
-// A system that knows its second derivatives. Owns what Newton's method needs
-// besides forces.
+// This file declares the interface of systems that provide second derivatives
+// for Newton's method.
 
 #include "md/minimise/system.hpp"
 
@@ -11,29 +11,30 @@ namespace asperity::md {
 
 class CurvedSystem : public System {
 public:
-  /// Takes the second derivatives at `state` for the calls below: one sum over
-  /// all pairs.
+  /// Computes the second derivatives at `state` for the calls below, which
+  /// requires one sum over all pairs.
   virtual void linearise(std::span<const double> state) = 0;
 
-  /// No single atom's interface shall be softer than minus `share` of what the
-  /// bulk sets against that atom moving alone: what is softer is replaced.
-  /// Infinity leaves the second derivatives as they are; with 0 they are
-  /// positive semidefinite. Takes them as linearise() found them.
+  /// Limits the negative curvature of the interface: for each atom, eigenvalues
+  /// below minus `share` times the bulk stiffness of a single displaced atom
+  /// are raised to this bound. With infinity the second derivatives are
+  /// unchanged; with 0 those of the interface are positive semidefinite. Each
+  /// call starts from the result of linearise().
   /// @param share  >= 0 [1]
   virtual void limit_softness(double share) = 0;
 
-  /// forces = what a small `step` takes off the forces [N]: second derivatives
-  /// times step, what the load holds fixed taken out.
+  /// Computes forces = second derivatives times step [N], which is the decrease
+  /// of the forces for a small `step`, with the constrained components removed.
   virtual void curvature_times(std::span<const double> step,
                                std::span<double> forces) const = 0;
 
-  /// step = P forces, P as in System::precondition, but made from the second
-  /// derivatives.
+  /// Computes step = P forces with P as in System::precondition(), but based on
+  /// the second derivatives.
   virtual void precondition_curved(std::span<const double> forces,
                                    std::span<double> step) const = 0;
 
-  /// Shortens each atom's part of a step that is longer than `longest` [m] to
-  /// that; what the load holds fixed stays so.
+  /// Limits the displacement of each atom in a step to `longest` [m], and
+  /// maintains the constraints of the load.
   virtual void shorten(std::span<double> step, double longest) const = 0;
 };
 

@@ -9,17 +9,17 @@
 namespace asperity::md {
 namespace {
 
-// Bitzek et al. (2006), after their equation (1).
+// Constants of Bitzek et al. (2006), listed after their Eq. (1).
 constexpr int fewest_steps_downhill = 5;
 constexpr double growth = 1.1;
 constexpr double shrinkage = 0.5;
 constexpr double first_mixing = 0.1;
 constexpr double mixing_decay = 0.99;
-// The frequencies are near 1: the largest step is stable up to 2.
+// The frequencies are near 1, and the integration is stable up to a step of 2.
 constexpr double first_time_step = 0.1;
 constexpr double largest_time_step = 1.0;
 
-/// values = keep * values + factor * other.
+/// Computes values = keep * values + factor * other.
 void mix(std::vector<double>& values, double keep,
          const std::vector<double>& other, double factor) {
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -45,7 +45,7 @@ public:
         largest_magnitude(forces_) / evaluation.contact_force;
   }
 
-  /// From the forces at `state` to the next state.
+  /// Advances `state` by one step with the current forces.
   void step(std::vector<double>& state) {
     system_.precondition(forces_, settings_.contact_stiffness, pull_);
     const double power = dot(forces_, velocity_);
@@ -54,7 +54,7 @@ public:
         time_step_ = std::min(growth * time_step_, largest_time_step);
         mixing_ *= mixing_decay;
       }
-    } else if (length_ > 0.0) { // not at the very first step
+    } else if (length_ > 0.0) { // not at the first step
       mix(state, 1.0, velocity_, -0.5 * length_);
       std::ranges::fill(velocity_, 0.0);
       std::ranges::fill(momentum_, 0.0);
@@ -88,7 +88,7 @@ private:
   std::vector<double> momentum_; ///< P^-1 velocity
   int steps_downhill_ = 0;
   double time_step_ = first_time_step;
-  double length_ = 0.0; ///< of the last step, in velocities; 0 before it
+  double length_ = 0.0; ///< last step / velocity; 0 before the first step
   double mixing_ = first_mixing;
 };
 

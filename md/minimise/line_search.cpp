@@ -12,12 +12,13 @@
 namespace asperity::md {
 namespace {
 
-/// A step is taken when the slope behind it, uphill, is at most this share of
-/// the slope before it: far from an exact search, which costs evaluations.
+/// A step is accepted if the uphill slope at its end is at most this fraction
+/// of the initial downhill slope. The search is deliberately inexact because
+/// evaluations are expensive.
 constexpr double overshoot = 0.9;
 
-/// Energies nearer than this, relative, are equal: they are sums over all
-/// atoms.
+/// Relative difference below which two energies are considered equal, because
+/// they are sums over all atoms.
 constexpr double energy_rounding = 1e-10;
 
 } // namespace
@@ -49,7 +50,8 @@ Relaxation LineSearch::report() const {
   return report;
 }
 
-/// Where energies can be told apart they decide; nearer, the slopes.
+/// Compares the energies, or the slopes if the energies differ only by
+/// roundoff.
 bool LineSearch::is_lower(const Evaluation& after, double slope_before,
                           double slope_after) const {
   const double rounding = energy_rounding * std::abs(evaluation_.energy);
@@ -76,7 +78,8 @@ double LineSearch::search(const std::vector<double>& direction,
       evaluation_ = after;
       return length;
     }
-    // Where a straight line through both slopes is zero.
+    // The next trial is based on the zero of the linear interpolation of both
+    // slopes.
     const double zero = before / (before - slope);
     length *= zero > 0.1 ? std::min(zero, 0.7) : 0.1;
   }

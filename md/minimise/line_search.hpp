@@ -1,7 +1,7 @@
 #pragma once
 
-// The state of a minimisation and the search for a lower energy along a given
-// direction. Owns which trial step is taken, for every minimiser that searches.
+// This file declares the state of a minimisation together with a line search
+// for a lower energy. It is shared by all minimisers with line searches.
 
 #include "md/minimise/relaxation.hpp"
 #include "md/minimise/system.hpp"
@@ -14,8 +14,8 @@ namespace asperity::md {
 class LineSearch {
 public:
   /// Evaluates energy and forces at `state`, which later steps overwrite.
-  /// @param state     kept by reference
-  /// @param settings  kept by reference
+  /// @param state     stored by reference
+  /// @param settings  stored by reference
   LineSearch(const System& system, std::vector<double>& state,
              const RelaxationSettings& settings);
 
@@ -27,21 +27,23 @@ public:
 
   bool is_used_up() const { return evaluations_ >= settings_.max_evaluations; }
 
-  /// Evaluations, energy and residuals of the present state.
+  /// Returns the number of evaluations, the energy and the residuals of the
+  /// present state.
   Relaxation report() const;
 
-  /// Tries shorter and shorter steps along a direction until one lowers the
-  /// energy and does not overshoot, and takes it.
-  /// @param direction  of the first trial step, which is as long as
-  ///                   RelaxationSettings::largest_step allows
-  /// @return  the length that was taken, in directions; 0 if the direction
-  ///          points uphill or no trial step was good
+  /// Backtracks along a direction until a trial step lowers the energy without
+  /// overshooting, and accepts that step.
+  /// @param direction  full first trial step; it is shortened if
+  ///                   RelaxationSettings::largest_step requires it
+  /// @return  accepted step length relative to `direction`; 0 if the direction
+  ///          points uphill or no trial step was acceptable
   double search(const std::vector<double>& direction, int most_trials);
 
-  /// The forces before the step that was taken last.
+  /// Returns the forces before the last accepted step.
   const std::vector<double>& previous_forces() const { return trial_forces_; }
 
-  /// A vector of the size of the state that callers may use between searches.
+  /// Returns a vector of the size of the state that callers may use between
+  /// searches.
   std::vector<double>& scratch() { return trial_; }
 
 private:
@@ -60,12 +62,14 @@ private:
   int evaluations_ = 0;
 };
 
-/// Why a minimisation must stop before it converged; empty to go on.
+/// Returns why a minimisation must stop before convergence; empty if it may
+/// continue.
 std::string stop_reason(const Relaxation& now,
                         const RelaxationSettings& settings, const Watch& watch);
 
-/// @throws std::domain_error  a tolerance or step that is not positive, or a
-///                            state that is not of the system's size
+/// Checks the arguments of a minimiser.
+/// @throws std::domain_error  a tolerance or step is not positive, or the state
+///                            has a wrong size
 void require_minimisable(const System& system, std::span<const double> state,
                          const RelaxationSettings& settings);
 

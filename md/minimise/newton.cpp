@@ -9,14 +9,16 @@
 namespace asperity::md {
 namespace {
 
-constexpr double first_softness = 0.5;  ///< share the first step allows
-constexpr double least_softness = 0.05; ///< below it none is allowed
-constexpr double most_softness = 64.0;  ///< no interface of atoms gets there
-constexpr double softening = 1.2;       ///< of the share after a good step
-constexpr double stiffening = 0.6;      ///< and after a bad one
-constexpr int most_products = 80;       ///< in one step
-constexpr int soft_shortenings = 2;     ///< of one step before H is stiffened
-constexpr int last_shortenings = 20;    ///< where it cannot be
+constexpr double first_softness = 0.5;  ///< limit in the first step
+constexpr double least_softness = 0.05; ///< 0 is used below this value
+constexpr double most_softness = 64.0;  ///< never attained by an atomic
+                                        ///< interface
+constexpr double softening = 1.2;       ///< factor of the limit after an
+                                        ///< accepted step
+constexpr double stiffening = 0.6;      ///< and after a rejected one
+constexpr int most_products = 80;       ///< per step
+constexpr int soft_shortenings = 2;     ///< per step before H is stiffened
+constexpr int last_shortenings = 20;    ///< if H cannot be stiffened further
 
 class Newton {
 public:
@@ -39,7 +41,7 @@ public:
     return report;
   }
 
-  /// One step down. False if there is none.
+  /// Performs one step and returns whether an acceptable one was found.
   bool step() {
     system_.linearise(state_);
     ++linearisations_;
@@ -59,16 +61,17 @@ public:
   bool is_used_up() const { return search_.is_used_up(); }
 
 private:
-  /// The share of the forces that a step may leave: a tenth far away, less
-  /// near the balance, never far below what is asked.
+  /// Returns the relative tolerance of the linear solution (the forcing term):
+  /// 0.1 far from equilibrium, smaller near it, and never far below the
+  /// requested tolerance.
   double share_left() const {
     const double residual = search_.residual();
     return std::max(std::min(0.1, std::sqrt(residual)),
                     0.3 * settings_.tolerance / residual);
   }
 
-  /// step_ = (K + H)^-1 forces by conjugate gradients. False where they meet
-  /// negative curvature.
+  /// Computes step_ = (K + H)^-1 forces by conjugate gradients. Returns false
+  /// if negative curvature is encountered.
   bool solve() {
     const double asked = share_left();
     std::ranges::fill(step_, 0.0);
@@ -110,16 +113,17 @@ private:
   std::vector<double>& state_;
   LineSearch search_;
   std::vector<double> step_;
-  std::vector<double> rest_;      ///< of the forces, not yet held by the step
-  std::vector<double> scaled_;    ///< P rest
-  std::vector<double> direction_; ///< of conjugate gradients
+  std::vector<double> rest_;      ///< linear residual
+  std::vector<double> scaled_;    ///< P times the linear residual
+  std::vector<double> direction_; ///< search direction
   std::vector<double> product_;   ///< (K + H) direction
   int linearisations_ = 0;
   int products_ = 0;
   double softness_ = first_softness;
 };
 
-/// L-BFGS from where Newton's method ended, in one account.
+/// Continues with L-BFGS from the last Newton iterate and accumulates the
+/// counts of both methods.
 Relaxation taken_over(const System& system, std::vector<double>& state,
                       RelaxationSettings settings, const Watch& watch,
                       const Relaxation& so_far) {

@@ -1,7 +1,6 @@
 #pragma once
 
-// From a state to the nearest balance of forces by Newton's method. Owns how
-// far the second derivatives are believed.
+// This file declares an inexact Newton method for the equilibrium of forces.
 
 #include "md/minimise/curved_system.hpp"
 #include "md/minimise/relaxation.hpp"
@@ -10,17 +9,19 @@
 
 namespace asperity::md {
 
-/// Inexact Newton's method from `state`, which it overwrites with the answer:
-/// each step is what preconditioned conjugate gradients find of
-/// (K + H) step = forces, K the bulk's second derivatives and H the
-/// interface's, then brought down in energy as relax() does. Where conjugate
-/// gradients meet negative curvature, or the step no way down, H is made less
-/// soft (CurvedSystem::limit_softness) and solved for again; each good step
-/// doubles what is allowed. No atom moves by more than largest_step at a time,
-/// each shortened alone: one on its way down a slope does not hold up the rest.
+/// Minimises the energy from `state` by an inexact Newton method and overwrites
+/// `state` with the solution. Each step is the approximate solution of
+/// (K + H) step = forces by preconditioned conjugate gradients, where K and H
+/// are the second derivatives of the bulk and of the interface, followed by a
+/// line search as in relax(). If conjugate gradients encounter negative
+/// curvature, or if the line search fails, the negative curvature of H is
+/// reduced (CurvedSystem::limit_softness) and the system is solved again; each
+/// accepted step relaxes this limit. No atom moves by more than largest_step
+/// per step. The displacement of each atom is limited separately, so that a
+/// single atom sliding down a slope does not shorten the step of the others.
 ///
-/// The balance is that of relax(), which takes over where this gives up.
-/// `memory` and `contact_stiffness` are for then alone.
+/// The convergence criterion is that of relax(), which takes over if no step
+/// can be found. `memory` and `contact_stiffness` are used only in that case.
 /// @see  T. Steihaug, SIAM J. Numer. Anal. 20, 626 (1983);
 ///       S. C. Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17, 16 (1996)
 Relaxation relax_by_newton(CurvedSystem& system, std::vector<double>& state,

@@ -13,7 +13,7 @@
 namespace asperity::md {
 namespace {
 
-constexpr int shortenings = 20; ///< of one step before the memory is dropped
+constexpr int shortenings = 20; ///< per step before the memory is cleared
 
 class Descent {
 public:
@@ -29,18 +29,19 @@ public:
 
   bool is_used_up() const { return search_.is_used_up(); }
 
-  /// One step down. False if there is none.
+  /// Performs one step and returns whether an acceptable one was found.
   bool step() {
     if (step_by_memory())
       return true;
     if (memory_.size() == 0 || is_used_up())
       return false;
-    memory_.clear(); // what it taught no longer holds here
+    memory_.clear(); // the stored pairs do not apply here
     return step_by_memory();
   }
 
 private:
-  /// Along H forces, where H is the memory's inverse of the second derivatives.
+  /// Searches along H forces, where H is the L-BFGS approximation of the
+  /// inverse second derivatives.
   bool step_by_memory() {
     memory_.remaining(search_.forces(), search_.scratch());
     system_.precondition(search_.scratch(), settings_.contact_stiffness,
