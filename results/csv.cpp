@@ -10,7 +10,7 @@
 namespace asperity::results {
 namespace {
 
-/// The numbers of a row between realization and status, as headed.
+/// Headers of the numerical columns between realization and status.
 constexpr std::array number_headers{"step",
                                     "nominal_pressure [Pa]",
                                     "mean_gap [m]",
@@ -34,7 +34,7 @@ std::string quoted(const std::string& field) {
   return text + '"';
 }
 
-/// The column that a header names before its unit.
+/// Returns the column that a header names before its unit.
 const CurveColumn& headed_column(std::string_view header) {
   return curve_column(header.substr(0, header.find(' ')));
 }

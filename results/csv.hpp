@@ -1,6 +1,7 @@
 #pragma once
 
-// curves.csv: every step of every curve as one table for other programs.
+// This file writes curves.csv, which contains every step of every curve as one
+// table for use by other programs.
 
 #include "results/types/result.hpp"
 
@@ -9,8 +10,9 @@
 
 namespace asperity::results {
 
-/// RFC 4180 (lines end in CR LF, a field with comma, quote or line end is
-/// quoted): a header with the units, then a row a step,
+/// Returns the table in the format of RFC 4180 (lines end in CR LF; a field
+/// with a comma, a quote or a line break is quoted). A header with the units is
+/// followed by one row per step:
 ///
 ///     method,realization,step,nominal_pressure [Pa],mean_gap [m],
 ///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
@@ -18,11 +20,12 @@ namespace asperity::results {
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
 ///     cpu_time [s],status
 ///
-/// Numbers have the fewest digits that give the same double back; one a method
-/// does not have is "nan". Status is converged or not_converged.
+/// Numbers have the fewest digits that reproduce the same double. A quantity
+/// that a method does not provide is "nan". The status is converged or
+/// not_converged.
 std::string curves_csv(const Result& result);
 
-/// Writes it whole or not at all.
+/// Writes the table atomically.
 /// @throws std::system_error  naming the path
 void write_curves_csv(const Result& result, const std::filesystem::path& path);
 

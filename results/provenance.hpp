@@ -1,7 +1,7 @@
 #pragma once
 
-// What made a result: program, compiler, libraries, machine, cost. Owns the
-// names of these facts in the file.
+// This file collects the provenance of a result: program, compiler, libraries,
+// machine and cost. It defines the names under which these facts are stored.
 
 #include "results/types/result.hpp"
 
@@ -10,29 +10,33 @@
 
 namespace asperity::results {
 
-/// Facts of the program and the machine: version, commit, dirty ("yes" if the
-/// sources had uncommitted changes; both are "unknown" outside a checkout),
-/// compiler, build type, library versions, processor, cores, memory, host
-/// system. A report warns of numbers from a dirty program.
+/// Returns facts about the program and the machine: version, commit, dirty
+/// ("yes" if the sources had uncommitted changes; both are "unknown" outside a
+/// checkout), compiler, build type, library versions, processor, cores, memory
+/// and host system. A report warns of results that were computed by a program
+/// with uncommitted changes.
 Provenance program_facts();
 
-/// What decides the numbers a program computes, as one SHA-256: every source
-/// but those of reports and command line, compiler, flags, libraries. Equal
-/// stamps: the same numbers on the same processor.
+/// Returns a SHA-256 hash of everything that determines the computed numbers:
+/// all sources except those of reports and the command line, the compiler, its
+/// flags and the libraries. Programs with equal stamps compute the same numbers
+/// on the same processor.
 std::string build_stamp();
 
-/// "model name" of the first processor; "unknown" where the system says none.
+/// Returns the "model name" of the first processor, or "unknown" if the system
+/// does not provide it.
 std::string processor_name();
 
-/// "2026-01-31T12:34:56Z" [UTC]
+/// Returns the current time, e.g. "2026-01-31T12:34:56Z" [UTC].
 std::string utc_now();
 
-/// What a run costs, from construction on.
+/// Measures the cost of a run from its construction on.
 class RunClock {
 public:
   RunClock();
 
-  /// Wall time [s], CPU time of the process so far [s], its peak memory [MiB].
+  /// Returns the current time [UTC], the wall time [s], the CPU time of the
+  /// process so far [s] and its peak memory [MiB].
   Provenance facts() const;
 
 private:

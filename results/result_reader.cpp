@@ -28,7 +28,8 @@ std::string text_or(const Hdf5Group& group, const std::string& name,
   return group.has_attribute(name) ? group.text_attribute(name) : otherwise;
 }
 
-/// The children named 0, 1, ... of `group`, read each to its place in a list.
+/// Reads the children of `group` that are named 0, 1, ... into a list at these
+/// indices.
 template <class Item, class Read>
 std::vector<Item> read_indexed(const Hdf5Group& group, Read read) {
   std::vector<Item> items;
@@ -45,8 +46,8 @@ std::vector<Item> read_indexed(const Hdf5Group& group, Read read) {
   return items;
 }
 
-/// Names that go into figures, tables and file names.
-/// @throws Hdf5Error  one is not good
+/// Checks names that are used in figures, tables and file names.
+/// @throws Hdf5Error  a name is not permitted
 std::vector<std::string> good_names(std::vector<std::string> names,
                                     const std::string& place) {
   for (const std::string& name : names)
@@ -89,7 +90,8 @@ MethodRecord read_method(const Hdf5Group& group, const std::string& name) {
   return method;
 }
 
-/// What a map does not say of its grid is that of the surface below it.
+/// Completes the grid of a map, where the file does not specify it, from the
+/// grid of the surface of the realisation.
 void complete_grids(Result& result) {
   for (MethodRecord& method : result.methods)
     for (std::size_t r = 0; r < method.realizations.size(); ++r) {
@@ -170,9 +172,9 @@ FileContent read_file(const std::filesystem::path& path) {
   }
 }
 
-/// What the journal has beyond the file.
-/// @return  false if changes between the two are missing: a writer has put them
-///          into a newer file since this one was read
+/// Adds the records of the journal that are not yet in the file.
+/// @return  false if changes between the two are missing, because a writer has
+///          moved them into a newer file since this one was read
 bool merge_journal(FileContent& content, const std::filesystem::path& path) {
   std::uint64_t last = content.journal.folded;
   bool is_whole = true;
@@ -189,8 +191,9 @@ bool merge_journal(FileContent& content, const std::filesystem::path& path) {
   return is_whole;
 }
 
-/// Also of the journal's records, which no group of the file has.
-/// @throws cases::CaseError  a name of a method or table is not good
+/// Checks the names of methods and tables, including those from the journal,
+/// which are not names of groups in the file.
+/// @throws cases::CaseError  a name is not permitted
 void require_good_names(const Result& result) {
   try {
     for (const MethodRecord& method : result.methods)
@@ -203,7 +206,7 @@ void require_good_names(const Result& result) {
 }
 
 FileContent read_file_and_journal(const std::filesystem::path& path) {
-  constexpr int tries = 100; // a writer renames its file rarely
+  constexpr int tries = 100; // a writer rarely renames its file
   for (int i = 0; i < tries; ++i) {
     FileContent content = read_file(path);
     if (merge_journal(content, path))

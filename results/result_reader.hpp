@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a result file, ours or a foreign one of the same layout
-// (docs/results.md), into a Result.
+// This file reads a result file, written by this or another program in the same
+// layout (docs/results.md), into a Result.
 
 #include "results/types/result.hpp"
 
@@ -13,17 +13,18 @@
 
 namespace asperity::results {
 
-/// @param path  the file, or the folder whose result.h5 it is
-/// @return  everything in it. A number that is missing is NaN (counts: 0), a
-///          missing step is its row, a missing status converged; a missing or
-///          NaN contact stiffness is taken from the curve by differences; rows
-///          come in the order of their steps.
-/// @throws cases::CaseError  "file: ..." naming the group, dataset or
-///          attribute that is missing, not of its kind, or outside its range
-///          (validity.hpp)
+/// Reads and validates a result.
+/// @param path  the file, or the folder that contains result.h5
+/// @return  the complete contents. A missing number is NaN (counts: 0), a
+///          missing step is the index of its row, and a missing status is
+///          converged. A missing or NaN contact stiffness is computed from the
+///          curve by finite differences. Rows are sorted by step.
+/// @throws cases::CaseError  "file: ..." naming the group, dataset or attribute
+///                           that is missing, of the wrong kind or outside its
+///                           range (validity.hpp)
 Result read_result(const std::filesystem::path& path);
 
-/// Which steps of which (method, realization) a result holds.
+/// The steps of each (method, realization) that a result contains.
 using StepsDone = std::map<std::pair<std::string, int>, std::set<int>>;
 
 StepsDone steps_done(const Result& result);

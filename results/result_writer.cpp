@@ -34,7 +34,7 @@ void require_heights(const SurfaceRecord& surface) {
                  surface.grid.size());
 }
 
-/// What a new file says from its first moment.
+/// Writes the contents of a new file.
 void write_case(Hdf5File& file, const CaseInfo& info) {
   file.set_attribute("format", layout::format);
   file.set_attribute("format_version", layout::format_version);
@@ -239,7 +239,7 @@ void ResultWriter::finish(const std::string& status) {
   file_.fold([&](Hdf5File& file) {
     file.set_attribute("status", status);
     if (status != "complete")
-      return; // a resumed curve goes on: its ends are not yet ends
+      return; // a resumed curve will be extended, so its ends are not final
     for (const auto& [curve_of, steps] : steps_) {
       Hdf5Group curve = file.open("methods")
                             .open(curve_of.first)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Writes DIR/result.h5 step by step, so that a kill at any moment loses at
-// most the step in progress and leaves a file that opens.
+// This file writes DIR/result.h5 step by step. If the run is interrupted at any
+// moment, at most the current step is lost and the file remains readable.
 
 #include "results/result_reader.hpp"
 #include "results/storage/result_file.hpp"
@@ -16,118 +16,120 @@
 
 namespace asperity::results {
 
-/// SHA-256 of each input file by the key of the case that names it, and
-/// "program": the stamp of the build.
+/// SHA-256 of each input file by the key of the case that names it, and the
+/// stamp of the build under the key "program".
 using Inputs = std::map<std::string, std::string>;
 
-/// Of a result that was read: its facts "input <key>".
+/// Returns the inputs of a result that was read, i.e. its facts "input <key>".
 Inputs inputs_of(const Result& result);
 
-/// What a result says of its case.
+/// Information about the case that is stored in a result.
 struct CaseInfo {
   std::string name;
   std::string title;
-  std::string text; ///< byte for byte, without NUL
+  std::string text; ///< verbatim, without NUL
   std::string hash;
   double contact_modulus = 0.0; ///< E* [Pa] > 0
-  std::string reference = {};   ///< of reference.csv, as text; empty: none
-  Inputs inputs = {};           ///< what decides the numbers beside the text
+  std::string reference = {};   ///< text of reference.csv; empty: none
+  Inputs inputs = {};           ///< what else determines the numbers
 };
 
-/// The file's layout is docs/results.md. Each function below is one change: it
-/// goes whole to the journal beside the file (result_file.hpp), and from there
-/// into the file, at the latest in finish(). Readers see both as one. After a
-/// kill at any moment every change is there whole or not at all. One writer per
-/// folder; its functions may be called from any thread.
+/// The layout of the file is described in docs/results.md. Each member function
+/// that writes makes one atomic change, which is appended to the journal beside
+/// the file (result_file.hpp) and moved into the file later, at the latest in
+/// finish(). Readers combine both. After an interruption at any moment, each
+/// change is present either completely or not at all. There must be one writer
+/// per folder; its member functions may be called from any thread.
 ///
-/// All throw Hdf5Error or std::system_error when the disk or the library
-/// refuses: all changes before are then still there. Bad arguments are
-/// std::domain_error.
+/// All functions throw Hdf5Error or std::system_error if the file system or the
+/// library reports an error; all earlier changes are then preserved. Invalid
+/// arguments cause std::domain_error.
 class ResultWriter {
 public:
   enum class Mode {
-    create, ///< a new file, over an old one
-    resume  ///< goes on with an old one of the same case, else a new one
+    create, ///< creates a new file and replaces an existing one
+    resume  ///< continues an existing file of the same case, or creates one
   };
 
-  /// Makes the folder if need be. The file's status is "running" from here.
-  /// @throws cases::CaseError  resume, and the file is no result file, or of
-  ///                           another case, other input files or another
-  ///                           program; says which, and nothing is changed
+  /// Creates the folder if necessary and sets the status to "running".
+  /// @throws cases::CaseError  in mode `resume`, the file is not a result file,
+  ///                           or it belongs to another case, other input files
+  ///                           or another program. The message names the
+  ///                           difference, and nothing is changed.
   ResultWriter(const std::filesystem::path& folder, const CaseInfo& info,
                Mode mode = Mode::create);
 
-  /// DIR/result.h5
+  /// Returns DIR/result.h5.
   const std::filesystem::path& path() const { return file_.path(); }
 
   /// Adds facts or replaces those of the same name.
   void record_provenance(const Provenance& facts);
 
-  /// Replaces what was there of that realisation. Empty heights or spectrum
-  /// are left out.
-  /// @param realization  0..
+  /// Replaces the surface of a realisation; writes no empty map or spectrum.
+  /// @param realization  >= 0
   void record_surface(int realization, const SurfaceRecord& surface);
 
-  /// Once before the steps of a method; again (after a resume) it replaces
-  /// kind and description.
-  /// @param name  not empty, no '/'
+  /// Adds a method. It is called once before the steps of the method; when
+  /// called again after a resume, it replaces kind and description.
+  /// @param name  not empty, without '/'
   void begin_method(const std::string& name, const std::string& kind,
                     const std::string& description);
 
-  /// [s], of one method on one realisation.
+  /// Records the setup time of a method for one realisation [s].
   void record_setup_time(const std::string& method, int realization,
                          double cpu_time);
 
-  /// The surface of a method that did not run on the case's; replaces what was
-  /// there. Empty heights or spectrum are left out.
-  /// @throws std::domain_error  the method was not begun
+  /// As record_surface(), for a method with a surface other than the case's.
+  /// @throws std::domain_error  begin_method() was not called for this method
   void record_own_surface(const std::string& method, int realization,
                           const SurfaceRecord& surface);
 
-  /// Adds a row to a curve. A contact_stiffness of NaN is taken from the curve
-  /// by differences when the run is complete.
-  /// @throws std::domain_error  the method was not begun, or this step is there
+  /// Adds a row to a curve. A contact_stiffness of NaN is computed from the
+  /// curve by finite differences when the run is complete.
+  /// @throws std::domain_error  no begin_method() before, or the step exists
   void append_step(const std::string& method, int realization,
                    const CurvePoint& point);
 
-  /// The same for many rows at once, which costs no more than one.
+  /// Adds many rows at once, at the cost of a single change.
   void append_steps(const std::string& method, int realization,
                     std::span<const CurvePoint> points);
 
-  /// A row with its maps, both or neither.
-  /// @param grid  of the maps, the method's own; fields.grid is not read
+  /// Adds a row together with its maps in one change.
+  /// @param grid  grid of the maps, that of the method; fields.grid is not read
   void append_step_with_fields(const std::string& method, int realization,
                                const CurvePoint& point, const Grid& grid,
                                Fields fields);
 
-  /// Maps of a step, before its row (else a kill between leaves a step that
-  /// counts as done without its maps); replaces those of an earlier try.
+  /// Adds the maps of a step and replaces those of an earlier attempt. It must
+  /// be called before the row is added, because otherwise an interruption in
+  /// between would leave a step that counts as finished but has no maps.
   void append_fields(const std::string& method, int realization,
                      const Grid& grid, Fields fields);
 
-  /// True if that row is in the file, from this run or an earlier one.
+  /// Returns whether that row exists, from this run or an earlier one.
   bool has_step(const std::string& method, int realization, int step) const;
 
-  /// A study's table; replaces one of the same name.
-  /// @throws std::domain_error  a table or column without a name or with one
-  ///         that has '/', two columns of one name, or of different lengths
+  /// Records the table of a study and replaces one of the same name.
+  /// @throws std::domain_error  a name is empty or contains '/', two columns
+  ///                            have the same name, or they differ in length
   void record_table(const Table& table);
 
-  /// True if that table is in the file, from this run or an earlier one.
+  /// Returns whether that table exists, from this run or an earlier one.
   bool has_table(const std::string& name) const;
 
-  /// CPU time of this writer's changes [s]; to be asked when no other thread
-  /// writes.
+  /// Returns the CPU time of the changes of this writer [s]. It must not be
+  /// called while another thread writes.
   double cpu_time() const { return cpu_time_; }
 
-  /// What was not computed; replaces the list that was there.
+  /// Records what was not computed and replaces an earlier list.
   void record_skipped(std::span<const Skipped> skipped);
 
+  /// Moves all changes into the file and sets its status.
   /// @param status  complete | interrupted
   void finish(const std::string& status);
 
 private:
-  void record(Change change); // as all below: under mutex_
+  void record(Change change); // requires mutex_, as do the following
   void require_begun(const std::string& method, int realization) const;
   void require_new(const std::string& method, int realization,
                    std::span<const CurvePoint> points) const;
@@ -140,8 +142,8 @@ private:
   double cpu_time_ = 0.0; ///< [s]
 };
 
-/// Puts the changes that a killed run left in its journal into result.h5, so
-/// that the file can be moved. Does nothing where there is no result.
+/// Moves the changes that an interrupted run left in its journal into
+/// result.h5, so that the file can be moved, if there is a result.
 /// @throws as ResultWriter
 void settle_result(const std::filesystem::path& folder);
 

@@ -15,7 +15,8 @@
 namespace asperity::results {
 namespace {
 
-/// `line 12 of the case is "points = 64", but was "points = 128"`.
+/// Returns a text such as `line 12 of the case is "points = 64", but was
+/// "points = 128"`.
 std::string first_difference(const std::string& now,
                              const std::string& before) {
   std::istringstream new_text(now);

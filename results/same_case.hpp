@@ -1,6 +1,7 @@
 #pragma once
 
-// Inside results/ only: may a run go on with this result?
+// This internal header of results/ checks whether a run may continue an
+// existing result.
 
 #include "results/types/result.hpp"
 
@@ -8,9 +9,10 @@ namespace asperity::results {
 
 struct CaseInfo;
 
-/// @throws cases::CaseError  the result was computed from another case, other
-///                           input files or by another program; names every
-///                           difference
+/// Checks that the result belongs to the same case.
+/// @throws cases::CaseError  the result was computed from another case, from
+///                           other input files or by another program; the
+///                           message names every difference
 void require_same_case(const Result& old, const CaseInfo& info);
 
 } // namespace asperity::results

@@ -9,7 +9,7 @@
 namespace asperity::results {
 namespace {
 
-constexpr double longest_read = 600.0; // of processor time [s]
+constexpr double longest_read = 600.0; // CPU time [s]
 
 } // namespace
 
@@ -19,7 +19,7 @@ void require_readable(const std::filesystem::path& path) {
         try {
           read_result(path);
         } catch (const std::exception&) {
-          // The caller reads again and says what it is.
+          // The caller reads the file again and reports the error.
         }
       },
       {.cpu_time = longest_read});

@@ -1,16 +1,17 @@
 #pragma once
 
-// Reads a result from other people for a first time in a child process: the
-// packaged HDF5 library has errors of memory that a damaged file can reach.
+// This file reads a result from an untrusted source in a child process first,
+// because the packaged HDF5 library has memory errors that a damaged file can
+// trigger.
 
 #include <filesystem>
 
 namespace asperity::results {
 
-/// Returns if read_result() of `path` comes to an end, with a result or with an
-/// error of its own. No other thread of this process may be at work.
-/// @throws cases::CaseError  it does not: a signal ended the child, or it took
-///         more than ten minutes of processor time
+/// Returns if read_result() of `path` terminates normally, with a result or
+/// with an exception. No other thread of this process may be running.
+/// @throws cases::CaseError  the child process was terminated by a signal, or
+///                           it took more than ten minutes of CPU time
 void require_readable(const std::filesystem::path& path);
 
 } // namespace asperity::results

@@ -22,7 +22,7 @@ constexpr std::size_t most_lines = 10;
 constexpr ColumnRange finite{std::numeric_limits<double>::lowest(),
                              std::numeric_limits<double>::max()};
 
-/// The mistakes of one file.
+/// Collects the errors of one file.
 class Findings {
 public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
@@ -32,7 +32,7 @@ public:
       lines_.push_back(fmt::format("{}: {}{}", file_, place, what));
   }
 
-  /// A number that is wrong, its range and unit.
+  /// Adds an invalid number with its range and unit.
   void add(const std::string& place, double number, const ColumnRange& range,
            std::string_view unit) {
     add(place, fmt::format(" = {}, but {} [{}]", number, range.text(), unit));
@@ -53,7 +53,7 @@ private:
   std::size_t count_ = 0;
 };
 
-/// NaN where a number is missing or not determined.
+/// Checks a number, which is NaN if it is missing or not determined.
 void check_number(const std::string& place, double number,
                   const ColumnRange& range, std::string_view unit,
                   Findings& findings) {
@@ -61,7 +61,8 @@ void check_number(const std::string& place, double number,
     findings.add(place, number, range, unit);
 }
 
-/// The first number of a map that is not finite, and how many there are.
+/// Reports the first value of a map that is not finite, and the number of such
+/// values.
 void check_map(const std::string& place, std::span<const double> map,
                const Grid& grid, std::string_view unit, Findings& findings) {
   std::size_t bad = 0;
@@ -72,7 +73,7 @@ void check_map(const std::string& place, std::span<const double> map,
   if (bad == 0)
     return;
   const auto columns =
-      static_cast<std::size_t>(std::max(1, grid.points_x)); // 0: not known
+      static_cast<std::size_t>(std::max(1, grid.points_x)); // 0 if unknown
   findings.add(
       fmt::format("{}[{}, {}]", place, first / columns, first % columns),
       fmt::format(" = {}, but must be finite [{}]; {} of {} values are "
@@ -135,7 +136,7 @@ void check_surface(const std::string& place, const SurfaceRecord& surface,
   }
 }
 
-/// The columns of a study may be infinite, as where a gap never opens.
+/// Checks a table. Its values may be infinite, e.g. where a gap never opens.
 void check_table(const Table& table, Findings& findings) {
   for (const Column& column : table.columns)
     if (const CurveColumn* known = find_curve_column(column.name))

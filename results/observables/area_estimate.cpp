@@ -13,7 +13,7 @@
 namespace asperity::results {
 namespace {
 
-/// What (A.3) and (A.5) count over the pairs of neighbours of which one is in
+/// Sums of (A.3) and (A.5) over the pairs of neighbours of which one is in
 /// contact.
 struct Rim {
   double excess = 0.0; ///< sum of t - 1/2
@@ -34,7 +34,7 @@ public:
         pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; }));
   }
 
-  /// visit(node, right, above, across) with the neighbours of every node.
+  /// Calls visit(node, right, above, across) with the neighbours of every node.
   template <class Visit>
   void for_each_square(Visit visit) const {
     for (int iy = 0; iy < grid_.points_y; ++iy) {
@@ -72,7 +72,7 @@ private:
   std::span<const double> pressure_;
 };
 
-/// A_l/A_0 of (A.3), not yet kept within 0..1.
+/// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
 double line_share(const Contact& contact, const Rim& rim, double n) {
   return (static_cast<double>(contact.n_nodes()) + 0.5 * rim.excess) / n;
 }
@@ -90,10 +90,11 @@ double rim_share(double pressure_inside, double gap_outside, double spacing,
     return 1.0;
   const double root = 0.75 * contact_modulus * gap_outside /
                       (pressure_inside * spacing); // rho^(1/2)
-  // s = 1 - t solves s^3 + rho s = rho: Cardano's root, in hyperbolic form
+  // The root s = 1 - t of s^3 + rho s = rho is given by Cardano's formula in
+  // hyperbolic form.
   const double scale = root / std::sqrt(3.0);
   const double outside = 2.0 * scale * std::sinh(std::asinh(1.5 / scale) / 3.0);
-  if (!std::isfinite(outside)) // rho beyond what a double holds, or below
+  if (!std::isfinite(outside)) // overflow or underflow of rho
     return scale > 1.0 ? 0.0 : 1.0;
   return std::clamp(1.0 - outside, 0.0, 1.0); // (A.2)
 }

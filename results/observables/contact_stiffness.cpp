@@ -16,7 +16,7 @@ struct Point {
   double ln_p;
 };
 
-/// Slope at u of the parabola through three points (Newton's form).
+/// Returns the slope at u of the parabola through three points (Newton's form).
 double parabola_slope(const std::array<Point, 3>& points, double u) {
   const auto& [a, b, c] = points;
   const double slope_ab = (b.ln_p - a.ln_p) / (b.u - a.u);
@@ -50,7 +50,7 @@ contact_stiffness(std::span<const double> mean_gap,
     return stiffness;
   for (std::size_t i = 0; i < stiffness.size(); ++i) {
     const double slope = log_slope(mean_gap, nominal_pressure, i);
-    if (std::isfinite(slope)) // a log or a quotient above may not be
+    if (std::isfinite(slope)) // a logarithm or quotient may not be finite
       stiffness[i] = -nominal_pressure[i] * slope;
   }
   return stiffness;

@@ -12,7 +12,8 @@
 namespace asperity::results {
 namespace {
 
-/// The density of `field` over the nodes that is_counted(i), n = all nodes.
+/// Returns the density of `field` over the nodes for which is_counted(i) is
+/// true, normalised by the number of all nodes.
 template <class IsCounted>
 Histogram histogram(std::span<const double> field, int bins,
                     std::span<const double> weights, IsCounted is_counted) {
@@ -62,7 +63,7 @@ void join_neighbours(const Grid& grid, std::span<const double> pressure,
     }
 }
 
-/// Numbers the patches by their area, the largest first, in place.
+/// Renumbers the patches in descending order of area.
 void sort_by_area(ContactPatches& patches) {
   std::vector<int> order(patches.areas.size());
   std::iota(order.begin(), order.end(), 0);

@@ -1,7 +1,8 @@
 #pragma once
 
-// How pressure and gap are spread over the face, and the patches the contact
-// falls into. Owns the normalisation: a density integrates to an area fraction.
+// This file computes the distributions of pressure and gap over the contact
+// surface, and the connected contact patches. Each density is normalised so
+// that its integral is an area fraction.
 
 #include "base/grid.hpp"
 
@@ -13,7 +14,7 @@ namespace asperity::results {
 /// A density in equal bins from 0 to `highest`.
 struct Histogram {
   double highest = 0.0;        ///< upper end, the largest value > 0
-  std::vector<double> density; ///< of bin i, in 1/unit
+  std::vector<double> density; ///< per bin, in 1/unit
 
   double bin_width() const {
     return highest / static_cast<double>(density.size());
@@ -24,9 +25,9 @@ struct Histogram {
   }
 };
 
-/// P(sigma) of the nodes in contact [1/Pa]: its integral is A/A_0, its first
-/// moment the nominal pressure (to the width of a bin). Without contact: no
-/// bins.
+/// Returns the pressure distribution P(sigma) of the nodes in contact [1/Pa].
+/// Its integral is A/A_0, and its first moment is the nominal pressure up to
+/// the bin width. Without contact there are no bins.
 /// @param pressure  [Pa], contact where > 0
 /// @param weights   relative nodal areas, empty if all are equal
 /// @param bins      >= 1
@@ -34,10 +35,11 @@ struct Histogram {
 Histogram pressure_histogram(std::span<const double> pressure, int bins,
                              std::span<const double> weights = {});
 
-/// P(u) of the nodes that are open [1/m]: its integral is the open area
-/// fraction 1 - A/A_0, its first moment the mean over the face of the open gap.
-/// An open node whose gap is <= 0 by rounding counts in the first bin. Without
-/// any open gap > 0: no bins.
+/// Returns the gap distribution P(u) of the open nodes [1/m]. Its integral is
+/// the open area fraction 1 - A/A_0, and its first moment is the integral of
+/// the open gap divided by the nominal area. An open node whose gap is <= 0 due
+/// to roundoff counts in the first bin. Without any open gap > 0 there are no
+/// bins.
 /// @param gap       [m]
 /// @param pressure  [Pa], a node is open where it is <= 0
 /// @throws std::domain_error  an argument is outside its range
@@ -45,15 +47,16 @@ Histogram gap_histogram(std::span<const double> gap,
                         std::span<const double> pressure, int bins,
                         std::span<const double> weights = {});
 
-/// The connected parts of the contact. Nodes are connected to their four
-/// neighbours, across the periodic border too.
+/// The connected patches of the contact. Each node is connected to its four
+/// neighbours, including periodic ones.
 struct ContactPatches {
-  std::vector<int> patch_of_node; ///< 0.. in the order of `areas`; -1 open
+  std::vector<int> patch_of_node; ///< index into `areas`; -1 for open nodes
   std::vector<double> areas;      ///< [m^2], largest first
 };
 
+/// Finds the contact patches.
 /// @param pressure  grid.size() values [Pa], contact where > 0
-/// @throws std::domain_error  a map is not of the grid's size
+/// @throws std::domain_error  the size of a map is not that of the grid
 ContactPatches contact_patches(const Grid& grid,
                                std::span<const double> pressure,
                                std::span<const double> weights = {});

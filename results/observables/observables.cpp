@@ -10,7 +10,7 @@
 namespace asperity::results {
 namespace {
 
-/// Mean of value_at(i), weighted.
+/// Returns the weighted mean of value_at(i).
 template <class ValueAt>
 double mean_over(std::size_t size, std::span<const double> weights,
                  ValueAt value_at) {
@@ -37,7 +37,8 @@ double counted_area_fraction(std::span<const double> pressure,
   const double share = mean_over(pressure.size(), weights, [&](std::size_t i) {
     return pressure[i] > 0.0 ? 1.0 : 0.0;
   });
-  return std::clamp(share, 0.0, 1.0); // weights have mean 1 to rounding only
+  return std::clamp(share, 0.0, 1.0); // the weights have mean 1 only up to
+                                      // roundoff
 }
 
 double contact_perimeter(const Grid& grid, std::span<const double> pressure) {

@@ -18,19 +18,22 @@ namespace asperity::results {
 namespace {
 
 constexpr int fewest_nodes = 20;
-constexpr double bins_a_spread = 8.0; // of s = sqrt(2G)
+constexpr double bins_a_spread = 8.0; // bins per s = sqrt(2G)
 constexpr double reach = 6.0;         // of the bins on either side of p, in s
 constexpr int n_passes = 2;
 
-// <sigma^2>/p^2 - 1 beyond which p, a sum of both signs, is rounding: 1/eps^2.
+// Above this value of <sigma^2>/p^2 - 1, of the order 1/eps^2, the mean p of
+// positive and negative pressures is dominated by roundoff.
 constexpr double most_excess = 2e31;
 
-// The search for G by least squares: ln G to either side of its start.
+// Range of the least-squares search in ln G on either side of the initial
+// value.
 constexpr double search_reach = 4.0; // e^4 = 55
 constexpr double search_step = 0.5;
-constexpr int search_bits = 26; // half of a double's: all a minimum can have
+constexpr int search_bits = 26; // half of the bits, the attainable accuracy of
+                                // a minimum
 
-/// A map in units of its mean p: all below is free of units.
+/// A map in units of its mean p. All quantities below are dimensionless.
 struct ReducedMap {
   std::span<const double> pressure;
   std::span<const double> weights;
@@ -49,9 +52,9 @@ ReducedMap reduced(std::span<const double> pressure,
   map.mean = weighted_mean(pressure, weights);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
-  // <s^2>/p^2 - 1 without a difference of near equals, s the positive part, and
-  // divided by p before it is squared: the square of a pressure may not be
-  // within a double's range.
+  // Computes <s^2>/p^2 - 1, where s is the positive part of the pressure,
+  // without cancellation. Pressures are divided by p before they are squared,
+  // because the square of a pressure may exceed the range of double.
   double spread = 0.0;
   double surplus = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
@@ -66,11 +69,11 @@ ReducedMap reduced(std::span<const double> pressure,
   return map;
 }
 
-/// G/p^2 of which the mean square is (1 + excess) p^2, 0 <= excess <
-/// most_excess.
+/// Returns G/p^2 for which the mean square is (1 + excess) p^2, for
+/// 0 <= excess < most_excess.
 double variance_of_excess(double excess) {
-  // Full contact has 2 G, and any other has less: a bound below. From there to
-  // 1 % of p^2 what full contact lacks is erfc(7), below rounding.
+  // Full contact has the excess 2 G, and partial contact has less, so this is a
+  // lower bound. Up to 1 % of p^2 the difference is erfc(7), below roundoff.
   const double least = 0.5 * excess;
   if (excess <= 0.01)
     return least;
@@ -78,10 +81,11 @@ double variance_of_excess(double excess) {
     return theory::pressure_moments(1.0, root * root).mean_square_pressure -
            1.0 - excess;
   };
-  // Light contact has 4 p sqrt(G/pi), and any other has more: a bound above.
+  // At small loads the mean square is 4 p sqrt(G/pi), and otherwise it is
+  // larger, so this is an upper bound.
   const double most = 0.25 * std::sqrt(std::numbers::pi) * (1.0 + excess);
-  // Towards either end of contact its bound is the root to within rounding, and
-  // the sign of `lack` there is that of rounding: the bound is the answer.
+  // In either limit the bound equals the root up to roundoff, and the sign of
+  // `lack` at the bound is not reliable. The bound is then the result.
   if (!(lack(std::sqrt(least)) < 0.0))
     return least;
   if (!(lack(most) > 0.0))
@@ -93,7 +97,7 @@ double variance_of_excess(double excess) {
   return 0.25 * (low + high) * (low + high);
 }
 
-/// Shares of the nodes in bins of equal width.
+/// Fractions of the nodes in bins of equal width.
 struct Bins {
   double start = 0.0; ///< sigma/p
   double width = 0.0;
@@ -129,7 +133,8 @@ double misfit(const Bins& bins, double variance) {
   return sum;
 }
 
-/// G/p^2 of the least misfit around `start`; NaN if that is none.
+/// Returns G/p^2 of the least-squares minimum around `start`; NaN if the
+/// minimum is at the end of the search range.
 double best_variance(const Bins& bins, double start) {
   const auto at = [&](double exponent) {
     return misfit(bins, start * std::exp(exponent));
@@ -156,7 +161,7 @@ double least_squares_variance(const ReducedMap& map, double start) {
   return variance;
 }
 
-/// What both fits say where (20) has nothing to say.
+/// Returns the result of both fits if Eq. (20) does not apply.
 PressureFit empty_fit(const ReducedMap& map) {
   PressureFit fit;
   fit.nominal_pressure = map.mean;
@@ -191,7 +196,8 @@ PressureFit fit_pressure_distribution(std::span<const double> pressure,
     fit.reason = "too few nodes are in contact for a histogram";
     return fit;
   }
-  // A spread near rounding has no bins: sigma/p is known to 1e-16.
+  // If the spread is close to roundoff, no bins exist: sigma/p is known only to
+  // 1e-16.
   const double start = variance_of_excess(map.mean_square_excess);
   if (start < 1e-24)
     return finished(fit, start);

@@ -1,8 +1,9 @@
 #pragma once
 
-// The theory's pressure distribution fitted to a map of pressures, and the
-// contact area that the fit stands for. Unlike a count of nodes it does not ask
-// where contact begins, so it serves atoms too, whose pressures never end.
+// This file fits the theoretical pressure distribution to a pressure map and
+// computes the corresponding contact area. Unlike the number of nodes in
+// contact, this area needs no criterion for the onset of contact. It is
+// therefore also defined for atoms, whose pressure never vanishes exactly.
 
 #include <limits>
 #include <span>
@@ -10,56 +11,61 @@
 
 namespace asperity::results {
 
-/// The distribution of contact pressure of a map as the theory draws it,
+/// The pressure distribution of a map, approximated by Eq. (20) of Yang and
+/// Persson (2008),
 ///
 ///     P = [e^{-(sigma - p)^2/4G} - e^{-(sigma + p)^2/4G}]/(2 sqrt(pi G))  (20)
 ///
-/// with p the mean of the map and G (the paper's G with a tilde) free, and the
-/// area of that distribution,
+/// where p is the mean of the map and G (with a tilde in the paper) is fitted,
+/// and the contact area that follows from it by their Eq. (21),
 ///
 ///     A/A_0 = erf(p/(2 sqrt G)).                                          (21)
 ///
-/// Without contact the area is 0 and there is no G; of a uniform pressure G is
-/// 0 and the area 1.
+/// Without contact the area is 0 and G is not determined. For a uniform
+/// pressure G is 0 and the area is 1.
 /// @see  C. Yang, B. N. J. Persson, J. Phys.: Condens. Matter 20, 215214 (2008)
 struct PressureFit {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
   double nominal_pressure = none; ///< p, mean of the map [Pa]
-  double variance = none;         ///< G of (20) [Pa^2]; NaN: see reason
-  double area_fraction = none;    ///< (21) [1] 0..1
-  std::string reason;             ///< why there is no G; empty if there is one
+  double variance = none;         ///< G of Eq. (20) [Pa^2]; NaN: see reason
+  double area_fraction = none;    ///< Eq. (21) [1] 0..1
+  std::string reason;             ///< why G is not determined; otherwise empty
 };
 
-/// Least squares of (20) on the histogram of the map.
+/// Fits Eq. (20) to the histogram of the map by least squares.
 ///
-/// Bins are s/8 wide with s = sqrt(2G), the spread of the pressure in full
-/// contact, and lie within 6 s of p: the rule knows no unit and no number of
-/// nodes. The first bin, sigma < s/8, is left out: (20) vanishes at sigma = 0,
-/// while the weak pressures of atoms that are not in contact, and of nodes on
-/// the contact's edge, pile up there. All others weigh the same, and (20) is
-/// integrated over each: what is least is int (P - P_map)^2 dsigma. The bins
-/// follow from the second moment's G first, then once more from the fit's.
+/// The bins have the width s/8, where s = sqrt(2G) is the standard deviation of
+/// the pressure in full contact, and lie within 6 s of p. This rule is
+/// independent of units and of the number of nodes. The first bin, sigma < s/8,
+/// is excluded: Eq. (20) vanishes at sigma = 0, whereas weak pressures of atoms
+/// that are not in contact, and of nodes at the contact boundary, accumulate
+/// there. All other bins have equal weights, and Eq. (20) is integrated over
+/// each bin, so that the fit minimises int (P - P_map)^2 dsigma. The bins are
+/// based on G from the second moment in a first pass and on the fitted G in a
+/// second pass.
 ///
 /// @param pressure  [Pa], any sign; contact where > 0
 /// @param weights   relative nodal areas, empty if all are equal
-/// @return  without G also where the mean is not positive, or is lost in
-///          rounding beside the pressures; where fewer than 20 nodes are in
-///          contact; where no G within a factor of 50 of the second moment's
-///          is best
-/// @throws std::domain_error  the map is empty or not finite, the sizes differ
-/// @par Accuracy  on samples of (20) itself that of counting them; how well
-///                (20) describes a contact is the model's affair
+/// @return  the fit. G is also not determined if the mean is not positive or is
+///          dominated by roundoff, if fewer than 20 nodes are in contact, or if
+///          there is no minimum within a factor of 50 of the second moment's G.
+/// @throws std::domain_error  the map is empty or not finite, or the sizes
+///                            differ
+/// @par Accuracy  For samples of Eq. (20), the statistical error of the
+///                histogram. How well Eq. (20) describes a contact is a
+///                property of the model.
 PressureFit fit_pressure_distribution(std::span<const double> pressure,
                                       std::span<const double> weights = {});
 
-/// G from the second moment: the mean square of the positive pressures over
-/// the whole face is
+/// Computes G from the second moment. The mean square of the positive pressures
+/// over the nominal area is
 ///
 ///     <sigma^2> = (p^2 + 2G) erf(p/2 sqrt G) + 2p sqrt(G/pi) e^{-p^2/4G},
 ///
-/// solved for G, to rounding. Needs no bins; the largest pressures decide.
-/// @throws std::domain_error  as above
+/// which is solved for G up to roundoff. This requires no bins, but is
+/// dominated by the largest pressures.
+/// @throws std::domain_error  as fit_pressure_distribution
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
                                    std::span<const double> weights = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The one place where the observables of a load step are taken. Owns the rule
-// that no observable ends a run: what cannot be computed is NaN with a reason.
+// This file evaluates the observables of a load step. No observable can end a
+// run: one that cannot be computed is NaN with a reason.
 
 #include "results/observables/observables.hpp"
 #include "results/types/result.hpp"
@@ -12,11 +12,11 @@
 
 namespace asperity::results {
 
-/// Fills columns of a row. An observable that throws, or that is not finite,
-/// is NaN, and the row's note says which one and why.
+/// Fills columns of a row. An observable that throws an exception or is not
+/// finite is set to NaN, and the note of the row names it with the reason.
 class RowObserver {
 public:
-  /// @param row  outlives the observer
+  /// @param row  must outlive the observer
   explicit RowObserver(CurvePoint& row) : row_(row) {}
 
   /// @param column   a name of curve_columns()

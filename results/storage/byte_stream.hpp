@@ -1,8 +1,8 @@
 #pragma once
 
-// Inside results/ only: numbers and texts as bytes and back, in this machine's
-// byte order. Both classes have the same functions, so that one description of
-// a layout serves both directions.
+// This internal header of results/ serialises numbers and texts in the byte
+// order of the machine. The writer and the reader have the same functions, so
+// that one description of a layout serves both directions.
 
 #include "cases/text/case_error.hpp"
 
@@ -37,7 +37,7 @@ public:
     raw(values.data(), values.size() * sizeof(double));
   }
 
-  /// In single precision.
+  /// Stores the values in single precision.
   void single_numbers(const std::vector<double>& values) {
     const std::vector<float> singles(values.begin(), values.end());
     count(singles.size());
@@ -54,7 +54,7 @@ private:
   std::string bytes_;
 };
 
-/// Every function throws cases::CaseError where the bytes end too early.
+/// Every function throws cases::CaseError if the data end too early.
 class ByteReader {
 public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -78,7 +78,7 @@ public:
   void count(std::size_t& value) {
     std::uint64_t number = 0;
     raw(&number, sizeof number);
-    if (number > bytes_.size()) // every item has at least a byte
+    if (number > bytes_.size()) // every item has at least one byte
       refuse();
     value = number;
   }

@@ -14,7 +14,7 @@
 namespace asperity::results {
 namespace {
 
-/// An empty group of that name, whatever was there.
+/// Returns an empty group of that name and removes an existing one.
 Hdf5Group fresh(Hdf5Group& home, const std::string& name) {
   if (home.has(name))
     home.remove(name);
@@ -49,7 +49,7 @@ void write_method(Hdf5File& file, const MethodChange& change) {
     write_curve(std::move(method), change);
 }
 
-/// The item of that name, made at the end if there is none.
+/// Returns the item of that name, which is appended if there is none.
 template <class Item>
 Item& named(std::vector<Item>& items, const std::string& name) {
   const auto found =
@@ -61,7 +61,8 @@ Item& named(std::vector<Item>& items, const std::string& name) {
   return items.back();
 }
 
-/// @throws cases::CaseError  no realisation has that number
+/// Returns the item of that realisation.
+/// @throws cases::CaseError  the index is out of range
 template <class Item>
 Item& at_index(std::vector<Item>& items, int index) {
   if (index < 0 || index >= layout::most_realizations)

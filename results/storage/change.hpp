@@ -1,7 +1,8 @@
 #pragma once
 
-// Inside results/ only: what one write adds to a result, as it goes into the
-// journal and from there into result.h5 or a Result.
+// This internal header of results/ defines the change that one write operation
+// makes to a result, as it is stored in the journal and later applied to
+// result.h5 or to a Result.
 
 #include "results/types/result.hpp"
 
@@ -15,19 +16,20 @@ namespace asperity::results {
 
 class Hdf5File;
 
-/// Of one method; with a realisation, of that curve.
+/// Changes of one method or, with a realisation, of one curve.
 struct MethodChange {
   std::string name;
-  int realization = -1; ///< -1: of none
+  int realization = -1; ///< -1: none
   std::optional<std::string> kind = {};
   std::optional<std::string> description = {};
   std::optional<double> setup_cpu_time = {}; ///< [s]
   std::optional<SurfaceRecord> own_surface = {};
-  std::vector<Fields> fields = {};     ///< each over those of its step
-  std::vector<CurvePoint> points = {}; ///< of steps that are not there yet
+  std::vector<Fields> fields = {};     ///< replace those of the same step
+  std::vector<CurvePoint> points = {}; ///< new steps
 };
 
-/// Each part is added, or replaces what is there under its name.
+/// Changes of a result. Each part is added, or replaces an existing one of the
+/// same name.
 struct Change {
   std::optional<std::string> status = {};
   Provenance provenance = {};
@@ -37,19 +39,20 @@ struct Change {
   std::optional<std::vector<Skipped>> skipped = {};
 };
 
-/// Every number comes back bit by bit; maps in single precision, as result.h5
-/// has them.
+/// Serialises a change. Every number is reproduced bit by bit, except for maps,
+/// which are stored in single precision as in result.h5.
 std::string bytes_of(Change change);
 
-/// @throws cases::CaseError  the bytes are not what bytes_of() writes
+/// Deserialises a change.
+/// @throws cases::CaseError  the bytes do not have the layout of bytes_of()
 Change change_in(std::string_view bytes);
 
-/// Puts a change into an open result file.
+/// Applies a change to an open result file.
 /// @throws Hdf5Error
 void write_change(Hdf5File& file, const Change& change);
 
-/// Puts a change into a result that was read; the rows of a curve come in the
-/// order of their steps.
+/// Applies a change to a result that was read. The rows of a curve are sorted
+/// by step.
 void merge_change(Result& result, Change change);
 
 } // namespace asperity::results

@@ -1,4 +1,5 @@
-// A change as bytes: one description of its layout for both directions.
+// This file serialises changes. One description of the layout serves both
+// directions.
 #include "results/storage/byte_stream.hpp"
 #include "results/storage/change.hpp"
 #include "results/types/curve_columns.hpp"

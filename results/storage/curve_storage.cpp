@@ -36,8 +36,9 @@ void read_column(const Hdf5Group& curve, const CurveColumn& column,
   const std::vector<double> numbers = curve.column(name);
   require_length(curve, name, numbers.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // A double is checked once the whole row is known (validity.hpp); what is
-    // no integer, or a word's number that there is no word for, would be lost.
+    // Values of type double are validated once the whole row is known
+    // (validity.hpp). A value that is not an integer, or not the number of a
+    // status, must be rejected here, because the conversion would lose it.
     if (column.is_integer && !is_integer_of(column, numbers[i]))
       throw cases::CaseError(fmt::format(
           "{}[{}] = {}, but must be an integer "
@@ -48,7 +49,7 @@ void read_column(const Hdf5Group& curve, const CurveColumn& column,
   }
 }
 
-/// What a row is where its column is missing.
+/// Returns a row with the default values of missing columns.
 CurvePoint blank_point(int step) {
   CurvePoint point;
   for (const CurveColumn& column : curve_columns())
@@ -65,7 +66,8 @@ void append_points(Hdf5Group& curve, std::span<const CurvePoint> points) {
       curve.has(length_column) ? curve.extents(length_column).front() : 0;
   for (const CurveColumn& column : curve_columns()) {
     std::vector<double> numbers;
-    if (!curve.has(std::string(column.name))) // a column younger than the file
+    if (!curve.has(std::string(column.name))) // the column is newer than the
+                                              // file
       numbers.assign(length, column.get(blank_point(0)));
     for (const CurvePoint& point : points)
       numbers.push_back(column.get(point));
@@ -104,7 +106,8 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
 }
 
 void fill_stored_stiffness(Hdf5Group& curve) {
-  // Rows are stored as they came, so the steps tell them apart, not the place.
+  // Rows are stored in the order in which they were written, so they are
+  // identified by their steps.
   std::vector<CurvePoint> points = read_points(curve);
   fill_contact_stiffness(points);
   std::vector<double> stored = curve.numbers("step");

@@ -1,6 +1,6 @@
 #pragma once
 
-// Inside results/ only: a curve as the group of columns it is in a file.
+// This internal header of results/ stores a curve as a group of columns.
 
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/result.hpp"
@@ -10,16 +10,17 @@
 
 namespace asperity::results {
 
-/// Adds rows to every column of the group `curve`. A column that a file of an
-/// earlier program lacks is NaN (a count: 0) in the rows before.
+/// Adds rows to every column of the group `curve`. If a file of an earlier
+/// version of the program lacks a column, its values in the earlier rows are
+/// NaN (counts: 0).
 void append_points(Hdf5Group& curve, std::span<const CurvePoint> points);
 
-/// The rows in the order of their steps, as they were written.
+/// Returns the rows, sorted by step.
 /// @throws cases::CaseError  nominal_pressure or mean_gap is missing, or the
 ///                           columns differ in length
 std::vector<CurvePoint> read_points(const Hdf5Group& curve);
 
-/// Fills the contact stiffness that is NaN, by differences.
+/// Computes each contact stiffness that is NaN by finite differences.
 void fill_stored_stiffness(Hdf5Group& curve);
 
 } // namespace asperity::results

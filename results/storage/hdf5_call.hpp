@@ -1,6 +1,7 @@
 #pragma once
 
-// Inside results/ only: how the two sources of hdf5_file.hpp call the library.
+// This internal header of results/ provides the error handling of calls to the
+// HDF5 library for the source files of hdf5_file.hpp.
 
 #include "results/storage/hdf5_file.hpp"
 #include "results/storage/hdf5_limits.hpp"
@@ -10,11 +11,13 @@
 
 namespace asperity::results {
 
+/// Throws the exception of a failed call.
 /// @throws Hdf5Error "place: cannot <what>: the library's innermost reason"
 [[noreturn]] void refuse_hdf5(const std::string& place,
                               const std::string& what);
 
-/// `result` of a call, unless it is negative, which is the library's "failed".
+/// Returns the `result` of a call, or throws if it is negative, by which the
+/// library indicates a failure.
 template <class Result>
 Result checked(Result result, const std::string& place,
                const std::string& what) {
@@ -23,12 +26,12 @@ Result checked(Result result, const std::string& place,
   return result;
 }
 
-/// A memory type or file type for UTF-8 text of any length.
+/// Returns a memory or file type for UTF-8 text of variable length.
 Hdf5Handle text_type();
 
-/// The texts of an attribute or dataset of the file's `type` on `space`,
-/// whether of any or of fixed length. `read(memory type, buffer)` reads it.
-/// @throws Hdf5Error  they break a limit of hdf5_limits.hpp
+/// Reads the texts of an attribute or dataset of the given `type` and `space`,
+/// of variable or fixed length. `read(memory type, buffer)` performs the read.
+/// @throws Hdf5Error  the texts exceed a limit of hdf5_limits.hpp
 template <class Read>
 std::vector<std::string> read_texts(hid_t type, hid_t space,
                                     const std::string& place, Read read) {

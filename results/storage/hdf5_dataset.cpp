@@ -1,4 +1,5 @@
-// The datasets of Hdf5Group: maps, columns that grow, texts.
+// This file implements the datasets of Hdf5Group: maps, extensible columns and
+// texts.
 #include "results/storage/hdf5_call.hpp"
 #include "results/storage/hdf5_file.hpp"
 
@@ -46,7 +47,7 @@ void set_unit(hid_t dataset, const std::string& unit,
           "write the attribute unit");
 }
 
-/// An empty column of any length to come.
+/// Creates an empty extensible column.
 Hdf5Handle create_column(hid_t group, const std::string& name, hid_t type,
                          const std::string& place) {
   const hsize_t empty = 0;
@@ -60,7 +61,7 @@ Hdf5Handle create_column(hid_t group, const std::string& name, hid_t type,
           H5Dclose};
 }
 
-/// Writes `count` values of `memory_type` behind the end of a column.
+/// Appends `count` values of `memory_type` to a column.
 void append_to(hid_t dataset, hid_t memory_type, hsize_t count,
                const void* values, const std::string& place) {
   hsize_t old_length = 0;

@@ -9,7 +9,8 @@
 namespace asperity::results {
 namespace {
 
-/// Groups and files whose links and attributes keep their order.
+/// Returns creation properties of groups and files that preserve the order of
+/// links and attributes.
 template <class SetAttributes>
 Hdf5Handle ordered(hid_t kind, SetAttributes set_attributes) {
   Hdf5Handle properties(H5Pcreate(kind), H5Pclose);
@@ -20,7 +21,8 @@ Hdf5Handle ordered(hid_t kind, SetAttributes set_attributes) {
 }
 
 std::int64_t open_file(const std::filesystem::path& path, Hdf5File::Mode mode) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // complaints become exceptions
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // errors are reported as
+                                               // exceptions instead
   forbid_other_files();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG);
@@ -50,7 +52,8 @@ extern "C" herr_t keep_innermost(unsigned depth, const H5E_error2_t* error,
   return 0;
 }
 
-/// -1, which ends the listing as an error, where there are too many.
+/// Collects one name. Returns -1, which ends the iteration with an error, if
+/// there are too many.
 herr_t append_name(const char* name, void* names) {
   auto& list = *static_cast<std::vector<std::string>*>(names);
   list.emplace_back(name);
@@ -67,7 +70,7 @@ extern "C" herr_t append_attribute_name(hid_t, const char* name,
   return append_name(name, names);
 }
 
-/// The index by which a group's links or attributes are to be listed.
+/// Returns the index by which the links or attributes of a group are listed.
 template <class GetOrder>
 H5_index_t listing_index(hid_t group, GetOrder get_order) {
   const Hdf5Handle properties(H5Gget_create_plist(group), H5Pclose);

@@ -1,7 +1,8 @@
 #pragma once
 
-// The HDF5 C library behind three small classes. Owns every call to it: what
-// goes wrong there comes out as one exception that names file and object.
+// This file wraps the HDF5 C library in three small classes. All calls to the
+// library are made behind them, and each error is reported as an exception that
+// names the file and the object.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,19 +15,19 @@
 
 namespace asperity::results {
 
-/// "file.h5: /methods/fem: <what>".
+/// An error "file.h5: /methods/fem: <what>".
 struct Hdf5Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The packaged library is not thread safe: hold this while any object below
-/// lives.
+/// Returns a mutex that must be held while any object of the classes below
+/// exists, because the packaged library is not thread-safe.
 std::mutex& hdf5_mutex();
 
-/// "1.10.8", of the library that is linked.
+/// Returns the version of the linked library, e.g. "1.10.8".
 std::string hdf5_version();
 
-/// A handle of the library, closed when it goes.
+/// A handle of the library that is closed in the destructor.
 class Hdf5Handle {
 public:
   using Close = int (*)(std::int64_t);
@@ -48,7 +49,8 @@ public:
 
   std::int64_t id() const { return id_; }
 
-  /// Closes now; false if the library could not (a full disk shows here).
+  /// Closes the handle; returns false if the library failed to, e.g. because
+  /// the disk is full.
   bool reset() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
 
 private:
@@ -65,8 +67,8 @@ struct Hdf5Shape {
 enum class Hdf5Number { float64, float32_packed, int32 };
 
 /// A group of a file with its attributes and datasets. Names are those of
-/// direct children. Every function throws Hdf5Error when the library refuses,
-/// and when what it finds breaks a limit of hdf5_limits.hpp.
+/// direct children. Every function throws Hdf5Error if the library reports an
+/// error or if the contents exceed a limit of hdf5_limits.hpp.
 class Hdf5Group {
 public:
   Hdf5Group() = default;
@@ -75,42 +77,43 @@ public:
   Hdf5Group open(const std::string& name) const;
   Hdf5Group open_or_create(const std::string& name);
 
-  /// Names in the order of their creation where the file keeps it (ours do),
-  /// else by the alphabet.
+  /// Returns the names in the order of creation if the file records it, as ours
+  /// do, and in alphabetical order otherwise.
   std::vector<std::string> children() const;
   std::vector<std::string> attributes() const;
 
   void remove(const std::string& name);
 
   bool has_attribute(const std::string& name) const;
-  /// Each replaces what was there.
+  /// Each of these functions replaces an existing attribute.
   void set_attribute(const std::string& name, const std::string& text);
   void set_attribute(const std::string& name, double number);
   void set_attribute(const std::string& name, int number);
-  /// A number is printed in the fewest digits that give it back.
+  /// Returns a text; a number is converted with the fewest digits that
+  /// reproduce it.
   std::string text_attribute(const std::string& name) const;
   double number_attribute(const std::string& name) const;
 
-  /// A map of shape.rows * shape.columns values, written once.
+  /// Writes a new map of shape.rows * shape.columns values.
   void write_map(const std::string& name, std::span<const double> map,
                  Hdf5Shape shape, Hdf5Number number, const std::string& unit);
-  /// Adds to the end of a column, made at the first call.
+  /// Appends to a column, which the first call creates.
   void append(const std::string& name, std::span<const double> values,
               Hdf5Number number, const std::string& unit);
   void append(const std::string& name, std::span<const std::string> texts);
   /// Overwrites a column of the same length.
   void overwrite(const std::string& name, std::span<const double> values);
 
-  /// A dataset as the bearer of its attributes.
+  /// Opens a dataset for access to its attributes.
   Hdf5Group open_dataset(const std::string& name) const;
   std::vector<std::size_t> extents(const std::string& name) const;
-  /// All values of a dataset, the last index fastest.
+  /// Returns all values of a dataset, with the last index fastest.
   std::vector<double> numbers(const std::string& name) const;
-  /// The values of a dataset, which has to have one dimension.
+  /// Returns the values of a one-dimensional dataset.
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
 
-  /// "file.h5: /methods/fem/name", for messages.
+  /// Returns "file.h5: /methods/fem/name" for messages.
   std::string place(const std::string& name = "") const;
 
 protected:
@@ -128,7 +131,8 @@ public:
 
   Hdf5File(const std::filesystem::path& path, Mode mode);
 
-  /// Closes with everything in it; throws where the destructor could not.
+  /// Closes the file and all its objects. Unlike the destructor, it reports
+  /// errors by an exception.
   void close();
 };
 

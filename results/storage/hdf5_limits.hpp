@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside results/ only: what of a file is refused before memory is taken for
-// it or another file is opened because of it.
+// This internal header of results/ checks the contents of a file before memory
+// is allocated for them or another file is opened because of them.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,33 +9,36 @@
 
 namespace asperity::results {
 
-/// Largest text of an attribute or dataset [bytes], number of texts in a
-/// dataset, children or attributes of a group.
+/// Limits: the length of a text of an attribute or dataset [bytes], the number
+/// of texts in a dataset, and the number of children or attributes of a group.
 inline constexpr std::size_t largest_text = 16 * 1024 * 1024;
 inline constexpr std::size_t most_texts = 1'000'000;
 inline constexpr std::size_t most_children = 100'000;
 
-/// From now on the library follows no link to another file and loads no filter
-/// from a folder: it calls both an error.
+/// Configures the library so that it reports an error instead of following
+/// links to other files or loading filter plugins.
 void forbid_other_files();
 
-/// @throws Hdf5Error  the values of the dataset are in other files (a virtual
-///         dataset, external storage)
+/// Checks that a dataset stores its own values.
+/// @throws Hdf5Error  its values are in other files (a virtual dataset or
+///                    external storage)
 void require_own_storage(std::int64_t dataset, const std::string& place);
 
-/// Number of elements of a dataset or attribute.
+/// Returns the number of elements of a dataset or attribute.
 /// @param space  its dataspace
-/// @throws Hdf5Error  reading them into `bytes_each` takes more memory than is
-///         available: with both numbers
+/// @throws Hdf5Error  reading the elements with `bytes_each` would exceed the
+///                    available memory; the message gives both numbers
 std::size_t element_count(std::int64_t space, std::size_t bytes_each,
                           const std::string& place);
 
-/// @throws Hdf5Error  the text is not UTF-8 without control characters, or is
-///         longer than largest_text
+/// Checks a text.
+/// @throws Hdf5Error  the text is not UTF-8, contains control characters or is
+///                    longer than largest_text
 void require_plain(const std::string& text, const std::string& place);
 
-/// @throws Hdf5Error  the name of a method, table or column is not made
-///         of 1 to 100 letters, digits and " . _ + -" (results.md)
+/// Checks the name of a method, table or column.
+/// @throws Hdf5Error  the name does not consist of 1 to 100 letters, digits,
+///                    blanks and the characters . _ + - (results.md)
 void require_good_name(const std::string& name, const std::string& place);
 
 } // namespace asperity::results

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t hash_length = 64;
 constexpr std::chrono::seconds longest_unsynced{10};
 
-/// What stands before the bytes of a record.
+/// Header of a record.
 struct RecordHead {
   std::uint64_t length = 0;
   std::uint64_t number = 0;
@@ -44,7 +44,7 @@ std::uintmax_t read_journal(const std::filesystem::path& path,
                             const TakeRecord& take) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) // there is none, or it is no regular file
+  if (error) // missing, or not a regular file
     return 0;
   std::ifstream file(path, std::ios::binary);
   const std::string head = head_of(identity);
@@ -84,7 +84,7 @@ void Journal::open() {
     write(head_of(identity_));
 }
 
-/// All of it or nothing.
+/// Writes all bytes, or none if an error occurs.
 void Journal::write(std::string_view bytes) {
   std::uintmax_t place = size_;
   while (!bytes.empty()) {
@@ -93,7 +93,8 @@ void Journal::write(std::string_view bytes) {
     if (written < 0 && errno != EINTR) {
       const int error = errno;
       if (ftruncate(file_.get(), static_cast<off_t>(size_)) != 0) {
-        // The damaged record at the end is not read, and is written over.
+        // A damaged record at the end is ignored by readers and will be
+        // overwritten.
       }
       throw std::system_error(error, std::generic_category(),
                               "cannot write " + path_.string());

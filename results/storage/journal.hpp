@@ -1,7 +1,8 @@
 #pragma once
 
-// Inside results/ only: the changes of a result that are not in result.h5 yet,
-// one after the other in a file beside it.
+// This internal header of results/ declares the journal, a file beside
+// result.h5 that contains the changes of a result that are not in result.h5
+// yet.
 
 #include "base/file_descriptor.hpp"
 
@@ -14,44 +15,49 @@
 
 namespace asperity::results {
 
-/// The journal of a result file: "result.journal" of "result.h5".
+/// Returns the path of the journal of a result file: "result.journal" for
+/// "result.h5".
 std::filesystem::path journal_of(const std::filesystem::path& result_file);
 
-/// What a reader does with a record. Numbers count from 1 through the life of
-/// a result.
+/// Callback for a record. Records are numbered from 1 throughout the life of a
+/// result.
 using TakeRecord =
     std::function<void(std::uint64_t number, std::string_view bytes)>;
 
-/// Gives every whole record to `take`, in order, one in memory at a time. A
-/// missing journal, and one with another identity, has none; from the first
-/// damaged record on, which a killed writer leaves, nothing is read.
-/// @param identity  what result.h5 says in its attribute "journal"
-/// @return  length of what is whole [B]; 0: no journal of this result
+/// Passes all intact records to `take` in order, one in memory at a time. A
+/// journal that is missing or has another identity yields no records. Reading
+/// ends at the first damaged record, which an interrupted writer may leave
+/// behind.
+/// @param identity  the attribute "journal" of result.h5
+/// @return  length of the intact part [B]; 0 if this is not the journal of the
+///          result
 std::uintmax_t read_journal(const std::filesystem::path& path,
                             const std::string& identity,
                             const TakeRecord& take);
 
-/// Appends records. The file is
+/// Appends records to a journal. The file starts with
 ///
 ///     asperity-journal-1 <identity> newline,
 ///
-/// and for each record its length and its number, 8 bytes each, the SHA-256 of
-/// number and bytes, 64 hexadecimal digits, and its bytes; numbers in this
-/// machine's byte order. Records reach the disk at most ten seconds after
-/// append(), or with the next one after that.
+/// followed for each record by its length and its number, 8 bytes each, a
+/// SHA-256 hash of 64 hexadecimal digits, which covers the number and the
+/// bytes, and its bytes. Numbers are in the byte order of the machine. append()
+/// synchronises the file to disk if ten seconds have passed since the last
+/// synchronisation.
 ///
-/// All throw std::system_error naming the file; the records before stay whole.
+/// All functions throw std::system_error naming the file; earlier records
+/// remain intact.
 class Journal {
 public:
-  /// Goes on behind what is whole in the file, or begins one.
+  /// Continues after the intact part of an existing file, or starts a new one.
   Journal(std::filesystem::path path, std::string identity);
 
   void append(std::uint64_t number, std::string_view bytes);
 
-  /// [B]
+  /// Returns the size of the journal [B].
   std::uintmax_t size() const { return size_; }
 
-  /// Removes the file; the next append() makes it again.
+  /// Removes the file; the next append() creates it again.
   void clear();
 
 private:

@@ -16,9 +16,10 @@
 namespace asperity::results {
 namespace {
 
-constexpr int most_points = 1'000'000; ///< a side
+constexpr int most_points = 1'000'000; ///< per side
 
-/// A number of a SurfaceRecord as an attribute, with "<name>_unit" beside it.
+/// A number of a SurfaceRecord that is stored as an attribute together with
+/// "<name>_unit".
 struct SurfaceNumber {
   const char* name;
   const char* unit;
@@ -39,7 +40,7 @@ Hdf5Shape shape_of(const Grid& grid) {
           static_cast<std::size_t>(grid.points_x)};
 }
 
-/// A number of points that a file gives; 0 says that it is not known.
+/// Validates a number of points read from a file; 0 means that it is unknown.
 int points_in(double points, const std::string& place) {
   if (!(points >= 0.0 && points <= most_points && points == std::floor(points)))
     throw cases::CaseError(
@@ -72,7 +73,8 @@ Grid read_grid(const Hdf5Group& surface) {
   return grid;
 }
 
-/// Points by the shape of the map, sides by its attributes; 0 where unknown.
+/// Takes the points from the shape of the map and the lengths from its
+/// attributes; 0 if unknown.
 Grid grid_of_map(const Hdf5Group& maps) {
   Grid grid;
   const std::vector<std::size_t> extents = maps.extents("pressure");
@@ -133,7 +135,7 @@ double number_or(const Hdf5Group& group, const std::string& name,
   return group.has_attribute(name) ? group.number_attribute(name) : otherwise;
 }
 
-/// The index a group is named by; nothing for another name.
+/// Returns the index after which a group is named; nothing for any other name.
 std::optional<int> index_of(const std::string& name) {
   int index = -1;
   const auto [end, error] =

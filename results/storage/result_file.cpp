@@ -19,10 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A small result is not copied at all before its end.
+/// Minimum size of the journal before changes are moved, so that a small result
+/// is copied only at the end.
 constexpr std::uintmax_t least_to_fold = 4'000'000; // bytes
 
-/// Tells this result's journal from one that another run left.
+/// Returns a random identity that distinguishes this journal from that of
+/// another run.
 std::string new_identity() {
   std::random_device random;
   std::string identity;
@@ -31,15 +33,15 @@ std::string new_identity() {
   return identity;
 }
 
-/// Renames a file over another, after its bytes are on disk: after a power cut
-/// there is the old one or the new one.
+/// Renames a file over another after its contents have been synchronised to
+/// disk. After a power failure either the old or the new file is present.
 void rename_to_disk(const fs::path& from, const fs::path& path) {
   const FileDescriptor file(::open(from.c_str(), O_RDWR | O_CLOEXEC));
   if (file.get() < 0 || ::fsync(file.get()) != 0)
     throw std::system_error(errno, std::generic_category(),
                             "cannot write " + from.string());
   fs::rename(from, path);
-  // Should the new name not reach the disk, the old file is still there.
+  // If the new name does not reach the disk, the old file is still present.
   const FileDescriptor names(::open((path.parent_path() / ".").c_str(),
                                     O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   ::fsync(names.get());
@@ -120,8 +122,8 @@ void ResultFile::write_journal_into(Hdf5File& file) const {
   read_journal(journal_of(path_), identity_,
                [&](std::uint64_t number, std::string_view bytes) {
                  if (number <= folded_)
-                   return; // it is there: the run was killed before it could
-                           // remove the journal
+                   return; // already in the file: the run was interrupted
+                           // before it removed the journal
                  write_change(file, change_in(bytes));
                  read = number;
                });
@@ -131,7 +133,7 @@ void ResultFile::write_journal_into(Hdf5File& file) const {
                     journal_of(path_).string(), read + 1, changes_));
 }
 
-/// Renames what `make_part` makes over the file.
+/// Replaces the file by the one that `make_part` creates.
 void ResultFile::replace(const std::function<void()>& make_part) {
   try {
     make_part();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside results/ only: result.h5 and its journal on the disk. Owns the order
-// of writes that leaves a good result at every moment.
+// This internal header of results/ manages result.h5 and its journal. The order
+// of writes ensures that a valid result is on disk at every moment.
 
 #include "results/storage/change.hpp"
 #include "results/storage/journal.hpp"
@@ -16,31 +16,33 @@ namespace asperity::results {
 class Hdf5File;
 class Hdf5Group;
 
-/// What result.h5 says of its journal.
+/// The information about the journal that is stored in result.h5.
 struct JournalState {
-  std::string identity;     ///< empty: it has none
+  std::string identity;     ///< empty: no journal
   std::uint64_t folded = 0; ///< number of the last change that is in the file
 };
 
 JournalState journal_state(const Hdf5Group& file);
 
-/// A change is appended to the journal, which costs its own size alone. When
-/// the journal has outgrown result.h5, and at the end, all changes are put into
-/// a copy of result.h5, which is synced to disk and renamed over it: every byte
-/// is then copied a few times in all, however many changes there are.
+/// Appends each change to the journal, which costs only the size of the change.
+/// Whenever the journal exceeds result.h5, and at the end, all changes are
+/// written to a copy of result.h5, which is synchronised to disk and replaces
+/// result.h5 by a rename. Every byte is thus copied only a few times in total,
+/// however many changes there are.
 ///
-/// Functions throw std::system_error or Hdf5Error when the disk or the library
-/// refuses; what was written before is then still there.
+/// Functions throw std::system_error or Hdf5Error if the file system or the
+/// library reports an error; everything written before is then preserved.
 class ResultFile {
 public:
   using Edit = std::function<void(Hdf5File&)>;
 
-  /// Makes a new file, over an old one; `begin` writes what is in it at once.
+  /// Creates a new file, which replaces an existing one; `begin` writes its
+  /// initial contents.
   static ResultFile created(const std::filesystem::path& path,
                             const Edit& begin);
 
-  /// Goes on with a file: what its journal still has is put into it first.
-  /// @param edit  then called on it
+  /// Opens a file and moves the changes of its journal into it.
+  /// @param edit  called on the file afterwards
   static ResultFile opened(const std::filesystem::path& path,
                            const Edit& edit = {});
 
@@ -48,7 +50,7 @@ public:
 
   void append(Change change);
 
-  /// Puts all changes into result.h5, then calls `last` on it.
+  /// Moves all changes into result.h5 and then calls `last` on it.
   void fold(const Edit& last = {});
 
 private:
@@ -57,10 +59,11 @@ private:
   void replace(const std::function<void()>& make_part);
 
   std::filesystem::path path_;
-  std::filesystem::path part_; ///< the copy, ".result.h5.part" beside it
+  std::filesystem::path part_; ///< the copy, ".result.h5.part" in the same
+                               ///< folder
   std::string identity_;
   std::uint64_t folded_ = 0;
-  std::uint64_t changes_ = 0; ///< number of the last one
+  std::uint64_t changes_ = 0; ///< number of the last change
   Journal journal_;
 };
 

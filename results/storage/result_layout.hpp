@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside results/ only: the names of docs/results.md that writer and reader
-// must agree on.
+// This internal header of results/ defines the names of docs/results.md that
+// the writer and the reader share.
 
 #include <string>
 
@@ -13,15 +13,17 @@ constexpr int format_version = 1;
 constexpr const char* own_surface = "surface"; ///< beside "curve"
 constexpr const char* tables = "tables";
 constexpr const char* skipped = "skipped";
-inline const std::string input = "input "; ///< before a key, in provenance
-constexpr const char* journal = "journal"; ///< which journal is this file's
-constexpr const char* journal_folded = "journal_folded"; ///< changes in it
-constexpr const char* column_place = "order"; ///< of a column, 0, 1, ...
+inline const std::string input = "input "; ///< prefix of a key in provenance
+constexpr const char* journal = "journal"; ///< identity of the file's journal
+constexpr const char* journal_folded = "journal_folded"; ///< number of changes
+                                                         ///< in the file
+constexpr const char* column_place = "order"; ///< index of a column: 0, 1, ...
 
-/// A case has as many realisations at most.
+/// Maximum number of realisations of a case.
 constexpr int most_realizations = 1000;
 
-/// Groups whose number is beyond this are taken for something else.
+/// Groups with an index above this limit are not regarded as steps or
+/// realisations.
 constexpr int highest_index = 1'000'000;
 
 } // namespace asperity::results::layout

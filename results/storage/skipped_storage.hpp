@@ -1,7 +1,7 @@
 #pragma once
 
-// Inside results/ only: what a run did not compute, as the group it is in a
-// file.
+// This internal header of results/ stores the list of computations that a run
+// skipped as a group.
 
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/result.hpp"
@@ -11,9 +11,10 @@
 
 namespace asperity::results {
 
-/// Fills the empty group `group`.
+/// Writes into the empty group `group`.
 void write_skipped(Hdf5Group& group, std::span<const Skipped> skipped);
 
+/// Reads the list of skipped computations.
 /// @throws cases::CaseError  the columns differ in length
 std::vector<Skipped> read_skipped(const Hdf5Group& group);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Inside results/ only: a table of a study as the group it is in a file.
+// This internal header of results/ stores the table of a study as a group.
 
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/result.hpp"
@@ -9,15 +9,18 @@
 
 namespace asperity::results {
 
-/// @throws std::domain_error  the table or a column has no name or one with
-///         '/', two columns share one, or their lengths differ
+/// Checks the names and lengths of a table.
+/// @throws std::domain_error  the name of the table or of a column is empty or
+///                            contains '/', two columns have the same name, or
+///                            the columns differ in length
 void require_table(const Table& table);
 
-/// Fills the empty group `group`.
-/// @param table  as require_table() wants it
+/// Writes into the empty group `group`.
+/// @param table  must satisfy require_table()
 void write_table(Hdf5Group& group, const Table& table);
 
-/// Columns by their `order`, those without one in the order of the file.
+/// Reads a table. Columns are sorted by their attribute `order`; those without
+/// it keep the order of the file.
 /// @throws cases::CaseError  the columns differ in length
 Table read_table(const Hdf5Group& group, const std::string& name);
 

@@ -17,7 +17,7 @@ using MemberType =
     std::remove_cvref_t<decltype(std::declval<CurvePoint>().*member)>;
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double rounding = 1e-9; // of sums of weights that have mean 1
+constexpr double rounding = 1e-9; // of sums of weights whose mean is 1
 
 constexpr ColumnRange any{-largest, largest};
 constexpr ColumnRange needed{-largest, largest, true};

@@ -1,7 +1,8 @@
 #pragma once
 
-// The columns of a curve: their names, units, ranges and order. The one table
-// that the HDF5 writer, its reader, its checks and the CSV file are made from.
+// This file defines the columns of a curve: their names, units, ranges and
+// order. The HDF5 writer and reader, the validity checks and the CSV file are
+// all derived from this table.
 
 #include "results/types/result.hpp"
 
@@ -11,24 +12,26 @@
 
 namespace asperity::results {
 
-/// What a number can be, both ends included, rounding of 1e-9 apart where an
-/// end is 1. NaN, "not determined", is allowed unless is_needed.
+/// Range of a number, including both ends. Ranges that end at 1 allow for a
+/// roundoff error of 1e-9. NaN, "not determined", is allowed unless is_needed
+/// is set.
 struct ColumnRange {
   double lowest;
   double highest;
-  bool is_needed = false; ///< in every step that converged
+  bool is_needed = false; ///< finite in every converged step
 
-  /// "must lie between 0 and 1", "must be finite and >= 0".
+  /// Returns "must lie between 0 and 1", "must be finite and >= 0" etc.
   std::string text() const;
 
-  /// True for a number within the range; NaN is none.
+  /// Returns whether the number is within the range; false for NaN.
   bool holds(double number) const;
 };
 
 inline constexpr ColumnRange not_negative{0.0,
                                           std::numeric_limits<double>::max()};
 
-/// A number of CurvePoint. Integers pass through double exactly.
+/// Description of one number of CurvePoint. Integers are converted to double
+/// exactly.
 struct CurveColumn {
   std::string_view name;
   std::string_view unit;
@@ -38,17 +41,17 @@ struct CurveColumn {
   void (*set)(CurvePoint&, double);
 };
 
-/// All numbers of a CurvePoint; `note` is not among them.
+/// Returns all numerical columns of CurvePoint; `note` is not among them.
 std::span<const CurveColumn> curve_columns();
 
-/// The column of that name; null if there is none.
+/// Returns the column of that name, or null if there is none.
 const CurveColumn* find_curve_column(std::string_view name);
 
-/// The column of that name.
+/// Returns the column of that name.
 /// @throws std::domain_error  there is none
 const CurveColumn& curve_column(std::string_view name);
 
-/// "converged", "not_converged".
+/// Returns "converged" or "not_converged".
 std::string_view status_word(StepStatus status);
 
 } // namespace asperity::results

@@ -1,6 +1,6 @@
 #pragma once
 
-// The check every function that takes whole maps begins with.
+// This file provides the size check of functions that take complete maps.
 
 #include "base/require.hpp"
 
@@ -9,7 +9,9 @@
 
 namespace asperity::results {
 
-/// @throws std::domain_error  the map is empty or has not `expected` values
+/// Checks the size of a map.
+/// @throws std::domain_error  the map is empty or does not have `expected`
+///                            values
 inline void require_size(const std::string& name, std::size_t size,
                          std::size_t expected) {
   if (size != expected || size == 0)

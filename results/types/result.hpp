@@ -1,7 +1,8 @@
 #pragma once
 
-// What every method answers in, and what a result file holds once it is read.
-// Owns the observables' names; nothing here knows which method it is.
+// This file defines the quantities that every method returns, and the contents
+// of a result file. It defines the names of the observables and does not depend
+// on any method.
 
 #include "base/grid.hpp"
 
@@ -17,48 +18,48 @@ inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 enum class StepStatus { converged, not_converged };
 
-/// One load step: a row of the curve. Fields a method does not have are NaN
-/// (the theory has no perimeter) or 0 (iterations).
+/// One load step, i.e. one row of the curve. Members that a method does not
+/// provide are NaN (the theory has no perimeter) or 0 (iterations). Equations
+/// are those of Yang and Persson (2008).
 struct CurvePoint {
-  int step = 0;                  ///< index in the load program
+  int step = 0;                  ///< index in the loading path
   double nominal_pressure = 0.0; ///< p_0 [Pa]
-  double mean_gap = 0.0;         ///< mean of the gap, penetration negative [m]
-  double area_fraction = 0.0;    ///< counted (theory: (4)) [1]
-  double area_fraction_corrected = 0.0;    ///< best estimate of the limit [1]
-  double area_fraction_fit = not_given;    ///< (21) of the fit to P(sigma) [1]
-  double area_fraction_moment = not_given; ///< (21) of <sigma^2> [1]
+  double mean_gap = 0.0;         ///< mean gap, penetration negative [m]
+  double area_fraction = 0.0;    ///< nodes in contact; theory: Eq. (4) [1]
+  double area_fraction_corrected = 0.0;    ///< estimate of the continuum [1]
+  double area_fraction_fit = not_given;    ///< Eq. (21), fit to P(sigma) [1]
+  double area_fraction_moment = not_given; ///< Eq. (21), from <sigma^2> [1]
   double contact_perimeter = 0.0;          ///< per nominal area [1/m]
-  double elastic_energy = 0.0;    ///< in the block per nominal area [J/m^2]
-  double contact_energy = 0.0;    ///< in the penalty springs [J/m^2]
+  double elastic_energy = 0.0;    ///< of the block, per nominal area [J/m^2]
+  double contact_energy = 0.0;    ///< of the penalty springs [J/m^2]
   double contact_stiffness = 0.0; ///< -dp_0/d(mean gap) >= 0 [Pa/m]
   int iterations = 0;
-  double residual = 0.0; ///< complementarity, relative to h_rms [1]
+  double residual = 0.0; ///< error of complementarity, relative to h_rms [1]
   double cpu_time = 0.0; ///< [s]
   int transforms = 0; ///< applications of the elastic operator or its inverse
-                      ///< on the method's grid; 0: not by such an operator
-  double transform_time = not_given;   ///< CPU time of all of them, those on
-                                       ///< coarser grids among it [s]
-  double observation_time = not_given; ///< CPU time of areas, fits and energy
-                                       ///< once the step is solved [s]
-  int linear_iterations = 0;           ///< of the whole block's linear solves
-  int preconditioner_setups = 0;       ///< or factorisations, of the same
-  double unknowns = not_given;         ///< of the whole block [1]
+                      ///< on the method's grid; 0: no such operator
+  double transform_time = not_given;   ///< CPU time of all applications,
+                                       ///< including those on coarser grids [s]
+  double observation_time = not_given; ///< CPU time of areas, fits, energy [s]
+  int linear_iterations = 0;           ///< of the linear solver, full 3-D block
+  int preconditioner_setups = 0;       ///< or factorisations, likewise
+  double unknowns = not_given;         ///< of the full 3-D block [1]
   double memory = not_given;           ///< matrix and preconditioner [bytes]
-  double von_mises = not_given; ///< the strongest inside the whole block [Pa]
-  double von_mises_depth = not_given; ///< of its place [m]
+  double von_mises = not_given;        ///< maximum in the full 3-D block [Pa]
+  double von_mises_depth = not_given;  ///< depth of this maximum [m]
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
-  std::string note; ///< why it did not converge, an observable is NaN; or ""
+  std::string note; ///< why it did not converge or an observable is NaN; or ""
 };
 
-/// Maps of one load step, both grid.size() long. The grid is the method's own,
-/// which need not be the surface's.
+/// Maps of one load step, each of size grid.size(). The grid is that of the
+/// method, which may differ from that of the surface.
 struct Fields {
   int step = 0;
   double nominal_pressure = 0.0; ///< [Pa]
   std::vector<double> pressure;  ///< [Pa] >= 0
-  std::vector<double> gap; ///< [m], negative where a penalty is pressed in or
-                           ///< atoms are closer than their contact distance
+  std::vector<double> gap; ///< [m], negative where a penalty contact penetrates
+                           ///< or atoms are closer than their contact distance
   Grid grid = {};
 };
 
@@ -68,10 +69,10 @@ struct SpectrumPoint {
   double spectrum = 0.0;   ///< C(q) [m^4]
 };
 
-/// The surface of one realisation with the statistics the report prints.
+/// The surface of one realisation with the statistics that the report prints.
 struct SurfaceRecord {
   Grid grid;
-  std::vector<double> heights; ///< [m], mean 0; empty where not kept
+  std::vector<double> heights; ///< [m], mean 0; empty if not saved
   double rms_height = 0.0;     ///< [m]
   double rms_slope = 0.0;      ///< both directions [1]
   double rms_curvature = 0.0;  ///< half the Laplacian [1/m]
@@ -81,13 +82,13 @@ struct SurfaceRecord {
   std::vector<SpectrumPoint> spectrum;
 };
 
-/// One method on one realisation.
+/// Results of one method for one realisation.
 struct Curve {
   std::vector<CurvePoint> points;
   std::vector<Fields> fields;
   double setup_cpu_time = 0.0; ///< [s]
-  /// The surface it ran on where that is not the case's: roughness left out
-  /// above a magnification, another grid.
+  /// The surface of the method, if it differs from that of the case: roughness
+  /// beyond a magnification is omitted, or the grid is another one.
   std::optional<SurfaceRecord> own_surface = {};
 };
 
@@ -95,39 +96,39 @@ struct MethodRecord {
   std::string name;                ///< "fem", "fem.hard", "theory", ...
   std::string kind;                ///< fem | halfspace | theory | md | ...
   std::string description;         ///< one line for the report
-  std::vector<Curve> realizations; ///< theory from a formula: one
+  std::vector<Curve> realizations; ///< one for a theory with a formula
 };
 
 /// One column of a table.
 struct Column {
-  std::string name; ///< as a name of a curve's columns: "mean_gap"
-  std::string unit; ///< SI: "m"; "1" for none
+  std::string name; ///< as the name of a curve column: "mean_gap"
+  std::string unit; ///< SI: "m"; "1" if dimensionless
   std::vector<double> values;
 };
 
-/// What a study of the theory found beside its curve: columns of one length.
+/// Results of a study other than a curve, in columns of equal length.
 struct Table {
   std::string name;
   std::string title; ///< one line for the reader
   std::vector<Column> columns;
 
-  /// The values of a column, none if there is no such column.
+  /// Returns the values of a column; empty if there is no such column.
   std::vector<double> values(const std::string& column) const;
 };
 
-/// Something the scene did not need and that was not computed.
+/// A computation that was skipped because it was not required.
 struct Skipped {
   std::string what;      ///< "fem, realization 2"
   std::string why;       ///< "all 16 steps are in the cache"
-  double cpu_time = 0.0; ///< it would have cost [s]; NaN: not predicted
-  double bytes = 0.0;    ///< of memory it would have taken; NaN: not predicted
+  double cpu_time = 0.0; ///< predicted CPU time [s]; NaN: not predicted
+  double bytes = 0.0;    ///< predicted memory [bytes]; NaN: not predicted
 };
 
-/// Key-value facts about what made the file, in the order they were written.
+/// Provenance facts as key-value pairs, in the order of writing.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
 struct Result {
-  std::string path; ///< where it was read from
+  std::string path; ///< path from which it was read
   std::string case_name;
   std::string case_title;
   std::string case_text;
@@ -136,13 +137,13 @@ struct Result {
   std::string status;           ///< running | complete | interrupted
   double contact_modulus = 0.0; ///< E* [Pa]
   Provenance provenance;
-  std::vector<SurfaceRecord> surfaces; ///< one a realisation; empty if the
-                                       ///< theory alone ran from a formula
+  std::vector<SurfaceRecord> surfaces; ///< one per realisation; empty if only
+                                       ///< theory formulas were evaluated
   std::vector<MethodRecord> methods;
-  std::vector<Table> tables = {}; ///< of studies, in the order they were made
+  std::vector<Table> tables = {}; ///< in the order of the studies
   std::vector<Skipped> skipped = {};
 
-  /// Null if there is none of that name.
+  /// Returns the table of that name, or null if there is none.
   const Table* table(const std::string& name) const;
 };
 
