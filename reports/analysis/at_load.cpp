@@ -16,7 +16,7 @@ using results::MethodRecord;
 
 constexpr const char* excess_prefix = "area_excess";
 
-/// The column that a quantity's area is read from.
+/// Returns the column from which the area of a quantity is read.
 AreaColumn area_column(const std::string& quantity) {
   if (quantity.ends_with("_fit"))
     return &CurvePoint::area_fraction_fit;
@@ -27,7 +27,7 @@ AreaColumn area_column(const std::string& quantity) {
   return &CurvePoint::area_fraction;
 }
 
-/// NaN where the curve does not have it.
+/// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
                  const SurfaceScales& scales) {
@@ -77,7 +77,7 @@ void add_quantities_at_load(const results::Result& result,
     const cases::QuantityAtLoad asked =
         *cases::read_quantity_at_load(name).at_load;
     if (asked.magnification)
-      continue; // of the studies
+      continue; // handled by the studies
     const double pressure =
         asked.nominal_pressure.in_si({result.contact_modulus, 0.0, 0.0, 0.0});
     std::vector<FittedValue> values;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Numbers of a curve at one load, as [expect] and reference.csv ask for them:
-// "area_fraction@p=0.0129 E*".
+// This file evaluates quantities of a curve at a single load, as [expect] and
+// reference.csv request them: "area_fraction@p=0.0129 E*".
 
 #include "reports/analysis/summary.hpp"
 
@@ -11,17 +11,18 @@
 
 namespace asperity::reports {
 
-/// The names at a load that a case's expectations and its references ask for,
-/// each once.
+/// Returns the names at a load that a case's expectations and references
+/// request, without repetition.
 std::vector<std::string>
 names_at_load(std::span<const cases::Expectation> expectations,
               std::span<const cases::ReferenceValue> references);
 
-/// Adds each of `names` that this kind of method answers: the mean over the
-/// realisations of what CurveFunction has at that pressure. Without a value,
-/// and with the reason, where the load lies outside the curve or the curve has
-/// no such column.
-/// @param reference  the theory an excess is over, or null: no excess then
+/// Adds each of `names` that applies to this kind of method: the mean over the
+/// realisations of CurveFunction at that pressure. The estimate has no value,
+/// but a reason, if the load lies outside the curve or the curve has no such
+/// column.
+/// @param reference  the theory relative to which an excess is computed; null:
+///     no excess is added
 void add_quantities_at_load(const results::Result& result,
                             const cases::Case& contact_case,
                             const results::MethodRecord& method,

@@ -72,7 +72,7 @@ double area_at_highest_load(std::span<const CurvePoint> points) {
 double gap_shortfall(std::span<const CurvePoint> points,
                      const CurveFunction& reference, double rms_height) {
   for (const Deviation& row : deviations(points, reference))
-    if (std::isfinite(row.reference_gap)) // in ascending pressure
+    if (std::isfinite(row.reference_gap)) // rows are in ascending pressure
       return (row.reference_gap - row.gap) / rms_height;
   return not_a_number;
 }
@@ -121,7 +121,7 @@ void add_surface_quantities(const results::Result& result,
       determined(mean_over_realizations(dimensions), positive_range);
 }
 
-// Of one value: the two surfaces are one pair.
+// Each quantity has a single value because the two surfaces form one pair.
 void add_sum_quantities(const results::Result& result,
                         const cases::SurfaceSpec& surface,
                         MethodSummary& summary) {
@@ -206,7 +206,8 @@ void add_claim_quantities(const results::Result& result,
   if (method.kind == "theory" && gamma != summary.quantities.end() &&
       gamma->second.has_value()) {
     Estimate& epsilon = summary.quantities["epsilon"];
-    epsilon.value = theory::persson_epsilon(gamma->second.value); // (16)
+    // Eq. (16) of Yang and Persson (2008)
+    epsilon.value = theory::persson_epsilon(gamma->second.value);
     epsilon.realizations = 1;
     epsilon.remark = "(16) at the gamma of the case";
   }

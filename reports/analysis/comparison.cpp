@@ -18,8 +18,9 @@ namespace {
 using results::CurvePoint;
 using Function = std::function<double(double)>;
 
-// Two rows this close in ln p are one pressure: it is far above the rounding
-// of a file's decimals and far below any step of a program.
+// Two rows whose ln p differ by less than this have the same pressure. The
+// limit is far above the rounding of a file's decimals and far below any step
+// of a loading path.
 constexpr double same_pressure = 1e-9;
 
 Function straight(std::vector<double> x, std::vector<double> y) {
@@ -53,7 +54,8 @@ Function interpolant(const std::vector<double>& x,
   };
 }
 
-// x over y: of the heaviest load inwards, the rows where y still rises.
+// Inverts the curve, x over y. Starting at the heaviest load, it uses the rows
+// at which y still increases.
 Function falling_inverse(const std::vector<double>& x,
                          const std::vector<double>& y) {
   std::vector<double> rising;
@@ -82,7 +84,7 @@ CurveFunction::CurveFunction(std::span<const CurvePoint> points,
     const double log_pressure = std::log(row.nominal_pressure);
     if (!gap_pressure.empty() &&
         log_pressure - gap_pressure.back() <= same_pressure)
-      continue; // the same load twice
+      continue; // repeated load
     gap_pressure.push_back(log_pressure);
     gap.push_back(row.mean_gap);
     if (row.*area > 0.0) {
@@ -125,7 +127,7 @@ double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
     const double reduced_gap = row.gap / rms_height;
     if (!(reduced_gap >= low && reduced_gap <= high))
       continue;
-    // fmax takes the number where the other argument is NaN
+    // fmax returns the number if the other argument is NaN.
     largest =
         std::fmax(largest, std::abs(row.gap - row.reference_gap) / rms_height);
   }
@@ -134,13 +136,13 @@ double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
 
 double largest_pressure_difference(std::span<const CurvePoint> points,
                                    const CurveFunction& reference) {
-  const double step = 1e-3; // of ln p, over which du_ref is taken
+  const double step = 1e-3; // in ln p, for the derivative du_ref
   const double ratio = std::exp(step);
   double largest = not_a_number;
   for (const CurvePoint& row : loading_rows(points)) {
     double fall = reference.gap(row.nominal_pressure) -
                   reference.gap(row.nominal_pressure * ratio);
-    if (!std::isfinite(fall)) // the last row of the other curve
+    if (!std::isfinite(fall)) // last row of the other curve
       fall = reference.gap(row.nominal_pressure / ratio) -
              reference.gap(row.nominal_pressure);
     const double shift =

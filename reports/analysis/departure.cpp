@@ -27,7 +27,8 @@ double median_in_range(const std::vector<GapRow>& rows) {
                                 : 0.5 * (inside[half - 1] + inside[half]);
 }
 
-// From row `start` on, `direction` +1 to larger gaps.
+// Searches from row `start`, towards larger gaps if `direction` is +1 and
+// towards smaller ones if it is -1.
 double end_of_agreement(const std::vector<GapRow>& rows, double offset,
                         std::ptrdiff_t start, int direction) {
   const auto apart = [&](std::ptrdiff_t i) {

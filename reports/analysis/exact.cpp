@@ -14,7 +14,7 @@ namespace {
 using cases::SurfaceKind;
 using results::CurvePoint;
 
-// What the method answers, in the terms of the exact solution.
+// Converts a row of a method into the quantities of the exact solution.
 ExactPoint answer_of(const CurvePoint& point, const cases::SurfaceSpec& surface,
                      double contact_modulus, double surface_top) {
   ExactPoint answer;
@@ -82,7 +82,7 @@ void add_exact_quantities(const results::Result& result,
                           const results::MethodRecord& method,
                           MethodSummary& summary) {
   if (method.kind == "theory" || method.realizations.empty())
-    return; // Persson's theory is no answer to a single shape
+    return; // Persson's theory does not apply to a single shape
   const cases::SurfaceSpec& surface = exact_case.surface;
   const LargestErrors errors = errors_of(result, surface, method);
   auto& quantities = summary.quantities;

@@ -39,8 +39,9 @@ ExactPoint on_wave_1d(const SurfaceSpec& surface, double contact_modulus,
   return exact;
 }
 
-// Between its two ends a table: of our own solution on finer grids, so there a
-// continuum half-space is held against itself refined, any other method not.
+// Between its two limits, the solution is a table computed with this program on
+// finer grids. A continuum half-space is therefore compared with a refinement
+// of itself there; any other method is compared with an independent solution.
 ExactPoint on_wave_2d(const SurfaceSpec& surface, double contact_modulus,
                       double nominal_pressure) {
   const theory::Wave2dContact wave(surface.amplitude, surface.wavelength,

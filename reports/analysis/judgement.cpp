@@ -8,7 +8,8 @@
 namespace asperity::reports {
 namespace {
 
-// 0.0412 -> 0.042: never less than the number.
+// Rounds up to two digits, 0.0412 -> 0.042: the result is never less than the
+// number.
 double up_to_two_digits(double number) {
   const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
   return std::ceil(number / unit * (1.0 - 1e-12)) * unit;
@@ -58,7 +59,7 @@ Judgement judge_published(const cases::ReferenceValue& reference,
                : Judgement{Reproduction::not_reproducible, refusal};
   const double difference = std::abs(ours.value - reference.value);
   const double interval = ours.has_interval() ? ours.half_width : 0.0;
-  // a number of as many digits as were printed is as near as it can be
+  // Allows for the finite number of printed digits of the published number.
   const double rounding = 1e-12 * std::abs(reference.value);
   if (difference <= reference.uncertainty + interval + rounding) {
     if (!reference.input.empty())

@@ -1,7 +1,7 @@
 #pragma once
 
-// A published number held against one of ours. Owns the words of that
-// judgement; it decides nothing else.
+// This file compares a published number with a computed one. It owns the
+// wording of the comparison and decides nothing else.
 
 #include "cases/types/reference.hpp"
 #include "reports/numbers/estimate.hpp"
@@ -10,21 +10,22 @@
 
 namespace asperity::reports {
 
-/// From the best to the least that can be said.
+/// The outcomes are ordered from the best to the weakest statement.
 enum class Reproduction {
   reproduced,       ///< |ours - value| <= uncertainty + our interval
-  inconclusive,     ///< so too, but our interval is wide
-  differs,          ///< not so, and nothing is said against the number
-  not_reproducible, ///< not so, and reference.csv says why it cannot be
-  input,            ///< the case sets it or is fitted to it: no finding
-  missing,          ///< we have no number
+  inconclusive,     ///< the same, but our interval is wide
+  differs,          ///< beyond the uncertainties, for no known reason
+  not_reproducible, ///< beyond them, for a reason given in reference.csv
+  input,            ///< set by the case or fitted to it: not a finding
+  missing,          ///< no computed number
 };
 
-/// The enumerator's own name: for programs.
+/// Returns the name of the enumerator, for use by programs.
 const char* reproduction_word(Reproduction reproduction);
 
-/// Our half-width is called wide where it is more than this share of the value,
-/// and more than the published uncertainty: it would agree with much else.
+/// The half-width is called wide if it exceeds both this share of the value and
+/// the published uncertainty: such an interval would agree with many other
+/// values.
 inline constexpr double wide_interval = 0.2;
 
 struct Judgement {
@@ -33,9 +34,9 @@ struct Judgement {
                      ///< "not reproducible: ..."
 };
 
-/// Our half-width counts as 0 where there is none. "Differs by x %" is of the
-/// published value, rounded up to two digits; of a value 0 the difference
-/// itself is said.
+/// Compares a published value with an estimate. A missing half-width counts as
+/// 0. "Differs by x %" is relative to the published value and rounded up to two
+/// digits; for a published value of 0 the absolute difference is stated.
 Judgement judge_published(const cases::ReferenceValue& reference,
                           const Estimate& ours);
 

@@ -9,7 +9,7 @@ namespace asperity::reports {
 
 namespace {
 
-// All of them, of one length.
+// Checks that the table has all the columns and that they have equal length.
 bool has_columns(const results::Table* table,
                  std::initializer_list<const char*> names) {
   if (table == nullptr)

@@ -1,6 +1,7 @@
 #pragma once
 
-// The tables of a study of magnifications, put together. Internal to figures.
+// This file collects the tables of a magnification study. It is internal to the
+// figures.
 
 #include "results/types/result.hpp"
 
@@ -13,18 +14,18 @@ namespace asperity::reports {
 struct MagnifiedLoad {
   std::size_t index = 0;
   double pressure = 0.0;                ///< [Pa]
-  double contact_weight = 0.0;          ///< A(zeta_1)/A_0
-  const results::Table* seen = nullptr; ///< rows of zeta
+  double contact_weight = 0.0;          ///< A(zeta_1)/A_0 [1]
+  const results::Table* seen = nullptr; ///< one row per zeta
   const results::Table* gaps = nullptr; ///< quantiles of u_1
 };
 
-/// A study as its figures want it.
+/// A magnification study in the form that its figures need.
 struct MagnifiedStudy {
-  double rms_height = 0.0;          ///< of the whole surface [m]
-  std::vector<MagnifiedLoad> loads; ///< those whose tables are there
+  double rms_height = 0.0;          ///< with all of the roughness [m]
+  std::vector<MagnifiedLoad> loads; ///< loads whose tables are present
 };
 
-/// What is there of the study; no loads if it was not run.
+/// Returns the available part of the study; no loads if the study was not run.
 MagnifiedStudy study_of(const results::Result& result);
 
 } // namespace asperity::reports

@@ -22,7 +22,8 @@ double difference_ratio(std::span<const double, 3> h, double order) {
   return (coarse - 1.0) / (1.0 - fine);
 }
 
-/// Of the two differences, each over its scale.
+/// Returns the cosine of the angle between the two differences, each entry
+/// divided by its scale.
 double cosine(std::span<const std::vector<double>, 3> answers,
               std::span<const double> scale) {
   double product = 0.0;

@@ -46,7 +46,7 @@ bool is_positive(double number) {
   return number > 0.0 && std::isfinite(number);
 }
 
-// The fits that hold the curve against the theory of its own surface.
+// Adds the fits that compare the curve with the theory of its own surface.
 void add_theory_fits(const Result& result, const cases::Case& rough_case,
                      const MethodRecord& method, std::size_t realization,
                      RealizationFits& fits) {
@@ -84,7 +84,7 @@ RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
   fits.area = fit_area(points, fits.scales);
   try {
     add_theory_fits(result, rough_case, method, realization, fits);
-  } catch (const std::domain_error& error) { // of heights that have no theory
+  } catch (const std::domain_error& error) { // heights without a theory
     fits.parameter = {};
     fits.parameter.reason =
         fmt::format("there is no theory of this surface: {}", error.what());
@@ -92,9 +92,9 @@ RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
   return fits;
 }
 
-// Mean of one fitted value over realisations, if it is a result. The mean is
-// judged and not each realisation: leaving out those outside the range would
-// pull the mean into it.
+// Returns the mean of one fitted value over the realisations, if it counts as a
+// result. The criterion is applied to the mean and not to each realisation:
+// discarding realisations outside the range would bias the mean towards it.
 template <class Fit>
 Estimate mean_of(const std::vector<RealizationFits>& fits,
                  Fit RealizationFits::*fit, FittedValue Fit::*fitted,

@@ -1,7 +1,8 @@
 #pragma once
 
-// The named numbers of a rough surface: gamma twice, beta, kappa, and how far
-// a method is from the theory of the same case.
+// This file computes the named quantities of a rough surface: gamma by two
+// definitions, beta, kappa, and the deviation of a method from the theory of
+// the same case.
 
 #include "reports/analysis/summary.hpp"
 
@@ -15,7 +16,8 @@ void add_rough_quantities(const results::Result& result,
                           const results::MethodRecord* reference,
                           MethodSummary& summary);
 
-/// The curve of a realisation; a theory that ran once stands for all.
+/// Returns the curve of a realisation. A theory that ran only once provides the
+/// same curve for all realisations.
 const results::Curve& curve_of(const results::MethodRecord& method,
                                std::size_t realization);
 

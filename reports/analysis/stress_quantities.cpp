@@ -29,7 +29,7 @@ std::string stress_section_name(const std::string& method) {
 }
 
 HertzStrength hertz_strength(double poisson_ratio) {
-  // E* = 3/4 and F = R = 1 make a = 1; p_0 = 3/(2 pi).
+  // With E* = 3/4 and F = R = 1, a = 1 and p_0 = 3/(2 pi).
   const theory::HertzContact contact = theory::hertz_contact(1.0, 1.0, 0.75);
   const auto [depth, lowest] = boost::math::tools::brent_find_minima(
       [&](double z) {
@@ -57,7 +57,7 @@ void add_stress_quantities(const results::Result& result,
   const std::vector<double> strengths = table->values("von_mises");
   const std::vector<double> depths = table->values("depth");
   if (strengths.size() != pressures.size() || depths.size() != pressures.size())
-    return; // not a table of ours
+    return; // not a table in the expected format
   double strength_error = not_a_number;
   double depth_error = not_a_number;
   for (std::size_t i = 0; i < pressures.size(); ++i) {

@@ -16,7 +16,8 @@ namespace {
 using results::Result;
 using results::Table;
 
-// Loads that a case writes in two units are one within this, relative.
+// Loads that a case writes in two units are equal within this relative
+// tolerance.
 constexpr double unit_rounding = 1e-9;
 
 Estimate without(const std::string& reason) {
@@ -33,7 +34,8 @@ Estimate number(double value, const std::string& reason_if_none) {
   return estimate;
 }
 
-/// y at x between rows, straight in the logarithms; NaN outside them.
+/// Interpolates y at x between rows, linearly in the logarithms; NaN outside
+/// the rows.
 double between_rows(const std::vector<double>& x, const std::vector<double>& y,
                     double at) {
   for (std::size_t i = 0; i < x.size() && i < y.size(); ++i) {
@@ -82,7 +84,8 @@ Estimate at_magnification(const Result& result,
                                            *asked.magnification));
 }
 
-/// Of two loads' rows, the largest |u/u' - 1| from a magnification on.
+/// Returns the largest |u/u' - 1| between the rows of two loads, for
+/// magnifications of at least `from`.
 double largest_difference(const Table& light, const Table& heavy, double from) {
   const std::vector<double> zeta = light.values("magnification");
   const std::vector<double> gap = light.values("mean_gap");

@@ -49,7 +49,8 @@ Cost cost_of(const MethodRecord& method) {
   return cost;
 }
 
-// Deepest overlap of the kept gap maps, in h_rms of realisation r.
+// Returns the largest penetration in the saved gap maps, in units of h_rms of
+// the respective realisation.
 Estimate penetration_of(const Result& result, const MethodRecord& method) {
   Estimate estimate;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
@@ -74,14 +75,14 @@ Estimate penetration_of(const Result& result, const MethodRecord& method) {
   return estimate;
 }
 
-// Whatever a quantity meets in a curve or a map, the other quantities and the
-// report do not depend on it.
+// Runs `work` and records its failure. Other quantities and the report do not
+// depend on the problems that one quantity encounters in a curve or a map.
 template <class Work>
 void attempt(MethodSummary& summary, const char* what, const Work& work) {
   try {
     work();
   } catch (const std::bad_alloc&) {
-    throw; // of the machine, not of the numbers
+    throw; // a system error, not a property of the data
   } catch (const std::exception& error) {
     summary.problems.push_back(fmt::format("{}: {}", what, error.what()));
   }

@@ -10,9 +10,10 @@
 namespace asperity::reports {
 namespace {
 
-// The finest shells there are: lengths of wavevector on a square grid, roots of
-// integers, are hardly ever as close as this to each other.
-constexpr double shell_width = 1e-6; // of ln q
+// These are the finest possible shells: the wavevector magnitudes on a square
+// grid are proportional to roots of integers and are hardly ever this close to
+// each other.
+constexpr double shell_width = 1e-6; // in ln q
 
 std::vector<theory::SpectrumShell>
 shells_of(const results::SurfaceRecord& surface) {

@@ -1,6 +1,8 @@
 #pragma once
 
-// Persson's theory of the very surface a method ran on, for the fit of gamma.
+// This file evaluates Persson's theory for the actual surface on which a method
+// ran, for the fit of gamma. Equation numbers are those of Yang and Persson
+// (2008).
 
 #include "cases/types/case.hpp"
 #include "reports/numbers/fits.hpp"
@@ -9,21 +11,23 @@
 
 namespace asperity::reports {
 
-/// What fits need of the theory of one surface. Empty `gap`: the theory of
-/// this surface cannot be had.
+/// The part of the theory of one surface that the fits need. An empty `gap`
+/// means that there is no theory of this surface.
 struct SurfaceTheory {
-  GapTheory gap;                      ///< u(p) of (14) for gamma = 1 and 0
-  double decay_length = not_a_number; ///< u_0 of (18) at gamma = 1 [m]; u_0 is
-                                      ///< proportional to gamma
+  GapTheory gap; ///< u(p) of Eq. (14) for gamma = 1 and gamma = 0
+  /// u_0 of Eq. (18) at gamma = 1 [m]; u_0 is proportional to gamma
+  double decay_length = not_a_number;
 };
 
-/// From the spectrum of the heights, a shell a length of wavevector: lengths
-/// within 1e-6 of each other are one. Empty if the heights were not kept.
+/// Uses the spectrum of the heights, with one shell per wavevector magnitude;
+/// magnitudes within a relative 1e-6 of each other are equal. The result is
+/// empty if the heights were not saved.
 SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
                                 double contact_modulus);
 
-/// From the formula of a self-affine case, of the roughness up to `highest`
-/// [rad/m] where that is given; empty for other kinds.
+/// Uses the analytical spectrum of a self-affine case, including roughness up
+/// to `highest` [rad/m] if that is given. The result is empty for other kinds
+/// of surface.
 SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
                                 double contact_modulus,
                                 std::optional<double> highest = {});

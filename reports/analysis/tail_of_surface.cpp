@@ -23,8 +23,8 @@ theory::ProfileMoments moments_of(const cases::SurfaceSpec& surface,
       .profile_moments();
 }
 
-// u [m] at which separate asperities bear the load; NaN where they would have
-// to be pressed in beyond the mean plane.
+// Returns u [m] at which independent asperities carry the load; NaN if they
+// would have to be compressed beyond the mean plane.
 double gap_of_asperities(const theory::ProfileMoments& moments,
                          double contact_modulus, double nominal_pressure) {
   const double rms_height = std::sqrt(moments.height);
@@ -34,7 +34,7 @@ double gap_of_asperities(const theory::ProfileMoments& moments,
                         .nominal_pressure /
                     nominal_pressure);
   };
-  const double highest = 10.0; // where p is some e^-50 E*
+  const double highest = 10.0; // where p is of the order of e^-50 E*
   if (!(excess(0.0) > 0.0 && excess(highest) < 0.0))
     return not_a_number;
   std::uintmax_t steps = 100;

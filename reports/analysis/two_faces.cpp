@@ -10,7 +10,9 @@
 namespace asperity::reports {
 namespace {
 
-// Shells of one grid have one place each, but the middle of their own power.
+// On one grid, shells have the same bins, but each reports its own
+// power-weighted wavevector. The nearest wavevector therefore identifies the
+// shell.
 double density_near(const results::SurfaceRecord& surface, double wavevector) {
   const auto nearest = std::min_element(
       surface.spectrum.begin(), surface.spectrum.end(),
@@ -65,7 +67,7 @@ double sum_spectrum_ratio(const results::Result& result,
       continue;
     const double both = density_near(result.surfaces[0], point.wavevector) +
                         density_near(result.surfaces[1], point.wavevector);
-    if (!(both > 0.0)) // also of NaN
+    if (!(both > 0.0)) // also true for NaN
       continue;
     total += point.spectrum / both;
     ++shells;

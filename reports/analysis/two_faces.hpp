@@ -1,7 +1,7 @@
 #pragma once
 
-// Two surfaces that are looked at and not pressed: the faces of one contact.
-// Owns what they are together.
+// This file describes two surfaces that are analysed but not pressed together:
+// the two surfaces of one contact. It owns their sum.
 
 #include "results/types/result.hpp"
 
@@ -9,14 +9,16 @@
 
 namespace asperity::reports {
 
-/// h_0 + h_1: what a flat block meets that stands for both faces, see
-/// theory/exact/two_bodies.hpp. Of a result with two surfaces on one grid, both
-/// with their heights, and no method but theory; none of any other.
+/// Returns h_0 + h_1, the equivalent roughness that a flat block sees in place
+/// of both surfaces; see theory/exact/two_bodies.hpp. The result must have two
+/// surfaces on one grid, both with their heights, and no method other than
+/// theory; otherwise nothing is returned.
 std::optional<results::SurfaceRecord>
 sum_of_two_faces(const results::Result& result);
 
-/// Mean over the shells with low <= |q| <= high of C_sum/(C_0 + C_1) [1], which
-/// is 1 for faces that know nothing of each other; NaN without shells.
+/// Returns the mean over the shells with low <= |q| <= high of
+/// C_sum/(C_0 + C_1) [1], which is 1 for uncorrelated surfaces; NaN if there
+/// are no such shells.
 double sum_spectrum_ratio(const results::Result& result,
                           const results::SurfaceRecord& sum, double low,
                           double high);

@@ -28,7 +28,7 @@ Outcome outcome_of(const Estimate& estimate, double low, double high) {
   return largest < low || least > high ? Outcome::failed : Outcome::undecided;
 }
 
-// Why a method has no such quantity.
+// Explains why a method lacks a quantity.
 std::string why_missing(const MethodSummary& method) {
   return method.problems.empty()
              ? "the method does not answer this"
@@ -46,8 +46,8 @@ Verdict judge_one(const cases::Expectation& expectation,
   verdict.passes_if_undecided = expectation.passes_if_undecided;
   const MethodSummary* method = find_method(methods, method_name);
   if (method == nullptr) {
-    // A run names all its methods at its start, so a complete result lacks
-    // only what was left out on purpose.
+    // A run lists all its methods at its start, so a complete result lacks only
+    // those that were deliberately omitted.
     if (is_complete)
       verdict.outcome = Outcome::skipped;
     verdict.estimate.remark = "the method is not in the result";

@@ -16,7 +16,7 @@ using results::Result;
 using results::SurfaceRecord;
 using Limits = WarningLimits;
 
-/// Over the realisations that have the number; NaN if none has.
+/// Averages over the realisations that have the number; NaN if none has it.
 double mean_of(const Result& result, double SurfaceRecord::*number) {
   double sum = 0.0;
   int count = 0;

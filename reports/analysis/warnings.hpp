@@ -1,7 +1,8 @@
 #pragma once
 
-// Where the data do not meet the methods' assumptions. Owns the limits and the
-// words; the numbers are those of surfaces/assumptions.hpp.
+// This file detects where the data violate the assumptions of the methods. It
+// owns the limits and the messages; the numbers come from
+// surfaces/assumptions.hpp.
 
 #include "cases/types/case.hpp"
 #include "reports/analysis/summary.hpp"
@@ -13,7 +14,7 @@
 
 namespace asperity::reports {
 
-/// One assumption that a surface does not meet.
+/// One assumption that a surface violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
                            ///< scan_lines or windowed
@@ -21,28 +22,29 @@ struct Warning {
   std::string consequence; ///< what this means for the result
 };
 
-/// Limits, and why they lie there: docs/surfaces.md, "What a report warns of".
+/// The limits are motivated in docs/surfaces.md, "What a report warns of".
 struct WarningLimits {
-  static constexpr double skewness = 1.0;         ///< either sign [1]
-  static constexpr double kurtosis_low = 2.0;     ///< [1], 3: Gaussian
+  static constexpr double skewness = 1.0;     ///< absolute value [1]
+  static constexpr double kurtosis_low = 2.0; ///< [1]; a Gaussian surface has 3
   static constexpr double kurtosis_high = 5.0;    ///< [1]
   static constexpr double unresolved_slope = 0.6; ///< share of <|grad h|^2>
   static constexpr double rms_slope = 0.5;        ///< [1]
-  static constexpr double line_offset = 3.0;      ///< ratio, or one over it
+  static constexpr double line_offset = 3.0;      ///< ratio or its inverse [1]
 };
 
-/// What a report says at its top: of a self-affine surface, one by a spectrum
-/// and a measured one (exact shapes are what they are). Moments and slopes are
-/// means over the realisations, what needs heights is of realisation 0; a
-/// number that is not in the result warns of nothing.
+/// Returns the warnings at the top of a report, for self-affine surfaces,
+/// surfaces given by a spectrum and measured ones (exact shapes need none).
+/// Moments and slopes are means over the realisations; quantities that need
+/// heights use realisation 0. A number that is not in the result causes no
+/// warning.
 std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);
 
-/// The same for a terminal: "warning: case: headline", a line each.
+/// Returns the same for a terminal: "warning: case: headline", one line each.
 std::string warning_lines(const results::Result& result,
                           const cases::Case& contact_case);
 
-/// summary.json with these among it.
+/// Writes summary.json including these warnings.
 std::string summary_json(const Summary& summary,
                          std::span<const Warning> warnings);
 

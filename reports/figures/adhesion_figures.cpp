@@ -21,7 +21,7 @@ const char* const green = "linewidth 1.6 linecolor rgb '#009E73'";
 const char* const blue = "linewidth 1.6 linecolor rgb '#0072B2'";
 const char* const dashed = " dashtype 2";
 
-/// The table's curves against one of its columns, a series each.
+/// Plots curves of the table against one of its columns, one series per curve.
 Figure figure_of(const Table& rows, const std::string& name,
                  const std::string& x_column, double x_scale,
                  const std::string& x_name, const std::vector<Curve>& curves) {

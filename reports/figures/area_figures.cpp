@@ -11,7 +11,8 @@
 namespace asperity::reports {
 namespace {
 
-// "1.31; 1.5 over the lighter half of the loads, 1.3 over the heavier".
+// Describes the fitted factor, for example "1.31; 1.5 over the lighter half of
+// the loads, 1.3 over the heavier".
 std::string scale_words(const Series& fitted) {
   const Estimate& all =
       quantity(fitted, area_scale_name(false, LoadRange::all));
@@ -54,7 +55,7 @@ std::string area_caption(const Series* fitted) {
 } // namespace
 
 Figure area_figure(std::span<const Series> series) {
-  constexpr double largest_area = 0.4; // where the near-linear part is over
+  constexpr double largest_area = 0.4; // end of the near-linear range
   Figure figure;
   figure.name = "area-pressure";
   figure.title = "Contact area against pressure";
@@ -163,7 +164,8 @@ Figure area_coefficient_figure(std::span<const Series> series) {
 
 namespace {
 
-// "fem counted +22 %, by (21) +15 %", of the methods that have them.
+// Describes the excess of the methods that have it, for example
+// "fem counted +22 %, by (21) +15 %".
 std::string excess_words(std::span<const Series> series) {
   std::string words;
   for (const Series& one : series) {

@@ -10,8 +10,8 @@
 namespace asperity::reports {
 namespace {
 
-// Bars at the foot of the plot: each method's fit window, mean over its
-// realisations.
+// Draws one bar per method at the bottom axis: its fit window, averaged over
+// its realisations.
 std::string window_bars(std::span<const Series> series) {
   std::string script;
   int bars = 0;
@@ -37,7 +37,7 @@ std::string window_bars(std::span<const Series> series) {
   return script;
 }
 
-// Adds the fitted exponential of `series` as rows of its own.
+// Adds the fitted exponential of `series` as separate rows.
 void add_fit(CsvTable& table, std::size_t index, const Series& series) {
   const double decay = quantity(series, "gamma_slope").value;
   const double prefactor = quantity(series, "beta").value;
@@ -51,7 +51,8 @@ void add_fit(CsvTable& table, std::size_t index, const Series& series) {
   }
 }
 
-/// From closed contact, or from where a soft wall is pressed in.
+/// The axis starts at zero separation, or at the lowest (negative) gap where a
+/// penalty method allows penetration.
 std::string gap_range(std::span<const Series> series) {
   double lowest = 0.0;
   for (const Series& one : series)
@@ -119,7 +120,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     for (const Series& one : series)
       for (const SeriesRow& row : one.rows)
         furthest = std::max(furthest, row.gap);
-    if (furthest > 0.0) // an axis in nm needs a length
+    if (furthest > 0.0) // an axis in nm needs a length scale
       figure.script += fmt::format(
           "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\n"
           "set border 7\nset x2label 'u [nm]'\n",

@@ -19,16 +19,17 @@ using results::PressureFit;
 constexpr int most_bins = 2000;
 constexpr int gap_bins = 60;
 
-// In h_rms: below it what is pressed together is closed, whatever a solver's
-// tolerance leaves.
+// Gap in units of h_rms below which a point under pressure counts as closed,
+// whatever residual gap the solver's tolerance leaves there.
 constexpr double closed_gap = 1e-4;
 
-/// One load of a figure: the map, what is fitted to it, its histogram.
+/// One load of a figure: its saved fields, the fitted distribution and its
+/// histogram.
 struct Load {
   const Fields* fields = nullptr;
   PressureFit fit;
-  double variance = 0.0; ///< of the fit, else of the theory [Pa^2]
-  double area = 0.0;     ///< (21), else the histogram's own [1]
+  double variance = 0.0; ///< of the fit, or else of the theory [Pa^2]
+  double area = 0.0;     ///< Eq. (21), or else the area of the histogram [1]
   Histogram histogram;
 };
 
@@ -38,7 +39,7 @@ Load load_of(const Fields& fields, double theory_variance) {
   load.fit = results::fit_pressure_distribution(fields.pressure);
   const bool is_fitted = load.fit.variance > 0.0;
   load.variance = is_fitted ? load.fit.variance : theory_variance;
-  const double bin = std::sqrt(2.0 * load.variance) / 8.0; // as the fit's
+  const double bin = std::sqrt(2.0 * load.variance) / 8.0; // as in the fit
   const double highest =
       *std::max_element(fields.pressure.begin(), fields.pressure.end());
   load.histogram = results::pressure_histogram(
@@ -52,12 +53,13 @@ Load load_of(const Fields& fields, double theory_variance) {
   return load;
 }
 
-/// Rows of (1) or (20), divided by their own area, as far as 6 of their
-/// spreads s reach. Returns the largest.
+/// Adds rows of Eq. (1) or Eq. (20) of Yang and Persson (2008), divided by the
+/// corresponding area, up to six spreads s on either side of the mean pressure.
+/// Returns the largest density.
 double add_curve(CsvTable& table, const std::string& label, double index,
                  double pressure, double variance, double stress) {
   if (!(pressure > 0.0))
-    return 0.0; // pulled: the theory has no such load
+    return 0.0; // tensile: the theory has no such load
   const double spread = std::sqrt(2.0 * variance);
   const double start = std::max(0.0, pressure - 6.0 * spread);
   const double area = theory::area_fraction(pressure, variance);
@@ -72,8 +74,8 @@ double add_curve(CsvTable& table, const std::string& label, double index,
   return largest;
 }
 
-/// The rows of a histogram that are not empty. Returns the largest beyond the
-/// first bin, where weak pressures pile up.
+/// Adds the non-empty bins of a histogram. Returns the largest density beyond
+/// the first bin, where low pressures accumulate.
 double add_histogram(CsvTable& table, const std::string& label, double index,
                      const Load& load, double stress) {
   double largest = 0.0;
@@ -108,8 +110,9 @@ Figure pressure_figure(const std::string& method,
                        const std::vector<const Fields*>& maps,
                        const SurfaceScales& scales) {
   const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  // Eq. (2)
   const double variance =
-      theory::stress_variance(scales.contact_modulus, scales.rms_slope); // (2)
+      theory::stress_variance(scales.contact_modulus, scales.rms_slope);
   Figure figure;
   figure.name = "pressure-distribution-" + file_word(method);
   figure.title = "Distribution of the contact pressure, " + method;
@@ -161,7 +164,7 @@ Figure pressure_figure(const std::string& method,
 }
 
 Histogram open_gaps(const Fields& fields, double rms_height) {
-  std::vector<double> holding = fields.pressure; // 0 where the faces are apart
+  std::vector<double> holding = fields.pressure; // 0 where the gap is open
   for (std::size_t i = 0; i < holding.size(); ++i)
     if (fields.gap[i] > closed_gap * rms_height)
       holding[i] = 0.0;
@@ -209,7 +212,8 @@ Figure gap_figure(const std::string& method,
   return plots.empty() ? Figure{} : figure;
 }
 
-/// Up to three whole maps of a method, some of it in contact.
+/// Selects up to three complete maps of a method in which some points are in
+/// contact.
 std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
   std::vector<const Fields*> maps = whole_maps(method);
   std::erase_if(maps, [](const Fields* fields) {
@@ -222,7 +226,7 @@ std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
   return chosen;
 }
 
-/// draw(name, maps, scales) of every method that has maps.
+/// Calls draw(name, maps, scales) for every method that has maps.
 template <class Draw>
 std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
   std::vector<Figure> figures;

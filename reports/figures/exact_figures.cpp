@@ -27,16 +27,17 @@ Range pressures_of(std::span<const Series> series) {
   return range;
 }
 
-// One quantity against p/E*, methods as signs and the exact solution as a line.
+// One plot of one quantity against p/E*: the methods as markers, the exact
+// solution as a line.
 struct Curves {
   std::string name;
   std::string title;
   std::string axis;   // gnuplot markup
-  std::string column; // with its unit
+  std::string column; // includes its unit
   std::string caption;
   double (*of_row)(const SeriesRow&);
   double (*of_exact)(const ExactPoint&);
-  double unit = 1.0; // of the exact number
+  double unit = 1.0; // of the exact value
 };
 
 Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,

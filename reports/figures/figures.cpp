@@ -26,14 +26,14 @@ void append(std::vector<Figure>& figures, std::vector<Figure> more) {
   std::move(more.begin(), more.end(), std::back_inserter(figures));
 }
 
-// What a builder makes, or a figure that says why it makes none: whatever it
-// meets in the result, the report goes on.
+// Adds the figures that `build` returns. If it throws, a placeholder figure
+// that states the reason is added instead, so that the report continues.
 template <class Build>
 void add(std::vector<Figure>& figures, const char* name, const Build& build) {
   try {
     append(figures, build());
   } catch (const std::bad_alloc&) {
-    throw; // of the machine, not of the numbers
+    throw; // a system error, not a property of the data
   } catch (const std::exception& error) {
     Figure none;
     none.name = none.title = name;
@@ -42,7 +42,7 @@ void add(std::vector<Figure>& figures, const char* name, const Build& build) {
   }
 }
 
-// The case's name as a folder's, behind its number, which no other has.
+// Returns the folder name of a case. The leading number makes it unique.
 std::string folder_name(std::size_t index, const std::string& name) {
   return fmt::format("{}-{}", index + 1, file_word(name));
 }
@@ -93,7 +93,8 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
   return group;
 }
 
-/// What the studies of one result draw; empty if it has none.
+/// Returns the figures of the studies of one result; the group is empty if the
+/// result has none.
 FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
                           bool is_one_of_many) {
   FigureGroup group{"Magnification and adhesion", "", {}};

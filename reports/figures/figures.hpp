@@ -1,7 +1,8 @@
 #pragma once
 
-// The figures of a report, each a pure function from results to data and
-// script. Owns what is plotted against what.
+// This file declares the figures of a report. Each is a pure function from
+// results to data and a gnuplot script; this file defines what is plotted
+// against what. Equation numbers are those of Yang and Persson (2008).
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"
@@ -12,71 +13,83 @@
 
 namespace asperity::reports {
 
-/// log10 p/E* against u/h_rms (and nm), all methods, with the fitted
-/// exponential of the first numerical method and every fit window.
+/// Plots log10 p/E* against u/h_rms (and nm) for all methods, with the fitted
+/// exponential of the first numerical method and all fit windows.
 Figure pressure_gap_figure(std::span<const ReportEntry> entries,
                            std::span<const Series> series);
 
-/// (u - u_theory)/h_rms against u/h_rms. None without a theory and a method.
+/// Plots (u - u_theory)/h_rms against u/h_rms. Nothing is returned unless both
+/// a theory and another method are present.
 std::optional<Figure> gap_deviation_figure(std::span<const Series> series);
 
-/// A/A_0 against p/E* up to moderate area: counted, corrected, theory, and the
-/// theory times area_scale of the first numerical method.
+/// Plots A/A_0 against p/E* up to moderate area: counted area, corrected area,
+/// theory, and the theory multiplied by the area_scale of the first numerical
+/// method.
 Figure area_figure(std::span<const Series> series);
 
-/// A E* h'/(A_0 p) against A/A_0: the constant of proportionality itself.
+/// Plots A E* h'/(A_0 p) against A/A_0, that is, the area-load coefficient
+/// kappa.
 Figure area_coefficient_figure(std::span<const Series> series);
 
-/// A of each method against the theory's at the same load, with the diagonal,
-/// and their ratio. None without a theory and a method.
+/// Plots A of each method against the area of the theory at the same load, with
+/// the diagonal, and their ratio. Nothing is returned unless both a theory and
+/// another method are present.
 std::optional<Figure> area_theory_figure(std::span<const Series> series);
 
-/// P(sigma) of the kept pressure maps at up to three loads, with (20) fitted
-/// to each and the theory's (1): a figure a method, as map_figures has them.
+/// Plots P(sigma) of the saved pressure maps at up to three loads, with
+/// Eq. (20) fitted to each and Eq. (1) of the theory: one figure per method
+/// that map_figures() includes.
 std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry);
 
-/// P_u of the kept gap maps where the faces do not touch: a figure a method.
+/// Plots P_u of the saved gap maps outside the contact area: one figure per
+/// method.
 std::vector<Figure> gap_distribution_figures(const ReportEntry& entry);
 
-/// The height map of realisation 0, and C(q) of all with the formula if any.
+/// Show the height map of realisation 0, and C(q) of all realisations together
+/// with the analytical spectrum, if the case has one.
 std::optional<Figure> surface_figure(const ReportEntry& entry);
 std::optional<Figure> spectrum_figure(const ReportEntry& entry);
 
-/// Both maps and their sum, of a result that sum_of_two_faces() takes.
+/// Shows the height maps of two surfaces and their sum, for a result that
+/// sum_of_two_faces() accepts.
 std::optional<Figure> two_faces_figure(const ReportEntry& entry);
 
-/// Pressure and gap maps of the kept loads, a figure a method; a variant such
-/// as "fem.hard" has none if its "fem" has.
+/// Shows the pressure and gap maps at the saved loads, one figure per method. A
+/// variant such as "fem.hard" is omitted if its base method "fem" has a figure.
 std::vector<Figure> map_figures(const ReportEntry& entry);
 
-/// Iterations and CPU time a step against p/E*.
+/// Plots iterations and CPU time per step against p/E*.
 std::optional<Figure> cost_figure(std::span<const Series> series);
 
-/// Mean gap, contact fraction and their errors against the exact solution.
+/// Plot mean gap, contact fraction and their errors with respect to the exact
+/// solution.
 std::vector<Figure> exact_figures(const ReportEntry& entry);
 
-/// Of the study of magnifications, as the paper has them: u against zeta; A,
-/// h_rms and u; u and u_1 with A, and any leaks in its caption; the density of
-/// (27) beside P_u of kept maps at a load near its own. None without tables.
+/// Returns the figures of the magnification study, arranged as in Yang and
+/// Persson (2008): u against zeta; A, h_rms and u; u and u_1 with A, with any
+/// leaks in the caption; the density of Eq. (27) beside P_u of saved maps at a
+/// nearby load. Nothing is returned if the result has no tables of this study.
 std::vector<Figure> magnification_figures(const ReportEntry& entry);
 
-/// Of the study of adhesion: both branches, equilibrium, and the binding energy
-/// against h_rms. None without its table.
+/// Returns the figures of the adhesion study: both branches, the equilibrium,
+/// and the binding energy against h_rms. Nothing is returned if the result has
+/// no table of this study.
 std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 
-/// The stress below the face: strongest points against the load, and a section
-/// a method. None without tables.
+/// Returns the figures of the subsurface stress: the stress maxima against the
+/// load, and one section per method. Nothing is returned if the result has no
+/// tables of it.
 std::vector<Figure> stress_figures(const ReportEntry& entry);
 
-/// Figures that belong together, and the folder below figures/ they go to
-/// (empty: figures/ itself).
+/// Figures that belong together, and the folder below figures/ in which they
+/// are written (empty: figures/ itself).
 struct FigureGroup {
   std::string heading;
   std::string folder;
   std::vector<Figure> figures;
 };
 
-/// All that apply, in the order of the report.
+/// Returns all figures that apply to the results, in the order of the report.
 std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries);
 
 } // namespace asperity::reports

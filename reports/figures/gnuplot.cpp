@@ -24,12 +24,13 @@ set key below center horizontal height 0.7 noopaque reverse Left samplen 1.6 spa
 set errorbars 0
 )";
 
-// The fonts a browser should try, in place of the one name gnuplot can hold.
+// Fonts that a browser should try, in place of the single name that gnuplot
+// accepts.
 constexpr const char* font_list =
     "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
 
-// gnuplot 5.4 misreads a doubled quote at the start of a quoted string, so a
-// quote becomes a typographic one, which ends nothing.
+// gnuplot 5.4 misreads a doubled quote at the start of a quoted string. A quote
+// is therefore replaced by a typographic one, which does not end the string.
 std::string in_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -48,7 +49,7 @@ void replace_all(std::string& text, const std::string& from,
     text.replace(at, from.size(), to);
 }
 
-// These names go into scripts, between quotes.
+// These names are written into scripts, between quotes.
 void require_file_word(const char* what, const std::string& name) {
   if (name.empty() || name.find_first_not_of(
                           "abcdefghijklmnopqrstuvwxyz0123456789-") != name.npos)
@@ -57,14 +58,15 @@ void require_file_word(const char* what, const std::string& name) {
         printable(name)));
 }
 
-// Far beyond what a figure takes.
+// Limits far beyond what a figure needs.
 constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
 constexpr ChildLimits limits{
     .wall_time = 600.0,
     .memory = static_cast<std::uintmax_t>(8 * gibibyte),
     .file_size = static_cast<std::uintmax_t>(gibibyte)};
 
-// Runs `program script` inside `folder`; returns what went wrong, or "".
+// Runs `program script` inside `folder`. Returns the error message, or "" on
+// success.
 std::string run(const std::string& program, const std::string& script,
                 const std::filesystem::path& folder) {
   try {

@@ -14,9 +14,10 @@ namespace asperity::reports {
 namespace {
 
 constexpr std::size_t most_curves = 4;
-constexpr double bin_width = 0.2;    // of h_rms
-constexpr double furthest_bin = 1e6; // of heights that rms_height is not of
-constexpr double gaussian_end = 4.0; // of h_rms
+constexpr double bin_width = 0.2; // in h_rms
+// In bins. Heights beyond it are inconsistent with rms_height.
+constexpr double furthest_bin = 1e6;
+constexpr double gaussian_end = 4.0; // in h_rms
 constexpr int gaussian_points = 160;
 
 std::map<int, double> densities(const results::SurfaceRecord& surface) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// The distribution of the surface's height, as Figs. 5 and 13 of the paper.
+// This file plots the height distribution of the surface, as in Figs. 5 and 13
+// of Yang and Persson (2008).
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"
@@ -9,9 +10,10 @@
 
 namespace asperity::reports {
 
-/// P_h of up to four realisations against h/h_rms, each in its own h_rms, with
-/// the Gaussian; the bins are h_rms/5 wide and hold all heights. None if no
-/// heights are in the result, or for a shape that is not rough.
+/// Plots P_h of up to four realisations against h/h_rms, each normalised by its
+/// own h_rms, with the Gaussian for comparison. The bins are h_rms/5 wide and
+/// contain all heights. Nothing is returned if the result contains no heights
+/// or the shape is not rough.
 std::optional<Figure> height_figure(const ReportEntry& entry);
 
 } // namespace asperity::reports

@@ -11,7 +11,8 @@
 namespace asperity::reports {
 namespace {
 
-// P_u stands beside the distribution (27) of a load this near to its own.
+// P_u of a map is shown beside the distribution of Eq. (27) of Yang and Persson
+// (2008) if the ratio of their loads is at most this.
 constexpr double nearest_load_ratio = 1.25;
 constexpr int shown_gap_bins = 60;
 constexpr double widest_gap = 4.0; ///< of the distributions, in h_rms
@@ -40,7 +41,7 @@ std::string colored(std::size_t load, const std::string& more = "") {
                      more);
 }
 
-/// log10 u/h_rms against log10 zeta, a curve a load.
+/// Plots log10 u/h_rms against log10 zeta, one curve per load.
 Figure separation_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-separation";
@@ -68,7 +69,7 @@ Figure separation_figure(const MagnifiedStudy& study) {
   return figure;
 }
 
-/// log10 of A, h_rms and u against log10 zeta.
+/// Plots log10 of A, h_rms and u against log10 zeta.
 Figure parts_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-parts";
@@ -109,7 +110,7 @@ Figure parts_figure(const MagnifiedStudy& study) {
   return figure;
 }
 
-/// u and u_1 in nm against zeta, with A on the right.
+/// Plots u and u_1 in nm against zeta, with A on the right-hand axis.
 Figure opening_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-opening";
@@ -169,7 +170,7 @@ const results::Fields* nearest_map(const results::MethodRecord& method,
   return nearest;
 }
 
-/// P_u of the methods' maps near the load, a series each.
+/// Adds P_u of the methods' maps near the given load, one series per map.
 void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
               double rms_height, Figure& figure, CsvTable& table,
               std::vector<std::string>& plots) {
@@ -194,7 +195,7 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
   }
 }
 
-/// The distribution of u_1 beside P_u of maps at the nearest load.
+/// Plots the distribution of u_1 beside P_u of the maps at the nearest load.
 Figure distribution_figure(const ReportEntry& entry,
                            const MagnifiedStudy& study,
                            const MagnifiedLoad& load) {

@@ -11,10 +11,11 @@
 namespace asperity::reports {
 namespace {
 
-constexpr int largest_picture = 256; // points a side
+constexpr int largest_picture = 256; // points per side
 
-// Perceptually even palettes: dark to light for what is >= 0, blue to red with
-// a light middle for heights.
+// The palettes are perceptually uniform: a sequential one for non-negative
+// quantities, and a diverging one from blue to red with a light centre for
+// heights.
 constexpr const char* sequential_palette =
     "set palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
     "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\n";
@@ -33,8 +34,8 @@ struct Picture {
   double largest = 0.0;
 };
 
-// The map divided by `unit`, block means down to at most 256 points a side, as
-// a CSV matrix with the row iy = 0 first.
+// Returns the map divided by `unit` and block-averaged to at most
+// `largest_picture` points per side, as a CSV matrix whose first row is iy = 0.
 Picture picture_of(const Grid& grid, const std::vector<double>& map,
                    double unit) {
   const int block_x = (grid.points_x + largest_picture - 1) / largest_picture;
@@ -59,7 +60,8 @@ Picture picture_of(const Grid& grid, const std::vector<double>& map,
   return picture;
 }
 
-// "plot" of a matrix in micrometres of the grid.
+// Returns the gnuplot "plot" element of a matrix, with the axes of the grid in
+// micrometres.
 std::string image_of(const std::string& file, const Grid& grid,
                      const Picture& picture) {
   return fmt::format(

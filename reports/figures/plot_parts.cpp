@@ -25,7 +25,7 @@ std::string plot_of(const std::vector<std::string>& parts) {
 
 double round_step(double step) {
   if (!(step > 0.0) || !std::isfinite(step))
-    return 1.0; // of nothing: any will do
+    return 1.0; // empty range: any value will do
   const double power = std::pow(10.0, std::floor(std::log10(step)));
   for (const double digit : {1.0, 2.0, 5.0})
     if (digit * power >= step)

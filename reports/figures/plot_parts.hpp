@@ -1,6 +1,7 @@
 #pragma once
 
-// Small pieces that several figures are put together from. Internal to them.
+// Helper functions that several figures share. They are internal to the
+// figures.
 
 #include "reports/figures/series.hpp"
 
@@ -10,48 +11,55 @@
 
 namespace asperity::reports {
 
-/// "using" clause for one series of a CSV whose second column is its index:
-/// rows of another have no x and are not drawn. Columns like "$5:4".
+/// Returns the "using" clause for one series of a CSV file whose second column
+/// is the series index. Rows of other series have x = NaN and are not drawn.
+/// `columns` is written as "$5:4".
 std::string of_series(std::size_t index, const std::string& columns);
 
-/// One plot command of its parts.
+/// Joins the parts into one plot command.
 std::string plot_of(const std::vector<std::string>& parts);
 
-/// The next of 1, 2, 5 times a power of ten at or above `step`: between tics; 1
-/// if `step` is not above 0.
+/// Returns a tic spacing: the smallest of 1, 2, 5 times a power of ten that is
+/// not below `step`; 1 if `step` is not positive.
 double round_step(double step);
 
-/// What a caption says of variants that are not drawn; empty if all are.
+/// Returns a caption text that lists the variants that are not drawn; empty if
+/// all are drawn.
 std::string joined_words(std::span<const Series> series);
 
-/// A method's quantity by its name; one without a value if it has none.
+/// Returns a quantity of a method by its name, or an estimate without a value
+/// if the method does not have it.
 const Estimate& quantity(const Series& series, const std::string& name);
 
-/// The first that is not theory and has rows, or null.
+/// Returns the first series that is not a theory and has rows, or null.
 const Series* first_numerical(std::span<const Series> series);
 
-/// The theory that ran on the same case as `method`, or null.
+/// Returns the theory that ran on the same case as `method`, or null.
 const Series* theory_of(std::span<const Series> series, const Series& method);
 
-/// Methods whose realisation 0 has maps, without a variant, "fem.hard", whose
-/// maps would repeat those of its "fem".
+/// Returns the methods whose realisation 0 has maps. A variant such as
+/// "fem.hard" is omitted if its maps would repeat those of its base method
+/// "fem".
 std::vector<const results::MethodRecord*>
 methods_with_maps(const results::Result& result);
 
-/// The kept maps of realisation 0 that are whole: both of the size of their
-/// grid, whose sides are known, and finite everywhere.
+/// Returns the saved maps of realisation 0 that are complete: both fields have
+/// the size of their grid, its side lengths are known, and all values are
+/// finite.
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method);
 
-/// A name as a file's, of the letters [a-z0-9-] and 60 of them at most:
+/// Converts a name to a file name of at most 60 characters from [a-z0-9-]:
 /// "fem-hard" for "fem.hard".
 std::string file_word(std::string name);
 
-/// Colour and sign of the first, second and third load of a figure.
+/// Return the colour and marker of the first, second and third load of a
+/// figure.
 std::string load_color(std::size_t load);
 std::string load_sign(std::size_t load);
 
-/// First, middle and last of `count` things, each once.
+/// Returns the indices of the first, middle and last of `count` items, without
+/// repetition.
 std::vector<std::size_t> three_of(std::size_t count);
 
 } // namespace asperity::reports

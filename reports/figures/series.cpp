@@ -160,7 +160,7 @@ std::string line_style(const Series& series) {
 }
 
 std::string point_style(const Series& series) {
-  // open signs of different size stay visible on top of each other
+  // Open markers of different sizes stay visible on top of each other.
   static constexpr std::array<const char*, 6> signs{
       "pointtype 6 pointsize 0.95", "pointtype 2 pointsize 0.7",
       "pointtype 8 pointsize 1.1",  "pointtype 4 pointsize 0.8",

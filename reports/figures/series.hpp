@@ -1,7 +1,8 @@
 #pragma once
 
-// Curves as figures want them: reduced by their own scales, averaged over
-// realisations, with a colour and a sign each.
+// This file prepares curves for plotting: they are normalised, averaged over
+// realisations, and have a colour and a marker each. "Eq. (21)" is that of Yang
+// and Persson (2008).
 
 #include "reports/analysis/summary.hpp"
 
@@ -11,25 +12,25 @@
 
 namespace asperity::reports {
 
-/// A result with its case read again and its numbers worked out.
+/// A result with its parsed case and its evaluated summary.
 struct ReportEntry {
   const results::Result* result = nullptr;
   const cases::Case* contact_case = nullptr;
   Summary summary;
 };
 
-/// One load step over the realisations of a method: mean, least, largest.
+/// One load step over the realisations of a method: mean, minimum and maximum.
 struct SeriesRow {
   double pressure = 0.0;       ///< p/E* [1]
   double pressure_slope = 0.0; ///< p/(E* h') [1]
   double gap = 0.0;            ///< u/h_rms [1]
-  double gap_low = 0.0;        ///< least of the realisations
-  double gap_high = 0.0;       ///< largest
+  double gap_low = 0.0;        ///< minimum over the realisations
+  double gap_high = 0.0;       ///< maximum over the realisations
   double area = 0.0;           ///< counted [1]
   double area_low = 0.0;
   double area_high = 0.0;
   double area_corrected = 0.0;      ///< [1]
-  double area_fit = 0.0;            ///< (21) of the fit [1]; NaN: none
+  double area_fit = 0.0;            ///< Eq. (21) of the fit [1]; NaN: none
   double theory_gap = not_a_number; ///< u/h_rms of the reference theory
   double theory_area = 0.0; ///< A/A_0 of the reference theory; NaN: none
   double iterations = 0.0;  ///< mean [1]
@@ -37,27 +38,29 @@ struct SeriesRow {
 };
 
 struct Series {
-  std::string label;     ///< method, with the case in front if there are more
-  std::string legend;    ///< the label, and those of the variants it stands for
-  bool is_drawn = true;  ///< false: a variant that would lie on its method
+  std::string label;     ///< method, preceded by the case if there are several
+  std::string legend;    ///< the label, and those of the variants it represents
+  bool is_drawn = true;  ///< false: variant represented by its base method
   std::string kind;      ///< of the method
   std::size_t entry = 0; ///< index of the result it belongs to
   std::size_t color = 0; ///< index among the numerical methods
   const MethodSummary* method = nullptr;
-  std::vector<SeriesRow> rows; ///< in the order of the program, converged
+  std::vector<SeriesRow> rows; ///< converged, in the order of the loading path
 
   bool is_theory() const { return kind == "theory"; }
 };
 
-/// All methods of all results, theory first. A variant, "fem.hard", that has a
-/// row for each of its "fem" with u within 0.2 % of h_rms, p within 0.5 % and
-/// both areas within 1 % is not drawn: its "fem" stands for it in the legend.
+/// Returns all methods of all results, theory first. A variant such as
+/// "fem.hard" is not drawn if it has a row for each row of its base method
+/// "fem" with u within 0.2 % of h_rms, p within 0.5 % and both areas within 1
+/// %; the base method then represents it in the legend.
 std::vector<Series> series_of(std::span<const ReportEntry> entries);
 
-/// Black for theory, else the colour of the method.
+/// Returns black for a theory, otherwise the colour of the method.
 const char* series_color(const Series& series);
 
-/// "set linetype"-like fragments for one series: colour, dash, sign.
+/// Return style fragments, as for "set linetype", of one series: colour, dash
+/// type, marker.
 std::string line_style(const Series& series);
 std::string point_style(const Series& series);
 

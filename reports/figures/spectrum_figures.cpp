@@ -39,7 +39,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
     return std::nullopt;
   figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
                    "|q|.";
-  double floor = 0.0; // of the axis: no interest in rounding beyond the cut-off
+  double floor = 0.0; // of the axis: hides roundoff beyond the cut-off
   if (spec.kind == cases::SurfaceKind::self_affine) {
     const auto index = static_cast<double>(surfaces.size());
     const surfaces::IsotropicSpectrum formula =

@@ -10,16 +10,16 @@
 namespace asperity::reports {
 namespace {
 
-/// What is known of a method's strongest points: its own, or the continuum's
-/// under its pressure.
+/// The subsurface stress maxima of a method: either from its own stress field,
+/// or from the continuum solution under its contact pressure.
 struct Strength {
   std::string title;
   std::vector<double> von_mises, depth; ///< [Pa], [m]
-  std::vector<double> largest_shear;    ///< [Pa]; empty where not known
-  bool is_beside = false; ///< the continuum's, of a block that knows its own
+  std::vector<double> largest_shear;    ///< [Pa]; empty if unknown
+  bool is_beside = false; ///< continuum result beside the method's own
 };
 
-/// Those with a stress and a depth at each load.
+/// Returns the data sets that have a stress and a depth for each load.
 std::vector<Strength> strengths_of(const results::Table& table,
                                    const std::string& method) {
   std::vector<Strength> strengths{{method, table.values("von_mises"),
@@ -42,7 +42,8 @@ std::vector<Strength> strengths_of(const results::Table& table,
   return strengths;
 }
 
-/// Strongest von Mises stress against the load, and its depth below.
+/// Plots the largest von Mises stress against the load, and its depth below the
+/// surface.
 Figure strength_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "stress-inside";
@@ -101,7 +102,7 @@ Figure strength_figure(const ReportEntry& entry) {
   return figure;
 }
 
-/// The von Mises stress in a plane of x and depth, as an image.
+/// Shows the von Mises stress in a section of x and depth, as an image.
 std::optional<Figure> section_figure(const ReportEntry& entry,
                                      const results::MethodRecord& method) {
   const results::Table* section =
@@ -121,7 +122,7 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   CsvTable table({"method", "depth [um]", "x [um]", "von Mises/E* [1]"});
   for (std::size_t i = 0; i < strength.size(); ++i)
     table.add(method.name, {depth[i] * 1e6, x[i] * 1e6, strength[i] / modulus});
-  const auto strongest = std::max_element( // places without stress are NaN
+  const auto strongest = std::max_element( // points without a stress are NaN
       strength.begin(), strength.end(), [](double a, double b) {
         return b > a || (std::isnan(a) && !std::isnan(b));
       });

@@ -1,7 +1,8 @@
 #pragma once
 
-// A number with its 95 % confidence interval, and where that interval comes
-// from. Owns the straight-line fit and Student's t; knows nothing of contact.
+// This file defines a number with its 95 % confidence interval and the origin
+// of that interval. It owns the straight-line fit and Student's t and does not
+// depend on contact mechanics.
 
 #include "base/special_numbers.hpp"
 
@@ -11,57 +12,58 @@
 
 namespace asperity::reports {
 
-/// Least squares of y = intercept + slope x over n points; the errors are the
-/// usual ones for independent scatter in y, NaN for two points.
+/// Least-squares fit of y = intercept + slope x to n points. The errors are the
+/// usual ones for independent scatter in y; they are NaN for two points.
 struct LineFit {
   double intercept = not_a_number;
   double slope = not_a_number;
-  double intercept_error = not_a_number;  ///< standard error
-  double slope_error = not_a_number;      ///< standard error
-  double centre_x = not_a_number;         ///< mean of x
-  double centre_y = not_a_number;         ///< the line at centre_x
-  double centre_error = not_a_number;     ///< of centre_y, independent of slope
+  double intercept_error = not_a_number; ///< standard error
+  double slope_error = not_a_number;     ///< standard error
+  double centre_x = not_a_number;        ///< mean of x
+  double centre_y = not_a_number;        ///< value of the line at centre_x
+  /// Standard error of centre_y, independent of that of slope.
+  double centre_error = not_a_number;
   double largest_residual = not_a_number; ///< max |y - line|
   int points = 0;
 };
 
-/// All NaN for fewer than two points, one abscissa only or numbers that are not
-/// finite: there is no such line.
-/// @param x,y  of one length
+/// All results are NaN, because no line is defined, for fewer than two points,
+/// if all x are equal, or if a number is not finite.
+/// @param x,y  of equal length
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-/// What one fit to one realisation gives.
+/// The result of one fit to one realisation.
 struct FittedValue {
-  double value = not_a_number;          ///< NaN: there is no answer
+  double value = not_a_number;          ///< NaN: there is no result
   double standard_error = not_a_number; ///< of the fit itself
-  int degrees_of_freedom = 0;           ///< of standard_error
-  std::string reason = {};              ///< why there is no answer
+  int degrees_of_freedom = 0; ///< degrees of freedom of standard_error
+  std::string reason = {};    ///< why there is no result
 };
 
 /// A number for the reader: value +- half_width at 95 % confidence.
 struct Estimate {
-  double value = not_a_number;      ///< NaN: there is no answer, see remark
+  double value = not_a_number;      ///< NaN: there is no result, see remark
   double half_width = not_a_number; ///< NaN: no interval can be given
-  int realizations = 0;             ///< how many went into the value
-  std::string remark;               ///< what the interval means, or why none
-  bool is_input = false;            ///< set in the case, not found
+  int realizations = 0;             ///< number of realisations used
+  std::string remark;    ///< meaning of the interval, or why there is none
+  bool is_input = false; ///< prescribed by the case, not computed
 
   bool has_value() const { return value == value; }
 
   bool has_interval() const { return half_width == half_width; }
 };
 
-/// Half-width of the two-sided 95 % interval: t_{0.975, nu} * standard_error.
-/// NaN for nu < 1.
+/// Returns the half-width of the two-sided 95 % interval, t_{0.975, nu} *
+/// standard_error; NaN for nu < 1.
 double student_half_width(double standard_error, int degrees_of_freedom);
 
-/// Mean over realisations with the interval t_{0.975, n-1} s / sqrt(n). With
-/// one realisation the interval is that of its own fit, and the remark says
-/// so. Fits without an answer (NaN) are left out and counted in the remark; if
-/// none has one the remark is the first reason given.
+/// Returns the mean over realisations with the interval t_{0.975, n-1}
+/// s / sqrt(n). For one realisation the interval is that of its own fit, as the
+/// remark states. Fits without a result (NaN) are omitted and counted in the
+/// remark; if none has a result, the remark is the first reason given.
 ///
-/// @par Accuracy  The interval covers 95 % if the realisations are independent
-///                and their scatter is normal.
+/// @par Accuracy  The interval has 95 % coverage if the realisations are
+///     independent and their scatter is normally distributed.
 Estimate mean_over_realizations(std::span<const FittedValue> fits);
 
 } // namespace asperity::reports

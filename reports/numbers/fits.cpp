@@ -13,12 +13,12 @@ namespace {
 
 using results::CurvePoint;
 
-constexpr double largest_gap = 2.0;       // of h_rms: finite size beyond
-constexpr double outer_start = 1.5;       // of h_rms: windows start beyond
-constexpr double smallest_width = 0.5;    // of h_rms
-constexpr double first_tolerance = 0.005; // of h_rms
-constexpr double last_tolerance = 0.08;   // of h_rms
-constexpr std::size_t fewest_rows = 4;    // of the slope's window
+constexpr double largest_gap = 2.0;    // in h_rms; finite-size effects beyond
+constexpr double outer_start = 1.5;    // in h_rms; windows start beyond
+constexpr double smallest_width = 0.5; // in h_rms
+constexpr double first_tolerance = 0.005; // in h_rms
+constexpr double last_tolerance = 0.08;   // in h_rms
+constexpr std::size_t fewest_rows = 4;    // in the window of the slope
 constexpr std::size_t fewest_area_rows = 3;
 constexpr std::size_t fewest_parameter_rows = 3;
 
@@ -44,13 +44,13 @@ struct Stretch {
   LineFit line; // u/h_rms against ln(p/E*)
 };
 
-// Reduced coordinates of the fit: x = ln(p/E*), y = u/h_rms.
+// The fit uses reduced coordinates: x = ln(p/E*), y = u/h_rms.
 struct ReducedCurve {
   std::vector<double> log_pressure;
   std::vector<double> gap;
 };
 
-// The longest straight run that starts at row `first`.
+// Finds the longest straight section that starts at row `first`.
 std::optional<Stretch> stretch_from(const ReducedCurve& curve,
                                     std::size_t first, double tolerance) {
   std::optional<Stretch> longest;
@@ -62,7 +62,7 @@ std::optional<Stretch> stretch_from(const ReducedCurve& curve,
     if (line.largest_residual > tolerance)
       break;
     if (!std::isfinite(line.slope))
-      continue; // one load several times: no line yet
+      continue; // repeated load: no line yet
     if (y[first] - y[first + count - 1] >= smallest_width)
       longest = Stretch{first, count, line};
   }
@@ -88,8 +88,8 @@ SlopeFit slope_fit_of(const Stretch& stretch, std::span<const CurvePoint> rows,
   fit.window.largest_deviation = line.largest_residual;
   fit.window.tolerance = tolerance;
   fit.gamma_slope = {reduced_decay, line.slope_error, line.points - 2};
-  // ln beta = x_c + y_c/(u_0/h), with (x_c, y_c) the centre of the fit, where
-  // the errors of height and slope are independent.
+  // ln beta = x_c + y_c/(u_0/h), where (x_c, y_c) is the centre of the fit, at
+  // which the errors of value and slope are independent.
   const double lift = line.centre_y / reduced_decay;
   const double beta = std::exp(line.centre_x + lift);
   fit.beta = {beta,
@@ -191,7 +191,7 @@ ParameterFit fit_parameter(std::span<const CurvePoint> points,
 
 namespace {
 
-// The intercept of area * E* h'/p against area, with its error.
+// Returns the intercept of area * E* h'/p against area, with its error.
 FittedValue kappa_of(std::span<const CurvePoint> rows,
                      const SurfaceScales& scales,
                      double CurvePoint::*area_fraction) {
@@ -202,7 +202,7 @@ FittedValue kappa_of(std::span<const CurvePoint> rows,
         row.nominal_pressure / (scales.contact_modulus * scales.rms_slope);
     if (!(row.*area_fraction > 0.0) || !std::isfinite(row.*area_fraction) ||
         (!area.empty() && row.*area_fraction <= area.back()))
-      continue; // not known, or no further along the line
+      continue; // unknown, or not larger than the previous area
     area.push_back(row.*area_fraction);
     coefficient.push_back(row.*area_fraction / reduced_pressure);
   }

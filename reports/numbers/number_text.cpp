@@ -10,7 +10,7 @@
 namespace asperity::reports {
 namespace {
 
-// Decimals at which `uncertainty` has two digits; 0..6.
+// Returns the number of decimals, 0..6, at which `uncertainty` has two digits.
 int decimals_for(double uncertainty) {
   if (!(uncertainty > 0.0) || !std::isfinite(uncertainty))
     return 3;
@@ -26,7 +26,7 @@ std::string number_text(const Estimate& estimate) {
   if (!estimate.has_interval())
     return fmt::format("{:.4g}", estimate.value);
   const double size = std::abs(estimate.value);
-  if (estimate.half_width < 1e-4 * size) // far below what is worth printing
+  if (estimate.half_width < 1e-4 * size) // too small to be worth printing
     return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
   if (size < 1e-3 || size >= 1e5)
     return fmt::format("{:.3g} ± {:.1g}", estimate.value, estimate.half_width);

@@ -1,6 +1,7 @@
 #pragma once
 
-// A number with its confidence interval as a page or a figure prints it.
+// This file formats a number with its confidence interval for a page or a
+// figure.
 
 #include "reports/numbers/estimate.hpp"
 
@@ -8,11 +9,11 @@
 
 namespace asperity::reports {
 
-/// "0.412 ± 0.021": as many decimals as the interval has meaning for, four
-/// digits without one, "not determined" without a value.
+/// Returns "0.412 ± 0.021", with as many decimals as the interval justifies;
+/// four digits if there is no interval; "not determined" if there is no value.
 std::string number_text(const Estimate& estimate);
 
-/// The same in per cent: "+27.1 ± 0.9 %".
+/// Returns the same in per cent: "+27.1 ± 0.9 %".
 std::string percent_text(const Estimate& estimate);
 
 } // namespace asperity::reports

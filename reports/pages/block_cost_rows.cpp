@@ -1,5 +1,5 @@
-// What whole blocks cost beside each other and beside the condensed one, as
-// rows of the page.
+// This file compares the cost of full 3-D finite-element models with each other
+// and with the condensed model, as rows of the page.
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@ namespace {
 using results::CurvePoint;
 using results::MethodRecord;
 
-/// Sums over the load steps of all realisations; the largest where a number is
-/// the block's.
+/// Sums over the load steps of all realisations; for properties of the
+/// finite-element model (unknowns, memory), the maximum.
 struct BlockCost {
   double unknowns = 0.0, memory = 0.0, setup_time = 0.0, step_time = 0.0;
   int steps = 0, iterations = 0, linear_iterations = 0, setups = 0;

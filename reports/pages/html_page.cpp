@@ -20,7 +20,8 @@ namespace {
 using Value = kainjow::mustache::data;
 using List = kainjow::mustache::list;
 
-// The cell of one fitted number; why there is none is added to `reasons`.
+// Sets the cell of one fitted number. If there is none, the reason is added to
+// `reasons`.
 void set_fitted(Value& row, const char* column, const char* name,
                 const FittedValue& fitted, const MeaningfulRange& range,
                 std::vector<std::string>& reasons) {
@@ -51,7 +52,7 @@ Value fit_row(const Series& series, std::size_t realization,
   set_fitted(row, "kappa_counted", "κ, counted", fits.area.kappa_counted,
              positive_range, reasons);
   if (series.is_theory())
-    row.set("gamma", "–"); // set in the case
+    row.set("gamma", "–"); // prescribed by the case
   else
     set_fitted(row, "gamma", "γ", fits.parameter.gamma_theory, gamma_range,
                reasons);
@@ -81,8 +82,9 @@ bool is_wide(const std::string& svg) {
          std::strtol(svg.c_str() + at + 7, nullptr, 10) > 700;
 }
 
-// The picture as a data URI. Percent-encoding leaves an embedded PNG's base64
-// as it is, where base64 again would add a third.
+// Returns the picture as a data URI. Percent-encoding leaves the base64 of an
+// embedded PNG unchanged; encoding it as base64 again would enlarge it by a
+// third.
 std::string data_uri(const std::string& svg) {
   std::string uri = "data:image/svg+xml;charset=utf-8,";
   for (const char c : svg) {
@@ -98,7 +100,7 @@ std::string data_uri(const std::string& svg) {
   return uri;
 }
 
-/// The parts of a step's note.
+/// Splits the note of a load step into its parts.
 std::vector<std::string> parts_of(const std::string& note) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start < note.size();) {
@@ -109,12 +111,13 @@ std::vector<std::string> parts_of(const std::string& note) {
   return parts;
 }
 
-/// A part that is in the table of what is not determined.
+/// True if the part is listed in the table of quantities that are not
+/// determined.
 bool is_of_observable(const std::string& part) {
   return part.find(" is not determined: ") != std::string::npos;
 }
 
-/// Observables that are NaN, with the reason and in how many steps.
+/// Lists the observables that are NaN, with the reason and the number of steps.
 List undetermined_rows(std::span<const ReportEntry> entries) {
   std::map<std::pair<std::string, std::string>, int> steps;
   for (const ReportEntry& entry : entries)
@@ -145,8 +148,8 @@ List fit_rows(std::span<const Series> series) {
   return rows;
 }
 
-/// Steps that did not converge, or those that did but have a note: another way
-/// than the method's own led to the answer.
+/// Lists the steps that did not converge, or those that converged but have a
+/// note, because a fallback of the method produced the solution.
 List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
   List rows;
   for (const ReportEntry& entry : entries)

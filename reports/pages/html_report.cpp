@@ -40,7 +40,7 @@ const std::vector<Column>& columns_of(bool is_exact) {
   return is_exact ? exact : rough;
 }
 
-// The columns that some method has a word on.
+// Returns the columns for which at least one method has an estimate.
 std::vector<Column> answered(std::vector<Column> columns,
                              const Summary& summary) {
   std::erase_if(columns, [&](const Column& column) {
@@ -115,7 +115,7 @@ List heads_of(const std::vector<Column>& columns) {
   return heads;
 }
 
-// Published number, unit and "±" for a page.
+// Formats a published number and its unit, with "±", for a page.
 std::string typeset_published(const cases::ReferenceValue& reference) {
   std::string text = published_text(reference);
   if (const std::size_t at = text.find("+-"); at != std::string::npos)

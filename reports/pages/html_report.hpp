@@ -1,7 +1,8 @@
 #pragma once
 
-// report.html: one self-contained file, no network, no script. Owns the words
-// around the numbers; the look is report.html.mustache.
+// This file writes report.html: one self-contained file without network access
+// or scripts. It owns the text around the numbers; the layout is
+// report.html.mustache.
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"
@@ -12,18 +13,19 @@
 
 namespace asperity::reports {
 
-/// Figures that belong together under one heading; empty heading: none.
+/// Figures that belong together under one heading; an empty heading is not
+/// shown.
 struct DrawnGroup {
   std::string heading;
   std::vector<DrawnFigure> figures;
 };
 
-/// The page. Figures are embedded; one that could not be drawn leaves its
-/// title, its caption and the reason.
+/// Returns the page. Figures are embedded; for one that could not be drawn, its
+/// title, its caption and the reason are shown.
 std::string html_page(std::span<const ReportEntry> entries,
                       std::span<const DrawnGroup> groups);
 
-/// What was pressed on what: surface, material and loads in one sentence.
+/// Describes the contact problem in one sentence: surface, material and loads.
 std::string case_sentence(const ReportEntry& entry);
 
 } // namespace asperity::reports

@@ -9,7 +9,7 @@
 namespace asperity::reports {
 namespace {
 
-// XML 1.0 has no place for control characters, not even escaped.
+// XML 1.0 does not allow control characters, not even escaped.
 std::string without_controls(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
@@ -43,7 +43,7 @@ void append_verdict(pugi::xml_node suite, const Summary& summary,
     test.append_child("skipped");
     return;
   }
-  if (verdict.is_passed()) { // undecided, which the case lets pass
+  if (verdict.is_passed()) { // undecided, and accepted by the case
     test.append_child("system-out")
         .text()
         .set(without_controls(check_line(verdict)).c_str());
@@ -55,7 +55,8 @@ void append_verdict(pugi::xml_node suite, const Summary& summary,
   set(problem, "type", outcome_word(verdict.outcome));
 }
 
-// A server that shows no empty suite must not take it for a good one.
+// Adds a skipped test case, because a server that hides empty suites would
+// otherwise report success.
 void append_nothing(pugi::xml_node suite, const Summary& summary) {
   pugi::xml_node test = suite.append_child("testcase");
   set(test, "classname", summary.case_name);

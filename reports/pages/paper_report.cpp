@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using Value = kainjow::mustache::data;
 using List = kainjow::mustache::list;
 
-/// Parts that stand together, in the order of the first.
+/// The parts that form one section. Sections are in the order of their first
+/// parts.
 struct Section {
   std::string name;
   std::vector<const PaperPart*> parts;
@@ -54,8 +55,8 @@ DrawnFigure already_drawn(const Figure& figure, const fs::path& folder) {
   return drawn;
 }
 
-// Draws one figure of a section; that of a single part was drawn by its own
-// report.
+// Draws one figure of a section. The figure of a single part was drawn by its
+// own report.
 DrawnFigure figure_of(const Section& section, const std::string& name,
                       std::span<const FigureGroup> groups,
                       const fs::path& folder, const std::string& gnuplot) {
@@ -72,7 +73,8 @@ DrawnFigure figure_of(const Section& section, const std::string& name,
   return {name, name, "", "", "this result has no such figure"};
 }
 
-// The figures that collection.toml names for the first part, in its order.
+// Returns the figures that collection.toml names for the first part, in its
+// order.
 DrawnGroup drawn_figures(const Section& section, const fs::path& folder,
                          const std::string& gnuplot,
                          std::vector<std::string>& problems) {

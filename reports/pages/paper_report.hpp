@@ -1,8 +1,9 @@
 #pragma once
 
-// The report on a collection of cases that test the claims of one paper: every
-// published number judged in one table, then a section a part. Owns how parts
-// become one page; the look is paper.html.mustache.
+// This file writes the report on a collection of cases that test the claims of
+// one paper: all published numbers with their verdicts in one table, followed
+// by one section per part. It owns the assembly of parts into one page; the
+// layout is paper.html.mustache.
 
 #include "reports/figures/series.hpp"
 
@@ -13,30 +14,33 @@
 
 namespace asperity::reports {
 
-/// Ends the title of a case that ran with its quick.set: the page says so.
+/// Suffix of the title of a case that ran with the settings of its quick.set;
+/// the page reports it.
 inline constexpr const char* quick_mark = " (quick)";
 
 /// A part that has run. Its README.md is read by paragraphs: "**Claim.** ..."
 /// and "**What does not come out.** ..." are shown.
 struct PaperPart {
-  std::string name;                 ///< of its folder, "pressures-atoms"
-  std::filesystem::path folder;     ///< of its result and its own report
+  std::string name;                 ///< name of its folder, "pressures-atoms"
+  std::filesystem::path folder;     ///< folder of its result and its own report
   std::string readme;               ///< text of README.md
   std::vector<std::string> figures; ///< to be shown, by their file names
                                     ///< without ending
   ReportEntry entry;
 };
 
-/// Parts whose names differ by a number at the end alone, "finite-size-2",
-/// stand together: one section, with figures that hold all of them.
-/// "finite-size-2" -> "finite-size"; a name without such an end as it is.
+/// Returns the section of a part. Parts whose names differ only by a number at
+/// the end, such as "finite-size-2", share one section, whose figures contain
+/// all of them. "finite-size-2" gives "finite-size"; a name without such an
+/// ending is returned unchanged.
 std::string section_of(const std::string& part_name);
 
 /// Writes folder/report.html: the heading and first paragraphs of `readme`, the
-/// table of every line of every part's reference.csv with ours by each method,
-/// then the sections. Figures of a single part are those its own report drew;
-/// those of several are drawn into folder/figures/<section>. The table is in
-/// folder/paper.json too, for programs: docs/results.md says how.
+/// table of all lines of the parts' reference.csv with the computed value of
+/// each method, and the sections. Figures of a single part are those that its
+/// own report drew; those of several parts are drawn into
+/// folder/figures/<section>. The table is also written to folder/paper.json for
+/// use by programs; its format is described in docs/results.md.
 ///
 /// @param gnuplot  name or path of the program
 /// @return         the figures that could not be drawn, "name: why"

@@ -12,7 +12,7 @@ namespace asperity::reports {
 namespace {
 
 std::string remark_of(const Estimate& estimate, Reproduction verdict) {
-  if (!estimate.has_value()) // a verdict on the paper's number hides it
+  if (!estimate.has_value()) // a verdict on the published number replaces it
     return verdict == Reproduction::missing ? "" : estimate.remark;
   return estimate.realizations > 1
              ? fmt::format("{} realisations", estimate.realizations)

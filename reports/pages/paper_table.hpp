@@ -1,7 +1,8 @@
 #pragma once
 
-// The table of every published number of a collection: a row a number and
-// method of ours. Internal to the report on a collection.
+// This file builds the table of all published numbers of a collection, with one
+// row per number and computing method. It is internal to the report on a
+// collection.
 
 #include "reports/analysis/judgement.hpp"
 #include "reports/pages/paper_report.hpp"
@@ -17,21 +18,21 @@ namespace asperity::reports {
 struct PaperRow {
   std::string part;
   cases::ReferenceValue reference;
-  bool is_first = true;         ///< of its number: the others repeat it
-  std::size_t n_methods = 1;    ///< rows of its number
-  std::optional<OurValue> ours; ///< none: no method answers
+  bool is_first = true; ///< first row of its number, whose other rows repeat it
+  std::size_t n_methods = 1;    ///< number of rows of its number
+  std::optional<OurValue> ours; ///< none: no method provides it
   Judgement judgement;
 };
 
-/// Published numbers by the best that a method of ours does.
+/// Counts of published numbers by the best verdict of any method.
 struct PaperCounts {
   int numbers = 0;
   int reproduced = 0;
   int inconclusive = 0;
   int differs = 0;
   int not_reproducible = 0;
-  int input = 0;   ///< set by the case, or fitted to
-  int missing = 0; ///< no number of ours
+  int input = 0;   ///< prescribed by the case, or fitted
+  int missing = 0; ///< no computed number
 };
 
 struct PaperTable {
@@ -39,16 +40,17 @@ struct PaperTable {
 
   PaperCounts counts() const;
 
-  /// "Of 9 published numbers and claims ...: reproduced 5, inconclusive ..."
+  /// Returns "Of 9 published numbers and claims ...: reproduced 5, inconclusive
+  /// ...".
   std::string banner() const;
 };
 
-/// In the order of the parts and of their reference.csv.
+/// Builds the table, in the order of the parts and of their reference.csv.
 PaperTable paper_table(std::span<const PaperPart> parts);
 
 kainjow::mustache::data row_data(const PaperRow& row);
 
-/// paper.json: the table, the counts and the parts, for programs.
+/// Writes paper.json: the table, the counts and the parts, for use by programs.
 std::string paper_json(std::span<const PaperPart> parts,
                        const PaperTable& table, const std::string& title);
 

@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of the method that comes nearest; a number nobody answers has a verdict too.
+// Returns the verdict of the method that agrees best; a number that no method
+// provides also has a verdict.
 Reproduction best_of(const PublishedValue& published,
                      const std::vector<Judgement>& judgements) {
   if (judgements.empty())

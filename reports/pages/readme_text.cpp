@@ -5,7 +5,7 @@
 namespace asperity::reports {
 namespace {
 
-// Paragraphs as they are marked up, each on one line.
+// Returns the paragraphs with their markup, each on one line.
 std::vector<std::string> paragraphs_of(const std::string& readme) {
   std::vector<std::string> paragraphs(1);
   std::istringstream lines(readme);

@@ -14,8 +14,8 @@
 namespace asperity::reports {
 namespace {
 
-/// What a result without a case text says of its case: no formula, no
-/// expectations, a surface that is known by its map alone.
+/// Returns the case of a result without a case text: it has no analytical
+/// spectrum and no expectations, and its surface is known by its map only.
 cases::Case case_without_text(const results::Result& result) {
   cases::Case contact_case;
   contact_case.path = result.path;
@@ -26,8 +26,8 @@ cases::Case case_without_text(const results::Result& result) {
   return contact_case;
 }
 
-/// A folder in which no figure of `taken` has that name: the names of two
-/// methods can become the same word.
+/// Returns a folder in which no figure of `taken` has that name. This is needed
+/// because the names of two methods can be converted to the same file name.
 std::filesystem::path own_folder(const std::filesystem::path& folder,
                                  const std::string& name,
                                  std::set<std::filesystem::path>& taken) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// The room's front door: results in, a report folder out.
+// This file is the interface of the module: it takes results and writes a
+// report folder.
 
 #include "reports/figures/series.hpp"
 
@@ -13,8 +14,8 @@ namespace asperity::reports {
 
 /// Writes folder/report.html, folder/figures/* (SVG, CSV and gnuplot script of
 /// each figure) and, for a single result, folder/summary.json. Several results
-/// share their curve figures; the maps of each are in a folder of their own.
-/// A figure that cannot be drawn is said in the report and is no error.
+/// share their curve figures; the maps of each are in a separate folder. A
+/// figure that cannot be drawn is listed in the report and is not an error.
 ///
 /// @param gnuplot  name or path of the program
 /// @return         the figures that could not be drawn, "name: why"
@@ -23,18 +24,21 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                       const std::filesystem::path& folder,
                                       const std::string& gnuplot = "gnuplot");
 
-/// The same from results alone: each result's own case text is read again.
+/// Does the same from results alone: the case text that each result contains is
+/// parsed again.
 /// @throws cases::CaseError  a result's case text has mistakes
 std::vector<std::string> write_report(std::span<const results::Result> results,
                                       const std::filesystem::path& folder,
                                       const std::string& gnuplot = "gnuplot");
 
-/// The case a result was made from, read from its own text. `path` of the
-/// messages is that of the result. A result without a text, as other codes
-/// write it, is of a measured surface, without expectations.
+/// Returns the case from which a result was computed, parsed from the text in
+/// the result. The `path` in messages is that of the result. A result without a
+/// case text, as other codes write it, is treated as a measured surface without
+/// expectations.
 cases::Case case_of(const results::Result& result);
 
-/// A result with its case and its summary. Both arguments must outlive it.
+/// Returns a result with its case and its summary. Both arguments must outlive
+/// it.
 ReportEntry entry_of(const results::Result& result,
                      const cases::Case& contact_case);
 

@@ -27,7 +27,7 @@ Json to_json(const Window& window) {
           {"points", window.points}};
 }
 
-// A number that is no result is its reason and nothing else, as a fit is.
+// A number that is not a result is represented by its reason only, as a fit is.
 Json to_json(const FittedValue& fitted, const MeaningfulRange& range) {
   const FittedValue shown = determined(fitted, range);
   if (!std::isfinite(shown.value))
@@ -43,7 +43,7 @@ struct Named {
   MeaningfulRange range;
 };
 
-// A fit without an answer is its reason and nothing else.
+// A fit without a result is represented by its reason only.
 template <class Fit>
 Json fit_json(const Fit& fit, std::initializer_list<Named> numbers) {
   if (!fit.reason.empty())

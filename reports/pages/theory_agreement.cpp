@@ -19,14 +19,14 @@ double value_of(const MethodSummary& method, const std::string& quantity) {
   return found == method.quantities.end() ? not_a_number : found->second.value;
 }
 
-/// The load of realisation 0 at which the areas differ most.
+/// Returns the load of realisation 0 at which the areas differ most.
 const Deviation* furthest_apart(const std::vector<Deviation>& rows) {
   const Deviation* furthest = nullptr;
   double largest = 0.0;
   for (const Deviation& row : rows)
     if (const double apart =
             std::abs(row.area_fraction - row.reference_area_fraction);
-        apart > largest) { // false for a NaN
+        apart > largest) { // false for NaN
       furthest = &row;
       largest = apart;
     }

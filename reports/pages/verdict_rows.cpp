@@ -13,7 +13,7 @@ namespace {
 using Value = kainjow::mustache::data;
 using List = kainjow::mustache::list;
 
-// "0.35 … 0.45" and "≤ 0.05" for a page.
+// Formats "0.35 … 0.45" and "≤ 0.05" for a page.
 std::string with_typographic_signs(std::string band) {
   for (const auto& [plain, sign] :
        {std::pair("..", " … "), std::pair("<=", "≤"), std::pair(">=", "≥")})
