@@ -1,7 +1,8 @@
 #pragma once
 
-// What a benchmark of one case is: settings, what each cost, what it answered,
-// and how far that is from the truth. Owns these terms and nothing that runs.
+// This file defines the benchmark of one case: the settings, the cost and the
+// results of each, and the error with respect to the reference solution. It
+// owns these terms and runs nothing.
 
 #include "cases/types/case.hpp"
 #include "reports/analysis/refinement.hpp"
@@ -13,128 +14,138 @@
 
 namespace asperity::reports {
 
-/// The numbers of one run by name: "mean_gap", "elastic_energy" and each
-/// estimator "area_fraction..." with a value a loading step (realisations one
-/// after another), fits such as "kappa" with one value. Where the case
-/// prescribes the gap, "nominal_pressure" stands for "mean_gap".
+/// The results of one run by name: "mean_gap", "elastic_energy" and each
+/// estimator "area_fraction..." with one value per loading step (realisations
+/// one after another), and fits such as "kappa" with a single value. If the
+/// case prescribes the gap, "nominal_pressure" replaces "mean_gap".
 struct BenchAnswer {
   std::map<std::string, std::vector<double>> values;
-  std::vector<double> pressure;     ///< of the steps [Pa]
+  std::vector<double> pressure;     ///< nominal pressure of the steps [Pa]
   double rms_height = not_a_number; ///< of realisation 0 [m]
-  double highest = not_a_number;    ///< over the mean plane [m]
+  double highest = not_a_number;    ///< highest point above the mean plane [m]
 };
 
-/// Of the repeats, without the warm-up [s].
+/// Times of the repeats, without the warm-up run [s].
 struct BenchTime {
   double median = not_a_number;
   double least = not_a_number;
   double largest = not_a_number;
 };
 
-/// CPU time of one run by what it went into [s]; of the repeat with the median
-/// CPU time.
+/// CPU time of one run by phase [s], of the repeat with the median CPU time.
 struct BenchPhases {
-  double setup = 0.0;       ///< of the method
-  double transforms = 0.0;  ///< the elastic operator and its inverse
-  double solving = 0.0;     ///< projections, directions, starts; all of the
-                            ///< step where there is no such operator
+  double setup = 0.0;      ///< set-up of the method
+  double transforms = 0.0; ///< the elastic operator and its inverse
+  /// Projections, search directions, initial guesses; the entire step if there
+  /// is no such operator.
+  double solving = 0.0;
   double observation = 0.0; ///< areas, fits, energy
   double writing = 0.0;     ///< of the result file
-  double rest = 0.0;        ///< start of the program, the surface
+  double rest = 0.0;        ///< start-up of the program, surface
 
   double steps() const { return transforms + solving + observation; }
 };
 
-/// One setting of one method, run.
+/// One setting of one method that has been run.
 struct BenchPoint {
   std::string method;
   std::string kind;
-  std::string label;                  ///< "256 points, growth 1.1"
-  std::vector<std::string> overrides; ///< that make it of the case
-  int points = 0;                     ///< a side of the surface
-  bool is_own = false;                ///< the case's own setting
-  bool is_elastic = true; ///< the truth is its limit too; else its distance
-                          ///< from that is no error (atoms, theory)
-  bool is_truth = false;  ///< of the series that makes the truth
+  std::string label; ///< "256 points, growth 1.1"
+  /// Overrides that define it relative to the case.
+  std::vector<std::string> overrides;
+  int points = 0;      ///< points per side of the surface
+  bool is_own = false; ///< the case's own setting
+  /// True: converges to the reference solution; false: the difference from it
+  /// is not an error (atoms, theory).
+  bool is_elastic = true;
+  /// Belongs to the series that defines the reference solution.
+  bool is_truth = false;
 
-  int repeats = 0;           ///< timed
-  bool has_warm_up = false;  ///< a run before them that does not count
-  bool is_repeatable = true; ///< all runs gave the same numbers, bit for bit
+  int repeats = 0;           ///< number of timed runs
+  bool has_warm_up = false;  ///< an untimed run came first
+  bool is_repeatable = true; ///< all runs gave bitwise identical results
   BenchTime wall;
   BenchTime cpu;
-  double peak_memory = 0.0; ///< largest of the runs [B]
+  double peak_memory = 0.0; ///< maximum over the runs [B]
   int steps = 0;
   int failed_steps = 0;
-  int iterations = 0; ///< of all steps
-  int transforms = 0; ///< of all steps, on the method's grid
+  int iterations = 0; ///< total over all steps
+  int transforms = 0; ///< total over all steps, on the method's grid
   BenchPhases phases;
-  double transform_pair = not_a_number; ///< CPU time of a real transform there
-                                        ///< and back on this grid [s]
-  std::string problem; ///< why there is no answer; empty if there is
+  /// CPU time of a real forward and inverse transform on this grid [s]
+  double transform_pair = not_a_number;
+  std::string problem; ///< why there is no result; empty if there is one
   BenchAnswer answer;
-  std::map<std::string, double> errors;     ///< against the truth
-  std::map<std::string, double> own_errors; ///< against the limit of its own
-                                            ///< method's series
+  /// With respect to the reference solution.
+  std::map<std::string, double> errors;
+  /// With respect to the limit of the method's own series.
+  std::map<std::string, double> own_errors;
 
-  /// The transforms' least CPU time [s]: a pair each.
+  /// Lower bound of the CPU time of the transforms [s], at one pair per
+  /// transform.
   double transform_floor() const { return transforms * transform_pair; }
 };
 
-/// How a quantity goes along a series.
+/// The convergence of a quantity along a series.
 struct BenchOrder {
-  double by_differences = not_a_number; ///< of the three finest
-  PowerLaw error; ///< error against the truth as a power of the coordinate
+  double by_differences = not_a_number; ///< from the three finest settings
+  /// Error with respect to the reference solution as a power of the coordinate.
+  PowerLaw error;
 };
 
 /// Settings of one method that differ in one key, coarse to fine.
 struct BenchSeries {
   std::string method;
   std::string axis;  ///< the key: "surface.points", "fem.growth"
-  std::string title; ///< "points", "growth of the layers"
+  std::string title; ///< "points", "growth of the layers" (grading ratio)
   std::vector<std::size_t> points = {};
-  std::vector<double> coordinates = {}; ///< falls to 0 towards the limit;
-                                        ///< empty: words, without an order
+  /// Decreases to 0 towards the limit; empty: keyword values without an order.
+  std::vector<double> coordinates = {};
   std::map<std::string, double> theoretical_orders = {}; ///< by quantity
-  std::string order_source = {};                         ///< where that is from
+  std::string order_source = {}; ///< source of these orders
   std::map<std::string, BenchOrder> orders = {};
-  PowerLaw cost = {};      ///< CPU time against points a side; points axis only
-  PowerLaw step_cost = {}; ///< the same of the steps alone
+  /// CPU time against points per side; only for the axis over points
+  PowerLaw cost = {};
+  PowerLaw step_cost = {}; ///< the same for the steps alone
 };
 
 struct BenchTruth {
   std::string words;
   BenchAnswer answer;
-  std::map<std::string, double> uncertainty; ///< in the measure of the errors
-  std::map<std::string, double> order;       ///< observed; none where exact
+  std::map<std::string, double> uncertainty; ///< in the norm of the errors
+  /// Observed order; absent for exact quantities.
+  std::map<std::string, double> order;
   std::map<std::string, bool> is_exact;
-  std::size_t series = 0; ///< of Bench::series; out of range if there is none
+  /// Index into Bench::series; out of range if there is none.
+  std::size_t series = 0;
 };
 
-/// One quantity of a promised error.
+/// One quantity for which an error target was set.
 struct Promise {
   std::string quantity;
-  std::string estimator; ///< the column that serves: "area_fraction_fit"
+  std::string estimator; ///< the column that is used: "area_fraction_fit"
   std::string method;
   double predicted = not_a_number;
-  double found = not_a_number; ///< against the exact solution or a finer run
+  /// With respect to the exact solution or a finer run.
+  double found = not_a_number;
   bool is_kept = false;
 };
 
-/// What came of asking for an error.
+/// The outcome of a request for an error target.
 struct TargetOutcome {
   double target = 0.0;                ///< relative
-  std::vector<std::string> overrides; ///< of the chosen setting
-  std::string chosen;                 ///< in words
-  std::string finer;                  ///< the run that verified, in words
-  std::string problem; ///< why nothing could be chosen; empty if it could
-  double predicted_cpu_time = not_a_number; ///< of the chosen setting [s]
-  double cpu_time = not_a_number;           ///< that it took [s]
-  double search_cpu_time = 0.0;             ///< of the coarse runs [s]
+  std::vector<std::string> overrides; ///< overrides of the chosen setting
+  std::string chosen;                 ///< description of the chosen setting
+  std::string finer;   ///< description of the run used for verification
+  std::string problem; ///< why no setting could be chosen; empty if one could
+  double predicted_cpu_time = not_a_number; ///< for the chosen setting [s]
+  double cpu_time = not_a_number; ///< measured for the chosen setting [s]
+  double search_cpu_time = 0.0;   ///< of the coarse runs [s]
   std::vector<Promise> promises;
-  std::vector<std::string> earlier; ///< settings tried before that did not keep
-                                    ///< it, and why there was no other
+  /// Settings tried before that missed the target, and why there was no other.
+  std::vector<std::string> earlier;
 
-  bool is_kept() const; ///< every promise
+  bool is_kept() const; ///< true if every quantity meets the target
 };
 
 struct Bench {
@@ -142,18 +153,20 @@ struct Bench {
   std::string case_title;
   std::string case_hash;
   std::string case_text;
-  std::vector<std::string> quantities; ///< errors are given of, in order
-  std::vector<std::string> remarks;    ///< what was cut or left out, and why
+  /// Quantities whose errors are given, in order.
+  std::vector<std::string> quantities;
+  std::vector<std::string> remarks; ///< what was shortened or omitted, and why
   results::Provenance provenance;
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
   BenchTruth truth;
-  /// Of each quantity, the points whose error no cheaper one undercuts.
+  /// For each quantity, the Pareto front: the points for which no cheaper point
+  /// has a smaller error.
   std::map<std::string, std::vector<std::size_t>> fronts;
-  std::vector<TargetOutcome> targets; ///< none or one
+  std::vector<TargetOutcome> targets; ///< zero or one entry
 };
 
-/// What a quantity's error is and how it is measured, for readers.
+/// Describes the error of a quantity and its norm for the reader.
 std::string error_words(const std::string& quantity);
 
 /// True for an estimator of the contact area.

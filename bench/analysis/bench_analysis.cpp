@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* best_area = "area_fraction_corrected";
 
-/// Those of a series that have an answer, coarse to fine.
+/// The points of a series that have a result, coarse to fine.
 struct Answered {
   std::vector<const BenchPoint*> points;
   std::vector<double> coordinates;
@@ -35,8 +35,8 @@ Answered answered(const Bench& bench, const BenchSeries& series) {
   return kept;
 }
 
-/// The finest settings that answer a quantity, coarse to fine, as many as stand
-/// together at the end of the series.
+/// Returns the results of the finest settings that provide a quantity, coarse
+/// to fine: the longest unbroken sequence at the end of the series.
 std::vector<std::vector<double>> answers_to(const Answered& series,
                                             const std::string& quantity) {
   std::vector<std::vector<double>> answers;
@@ -85,7 +85,7 @@ void overlay_exact(const cases::Case& contact_case, const Bench& bench,
       truth.uncertainty[name] = 0.0;
       truth.is_exact[name] = true;
     }
-    if (exact.values.contains(best_area)) // one truth for all estimators
+    if (exact.values.contains(best_area)) // one reference for all estimators
       std::erase_if(truth.answer.values, [](const auto& entry) {
         return is_area(entry.first) && entry.first != best_area;
       });
@@ -93,7 +93,8 @@ void overlay_exact(const cases::Case& contact_case, const Bench& bench,
   }
 }
 
-/// In words: what is exact, what is a limit.
+/// Describes which quantities of the reference solution are exact and which are
+/// limits.
 std::string truth_words(const BenchTruth& truth, const Bench& bench,
                         const cases::Case& contact_case) {
   std::string words;
@@ -146,7 +147,8 @@ BenchOrder order_of(const Bench& bench, const BenchSeries& series,
                        rms_difference(answers[n - 2], answers[n - 1], measure));
   }
   if (series.axis != "surface.points")
-    return order; // other settings' error against the truth is not theirs alone
+    // Along other axes, the error includes contributions of the fixed settings.
+    return order;
   std::vector<double> errors;
   for (const BenchPoint* point : kept.points)
     errors.push_back(point->errors.at(quantity));
@@ -206,7 +208,8 @@ void analyse(Bench& bench, const cases::Case& contact_case) {
   if (series < bench.series.size())
     bench.truth = limit_of(bench, bench.series[series]);
   bench.truth.series = series;
-  // One truth for every estimator of the area: the one that converges fastest.
+  // All estimators of the area have one reference: the one that converges
+  // fastest.
   std::erase_if(bench.truth.answer.values, [](const auto& entry) {
     return is_area(entry.first) && entry.first != best_area;
   });

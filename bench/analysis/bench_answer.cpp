@@ -26,7 +26,7 @@ const results::MethodRecord& method_called(const results::Result& result,
   throw std::domain_error("the result has no method " + name);
 }
 
-/// Curve columns that are compared load by load.
+/// Returns the columns of a curve that are compared at each load.
 std::vector<results::CurveColumn> compared_columns(cases::Control control) {
   const std::string other =
       control == cases::Control::mean_gap ? "nominal_pressure" : "mean_gap";
@@ -38,8 +38,9 @@ std::vector<results::CurveColumn> compared_columns(cases::Control control) {
   return compared;
 }
 
-/// Gamma and kappa, and what the case expects; but a deviation or an error is
-/// a distance already, and to something else.
+/// True for gamma, kappa and the quantities that the case expects. A deviation
+/// or an error is excluded because it already is a difference, with respect to
+/// something else.
 bool is_compared(const std::string& quantity, const cases::Case& contact_case) {
   for (const char* ending : {"_error", "_deviation", "_difference"})
     if (quantity.ends_with(ending))
@@ -65,7 +66,8 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
           answer.values[name] = {estimate.value};
 }
 
-/// U(p) of the exact mean gap; its derivative may be singular at either end.
+/// Integrates U(p) from the exact mean gap, whose derivative may be singular at
+/// either end.
 double exact_energy(const cases::SurfaceSpec& surface, double contact_modulus,
                     double nominal_pressure, double highest) {
   const auto gap = [&](double pressure) {
@@ -103,8 +105,8 @@ BenchAnswer answer_of(const results::Result& result,
     answer.rms_height = surface->rms_height;
     answer.highest = surface->highest;
   }
-  // On a grid the mean plane of a sphere depends on the spacing, its top does
-  // not.
+  // On a grid, the mean plane of a sphere depends on the spacing, but its
+  // highest point does not.
   if (contact_case.surface.kind == SurfaceKind::sphere)
     for (double& gap : answer.values["mean_gap"])
       gap -= answer.highest;
@@ -148,7 +150,7 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   exact.pressure = answer.pressure;
   if (!is_exact_shape(contact_case))
     return exact;
-  // Of a sphere, gaps are counted from its top, see answer_of.
+  // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
   for (const double pressure : answer.pressure) {
     const ExactPoint point =

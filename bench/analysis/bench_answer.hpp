@@ -1,42 +1,44 @@
 #pragma once
 
-// From a result to the numbers a benchmark compares, and the measure of their
-// distance.
+// This file extracts from a result the quantities that a benchmark compares,
+// and defines the norm of their difference.
 
 #include "bench/analysis/bench.hpp"
 
 namespace asperity::reports {
 
-/// The answer of the one method of a result that has that name. Every curve
-/// column "area_fraction..." is an estimator, so one that is added later joins
-/// by itself; a step that did not converge has NaN everywhere.
-/// @param contact_case  whose expectations name the quantities at a load
+/// Returns the results of the method with that name. Every curve column
+/// "area_fraction..." is an estimator, so that columns added later are included
+/// automatically. A step that did not converge has NaN in all quantities.
+/// @param contact_case  its expectations name the quantities at a load
 /// @throws std::domain_error  the result has no such method
 BenchAnswer answer_of(const results::Result& result,
                       const cases::Case& contact_case,
                       const std::string& method);
 
-/// What the entries of a quantity are measured in: h_rms for the gap, the
-/// truth's own values for everything else.
+/// Returns the scale of each entry of a quantity: h_rms for the gap, the values
+/// of the reference solution for everything else.
 std::vector<double> scale_of(const std::string& quantity,
                              const BenchAnswer& truth);
 
-/// Root mean square over the loads; NaN if either lacks a value, or the loads
-/// are not the same. Every area is held against the truth's corrected one
-/// where the truth has none of its own.
+/// Returns the root-mean-square error over the loads; NaN if either argument
+/// lacks a value or if the loads differ. An area for which the reference
+/// solution has no value is compared with its corrected area.
 double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
                      const std::string& quantity);
 
-/// The exact solution at the loads of `answer`, for those quantities that it
-/// answers at every load; the elastic energy is the work of the pressure,
+/// Returns the exact solution at the loads of `answer`, for the quantities that
+/// it provides at every load. The elastic energy per nominal area is the work
+/// of the pressure,
 ///
 ///     U(p) = integral_0^p (u(p') - u(p)) dp'
 ///
-/// per nominal area. Empty for shapes without an exact solution.
+/// The result is empty for shapes without an exact solution.
 BenchAnswer exact_answer(const cases::Case& contact_case,
                          const BenchAnswer& answer);
 
-/// "Westergaard", "Hertz", ...; empty for shapes without an exact solution.
+/// Returns "Westergaard", "Hertz", ...; empty for shapes without an exact
+/// solution.
 std::string exact_words(const cases::Case& contact_case);
 
 } // namespace asperity::reports

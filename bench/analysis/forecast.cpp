@@ -16,8 +16,8 @@ namespace {
 using reports::BenchAnswer;
 using reports::BenchPoint;
 
-constexpr double lowest_order = 0.5;  // of a forecast
-constexpr double highest_order = 2.0; // a lucky pair promises no more
+constexpr double lowest_order = 0.5;  // of an extrapolation
+constexpr double highest_order = 2.0; // no extrapolation with a higher order
 constexpr double order_unknown = 1.0;
 constexpr const char* corrected_area = "area_fraction_corrected";
 
@@ -26,7 +26,7 @@ bool means(const std::string& quantity, const std::string& column) {
          (quantity == any_area && reports::is_area(column));
 }
 
-/// Needs the term of the corrected count.
+/// Requires the term of the corrected area.
 double bias_of(const std::string& column, const Forecast::Term& term,
                const Forecast::Term& corrected, const BenchAnswer& finest) {
   const auto count = finest.values.find(corrected_area);
@@ -38,9 +38,9 @@ double bias_of(const std::string& column, const Forecast::Term& term,
              : std::numeric_limits<double>::infinity();
 }
 
-/// What a run takes besides its steps may grow as they do (maps, stress
-/// inside); its noise must not make a finer grid the cheaper one, so the
-/// exponent is that of the steps.
+/// Costs outside the steps may grow as the steps do (maps, subsurface stress).
+/// Their noise must not make a finer grid appear cheaper, so the exponent is
+/// that of the steps.
 void add_cost(Forecast& forecast, std::span<const BenchPoint> coarse) {
   const auto rest = [](const BenchPoint& point) {
     return point.cpu.median - point.phases.steps();
@@ -148,7 +148,7 @@ Forecast::Term term_of(std::span<const BenchPoint> coarse,
   const std::size_t n = coarse.size();
   const std::vector<double> scale =
       reports::scale_of(column, coarse[n - 1].answer);
-  // Between the run at i and the one before it.
+  // Difference between run i and the previous run.
   const auto difference = [&](std::size_t i) {
     const auto fine = coarse[i].answer.values.find(column);
     const auto rough = coarse[i - 1].answer.values.find(column);

@@ -79,12 +79,12 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
   return figure;
 }
 
-/// What one line over the number of points shows.
+/// The definition of a plot against the number of points.
 struct AgainstPoints {
   std::string name;
   std::string title;
   std::string caption;
-  std::string label; ///< of the upright axis
+  std::string label; ///< label of the vertical axis
   std::function<double(const BenchPoint&)> value;
   std::function<PowerLaw(const BenchSeries&)> law;
 };

@@ -203,7 +203,7 @@ List method_tables(const Bench& bench) {
                     "small letters is its error against the limit of its own "
                     "series.");
     std::vector<std::string> heads = bench.quantities;
-    for (std::string& head : heads) // so that they wrap
+    for (std::string& head : heads) // allows line breaks
       std::replace(head.begin(), head.end(), '_', ' ');
     table.set("heads", text_list(heads));
     table.set("rows", rows);

@@ -1,6 +1,7 @@
 #pragma once
 
-// A benchmark as files: bench.json, bench.csv, report.html with its figures.
+// This file writes a benchmark to files: bench.json, bench.csv and report.html
+// with its figures.
 
 #include "reports/figures/gnuplot.hpp"
 
@@ -12,24 +13,26 @@
 
 namespace asperity::reports {
 
-/// Everything, numbers in SI, what is not known null.
+/// Returns all data as JSON, with numbers in SI units and null for unknown
+/// values.
 std::string bench_json(const Bench& bench);
 
-/// A row a setting: what it cost, what it was made of, each error; "nan" for
-/// what is not known.
+/// Returns one row per setting: its cost, the split of the cost, and each
+/// error; "nan" for unknown values.
 std::string bench_csv(const Bench& bench);
 
-/// Cost against error with its front, a figure a quantity that has errors;
-/// error and cost against points; the split of the CPU time.
+/// Returns the figures: cost against error with the Pareto front, one figure
+/// per quantity that has errors; error and cost against points; the split of
+/// the CPU time.
 std::vector<Figure> bench_figures(const Bench& bench);
 
 /// Writes bench.json, bench.csv, report.html and figures/ into `folder`.
-/// @return  what could not be drawn, a line each
+/// @return  the figures that could not be drawn, one line each
 std::vector<std::string>
 write_bench_report(const Bench& bench, const std::filesystem::path& folder,
                    const std::string& gnuplot = "gnuplot");
 
-/// "0.73 %", three digits at most; an en dash for what is not known.
+/// Formats "0.73 %", with at most three digits; an en dash for unknown values.
 std::string per_cent(double share);
 
 } // namespace asperity::reports

@@ -30,7 +30,7 @@ using reports::BenchPoint;
 
 struct Subject {
   fs::path file;
-  std::vector<std::string> overrides; ///< quick.set's and the user's
+  std::vector<std::string> overrides; ///< from quick.set and from the user
   cases::Case contact_case;
 };
 
@@ -62,7 +62,7 @@ void print_point(std::size_t i, std::size_t n, const BenchPoint& point) {
   std::fflush(stdout);
 }
 
-/// Settings that only a series other than over points has.
+/// True for settings that occur only in series other than those over points.
 bool is_optional(const Sweep& sweep, std::size_t point) {
   return std::none_of(sweep.series.begin(), sweep.series.end(),
                       [&](const reports::BenchSeries& series) {
@@ -188,7 +188,7 @@ ExitCode bench_case(const BenchCommand& command) {
              bench.points,
              [](const BenchPoint& point) { return point.problem.empty(); })
              ? exit_good
-             : exit_internal; // no setting has an answer
+             : exit_internal; // no setting has a result
 }
 
 } // namespace asperity::app

@@ -1,7 +1,7 @@
 #pragma once
 
-// asperity bench: what each setting of each method costs and how far its
-// answer is from the truth, and a report of that.
+// asperity bench measures the cost of each setting of each method and its error
+// with respect to the reference solution, and writes a report.
 
 #include "app/run/exit_code.hpp"
 
@@ -11,24 +11,25 @@
 namespace asperity::app {
 
 struct BenchCommand {
-  std::string contact_case; ///< file, folder or name of a shipped case
+  std::string contact_case; ///< file, folder or name of an installed case
   std::vector<std::string> methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   std::string out;                    ///< empty: out/<case>/bench
   int repeats = 3;
   int realizations = 1;
-  double budget = 300.0;    ///< wall time after which a setting is run once and
-                            ///< axes other than points are left out [s]
-  bool is_quick = false;    ///< quick.set laid over the case, points alone, one
-                            ///< repeat
-  std::string target_error; ///< "1%"; empty: none asked
+  /// Wall time after which each setting is run once and axes other than points
+  /// are omitted [s]
+  double budget = 300.0;
+  /// Applies quick.set to the case; points only, one repeat.
+  bool is_quick = false;
+  std::string target_error; ///< "1%"; empty: no target
 };
 
-/// @throws cases::CaseError  mistakes in the case, a collection, a method that
-///                           is not there
+/// @throws cases::CaseError  the case has mistakes, is a collection, or lacks a
+///     requested method
 ExitCode bench_case(const BenchCommand& command);
 
-/// "1%", "1 %", "0.01" as 0.01.
+/// Reads "1%", "1 %" or "0.01" as 0.01.
 /// @throws cases::CaseError  none of these, or outside 0 .. 1
 double read_target_error(const std::string& text);
 

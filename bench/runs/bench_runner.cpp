@@ -42,7 +42,8 @@ const results::MethodRecord* method_in(const results::Result& result,
   return nullptr;
 }
 
-/// The number that a fact of the run begins with; 0 if there is none.
+/// Returns the number at the beginning of a provenance entry of the run; 0 if
+/// there is none.
 double number_in(const results::Result& result, const std::string& name) {
   for (const auto& [key, fact] : result.provenance)
     if (key == name)
@@ -58,11 +59,13 @@ BenchPhases phases_of(const results::Result& result,
     phases.setup += curve.setup_cpu_time;
     for (const results::CurvePoint& row : curve.points) {
       step_time += row.cpu_time;
-      phases.transforms += std::fmax(row.transform_time, 0.0); // NaN: 0
+      // NaN counts as 0
+      phases.transforms += std::fmax(row.transform_time, 0.0);
       phases.observation += std::fmax(row.observation_time, 0.0);
     }
   }
-  if (method.kind == "theory") // whose set-up time is that of all its rows
+  // Its set-up time contains the time of all its rows.
+  if (method.kind == "theory")
     phases.setup = std::max(phases.setup - step_time, 0.0);
   phases.solving =
       std::max(step_time - phases.transforms - phases.observation, 0.0);
@@ -86,7 +89,8 @@ bool are_same(const reports::BenchAnswer& one,
   return true;
 }
 
-/// What the child said last; its title comes late where output is buffered.
+/// Returns the last line of the child's output. The title is skipped because it
+/// may come late where output is buffered.
 std::string last_words(const fs::path& log, const std::string& title) {
   std::ifstream stream(log);
   std::string line;
@@ -189,7 +193,7 @@ double BenchRunner::transform_pair(const Grid& grid) {
   std::vector<double> field(grid.size(), 1.0);
   std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
   std::vector<double> times;
-  constexpr int tries = 9; // the first of which warms up
+  constexpr int tries = 9; // the first is the warm-up
   for (int i = 0; i < tries; ++i) {
     const CpuClock clock;
     fourier.forward(field, spectrum);

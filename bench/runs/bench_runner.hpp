@@ -1,7 +1,8 @@
 #pragma once
 
-// One setting of a benchmark from its overrides to what it cost and answered:
-// the program as a child process, some times over. Owns repeats and budget.
+// This file runs one setting of a benchmark, from its overrides to its cost and
+// results, by starting the program several times as a child process. It owns
+// the repeats and the time budget.
 
 #include "cases/types/case.hpp"
 
@@ -18,24 +19,26 @@ namespace asperity::app {
 struct BenchRunnerOptions {
   std::filesystem::path case_file;
   std::vector<std::string> common; ///< overrides of every run
-  std::filesystem::path folder;    ///< for results and logs of the runs
-  int repeats = 3;                 ///< timed, after one that warms up
+  std::filesystem::path folder;    ///< for the results and logs of the runs
+  int repeats = 3;                 ///< timed runs, after one warm-up run
   double budget = 300.0;           ///< wall time [s], see is_spent()
 };
 
 /// Runs settings one after another, each on one thread. A setting is run once
-/// to warm up and then `repeats` times; of a setting of the truth, and once the
-/// budget is spent, the first run counts and stays the only one.
+/// as a warm-up and then `repeats` times. A setting of the reference series is
+/// run only once, as are all settings after the budget is spent; this single
+/// run is then timed.
 class BenchRunner {
 public:
-  /// @param contact_case  whose expectations name quantities at a load;
-  ///                      outlives the runner
+  /// @param contact_case  its expectations name the quantities at a load; it
+  ///     must outlive the runner
   BenchRunner(const cases::Case& contact_case, BenchRunnerOptions options);
 
-  /// Fills what the point cost and answered, or its problem.
+  /// Fills the cost and the results of the point, or its problem.
   void run(reports::BenchPoint& point);
 
-  /// True once the runs have taken the budget: the next ones are run once.
+  /// True once the runs have used up the budget; from then on each setting is
+  /// run once.
   bool is_spent() const;
 
 private:
@@ -46,7 +49,7 @@ private:
   const cases::Case& case_;
   BenchRunnerOptions options_;
   std::chrono::steady_clock::time_point start_;
-  std::map<std::pair<int, int>, double> transform_pairs_; ///< by grid [s]
+  std::map<std::pair<int, int>, double> transform_pairs_; ///< per grid [s]
   int n_runs_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The program run by itself as a child process.
+// This file runs the program itself as a child process.
 
 #include "base/child_process.hpp"
 
@@ -10,9 +10,10 @@
 
 namespace asperity::app {
 
-/// Runs this program with these words and waits. Standard output and error go
-/// to `log`. An interrupt is passed on, and the child ends in order.
-/// @throws std::system_error  it could not be started
+/// Runs this program with the given arguments and waits for it. Standard output
+/// and error are written to `log`. An interrupt is passed on, and the child
+/// terminates in an orderly way.
+/// @throws std::system_error  the child could not be started
 ChildEnd run_self(const std::vector<std::string>& words,
                   const std::filesystem::path& log);
 

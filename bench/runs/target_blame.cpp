@@ -1,5 +1,5 @@
-// Why no setting keeps an error: which method, which quantity, which part of
-// it.
+// This file explains why no setting meets an error target: which method, which
+// quantity and which contribution to the error is responsible.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 namespace asperity::app {
 namespace {
 
-constexpr double finest_growth = 0.25; ///< share of ln g
+constexpr double finest_growth = 0.25; ///< factor of ln g
 
-/// How far the best that a method has is off, and where.
+/// The smallest error that a method can achieve, and its quantity.
 struct Miss {
   const Forecast* forecast = nullptr;
   std::string quantity;
   double error = std::numeric_limits<double>::infinity();
 };
 
-/// The quantity that errs most with that method and element.
+/// Returns the quantity with the largest error for that method and element.
 Miss worst_of(const Forecast& forecast,
               const std::vector<std::string>& quantities, int points) {
   Miss worst{&forecast, quantities.front(), -1.0};
@@ -35,7 +35,7 @@ Miss worst_of(const Forecast& forecast,
   return worst;
 }
 
-/// By method, with its best element.
+/// Returns the smallest achievable error by method, with its best element.
 std::map<std::string, Miss> misses(const std::vector<Forecast>& forecasts,
                                    const std::vector<std::string>& quantities,
                                    int points) {

@@ -36,7 +36,8 @@ std::vector<std::string> elements_of(const cases::Case& contact_case,
   return {""};
 }
 
-/// Of the layers; 1 where the method has none, or equal ones.
+/// Returns the grading ratio of the layers; 1 if the method has none or the
+/// layers are equal.
 double growth_of(const cases::Case& contact_case, const std::string& method) {
   const auto growth = CaseValues(contact_case).value(method, "growth");
   return growth && growth->is_number() ? growth->number() : 1.0;
@@ -67,7 +68,7 @@ TargetSearch::TargetSearch(const cases::Case& contact_case,
   int coarsest = own;
   while (coarsest % 4 == 0 && coarsest / 2 >= least)
     coarsest /= 2;
-  if (4 * least <= 3 * coarsest) // a grid between
+  if (4 * least <= 3 * coarsest) // an intermediate grid
     coarsest = least;
   for (const int factor : {1, 2, 4})
     if (own > 0 && (factor <= 2 || factor * coarsest <= own))
@@ -82,7 +83,7 @@ BenchPoint TargetSearch::run_at(const std::string& method,
   point.method = method;
   point.kind = kind_of_method(method);
   point.points = points;
-  point.is_truth = true; // once is enough
+  point.is_truth = true; // one run is sufficient
   point.overrides = overrides_at({.method = method,
                                   .element = element,
                                   .growth = growth_of(case_, method)},

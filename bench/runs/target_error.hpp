@@ -1,7 +1,8 @@
 #pragma once
 
-// From an error that is asked to the cheapest setting predicted to keep it,
-// and whether it did. Owns the choice; the runs are BenchRunner's.
+// This file finds the cheapest setting that is predicted to meet an error
+// target, and verifies whether it does. It owns the choice; the runs are those
+// of BenchRunner.
 
 #include <map>
 #include <string>
@@ -12,42 +13,43 @@
 
 namespace asperity::app {
 
-/// Runs the coarse grids, fits error and cost, chooses, verifies, and chooses
-/// again from what that found. Points are the case's; the element and the
-/// layers' growth are chosen by method. Atoms and the theory have no such limit
-/// and are left alone.
+/// Runs the coarse grids, fits error and cost, chooses a setting, verifies it,
+/// and chooses again with the information found. The number of points is common
+/// to the case; the element and the grading ratio of the layers are chosen per
+/// method. Atoms and the theory have no such limit and are not changed.
 class TargetSearch {
 public:
   TargetSearch(const cases::Case& contact_case, BenchRunnerOptions options);
 
-  /// Chooses the cheapest setting whose every quantity is predicted to err by
-  /// less than `target`, relative (the gap: in h_rms), up to four times the
-  /// case's points. Its problem says why there is none, and which part of the
-  /// error is to blame.
+  /// Chooses the cheapest setting for which every quantity is predicted to have
+  /// a relative error below `target` (for the gap: in units of h_rms), with up
+  /// to four times the points of the case. If there is none, its problem states
+  /// why and which contribution to the error is responsible.
   reports::TargetOutcome choose(double target);
 
-  /// Holds answers at the chosen setting against the exact solution, or
-  /// against one run each with twice the points and half the growth. A promise
-  /// that was broken is learnt from.
-  /// @param chosen  by method
+  /// Compares the results at the chosen setting with the exact solution, or
+  /// with one run per method at twice the points and half the logarithm of the
+  /// grading ratio. A missed target updates the predictions.
+  /// @param chosen  results by method
   void verify(reports::TargetOutcome& outcome,
               const std::map<std::string, reports::BenchAnswer>& chosen);
 
-  /// Another setting, chosen with what the last verification found: true, and
-  /// `outcome` is that of the new one. False after three settings, or where
-  /// none is predicted to keep the error any more: `outcome` stays and its
-  /// `earlier` says so.
+  /// Chooses another setting with the information from the last verification.
+  /// True: `outcome` is that of the new setting. False after three settings, or
+  /// if none is predicted to meet the target any more: `outcome` is unchanged
+  /// except that its `earlier` states the reason.
   bool choose_again(reports::TargetOutcome& outcome);
 
-  /// All of them, with the runs at the chosen settings between.
+  /// Performs all of these steps, with the runs at the chosen settings in
+  /// between.
   reports::TargetOutcome run(double target);
 
 private:
   struct Choice {
     int points = 0;
     double growth_share = 1.0;
-    double cpu_time = 0.0;                    ///< of all methods [s]
-    std::map<std::string, Forecast*> methods; ///< of forecasts_
+    double cpu_time = 0.0;                    ///< sum over all methods [s]
+    std::map<std::string, Forecast*> methods; ///< pointers into forecasts_
   };
 
   void make_forecasts();

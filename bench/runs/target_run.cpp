@@ -76,7 +76,7 @@ bool TargetRun::verify(const cases::Case& chosen,
   std::map<std::string, reports::BenchAnswer> answers;
   for (results::MethodRecord& method : result.methods)
     if (!method.realizations.empty())
-      method.realizations.resize(1); // as the finer runs have
+      method.realizations.resize(1); // as in the finer runs
   for (const results::MethodRecord& method : result.methods)
     answers[method.name] = reports::answer_of(result, chosen, method.name);
   search_.verify(outcome_, answers);

@@ -1,7 +1,7 @@
 #pragma once
 
-// asperity run --target-error: the case at the cheapest setting predicted to
-// keep an error, and in its result whether it did.
+// asperity run --target-error runs the case at the cheapest setting that is
+// predicted to meet an error target, and records in its result whether it does.
 
 #include <filesystem>
 #include <string>
@@ -13,28 +13,30 @@ namespace asperity::app {
 
 class TargetRun {
 public:
-  /// Runs the coarse grids and chooses; says what on standard output.
-  /// @param contact_case  of that file with those overrides
-  /// @param folder        of the case's result; the search works below it
+  /// Runs the coarse grids, chooses a setting and prints it on standard output.
+  /// @param contact_case  the case in `file` with `overrides` applied
+  /// @param folder        folder of the case's result; the search writes below
+  ///     it
   TargetRun(const cases::Case& contact_case, std::filesystem::path file,
             std::vector<std::string> overrides,
             const std::filesystem::path& folder, double target);
 
   bool is_chosen() const { return outcome_.problem.empty(); }
 
-  /// The case with the chosen settings laid over it, as --set would.
+  /// Returns the case with the chosen settings applied, as --set would.
   cases::Case chosen_case() const;
 
-  /// Holds the result of that case against the exact solution or one finer run
-  /// a method.
-  /// @return  true if every promise held
+  /// Compares the result of that case with the exact solution or with one finer
+  /// run per method.
+  /// @return  true if every quantity meets the target
   bool verify(const cases::Case& chosen, const std::filesystem::path& folder);
 
-  /// After a promise was broken: true if another setting is predicted to keep
-  /// the error, which is then that of chosen_case().
+  /// To be called after a missed target: true if another setting is predicted
+  /// to meet the target, which is then that of chosen_case().
   bool choose_again();
 
-  /// Says what was promised and found, and writes both into the result.
+  /// Prints the predicted and the measured errors and writes both into the
+  /// result.
   void record(const std::filesystem::path& folder) const;
 
 private:
@@ -42,8 +44,9 @@ private:
 
   std::filesystem::path file_;
   std::vector<std::string> overrides_;
-  std::vector<std::string> lengths_; ///< in node spacings, kept in metres: the
-                                     ///< chosen grid has the case's surface
+  /// Lengths in node spacings, fixed in metres, so that the chosen grid
+  /// represents the surface of the case.
+  std::vector<std::string> lengths_;
   TargetSearch search_;
   reports::TargetOutcome outcome_;
 };

@@ -1,4 +1,5 @@
-// Whether a promised error was kept, and what to try next if it was not.
+// This file verifies whether an error target was met, and chooses what to try
+// next if it was not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,8 +28,9 @@ bool answers(const BenchAnswer& exact, const BenchAnswer& chosen,
                      });
 }
 
-/// What the difference to a run on twice the points leaves unseen: its own
-/// error, 2^-order of what is looked for.
+/// Adds the part of the error that the difference from a run on twice the
+/// points does not contain: the error of that run, 2^-order of the error
+/// sought.
 double with_what_is_left(double difference, double order) {
   return difference / (1.0 - std::pow(2.0, -order));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-// What came of asking for an error, for people and for the result's facts.
+// This file describes the outcome of a request for an error target, for the
+// terminal and for the provenance of the result.
 
 #include "results/types/result.hpp"
 
@@ -8,10 +9,12 @@
 
 namespace asperity::app {
 
-/// A line a quantity: "promised 1 %, predicted 0.4 %, found 0.7 %: kept".
+/// Prints one line per quantity: "promised 1 %, predicted 0.4 %, found 0.7 %:
+/// kept".
 void print_outcome(const reports::TargetOutcome& outcome);
 
-/// The same for the provenance of a result, with what was tried before.
+/// Returns the same for the provenance of a result, including the earlier
+/// attempts.
 results::Provenance facts_of(const reports::TargetOutcome& outcome);
 
 } // namespace asperity::app

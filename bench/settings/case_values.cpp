@@ -28,7 +28,8 @@ const Node* table_at(const Node& file, const std::string& path) {
   return table;
 }
 
-/// The vocabulary's key, null for a table or a key that it does not know.
+/// Returns the key of the vocabulary; null for a table or a key that is not in
+/// it.
 const cases::Key* known_key(const std::string& table, const std::string& key) {
   for (const cases::Table& known : cases::vocabulary())
     if (known.name == table)
@@ -38,7 +39,7 @@ const cases::Key* known_key(const std::string& table, const std::string& key) {
   return nullptr;
 }
 
-/// A number and what stands behind it.
+/// Splits a text into its leading number and the remainder.
 std::pair<double, std::string> split(const std::string& text) {
   double number = std::numeric_limits<double>::quiet_NaN();
   const auto [end, failure] =

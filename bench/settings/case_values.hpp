@@ -1,7 +1,7 @@
 #pragma once
 
-// What the keys of a case are set to, as the file has them: for what varies a
-// case without knowing what its keys mean.
+// This file gives access to the values of the keys of a case as the file has
+// them, for code that varies a case without knowing the meaning of its keys.
 
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"
@@ -16,31 +16,32 @@ class CaseValues {
 public:
   explicit CaseValues(const cases::Case& contact_case);
 
-  /// The value of a key of a table, "fem.hard" and "growth": the table's own,
-  /// else that of the table it is a variant of, else the vocabulary's default.
+  /// Returns the value of a key of a table, such as "fem.hard" and "growth":
+  /// the value in the table itself, otherwise that of the table of which it is
+  /// a variant, otherwise the default of the vocabulary.
   std::optional<cases::Node> value(const std::string& table,
                                    const std::string& key) const;
 
   /// True if the table itself sets the key.
   bool is_set(const std::string& table, const std::string& key) const;
 
-  /// Overrides that write every length of the file which is given in node
-  /// spacings ("8 h") in metres, at the case's own spacing: another number of
-  /// points then leaves surface and block what they are.
+  /// Returns overrides that convert every length of the file that is given in
+  /// node spacings ("8 h") to metres, with the case's own spacing. Another
+  /// number of points then does not change the surface and the block.
   std::vector<std::string> without_spacings(double spacing) const;
 
 private:
   cases::Node file_;
 };
 
-/// "fem" of "fem.hard".
+/// Returns "fem" for "fem.hard".
 std::string kind_of_method(const std::string& name);
 
-/// The value multiplied, its unit kept, as an override writes it; empty if it
-/// is no number and no quantity.
+/// Returns the value multiplied by the factor, in its original unit, as an
+/// override writes it; empty if it is neither a number nor a quantity.
 std::string scaled_value(const cases::Node& value, double factor);
 
-/// The number before any unit; NaN if there is none.
+/// Returns the number before any unit; NaN if there is none.
 double leading_number(const cases::Node& value);
 
 } // namespace asperity::app

@@ -18,7 +18,8 @@ using reports::BenchPoint;
 using reports::BenchSeries;
 
 constexpr const char* points_axis = "surface.points";
-constexpr int axes_at_half_from = 256; // points, below which N/2 says little
+// points per side, below which N/2 is not meaningful
+constexpr int axes_at_half_from = 256;
 
 int even(double points) {
   return 2 * static_cast<int>(std::lround(points / 2.0));
@@ -36,9 +37,10 @@ bool is_chosen(const MethodSpec& method,
          });
 }
 
-/// What the grid does to the contact edge, which it misplaces by a part of h:
-/// the counted area is of first order in that, energy and mean gap are
-/// stationary in it. A penalty of so many E*/h is penetrated by p/k ~ h.
+/// Adds the orders that follow from the position of the contact boundary, which
+/// the grid misplaces by a fraction of h: the counted area is of first order in
+/// it; energy and mean gap are stationary. A penalty stiffness proportional to
+/// E*/h is penetrated by p/k ~ h.
 void add_theoretical_orders(const cases::Case& contact_case,
                             const MethodSpec& method, BenchSeries& series) {
   const CaseValues values(contact_case);
@@ -57,7 +59,7 @@ void add_theoretical_orders(const cases::Case& contact_case,
                      "first order, energy and gap stationary in it, second";
 }
 
-/// Puts the sweep together, a setting that two series share once.
+/// Assembles the sweep; a setting that two series share occurs once.
 class Planner {
 public:
   Planner(const cases::Case& contact_case, const SweepOptions& options)
@@ -74,7 +76,8 @@ private:
   void add_axes(const MethodSpec& method);
   void add_axis(const MethodSpec& method, const Axis& axis);
   std::size_t point(BenchPoint wanted);
-  std::vector<int> grids() const; ///< N/4, N/2, N as far as they carry
+  /// N/4, N/2, N, if they resolve the roughness
+  std::vector<int> grids() const;
   int axis_points() const;
 
   const cases::Case& case_;
@@ -121,7 +124,7 @@ void Planner::add_truth() {
     return;
   const auto kind = case_.surface.kind;
   if (kind == cases::SurfaceKind::sphere || kind == cases::SurfaceKind::wave_1d)
-    return; // exact in all that is compared
+    return; // all compared quantities have an exact solution
   BenchSeries series{.method = "halfspace",
                      .axis = points_axis,
                      .title = "points of the truth"};

@@ -13,7 +13,7 @@
 namespace asperity::app {
 namespace {
 
-/// What the value of another key says of this one.
+/// A condition on the values of other keys under which a key has an effect.
 using Condition =
     std::function<bool(const CaseValues& values, const std::string& method)>;
 
@@ -35,12 +35,13 @@ Condition is_not(const std::string& key, const std::string& word) {
   };
 }
 
-/// How a key is varied: its values are those factors times the case's own,
-/// coarse to fine; of growth the part above 1 is multiplied.
+/// The variation of a key: its values are the case's own value times these
+/// factors, coarse to fine. For the grading ratio, only the part above 1 is
+/// multiplied.
 struct Rule {
   std::string key;
   std::string title;
-  std::vector<double> factors; ///< empty: the key's words
+  std::vector<double> factors; ///< empty: the keywords of the key
   double order = not_a_number;
   std::string source;
   double power =
@@ -128,7 +129,7 @@ std::vector<AxisValue> numbers_of(const cases::Node& own, const Rule& rule,
     if (!is_own && is_bare && !key.range.contains(std::stod(text)))
       continue;
     if (!values.empty() && values.back().text == text)
-      continue; // whole numbers that round to one
+      continue; // integers that round to the same value
     values.push_back({text, coordinate_of(own, rule, factor), is_own});
   }
   return values;
@@ -154,7 +155,7 @@ std::vector<Axis> axes_of(const CaseValues& values, const std::string& method) {
       continue;
     const auto own = values.value(method, rule.key);
     if (!own)
-      continue; // no value to vary around
+      continue; // no value around which to vary
     Axis axis{rule.key, rule.title,
               rule.factors.empty() ? words_of(*own, *key)
                                    : numbers_of(*own, rule, *key),

@@ -1,7 +1,7 @@
 #pragma once
 
-// The keys of a method that trade cost for error, and the values a benchmark
-// gives them. Internal to the sweep.
+// This file defines the keys of a method that trade cost for error, and the
+// values that a benchmark assigns to them. It is internal to the sweep.
 
 #include <limits>
 #include <string>
@@ -11,31 +11,32 @@
 
 namespace asperity::app {
 
-/// One value of a key. The coordinate falls to 0 towards the limit; NaN where
-/// the key is a word or the approach has no order.
+/// One value of a key. The coordinate decreases to 0 towards the limit; it is
+/// NaN if the key is a keyword or convergence has no order.
 struct AxisValue {
-  std::string text; ///< as an override has it
+  std::string text; ///< as in an override
   double coordinate = std::numeric_limits<double>::quiet_NaN();
   bool is_own = false;
 };
 
-/// Coarse to fine.
+/// An axis, with values from coarse to fine.
 struct Axis {
   std::string key;
   std::string title;
   std::vector<AxisValue> values;
-  double order = std::numeric_limits<double>::quiet_NaN(); ///< theoretical, of
-                                                           ///< gap and energy
-  std::string source; ///< where the order is from, or why there is none
+  /// Theoretical order of gap and energy.
+  double order = std::numeric_limits<double>::quiet_NaN();
+  std::string source; ///< source of the order, or why there is none
 };
 
-/// The axes of a method: every one whose key its vocabulary has and that acts
-/// with the method's other settings, the case's own value among its values.
+/// Returns the axes of a method: those whose key is in its vocabulary and has
+/// an effect with the method's other settings. The case's own value is among
+/// the values.
 std::vector<Axis> axes_of(const CaseValues& values, const std::string& method);
 
-/// True if the answer of that kind of method has a limit in the points of the
-/// surface: not the theory's, and not that of atoms, whose lattice is what it
-/// is.
+/// True if the results of that kind of method converge with the number of
+/// points of the surface. Those of the theory do not, nor do those of atoms,
+/// whose lattice is fixed.
 bool varies_with_points(const std::string& kind);
 
 } // namespace asperity::app

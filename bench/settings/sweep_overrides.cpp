@@ -14,7 +14,7 @@ using cases::MethodSpec;
 
 constexpr int least_points = 16;
 
-/// True for 2^a 3^b 5^c, which transform fast.
+/// True for 2^a 3^b 5^c, for which the FFT is fast.
 bool transforms_well(int points) {
   for (const int factor : {2, 3, 5})
     while (points % factor == 0)
