@@ -9,14 +9,14 @@
 namespace asperity::robustness {
 namespace {
 
-/// Of the paper (Sec. 4): a block of atoms has lengths and energies of its own,
-/// which no unit system takes away.
+/// Values of Sec. 4 of Yang and Persson (2008). A block of atoms has intrinsic
+/// lengths and energies, which cannot be removed by scaling.
 constexpr double contact_distance = 4.3615e-10;           // [m]
 constexpr double interaction_distance = 3.28e-10;         // [m]
 constexpr double cutoff = 10e-10;                         // [m]
 constexpr double interaction_energy = 1.192021805256e-20; // [J], 74.4 meV
 
-/// Root mean square force relative to the load an atom [1].
+/// Root-mean-square force relative to the load per atom [1].
 constexpr double force_tolerance = 1e-8;
 
 md::AtomRequest request_of(const Scene& scene) {
@@ -46,7 +46,8 @@ StepSummary summary_of(const Scene& scene, const md::AtomStep& step) {
   summary.nominal_pressure = step.nominal_pressure;
   summary.mean_gap = step.mean_gap;
   summary.energy = step.elastic_energy + step.interface_energy;
-  // Forces left over move the longest wave most, by L/(pi E*) a pressure.
+  // Residual forces displace the longest wave most, by L/(pi E*) per unit of
+  // pressure.
   summary.tolerance =
       force_tolerance *
       (contact_distance + step.nominal_pressure * scene.length /
@@ -59,7 +60,7 @@ std::optional<Failure> verify_forces(const md::AtomStep& step, double asked) {
   for (const double pressure : step.pressure)
     sum += pressure;
   const double mean = sum / static_cast<double>(step.pressure.size());
-  // The mean of the residual is below its root mean square.
+  // The mean of the residual is bounded by its root mean square.
   if (std::abs(mean - asked) > 2.0 * force_tolerance * asked)
     return Failure{"balance", "the atoms do not carry the load"};
   const double lowest =
@@ -95,7 +96,7 @@ void run_atoms(const Scene& scene, SceneReport& report) {
         return fail(report, *failure);
     steps.push_back(summary);
   }
-  report.area = 0.0; // atoms have a fitted area, not a counted one
+  report.area = 0.0; // atoms have a fitted area but no counted area
   report.reduced_gap = steps[1].mean_gap / (scene.rms_slope * scene.spacing());
 }
 

@@ -10,7 +10,7 @@
 namespace asperity::robustness {
 namespace {
 
-/// Edges of the bins of an axis of numbers; the last bin is open.
+/// The lower edges of the bins of a numerical axis; the last bin is unbounded.
 struct Edges {
   std::vector<double> low;
 
@@ -66,7 +66,8 @@ std::string coating_of(const Scene& scene) {
   return coatings[stiffness < 1.0 ? 0 : stiffness > 1.0 ? 2 : 1];
 }
 
-/// A number where the axis means something, else nothing.
+/// Returns the label if the axis applies to the instance, otherwise an empty
+/// string.
 std::string where(bool is_meant, const std::string& label) {
   return is_meant ? label : std::string();
 }

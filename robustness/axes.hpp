@@ -1,7 +1,8 @@
 #pragma once
 
-// The axes a scene is sorted by: names, and the bin of each value. Owns what
-// --only understands and what the heat map's rows are.
+// This file defines the axes by which problem instances are classified: their
+// names and the bin of each value. It owns the syntax of --only and the rows of
+// the heat map.
 
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace asperity::robustness {
 
-/// One axis and the labels of its bins in their order.
+/// One axis and the labels of its bins in order.
 struct Axis {
   std::string name;                ///< "penalty"
   std::vector<std::string> labels; ///< "1e-6..1e-3", ...
@@ -18,23 +19,24 @@ struct Axis {
 
 const std::vector<Axis>& axes();
 
-/// The label on each axis, in the order of axes(); empty where the axis means
-/// nothing to the scene's family: a theory has no penalty.
+/// Returns the label on each axis, in the order of axes(); empty where the axis
+/// does not apply to the family of the instance, as the penalty does not apply
+/// to the theory.
 std::vector<std::string> labels_of(const Scene& scene);
 
-/// Which scenes are wanted: "slab" is any axis' label, "penalty=1e3..1e9" the
-/// label of that axis.
+/// Selects instances: "slab" is a label of any axis, "penalty=1e3..1e9" is a
+/// label of the given axis.
 class SceneFilter {
 public:
-  /// @param words  empty: all scenes
-  /// @throws std::domain_error  no axis or label of that name; says which there
-  ///                            are
+  /// @param words  empty: all instances
+  /// @throws std::domain_error  there is no axis or label of that name; the
+  ///     message lists the existing ones
   explicit SceneFilter(const std::string& words = {});
 
   bool takes(const Scene& scene) const;
 
 private:
-  std::string axis_; ///< empty: any
+  std::string axis_; ///< empty: any axis
   std::string label_;
 };
 

@@ -77,7 +77,8 @@ Scene scene_of_case(const cases::Case& rough_case) {
   const cases::Scales scales{scene.contact_modulus, scene.length,
                              scene.length / points,
                              scene.rms_slope * scene.length / points};
-  // Last to first: what the first method says stands.
+  // From last to first, so that the settings of the first method take
+  // precedence.
   for (auto method = rough_case.methods.rbegin();
        method != rough_case.methods.rend(); ++method)
     std::visit(

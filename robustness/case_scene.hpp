@@ -1,7 +1,7 @@
 #pragma once
 
-// The scene that a case's own settings make: what `asperity robustness CASE`
-// perturbs.
+// This file converts the settings of a case to a problem instance, which
+// `asperity robustness CASE` perturbs.
 
 #include "cases/types/case.hpp"
 
@@ -9,10 +9,11 @@
 
 namespace asperity::robustness {
 
-/// Length, spectrum and slope of the surface, modulus, and block, law and
-/// penalty of the case's first method that has them. Grid and load are left to
-/// be drawn. A surface that is not self-affine is taken by its statistics: its
-/// slope, and waves down to eight nodes.
+/// Uses the length, spectrum and slope of the surface, the modulus, and the
+/// block, contact law and penalty of the case's first method that has them.
+/// Grid and load are drawn at random later. A surface that is not self-affine
+/// is represented by its statistics: by its slope, and by waves down to eight
+/// node spacings.
 /// @throws cases::CaseError  the surface cannot be built
 Scene scene_of_case(const cases::Case& rough_case);
 

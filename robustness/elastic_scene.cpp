@@ -14,13 +14,14 @@ namespace {
 
 constexpr int max_iterations = 2000;
 
-/// Powers of the twins' units: of length and of pressure.
+/// Unit ratios of the second runs of metamorphic pairs, for length and
+/// pressure. The binary ones are powers of two, the decimal ones powers of ten.
 constexpr double binary_length = 0x1p+20;
 constexpr double binary_pressure = 0x1p-17;
 constexpr double decimal_length = 1e-3;
 constexpr double decimal_pressure = 1e6;
 
-/// Answers of one pass through the program.
+/// The results of one pass along the loading path.
 struct Pass {
   std::vector<contact::ContactSolution> solutions;
   std::vector<StepSummary> summaries;
@@ -52,7 +53,8 @@ contact::Interface interface_of(const Scene& scene, const Grid& grid) {
   return {contact::Law::hard, 0.0};
 }
 
-/// One pass with every check on every step. Empty solutions if it failed.
+/// Runs one pass and applies every check to every step. The solutions are empty
+/// if a check failed.
 Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
   const Grid grid = grid_of(scene);
   const SceneSurface surface = surface_of(scene, grid);

@@ -8,7 +8,7 @@
 namespace asperity::robustness {
 namespace {
 
-/// What a half-space or a slab is built of; a half-space has no thickness.
+/// Spoils a property of the half-space or slab; a half-space has no thickness.
 void spoil_block(Scene& scene) {
   switch (scene.flaw) {
   case Flaw::zero_modulus:
@@ -33,7 +33,7 @@ void spoil_block(Scene& scene) {
   }
 }
 
-/// A contact in the scene's numbers with one of them spoilt.
+/// Solves the contact problem of the instance with one of its numbers spoilt.
 void solve_spoilt(Scene scene) {
   scene.family = scene.index % 2 == 0 ? Family::halfspace : Family::slab;
   const Grid grid = grid_of(scene);
@@ -85,7 +85,7 @@ void solve_spoilt(Scene scene) {
   case Flaw::nan_tolerance:
     tolerance = not_a_number;
     break;
-  default: // of the block: already in the scene
+  default: // a flaw of the block: already in the instance
     break;
   }
   spoil_block(scene);
@@ -97,7 +97,8 @@ void solve_spoilt(Scene scene) {
 void build_spoilt_block(Scene scene) {
   scene.thickness = 1.0;
   if (scene.flaw == Flaw::sliver)
-    scene.coating_stiffness = 1.0; // its interface would divide the layers
+    // The interface of a coating would divide the layers.
+    scene.coating_stiffness = 1.0;
   int degree = scene.index % 2 == 0 ? 1 : 2;
   Grid grid = grid_of(scene);
   if (scene.flaw == Flaw::odd_q2_grid) {

@@ -9,11 +9,12 @@
 namespace asperity::robustness {
 namespace {
 
-/// Of unbalanced nodal forces, relative to the largest: what the block's
-/// Newton method promises.
+/// Unbalanced nodal forces relative to the largest nodal force: the tolerance
+/// of the Newton method of the full 3-D model.
 constexpr double load_tolerance_of_block = 1e-8;
 
-/// The spring of a hard wall's augmentation, as a case's default has it [E*/h].
+/// Penalty stiffness of the augmented-Lagrangian method for hard contact, equal
+/// to the default of a case [E*/h].
 constexpr double wall_spring = 100.0;
 
 contact::ContactSolution as_contact(fem::BlockSolution block,
@@ -56,7 +57,8 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   asked.short_wave_compliance = range.shortest;
   asked.load_tolerance = load_tolerance_of_block;
 
-  // A flat surface's tolerance is the block's own, a share of the spacing.
+  // For a flat surface the model uses a tolerance of its own, a fraction of the
+  // node spacing.
   const double tolerance_scale =
       scene.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
   std::vector<StepSummary> summaries;
@@ -77,7 +79,8 @@ void run_full_block(const Scene& scene, SceneReport& report) {
       report.reason = solution.note;
       return;
     }
-    // The forces' tolerance is one of the gap as well, through C.
+    // Through the compliance C, the tolerance of the forces contributes to that
+    // of the gap.
     asked.gap_tolerance = relative_tolerance * tolerance_scale +
                           load_tolerance_of_block * range.longest *
                               *std::max_element(solution.pressure.begin(),

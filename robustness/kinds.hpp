@@ -1,7 +1,7 @@
 #pragma once
 
-// How each family of scenes is run, and what they have in common. Internal to
-// the room.
+// This file declares how each family of instances is run, and the functions
+// that the families share. It is internal to the module.
 
 #include "fem/plugin.hpp"
 
@@ -14,41 +14,44 @@
 
 namespace asperity::robustness {
 
-/// Tolerance of a scene's gaps, relative to the rms height: a case's default.
+/// Tolerance of an instance's gaps relative to the rms height, equal to the
+/// default of a case.
 constexpr double relative_tolerance = 1e-8;
 
-/// Each runs a scene of its family and fills in the report. What is refused is
-/// thrown, as the rooms throw it.
+/// Each of these functions runs an instance of its family and fills in the
+/// report. A refusal is thrown as an exception, as the modules throw it.
 void run_elastic(const Scene& scene, SceneReport& report);
 void run_full_block(const Scene& scene, SceneReport& report);
 void run_theory(const Scene& scene, SceneReport& report);
 void run_atoms(const Scene& scene, SceneReport& report);
 void run_flawed(const Scene& scene, SceneReport& report);
 
-/// The scene as a case file through the program, after its family has answered
-/// it: the result file holds rows in their ranges, and the same mean gap. What
-/// the program refuses (exit code 2) is thrown as std::domain_error.
+/// Runs the instance as a case file through the program after its family has
+/// solved it, and verifies that the rows of the result file lie in their ranges
+/// and that the mean gap is the same. A refusal by the program (exit code 2) is
+/// thrown as std::domain_error.
 void run_program(const Scene& scene, const std::filesystem::path& program,
                  SceneReport& report);
 
-/// The load program, in SI. The scene's own load is at index load_step().
+/// Returns the loading path in SI units. The load of the instance itself is at
+/// index load_step().
 /// @param height_scale  [m], see SceneSurface
 std::vector<contact::LoadTarget> targets_of(const Scene& scene,
                                             double height_scale);
 std::size_t load_step(const Scene& scene);
 
-/// The finite elements of a scene, of degree 1 or 2. Surface layers are cubic
-/// or, in a thin block, half of it.
+/// Returns the finite-element request of an instance, of degree 1 or 2. The
+/// cells of the surface layer are cubic or, in a thin block, half as high.
 fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
                                 int degree, int threads);
 
-/// The surface operator of an elastic scene.
-/// @throws std::domain_error  what contact/, meshes/ and fem/ refuse
+/// Returns the surface operator of an elastic instance.
+/// @throws std::domain_error  a refusal by contact/, meshes/ or fem/
 std::unique_ptr<contact::SurfaceOperator>
 operator_of(const Scene& scene, const Grid& grid, int threads);
 
-/// C of the flattest and of the steepest of the waves 1, 2, 4, ... along x
-/// [m/Pa].
+/// The compliance C of the longest and of the shortest of the waves with 1, 2,
+/// 4, ... periods along x [m/Pa].
 struct ComplianceRange {
   double longest = 0.0;
   double shortest = 0.0;
@@ -56,12 +59,12 @@ struct ComplianceRange {
 
 ComplianceRange compliance_range(const Grid& grid, const Displace& displace);
 
-/// All pairs of neighbouring steps, and the way back of a cycle against the
-/// way there.
+/// Verifies all pairs of consecutive steps, and the unloading branch of a cycle
+/// against its loading branch.
 std::optional<Failure> verify_program(const Scene& scene,
                                       const std::vector<StepSummary>& steps);
 
-/// Puts a failure into the report.
+/// Writes a failure into the report.
 void fail(SceneReport& report, const Failure& failure);
 
 } // namespace asperity::robustness

@@ -8,7 +8,8 @@
 namespace asperity::robustness {
 namespace {
 
-/// The wave's part in what its own pressure moves: C of the wave [m/Pa].
+/// Returns the compliance C of the wave [m/Pa]: the displacement due to its own
+/// pressure, projected on the wave.
 double compliance_of(const Scene& scene, int waves) {
   const Grid grid = grid_of(scene);
   const std::unique_ptr<contact::SurfaceOperator> block =

@@ -1,6 +1,7 @@
 #pragma once
 
-// The matrix: how many scenes of each axis' bins ended in which way.
+// This file holds the outcome matrix: the number of instances in the bins of
+// each axis by outcome.
 
 #include <array>
 #include <map>
@@ -12,7 +13,7 @@
 
 namespace asperity::robustness {
 
-/// Scenes of one cell by outcome.
+/// Number of instances in one cell by outcome.
 struct Counts {
   std::array<int, n_outcomes> by_outcome{};
 
@@ -26,14 +27,15 @@ struct Counts {
   int others() const; ///< neither verified nor refused
 };
 
-/// Twins of one kind.
+/// Counts of metamorphic pairs of one kind.
 struct TwinCounts {
   int pairs = 0;
   int same_bits = 0;
-  double largest_difference = 0.0; ///< of mean gaps, over the tolerance [1]
+  /// Largest difference of mean gaps, in units of the tolerance [1]
+  double largest_difference = 0.0;
 };
 
-/// A scene and how it ended.
+/// An instance and its outcome.
 struct SceneResult {
   Scene scene;
   SceneReport report;
@@ -47,22 +49,25 @@ public:
 
   int sound_but_refused() const { return sound_but_refused_; }
 
-  double seconds() const { return seconds_; } ///< CPU time of all scenes
+  double seconds() const { return seconds_; } ///< CPU time of all instances
 
-  /// Scenes of one bin; zeros if there are none.
+  /// Returns the counts of one bin; zeros if there are none.
   Counts of(const std::string& axis, const std::string& label) const;
 
-  /// Scenes in two bins at once; either order.
+  /// Returns the counts of instances in two bins at once; the order is
+  /// irrelevant.
   Counts of(const std::string& axis, const std::string& label,
             const std::string& other_axis,
             const std::string& other_label) const;
 
   const std::map<Twin, TwinCounts>& twins() const { return twins_; }
 
-  /// Neither verified nor refused, in the order they were added.
+  /// Instances neither verified nor refused, in the order in which they were
+  /// added.
   const std::vector<SceneResult>& others() const { return others_; }
 
-  /// Verified scenes that took the most iterations, most first; ten at most.
+  /// The verified instances with the most iterations, in descending order; at
+  /// most ten.
   const std::vector<SceneResult>& slowest() const { return slowest_; }
 
 private:

@@ -42,11 +42,11 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-/// One bin of one axis, a row and a column of the map.
+/// One bin of one axis: a row and a column of the heat map.
 struct Bin {
   std::string axis;
   std::string label;
-  bool is_first = false; ///< of its axis
+  bool is_first = false; ///< first bin of its axis
 };
 
 std::vector<Bin> bins_of(const Matrix& matrix) {
@@ -62,8 +62,9 @@ std::vector<Bin> bins_of(const Matrix& matrix) {
   return bins;
 }
 
-/// Green where all is well, the darker the more scenes; red by the share of
-/// the others; grey where everything is refused.
+/// Returns green if all instances are verified or refused, darker for more
+/// instances; red according to the share of other outcomes; grey if everything
+/// is refused.
 std::string colour_of(const Counts& counts) {
   if (counts.all() == 0)
     return "#ffffff";

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a run of the matrix leaves: a page, a table and a summary for programs.
+// This file writes the output of a run of the matrix: a page, a table, and a
+// summary for use by programs.
 
 #include <cstdint>
 #include <string>
@@ -11,26 +12,27 @@
 
 namespace asperity::robustness {
 
-/// What the page says of the run itself.
+/// Description of the run itself.
 struct RunWords {
   std::string rerun;   ///< "asperity robustness --seed 1", without --scene
-  std::string commit;  ///< of the program
-  std::string machine; ///< processor and cores
+  std::string commit;  ///< commit of the program
+  std::string machine; ///< processor and number of cores
   double wall_seconds = 0.0;
   std::uint64_t seed = 0;
 };
 
-/// The whole page, with nothing outside it: verdict, the matrix as a heat map
-/// of every two axes, scenes that ended otherwise with the command that runs
-/// each again, twins, locking.
+/// Returns a self-contained page: the verdict, the outcome matrix as a heat map
+/// of all pairs of axes, the instances with other outcomes and the command that
+/// runs each again, the metamorphic pairs, and locking.
 std::string page_of(const Matrix& matrix, const RunWords& run,
                     const std::vector<LockingRow>& locking);
 
-/// The header line and the line of a scene.
+/// Return the header line and the line of an instance.
 std::string csv_header();
 std::string csv_line(const SceneResult& result);
 
-/// Counts, twins, locking and every scene that ended otherwise.
+/// Returns the counts, the metamorphic pairs, locking and all instances with
+/// other outcomes.
 std::string json_of(const Matrix& matrix, const RunWords& run,
                     const std::vector<LockingRow>& locking);
 

@@ -8,7 +8,8 @@
 namespace asperity::robustness {
 namespace {
 
-/// Pressures relative to the scene's, and gaps over h_rms on top of it.
+/// Returns pressures relative to the load of the instance, or gaps in h_rms
+/// that are added to its gap.
 std::vector<double> steps_of(const Scene& scene) {
   const bool by_pressure = scene.control == cases::Control::nominal_pressure;
   switch (scene.program) {
@@ -41,7 +42,8 @@ std::vector<contact::LoadTarget> targets_of(const Scene& scene,
            scene.load * step * scene.contact_modulus * scene.rms_slope});
       continue;
     }
-    // The last hundredth must not pass through a wall.
+    // The last decrease, by one hundredth, must not lead to a negative gap in
+    // hard contact.
     const double reach = step < 0.0 ? std::abs(scene.load) : 1.0;
     targets.push_back({contact::LoadTarget::Kind::mean_gap,
                        (scene.load + step * reach) * height_scale});

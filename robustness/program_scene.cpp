@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, gone with the object.
+/// A temporary folder that is removed with the object.
 class ScratchFolder {
 public:
   ScratchFolder() {
@@ -31,7 +31,7 @@ public:
   }
 
   ~ScratchFolder() {
-    std::error_code ignored; // nothing depends on what stays in /tmp
+    std::error_code ignored; // leftovers in /tmp are harmless
     fs::remove_all(path_, ignored);
   }
 
@@ -44,8 +44,8 @@ private:
   fs::path path_;
 };
 
-/// Our own, without what an MPI that this process has started left there: a
-/// second mpirun would take it for its own.
+/// Returns the environment of this process without the variables that an MPI
+/// started here has set: a second mpirun would take them for its own.
 std::vector<std::string> environment_of_the_program() {
   std::vector<std::string> environment = own_environment();
   std::erase_if(environment, [](const std::string& variable) {
@@ -80,8 +80,9 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Every row in its range, and at the scene's load the mean gap that the
-/// library found: two answers, each within the tolerance.
+/// Verifies that every row lies in its range and that, at the load of the
+/// instance, the mean gap agrees with that of the library. Each of the two has
+/// the tolerance as its error.
 std::optional<Failure> verify_result(const Scene& scene,
                                      const results::Result& result,
                                      const SceneReport& report) {
@@ -105,7 +106,7 @@ std::optional<Failure> verify_result(const Scene& scene,
                              2.0 * report.reduced_tolerance)};
 }
 
-/// What a report consists of is there and whole.
+/// Verifies that the parts of a report exist and are complete.
 std::optional<Failure> verify_report(const fs::path& folder,
                                      const std::string& output) {
   if (output.find("not drawn") != std::string::npos)

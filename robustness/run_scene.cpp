@@ -26,7 +26,8 @@ void run_family(const Scene& scene, SceneReport& report) {
   }
 }
 
-/// A flawed scene that goes through the program has nothing to compare with.
+/// A flawed instance that goes through the program has no library result for
+/// comparison.
 void run_by_path(const Scene& scene, std::filesystem::path program,
                  SceneReport& report) {
   if (scene.path == Path::library || scene.family != Family::flawed)
@@ -38,8 +39,8 @@ void run_by_path(const Scene& scene, std::filesystem::path program,
   run_program(scene, program, report);
 }
 
-/// A refusal is clear if it says what is allowed, or where in a file the
-/// mistake stands.
+/// A refusal is clear if it states what is allowed, or where in a file the
+/// mistake is.
 void refuse(const std::string& reason, SceneReport& report) {
   report.reason = reason;
   const auto says = [&](const char* words) {

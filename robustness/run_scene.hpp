@@ -1,6 +1,6 @@
 #pragma once
 
-// A scene from its numbers to its outcome.
+// This file runs a problem instance from its parameters to its outcome.
 
 #include <filesystem>
 
@@ -9,12 +9,12 @@
 
 namespace asperity::robustness {
 
-/// Runs the scene and every check on it. Nothing is thrown: a std::domain_error
-/// or cases::CaseError is a refusal, any other exception is reported as such. A
-/// refusal must say a reason with what is allowed, and a flawed scene that is
-/// not refused has failed the check "refusal".
-/// @param program  `asperity`, for the scenes that go through it; empty: this
-///                 process' own
+/// Runs the instance and every check on it. Nothing is thrown:
+/// std::domain_error and cases::CaseError count as a refusal, and any other
+/// exception is reported as such. A refusal must state a reason and what is
+/// allowed. A flawed instance that is not refused fails the check "refusal".
+/// @param program  path of `asperity`, for the instances that go through it;
+///     empty: the executable of this process
 SceneReport run_scene(const Scene& scene,
                       const std::filesystem::path& program = {});
 

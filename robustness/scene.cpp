@@ -11,7 +11,8 @@
 namespace asperity::robustness {
 namespace {
 
-/// The counters of the axes: part of what a seed means, never renumbered.
+/// Counters of the random number streams of the axes. They define the meaning
+/// of a seed and are never renumbered.
 enum class Stream {
   family = 1,
   shape,
@@ -42,10 +43,11 @@ enum class Stream {
   later_flaw,
 };
 
-/// Of a block of atoms, the paper's (Sec. 4) [m].
+/// Lattice spacing of the block of atoms in Sec. 4 of Yang and Persson (2008)
+/// [m].
 constexpr double atom_spacing = 2.6e-10;
 
-/// The random numbers of one scene.
+/// The random numbers of one instance.
 class Draw {
 public:
   Draw(std::uint64_t seed, int index)
@@ -59,7 +61,7 @@ public:
     return std::exp(uniform(axis, std::log(low), std::log(high)));
   }
 
-  /// An axis' second, independent number is a coin.
+  /// Uses the second, independent number of an axis as a fair coin.
   bool coin(Stream axis) const { return pair(axis).second < 0.5; }
 
   template <class Value>
@@ -68,7 +70,7 @@ public:
     return values.begin()[static_cast<std::size_t>(uniform(axis, 0.0, count))];
   }
 
-  /// One of the values, as likely as its weight says.
+  /// Returns one of the values with a probability proportional to its weight.
   template <class Value>
   Value
   weigh(Stream axis,
@@ -115,8 +117,8 @@ Shape draw_shape(const Draw& draw) {
                                            {Shape::flat, 1.0}});
 }
 
-/// The first seventeen have an axis of their own, which those added later leave
-/// as it was.
+/// The first seventeen flaws have a stream of their own, so that flaws added
+/// later do not change them.
 Flaw draw_flaw(const Draw& draw) {
   constexpr int first_later = static_cast<int>(Flaw::nan_load);
   constexpr int n_flaws = static_cast<int>(Flaw::infinite_modulus);
@@ -128,7 +130,7 @@ Flaw draw_flaw(const Draw& draw) {
   return static_cast<Flaw>(draw.uniform(Stream::flaw, first, first_later));
 }
 
-/// A process and a result file cost as much as some hundred scenes.
+/// A process and a result file cost as much as some hundred instances.
 Path draw_path(const Draw& draw, Family family) {
   const double place = draw.uniform(Stream::path, 0.0, 1.0);
   switch (family) {
@@ -146,8 +148,8 @@ Path draw_path(const Draw& draw, Family family) {
   }
 }
 
-/// Pressures fill the decades evenly, half of the draws where contact changes
-/// most; gaps lie where surfaces touch.
+/// Pressures are log-uniform, with half of the draws in the range in which
+/// contact changes most; gaps lie where the surfaces touch.
 double draw_load(const Draw& draw, const Scene& scene) {
   if (scene.family == Family::theory)
     return draw.log_uniform(Stream::load, 1e-12, 100.0);
@@ -163,8 +165,8 @@ void draw_surface(const Draw& draw, Scene& scene) {
   scene.shape = draw_shape(draw);
   scene.points = draw.pick<int>(Stream::points, {8, 16, 24, 32, 48, 64});
   scene.length = draw.log_uniform(Stream::length, 1e-12, 1e6);
-  // Both ends are values of their own: there a piece of a moment is a
-  // logarithm.
+  // Both limits are drawn with finite probability, because part of a spectral
+  // moment is a logarithm there.
   scene.hurst = std::clamp(draw.uniform(Stream::hurst, -0.1, 1.1), 0.0, 1.0);
   scene.roll_off = draw.uniform(Stream::roll_off, 1.0, 4.0);
   scene.shortest_wave =
@@ -189,7 +191,8 @@ void draw_block(const Draw& draw, Scene& scene) {
                     cases::TopFace::pressure});
 }
 
-/// A case presses surfaces that are not flat, to positive mean gaps.
+/// Restricts an instance to what a case file accepts: surfaces that are not
+/// flat, and positive mean gaps.
 Scene within_reach_of_a_case(Scene scene) {
   if (scene.shape == Shape::flat)
     scene.shape = Shape::wave;
@@ -225,7 +228,8 @@ Scene draw_scene(std::uint64_t seed, int index) {
                                      Twin::decimal_units, Twin::threads});
   scene.gamma = draw.log_uniform(Stream::gamma, 0.01, 1.0);
   scene.path = draw_path(draw, scene.family);
-  // Up to here a scene had three threads wherever it had a twin of that kind.
+  // The default is three threads. A metamorphic pair that compares threads
+  // needs at least two.
   scene.threads = draw.pick<int>(Stream::threads, {1, 2, 3});
   if (scene.twin == Twin::threads && scene.threads == 1)
     scene.threads = 3;
@@ -257,7 +261,8 @@ Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
   keep(Stream::penalty, &Scene::penalty);
   keep(Stream::gamma, &Scene::gamma);
   if (scene.law != drawn.law && scene.control == cases::Control::mean_gap)
-    scene.load = std::abs(scene.load); // a wall has no negative gap
+    // Hard contact does not allow a negative gap.
+    scene.load = std::abs(scene.load);
   if (scene.family != Family::flawed && draw.coin(Stream::family))
     scene.family = base.family;
   return within_reach(scene);
@@ -275,7 +280,7 @@ Scene within_reach(Scene scene) {
     scene.growth = std::max(scene.growth, 1.5);
   }
   if (scene.family == Family::atoms) {
-    scene.law = cases::ContactLaw::penalty; // its soft potential
+    scene.law = cases::ContactLaw::penalty; // the soft potential of the atoms
     scene.control = cases::Control::nominal_pressure;
     scene.program = Program::increments;
     scene.load = std::clamp(scene.load, 1e-3, 0.3);
@@ -290,7 +295,7 @@ Scene within_reach(Scene scene) {
     scene.path = Path::library;
   if (scene.path != Path::library)
     scene = within_reach_of_a_case(scene);
-  // At least two waves of the spectrum lie between its ends.
+  // At least two periods of the shortest wave fit into the roll-off length.
   scene.roll_off =
       std::min(scene.roll_off, 0.5 * scene.points / scene.shortest_wave);
   scene.roll_off = std::max(scene.roll_off, 1.0);

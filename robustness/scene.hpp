@@ -1,7 +1,7 @@
 #pragma once
 
-// One scene of the stability matrix: everything that defines it, drawn from a
-// seed and an index and from nothing else.
+// This file defines one problem instance ("scene") of the robustness matrix:
+// all of its parameters, which are drawn from a seed and an index only.
 
 #include "cases/types/case.hpp"
 
@@ -10,55 +10,57 @@
 
 namespace asperity::robustness {
 
-/// Which part of the program answers the scene.
+/// The part of the program that solves the instance.
 enum class Family {
   halfspace,
   slab,         ///< continuum of finite thickness
-  condensed_q1, ///< finite elements condensed to the face
+  condensed_q1, ///< finite elements condensed to the contact surface
   condensed_q2,
-  full_block, ///< every unknown of a small block
+  full_block, ///< full 3-D finite-element model of a small block
   atoms,
-  theory, ///< Persson's theory at extremes
-  flawed, ///< an argument that nobody can answer: to be refused
+  theory, ///< Persson's theory at extreme parameters
+  flawed, ///< an invalid argument, which must be refused
 };
 
 enum class Shape {
   rough,
   wave,
-  paraboloid,   ///< touches at one point
-  spike,        ///< one node stands out
-  step,         ///< two plateaus
-  sawtooth,     ///< ramps and cliffs
-  terraces,     ///< roughness of four heights: duplicates everywhere
-  checkerboard, ///< the wave of two points in both directions
+  paraboloid, ///< touches at one point
+  spike,      ///< a single protruding node
+  step,       ///< two plateaus
+  sawtooth,   ///< ramps and vertical steps
+  terraces,   ///< roughness with four heights: many equal heights
+  /// Alternating heights, with a period of two points in both directions.
+  checkerboard,
   flat,
 };
 
-/// The loads of a scene about the one that was drawn.
+/// The loading path around the load of the instance.
 enum class Program {
-  increments, ///< from less, at the load, a hundredth more
+  increments, ///< from a smaller load to the load, then one hundredth more
   jump,       ///< from a millionth of the load
-  cycle,      ///< up and back down
+  cycle,      ///< loading and unloading
 };
 
-/// What the scene is run a second time with, to be compared.
+/// The second run with which the instance is compared, as a metamorphic pair.
 enum class Twin {
   none,
-  binary_units,  ///< lengths and moduli times powers of two: the same bits
-  decimal_units, ///< times powers of ten: the solver's tolerance
-  threads,       ///< transforms on several threads: the solver's tolerance
+  binary_units,  ///< lengths and moduli times powers of two: bitwise equal
+  decimal_units, ///< times powers of ten: equal to the solver's tolerance
+  threads,       ///< FFT on several threads: equal to the solver's tolerance
 };
 
-/// Which way a scene takes. All but the first also go through the program: a
-/// case file, `asperity run`, the result read back and compared.
+/// The execution path of an instance. All but the first also go through the
+/// program: a case file is written, `asperity run` is started, and the result
+/// is read back and compared.
 enum class Path {
   library,
   program,   ///< without a report
-  report,    ///< with every table and figure
-  two_ranks, ///< under mpirun, without a report; full blocks
+  report,    ///< with all tables and figures
+  two_ranks, ///< under mpirun, without a report; only full 3-D models
 };
 
-/// What a flawed scene has wrong.
+/// The defect of a flawed instance.
 enum class Flaw {
   none,
   nan_height,
@@ -69,13 +71,13 @@ enum class Flaw {
   zero_load,
   negative_load,
   infinite_load,
-  closed_wall_gap, ///< a mean gap of zero against a hard wall
+  closed_wall_gap, ///< a mean gap of zero with hard contact
   zero_penalty,
-  infinite_penalty, ///< as a penalty; the hard wall is a law of its own
+  infinite_penalty, ///< as a penalty; hard contact is a separate law
   zero_modulus,
   incompressible, ///< nu = 1/2 in finite elements
   shrinking_layers,
-  sliver, ///< between one and one and a half surface layers
+  sliver, ///< a thickness of one to one and a half surface layers
   odd_q2_grid,
   zero_tolerance,
   nan_load,
@@ -87,6 +89,7 @@ enum class Flaw {
   infinite_modulus,
 };
 
+/// The parameters of one problem instance.
 struct Scene {
   std::uint64_t seed = 0;
   int index = 0; ///< >= 0
@@ -100,53 +103,55 @@ struct Scene {
   Twin twin = Twin::none;
   Flaw flaw = Flaw::none;
   Path path = Path::library;
-  int threads = 3; ///< of the twin and of the program [1] 1..3
+  int threads = 3; ///< of the second run and of the program [1] 1..3
 
-  int points = 32;            ///< nodes a side, even
+  int points = 32;            ///< nodes per side, even
   double length = 1.0;        ///< [m] > 0
   double hurst = 0.8;         ///< [1] 0..1
-  double roll_off = 1.0;      ///< longest wave that falls, in waves a side [1]
+  double roll_off = 1.0;      ///< roll-off wavenumber, in waves per side [1]
   double shortest_wave = 8.0; ///< in node spacings [1] >= 2
-  /// What the surface is scaled to [1] > 0; the yardstick of the load, for a
+  /// Slope to which the surface is scaled [1] > 0; the scale of the load, for a
   /// flat surface too.
   double rms_slope = 0.1;
 
   double contact_modulus = 1e9; ///< E* [Pa] > 0
   double poisson_ratio = 0.3;   ///< [1]
-  double thickness = 1.0;       ///< of the block, in lengths [1] > 0
-  double growth = 1.2;          ///< of finite-element layers [1] 1..10
-  int degree = 1;               ///< of a full block's elements, 1 or 2
-  /// E of a coating over that of the block below it [1] > 0; 1 is no coating.
-  /// Of finite elements alone.
+  double thickness = 1.0; ///< of the block, in units of the length [1] > 0
+  double growth = 1.2;    ///< grading ratio of finite-element layers [1] 1..10
+  int degree = 1;         ///< of the elements of a full 3-D model, 1 or 2
+  /// E of a coating over that of the block below it [1] > 0; 1 means no
+  /// coating. Only finite elements use it.
   double coating_stiffness = 1.0;
-  double coating_thickness = 0.1; ///< in thicknesses of the block [1] 0..1
+  /// In units of the block's thickness [1] 0..1.
+  double coating_thickness = 0.1;
 
-  double penalty = 100.0; ///< k, in E*/h [1] > 0; not read by the hard wall
-  /// Nominal pressure in E* h' [1], or mean gap in h_rms [1].
+  double penalty = 100.0; ///< k, in E*/h [1] > 0; ignored by hard contact
+  /// Nominal pressure in units of E* h' [1], or mean gap in units of h_rms [1].
   double load = 0.01;
   double gamma = 0.45; ///< of the theory [1]
 
   double spacing() const { return length / points; } ///< h [m]
 };
 
-/// Scene `index` of a seed: every axis from its own counter, so the same bits
-/// on every machine, in any order, and unmoved by axes added later.
+/// Draws instance `index` of a seed. Every axis has its own counter, so that
+/// the bits are the same on every machine and in any order, and do not change
+/// when axes are added later.
 /// @throws std::domain_error  index < 0
 Scene draw_scene(std::uint64_t seed, int index);
 
-/// The scene with each axis replaced by the base's value with probability one
-/// half: how a case's own settings are perturbed. The flawed stay flawed, and
-/// the grid stays small.
+/// Draws an instance in which each axis takes the value of `base` with a
+/// probability of one half: the settings of a case are perturbed in this way.
+/// Flawed instances remain flawed, and the grid remains small.
 Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index);
 
-/// Any member beyond what its family can take is brought into it: a full block
-/// is small and coarse in depth, a wave fits its grid.
+/// Moves every member that is outside the range of its family into that range:
+/// a full 3-D model is small and coarse in depth, and a wave fits its grid.
 Scene within_reach(Scene scene);
 
-/// The scene in one line, every number that defines it.
+/// Describes the instance in one line, with all parameters that define it.
 std::string in_words(const Scene& scene);
 
-/// Of the enumerations, for labels: "condensed-q1".
+/// Return the names of the enumerators for labels: "condensed-q1".
 std::string name_of(Family family);
 std::string name_of(Shape shape);
 std::string name_of(cases::ContactLaw law);

@@ -19,14 +19,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// One forked process: it runs scenes first, first + stride, ... and writes a
-/// line for each.
+/// One forked process. It runs instances first, first + stride, ... and writes
+/// one line for each.
 struct Worker {
   std::optional<ChildProcess> child;
-  std::size_t next = 0; ///< the scene it is at
-  std::string text;     ///< received, not yet a line
+  std::size_t next = 0; ///< index of the current instance
+  std::string text;     ///< received data that do not yet form a line
   Clock::time_point since;
-  double seconds_before = 0.0; ///< of CPU time, up to this scene
+  double seconds_before = 0.0; ///< CPU time used before this instance [s]
 };
 
 void write_all(int pipe, const std::string& text) {
@@ -102,9 +102,9 @@ private:
     }
   }
 
-  /// By CPU time: a crowded machine is no fault of a scene.
+  /// The CPU time decides, so that a busy machine does not fail an instance.
   bool is_overdue(const Worker& worker) const {
-    constexpr double patience = 10.0; // a process that waits uses no time
+    constexpr double patience = 10.0; // a waiting process uses no CPU time
     const double waited =
         std::chrono::duration<double>(Clock::now() - worker.since).count();
     return worker.child->cpu_time() - worker.seconds_before >
@@ -131,7 +131,8 @@ private:
     }
   }
 
-  /// Its pipe is closed: it is through, or it died at a scene.
+  /// Handles a closed pipe: the process has finished, or it died at an
+  /// instance.
   void finish(Worker& worker) {
     if (worker.next < scenes_.size())
       report_and_restart(worker, Outcome::crashed,
@@ -147,7 +148,7 @@ private:
     report.outcome = outcome;
     report.reason = reason;
     take_(report);
-    worker.child->kill(); // a scene without end does not listen
+    worker.child->kill(); // a hanging process does not respond to requests
     start(worker, worker.next + stride_);
   }
 

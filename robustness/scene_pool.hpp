@@ -1,7 +1,8 @@
 #pragma once
 
-// Scenes in child processes, so that one that crashes or never ends takes
-// nothing with it. Owns the processes and the clock.
+// This file runs instances in child processes, so that one that crashes or does
+// not terminate does not affect the others. It owns the processes and the time
+// limit.
 
 #include <functional>
 #include <span>
@@ -11,20 +12,22 @@
 
 namespace asperity::robustness {
 
-/// How many at a time, and how long one may take.
+/// The number of processes, and the time limit of an instance.
 struct PoolSettings {
-  int processes = 0;           ///< 0: as many as the machine has cores
-  double scene_seconds = 60.0; ///< CPU time > 0; ten times as much waiting
+  int processes = 0; ///< 0: one per core of the machine
+  /// CPU time > 0; the limit of the wall time is ten times as large
+  double scene_seconds = 60.0;
 };
 
-/// What a child does with a scene; run_scene but in tests.
+/// The function that a child runs on an instance: run_scene(), except in tests.
 using RunOne = std::function<SceneReport(const Scene&)>;
 
-/// Runs every scene once, in forked processes that take one scene after the
-/// other, and gives each report to `take` in this process as it comes. A
-/// process that dies or exceeds the time is reported as that of the scene it
-/// was at, and another goes on. Which process runs what changes no report but
-/// its seconds. To be called from a process with one thread.
+/// Runs every instance once, in forked processes that run one instance after
+/// another, and passes each report to `take` in this process as it arrives. A
+/// process that dies or exceeds the time limit is reported for the instance it
+/// was running, and another process continues. The assignment of instances to
+/// processes affects nothing in the reports but the run time. The calling
+/// process must have a single thread.
 /// @throws std::system_error  no process could be started
 /// @throws std::domain_error   scene_seconds is not positive
 void run_scenes(std::span<const Scene> scenes, const PoolSettings& settings,

@@ -28,7 +28,7 @@ std::string to_line(const SceneReport& report) {
 
 SceneReport from_line(const std::string& line) {
   const nlohmann::json fields = nlohmann::json::parse(line);
-  // A number that is not finite is written as null.
+  // JSON represents a number that is not finite as null.
   const auto number = [&](std::size_t i) {
     return fields.at(i).is_null() ? 0.0 : fields.at(i).get<double>();
   };

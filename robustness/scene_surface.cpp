@@ -16,7 +16,7 @@ using surfaces::HeightMap;
 
 constexpr int terrace_heights = 4;
 
-/// Heights by a function of the node, in units of the spacing.
+/// Evaluates the heights as a function of the node, in units of the spacing.
 template <class Height>
 HeightMap heights_by_node(const Grid& grid, const Height& height) {
   HeightMap map{grid, std::vector<double>(grid.size())};
@@ -26,7 +26,8 @@ HeightMap heights_by_node(const Grid& grid, const Height& height) {
   return map;
 }
 
-/// Rounds every height to one of a few, evenly from the lowest to the highest.
+/// Rounds every height to one of a few equidistant levels between the lowest
+/// and the highest.
 HeightMap terraces_of(HeightMap map) {
   const auto [lowest, highest] =
       std::minmax_element(map.heights.begin(), map.heights.end());
@@ -80,7 +81,7 @@ surfaces::IsotropicSpectrum spectrum_of(const Scene& scene) {
   const double longest = 2.0 * std::numbers::pi / scene.length;
   const double shortest =
       2.0 * std::numbers::pi / (scene.shortest_wave * scene.spacing());
-  // The shortest wave of a small grid may be the roll-off's.
+  // On a small grid, the shortest wave may equal the roll-off wavelength.
   return surfaces::SelfAffineSpectrum::with_rms_slope(
              {scene.hurst, 0.99 * longest,
               std::min(scene.roll_off * longest, shortest),

@@ -1,7 +1,7 @@
 #pragma once
 
-// The heights of a scene, smooth and nasty shapes alike. Owns how each is
-// scaled to the slope that was asked.
+// This file generates the heights of an instance, for smooth and for irregular
+// shapes. It owns the scaling of each shape to the prescribed slope.
 
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
@@ -10,28 +10,28 @@
 
 namespace asperity::robustness {
 
-/// The heights of a scene and what they are measured by.
+/// The heights of an instance and their scale.
 struct SceneSurface {
   surfaces::HeightMap map;
-  /// rms height [m] > 0; of a flat surface rms_slope * spacing, so that a
-  /// tolerance can be a share of it.
+  /// The rms height [m] > 0; for a flat surface, rms_slope * spacing, so that a
+  /// tolerance can be relative to it.
   double height_scale = 0.0;
 };
 
-/// Every shape but the flat one is scaled to scene.rms_slope as
-/// surfaces::statistics finds it; the checkerboard, whose waves the statistics
-/// count at the Nyquist row, like the others.
-/// @param grid  of scene.length a side; the scene's own unless a layer of atoms
-///              asks for another
-/// @throws std::domain_error  what surfaces/ refuses: a shortest wave of
-/// exactly
-///                            two points
+/// Scales every shape except the flat one to scene.rms_slope, as determined by
+/// surfaces::statistics. This includes the checkerboard, whose waves the
+/// statistics count at the Nyquist wavevector.
+/// @param grid  with side scene.length; that of the instance unless a layer of
+///     atoms requires another
+/// @throws std::domain_error  a refusal by surfaces/: a shortest wave of
+///     exactly two points
 SceneSurface surface_of(const Scene& scene, const Grid& grid);
 
-/// scene.points nodes a side on scene.length.
+/// Returns a grid with scene.points nodes per side on scene.length.
 Grid grid_of(const Scene& scene);
 
-/// The scene's rough spectrum. @throws std::domain_error  see surface_of
+/// Returns the spectrum of the rough instance.
+/// @throws std::domain_error  see surface_of()
 surfaces::IsotropicSpectrum spectrum_of(const Scene& scene);
 
 } // namespace asperity::robustness

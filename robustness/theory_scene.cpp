@@ -10,11 +10,11 @@
 namespace asperity::robustness {
 namespace {
 
-/// What theory/persson/persson.hpp promises of an integral, and a margin of a
-/// hundred.
+/// A hundred times the accuracy of an integral that theory/persson/persson.hpp
+/// states.
 constexpr double relative_accuracy = 1e-12;
 
-/// Below, u has lost digits to underflow in full contact.
+/// In full contact, u below this value has lost digits to underflow.
 constexpr double smallest_gap = 1e-280;
 
 StepSummary summary_of(const theory::PerssonContact& contact,
@@ -37,14 +37,15 @@ std::optional<Failure> verify_values(const theory::PerssonContact& contact,
   if (step.mean_gap < 0.0 || step.energy < 0.0 || step.area < 0.0 ||
       step.area > 1.0 || !(stiffness > 0.0))
     return Failure{"sign", "a number of the theory is outside its range"};
-  // int p du from u on: what is stored is what was done, at gamma = 0 and 1.
+  // The stored energy is the work int p du from u on, for gamma = 0 and 1; it
+  // cannot exceed that of full contact.
   if (step.energy > contact.full_contact_energy() * (1.0 + relative_accuracy))
     return Failure{"energy", "more than full contact stores"};
   return {};
 }
 
-/// A/A_0 = erf(sqrt2 p/(E* h')), against its small-load limit and the error
-/// function, which the theory's own moments of the spectrum enter.
+/// Compares A/A_0 = erf(sqrt2 p/(E* h')) with the error function evaluated
+/// here; h' comes from the theory's own moments of the spectrum.
 std::optional<Failure> verify_area(const theory::PerssonContact& contact,
                                    const Scene& scene,
                                    const StepSummary& step) {
@@ -63,7 +64,7 @@ std::optional<Failure> verify_inverse(const theory::PerssonContact& contact,
     return {};
   const double again =
       contact.mean_gap(contact.nominal_pressure(step.mean_gap));
-  // p is known to eps, and u changes by D/u of that.
+  // The relative error of p is eps; that of u is larger by the factor D/u.
   const double steepness =
       contact.mean_gap_slope(step.nominal_pressure) / step.mean_gap;
   const double allowed = relative_accuracy * (1.0 + steepness);

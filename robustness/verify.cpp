@@ -14,7 +14,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Sums over N nodes and transforms lose some ten eps; the rest is a margin.
+/// Sums over N nodes and FFTs lose some ten eps; the remaining factor is a
+/// margin.
 constexpr double rounding_of_a_field = 64.0 * eps;
 
 using contact::ContactSolution;
@@ -84,8 +85,9 @@ std::optional<Failure> verify_gap_field(const AskedContact& asked,
   return {};
 }
 
-/// What is kept apart carries nothing. (With a pressure that runs away the
-/// rounding of a gap, which grows with it, would hide everything else.)
+/// Verifies that separated surfaces carry no pressure. The check comes early
+/// because, for a diverging pressure, the rounding of the gap, which grows with
+/// the pressure, would hide any other error.
 std::optional<Failure> verify_apart(const AskedContact& asked,
                                     const LoadTarget& target,
                                     const ContactSolution& solution) {
@@ -137,7 +139,8 @@ double energy_of(const AskedContact& asked, const ContactSolution& solution) {
 double gap_rounding(const AskedContact& asked,
                     const ContactSolution& solution) {
   const double pressure = largest(solution.pressure);
-  // Roundings of equal terms are alike: a plain sum of N loses some N/8 eps.
+  // Rounding errors of equal terms are correlated: a plain sum of N terms loses
+  // some N/8 eps.
   const double sum = 0.125 * eps * static_cast<double>(solution.gap.size());
   return rounding_of_a_field *
              (largest(asked.heights) + std::abs(solution.mean_gap) +
@@ -174,7 +177,8 @@ StepSummary summary_of(const AskedContact& asked,
       results::counted_area_fraction(solution.pressure, asked.weights);
   summary.tolerance =
       1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
-  // What lifts a node by the tolerance, and the rounding of the pressures.
+  // The pressure that lifts a node by the tolerance, plus the rounding of the
+  // pressures.
   const double lifting =
       10.0 * summary.tolerance /
           (asked.short_wave_compliance + asked.local_compliance) +
@@ -189,7 +193,7 @@ StepSummary summary_of(const AskedContact& asked,
 
 std::optional<Failure> verify_pair(const StepSummary& first,
                                    const StepSummary& second) {
-  // Where nothing touches, equal pressures lie at different gaps.
+  // Without contact, equal (zero) pressures occur at different gaps.
   const bool is_ordered = first.nominal_pressure < second.nominal_pressure ||
                           (first.nominal_pressure == second.nominal_pressure &&
                            first.mean_gap >= second.mean_gap);

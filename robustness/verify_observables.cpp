@@ -17,7 +17,7 @@
 namespace asperity::robustness {
 namespace {
 
-/// A number of a row with its range.
+/// A number of a row with its admissible range.
 struct Ranged {
   const char* name;
   double value;
@@ -39,8 +39,8 @@ std::optional<Failure> verify_range(const Ranged& number) {
                              number.high)};
 }
 
-/// What the rounding of the displacement makes of <p u>/2: a uniform pressure
-/// moves nothing but that.
+/// Returns the effect of the rounding of the displacement on <p u>/2. For a
+/// uniform pressure the displacement consists of rounding only.
 double rounding_of_energy(const AskedContact& asked,
                           const contact::ContactSolution& solution) {
   double highest = 0.0;

@@ -12,7 +12,8 @@
 namespace asperity::robustness {
 namespace {
 
-/// The numbers of a case that a flaw may spoil, in SI but for those over h.
+/// The numbers of a case that a flaw may spoil, in SI units except those in
+/// units of h.
 struct CaseNumbers {
   double length = 0.0;
   double contact_modulus = 0.0;
@@ -48,7 +49,7 @@ CaseNumbers numbers_of(const Scene& scene) {
   return numbers;
 }
 
-/// Flaws of the loads and of the interface.
+/// Applies flaws of the loads and of the interface.
 void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
   switch (flaw) {
   case Flaw::zero_load:
@@ -88,7 +89,8 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
   }
 }
 
-/// Flaws of the block; some need finite elements or a slab to be seen.
+/// Applies flaws of the block; some have an effect only with finite elements or
+/// a slab.
 void spoil_block(const Scene& scene, CaseNumbers& numbers) {
   switch (scene.flaw) {
   case Flaw::zero_modulus:
@@ -131,7 +133,8 @@ void spoil_block(const Scene& scene, CaseNumbers& numbers) {
   }
 }
 
-/// TOML asks for a point or an exponent, which {} leaves out of whole numbers.
+/// TOML requires a decimal point or an exponent in a float, which {} omits for
+/// whole numbers.
 std::string number(double value) {
   return fmt::format("{:.17e}", value);
 }
@@ -143,7 +146,7 @@ int degree_of(const Scene& scene) {
                                                                             : 2;
 }
 
-/// The coating stands on the thickness of the block itself, which no flaw has.
+/// The coating uses the unspoilt thickness of the block.
 std::string coating_text(const Scene& scene) {
   const double youngs_modulus =
       scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);

@@ -1,6 +1,7 @@
 #pragma once
 
-// A scene as the files that a user would write: a height map and a case.
+// This file writes an instance as the files that a user would write: a height
+// map and a case.
 
 #include <string>
 
@@ -8,12 +9,12 @@
 
 namespace asperity::robustness {
 
-/// The heights as a plain map that reads back to the bit [m]; a flawed scene's
-/// may hold a number that is not finite.
+/// Returns the heights [m] as a plain-text map that reads back bitwise equal;
+/// that of a flawed instance may contain a number that is not finite.
 std::string map_text_of(const Scene& scene);
 
-/// A case that presses map.txt, beside it, by the scene's load program; with
-/// the flaw of a flawed scene.
+/// Returns a case that loads map.txt, in the same folder, along the loading
+/// path of the instance, including the flaw of a flawed instance.
 std::string case_text_of(const Scene& scene);
 
 } // namespace asperity::robustness
