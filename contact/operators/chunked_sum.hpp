@@ -1,6 +1,7 @@
 #pragma once
 
-// Loops over nodes with sums, on several threads with the same bits as on one.
+// This file contains loops and sums over the nodes whose results are bitwise
+// the same on any number of threads.
 
 #include "base/parallel_rows.hpp"
 
@@ -11,10 +12,10 @@
 
 namespace asperity::contact {
 
-/// Nodes that are summed in one go, whoever does it.
+/// Number of nodes in one chunk, which one thread sums.
 inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
 
-/// One sum of a loop.
+/// The value of one sum over a loop.
 struct Sum {
   double value = 0.0;
 
@@ -24,7 +25,7 @@ struct Sum {
   }
 };
 
-/// Several sums of a loop.
+/// The values of several sums over one loop.
 template <std::size_t n>
 struct SeveralSums {
   std::array<double, n> values{};
@@ -36,9 +37,10 @@ struct SeveralSums {
   }
 };
 
-/// Calls do_chunk(begin, end) -> Sums for each fixed piece of 0..nodes-1 and
-/// adds the answers in the order of the pieces: neither the number of threads
-/// nor their order changes a bit. Sums has operator+=.
+/// Calls do_chunk(begin, end) -> Sums for each chunk of 0..nodes-1 and adds the
+/// results in the order of the chunks, so that the result is bitwise
+/// independent of the number of threads and of their scheduling. Sums needs
+/// operator+=.
 template <class Sums, class DoChunk>
 Sums chunked_sum(std::size_t nodes, int threads, const DoChunk& do_chunk) {
   const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
@@ -54,7 +56,7 @@ Sums chunked_sum(std::size_t nodes, int threads, const DoChunk& do_chunk) {
   return total;
 }
 
-/// The same where nothing is summed: do_chunk(begin, end).
+/// The same loop without a sum; it calls do_chunk(begin, end).
 template <class DoChunk>
 void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
   chunked_sum<Sum>(nodes, threads, [&](std::size_t begin, std::size_t end) {

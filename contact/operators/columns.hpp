@@ -1,6 +1,7 @@
 #pragma once
 
-// Entries of a linear map of the face, for dense matrices of a few nodes.
+// This file provides entries of a linear operator on the contact surface, for
+// dense matrices of a few nodes.
 
 #include "base/grid.hpp"
 
@@ -9,17 +10,18 @@
 
 namespace asperity::contact {
 
-/// A linear map of the face between pairs of nodes, from columns that are
-/// taken when first asked for. One that is the same at every node has one.
+/// Entries of a linear operator on the contact surface. Each column is computed
+/// when it is first needed and then cached. A translation-invariant operator
+/// has a single column.
 class Columns {
 public:
-  /// column = the map of 1 at the node and 0 elsewhere
+  /// Writes the column of the operator for a unit value at the node.
   using Take =
       std::function<void(std::size_t node, std::vector<double>& column)>;
 
   Columns(const Grid& grid, bool is_homogeneous, Take take);
 
-  /// The value at one node of the map of 1 at the other.
+  /// Value at `node` that results from a unit value at `other`.
   double between(std::size_t node, std::size_t other);
 
 private:

@@ -10,7 +10,7 @@ namespace asperity::contact {
 
 struct FourierOperator::Shared {
   std::vector<double> compliance;
-  double softest;    ///< largest C(q), of the longest wave [m/Pa]
+  double softest;    ///< largest C(q) [m/Pa], that of the longest wavelength
   double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
   Convolution<double> exact;
   Convolution<float> convolution;
@@ -40,7 +40,7 @@ FourierOperator::Shared::Shared(const Grid& grid, std::vector<double> values,
       convolution(grid, threads) {
   if (compliance.size() > 1)
     softest = *std::max_element(compliance.begin() + 1, compliance.end());
-  // (points_x/4, 0) and (0, points_y/4), whichever direction is resolved.
+  // (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
   const std::size_t columns = static_cast<std::size_t>(grid.points_x / 2 + 1);
   const std::size_t half_nyquist =
       grid.points_x >= 4
@@ -125,7 +125,8 @@ void FourierOperator::pressure_estimate(std::span<const float> gap,
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   if (inverted_compliance_ != local_compliance) {
     std::vector<double> inverse = shared_->compliance;
-    // The uniform mode has no compliance of its own: treat it as the longest.
+    // The compliance of the uniform mode is undefined here; that of the longest
+    // wavelength replaces it.
     inverse[0] = shared_->softest;
     for (double& value : inverse)
       value = 1.0 / (value + local_compliance);

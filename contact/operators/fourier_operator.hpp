@@ -1,7 +1,8 @@
 #pragma once
 
-// The surface operator of a block that looks the same at every node: a
-// convolution, one real compliance a wavevector. Owns its transforms.
+// This file contains the surface operator of a laterally homogeneous block: a
+// convolution with one real compliance per wavevector. The operator owns its
+// transforms.
 
 #include "base/convolution.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -11,15 +12,18 @@
 
 namespace asperity::contact {
 
-/// displacement(q) = C(q) pressure(q): the half-space, the elastic slab, the
-/// condensed linear finite-element block and the lattice.
+/// The operator displacement(q) = C(q) pressure(q), used for the half-space,
+/// the elastic slab, the condensed linear finite-element block and the atomic
+/// lattice.
 class FourierOperator final : public SurfaceOperator {
 public:
   /// @param compliance  C(q) [m/Pa], grid.half_spectrum_size() values in the
-  ///                    order of Grid::half_spectrum_size; > 0 and finite but
-  ///                    for the uniform mode (0, 0), which is not read
-  /// @param threads     used by each application, >= 1; changes no bit
-  /// @throws std::domain_error  wrong size, or a value outside its range
+  ///                    order of Grid::half_spectrum_size; > 0 and finite
+  ///                    except for the uniform mode (0, 0), which is not read
+  /// @param threads     number used by each application, >= 1; the result does
+  ///                    not depend on it
+  /// @throws std::domain_error  an array has the wrong size or a value is
+  ///                            outside its range
   FourierOperator(const Grid& grid, std::vector<double> compliance,
                   int threads = 1);
 
@@ -38,21 +42,22 @@ public:
   double short_wave_compliance() const override;
   int threads() const override;
 
-  /// The long waves of C(q) on half the points; null below 32 points a side
-  /// or for an odd number.
+  /// The operator on half the points per side, which keeps C(q) of the
+  /// wavevectors that the coarse grid resolves. Null if the number of points is
+  /// odd or the coarse grid would have fewer than 32 points per side.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
 
-  /// C(q) [m/Pa] as given; the value at (0, 0) means nothing.
+  /// C(q) [m/Pa] as given; the value at (0, 0) has no meaning.
   std::span<const double> compliance() const;
 
 private:
-  struct Shared; // immutable: transforms and symbol
+  struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FourierOperator(std::shared_ptr<const Shared> shared);
 
   std::shared_ptr<const Shared> shared_;
   Convolution<double>::Scratch exact_scratch_;
   Convolution<float>::Scratch scratch_;
-  double inverted_compliance_ = -1.0; ///< local compliance of inverse_ [m/Pa]
+  double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
   Convolution<float>::Symbol inverse_;
 };
 

@@ -8,8 +8,8 @@
 namespace asperity::contact {
 namespace {
 
-// Each quotient is divided by exp(2x)/2, so that nothing overflows:
-// sinh 2x -> 1 - e, cosh 2x -> 1 + e, with e = exp(-4x).
+// Numerator and denominator are divided by exp(2x)/2, so that nothing
+// overflows: sinh 2x -> 1 - e, cosh 2x -> 1 + e, with e = exp(-4x).
 
 double clamped_factor(double x, double poisson_ratio) {
   const double e = std::exp(-4.0 * x);
@@ -29,7 +29,7 @@ double sliding_factor(double x) {
 }
 
 /// cosh 2x - 1 - 2x^2 = 2 (sinh x - x)(sinh x + x), by its series where the
-/// difference would cancel.
+/// difference would suffer from cancellation.
 double pressure_denominator(double x) {
   if (x > 0.5)
     return 2.0 * (std::sinh(x) - x) * (std::sinh(x) + x);
@@ -43,7 +43,7 @@ double pressure_denominator(double x) {
 }
 
 double pressure_factor(double x) {
-  if (x > 20.0) { // beyond rounding of 1 + 4 x^2 exp(-2x)
+  if (x > 20.0) { // the neglected terms exp(-4x) are below roundoff
     const double decay = 2.0 * std::exp(-2.0 * x);
     return (1.0 + 2.0 * x * decay) / (1.0 - (1.0 + 2.0 * x * x) * decay);
   }
@@ -69,7 +69,7 @@ double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
 
 namespace {
 
-/// C(q) of a block without layers.
+/// C(q) of a block without layers [m/Pa].
 double uniform_compliance(double wavevector, const ElasticBlock& block) {
   const double factor =
       std::isinf(block.thickness)

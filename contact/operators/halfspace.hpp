@@ -1,7 +1,8 @@
 #pragma once
 
-// The continuum's surface compliance: isotropic half-space and slabs of finite
-// thickness, frictionless face, a wavevector at a time.
+// This file computes the surface compliance, per wavevector, of an elastic
+// continuum with a frictionless surface: an isotropic half-space or a slab of
+// finite thickness.
 
 #include "base/grid.hpp"
 #include "contact/operators/fourier_operator.hpp"
@@ -10,52 +11,56 @@
 
 namespace asperity::contact {
 
-/// What holds the far face of a slab. For waves (q > 0): clamped, no
-/// displacement; sliding, no normal displacement and no shear; pressure, free.
+/// Boundary condition on the far boundary of a slab, for q > 0: `clamped` has
+/// no displacement, `sliding` no normal displacement and no shear traction,
+/// `pressure` no traction.
 enum class FarFace { clamped, sliding, pressure };
 
-/// Compliance of a slab of thickness d relative to the half-space's, x = q d:
+/// Compliance of a slab of thickness d relative to the half-space, with
+/// x = q d:
 ///
 ///     clamped   ((3-4 nu) sinh 2x - 2x)
 ///               / ((3-4 nu) cosh 2x + 2 x^2 + 5 - 12 nu + 8 nu^2)
 ///     sliding   (cosh 2x - 1) / (sinh 2x + 2x)
 ///     pressure  (sinh 2x + 2x) / (cosh 2x - 1 - 2 x^2)
 ///
-/// All tend to 1 for x -> inf, within 4 x^2 exp(-2x).
+/// All three tend to 1 for x -> inf, with a difference of at most
+/// 4 x^2 exp(-2x).
 /// @param reduced_wavevector  q d                                 [1] > 0
-/// @param poisson_ratio       nu; clamped alone depends on it     [1] -1..0.5
+/// @param poisson_ratio       nu; used by `clamped` only          [1] -1..0.5
 /// @throws std::domain_error  an argument is outside its range
-/// @par Accuracy  1e-14 relative for x > 0.1; below, the pressure and sliding
-///            forms go through series, to 1e-12.
+/// @par Accuracy  relative error 1e-14 for x > 0.1; below that, the `pressure`
+///            and `sliding` forms are evaluated by series, to 1e-12.
 /// @see  K. L. Johnson, Contact Mechanics (1985), ch. 5; G. Carbone et al.,
 ///       J. Mech. Phys. Solids 56, 684 (2008)
 double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
                               double poisson_ratio);
 
-/// A homogeneous, isotropic layer, bonded to what lies below it.
+/// A homogeneous, isotropic layer, bonded to the material below it.
 struct BondedLayer {
   double thickness = 0.0;      ///< [m] > 0
   double youngs_modulus = 0.0; ///< E [Pa] > 0
   double poisson_ratio = 0.0;  ///< nu [1], -1 < nu <= 0.5
 };
 
-/// An isotropic elastic block with a frictionless face, under bonded layers.
+/// An isotropic elastic block with a frictionless surface and bonded layers.
 struct ElasticBlock {
   double contact_modulus = 0.0; ///< E* = E/(1 - nu^2) below the layers [Pa] > 0
-  /// Below the layers; read where there are any or the far face is clamped.
+  /// Below the layers [1]; read if there are layers or if the far boundary is
+  /// clamped.
   double poisson_ratio = 0.0;
-  double thickness = 0.0; ///< layers included [m] > 0; infinity: the half-space
+  double thickness = 0.0; ///< with layers [m] > 0; infinite for a half-space
   FarFace far_face = FarFace::clamped;
-  std::vector<BondedLayer> layers = {}; ///< the contact face's first
+  std::vector<BondedLayer> layers = {}; ///< from the contact surface downwards
 };
 
-/// C(q) [m/Pa] on the half spectrum of the grid: 2 factor(q d) / (E* q), or
-/// LayerStack's under layers; the uniform mode is set to 0.
+/// C(q) [m/Pa] on the half spectrum of the grid: 2 factor(q d) / (E* q), or the
+/// compliance of LayerStack if there are layers. The uniform mode is set to 0.
 /// @throws std::domain_error  a number of the block is outside its range
 std::vector<double> block_compliance(const Grid& grid,
                                      const ElasticBlock& block);
 
-/// The operator that goes with it.
+/// The operator with the compliance block_compliance().
 FourierOperator halfspace_operator(const Grid& grid, const ElasticBlock& block,
                                    int threads = 1);
 

@@ -15,21 +15,22 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-/// Layers up to this q t go through (L.7), thicker ones through (L.6): at it
-/// both lose but a digit.
+/// Layers up to this q t use (L.7), thicker ones (L.6); at this value each of
+/// the two loses at most one digit.
 constexpr double thickest_by_transfer = 1.0;
 
-/// Beyond this q t a layer's bottom is felt below rounding: 4 x^2 exp(-2 x).
+/// Beyond this q t the effect of the bottom of a layer, 4 x^2 exp(-2 x), is
+/// below roundoff.
 constexpr double deep = 40.0;
 
-/// Columns of displacements and tractions on a plane, in a layer's units.
+/// Columns of displacements and tractions on a plane, in the units of a layer.
 template <class Columns>
 struct Plane {
   Columns displacement;
   Columns traction;
 };
 
-/// (U, T): what lies under a plane.
+/// (U, T): the response of the material below a plane.
 using Answer = Plane<Matrix2d>;
 
 Matrix2d matrix(double a, double b, double c, double d) {
@@ -38,7 +39,8 @@ Matrix2d matrix(double a, double b, double c, double d) {
   return result;
 }
 
-/// H of (L.3); H' is that of 2 - k, for which 1 - k changes its sign.
+/// H of (L.3). H' is obtained from 2 - k in place of k, which changes the sign
+/// of 1 - k.
 Matrix2d downward(const StackLayer& layer) {
   const double coupling = 1.0 - layer.lateral_ratio;
   return matrix(2.0, coupling, coupling, 2.0);
@@ -49,15 +51,15 @@ Matrix2d upward(const StackLayer& layer) {
   return matrix(2.0, coupling, coupling, 2.0);
 }
 
-/// D(x) of (L.4); transposed it is D'(x) of (L.5).
+/// D(x) of (L.4); its transpose is D'(x) of (L.5).
 Matrix2d decay(double x) {
-  if (x > 700.0) // nothing is left, and an infinite x would give no number
+  if (x > 700.0) // exp(-x) underflows, and an infinite x would give a NaN
     return Matrix2d::Zero();
   return std::exp(-x) * matrix(1.0 - x, -x, x, 1.0 + x);
 }
 
-/// exp(-M x) of (L.7) on (v, w; s, n), |x| <= 1: upwards for x > 0. With the
-/// double roots 1 and -1 it is c_0 - c_1 M + c_2 M^2 - c_3 M^3.
+/// exp(-M x) of (L.7) applied to (v, w; s, n), |x| <= 1; x > 0 leads upwards.
+/// With the double roots 1 and -1 it is c_0 - c_1 M + c_2 M^2 - c_3 M^3.
 template <class Columns>
 Plane<Columns> across_thin(double k, double x, const Plane<Columns>& from) {
   double c3 = 0.0; // (x cosh x - sinh x)/2, by its series
@@ -87,15 +89,15 @@ Plane<Columns> across_thin(double k, double x, const Plane<Columns>& from) {
               traction_of_traction * from.traction};
 }
 
-/// One layer between its faces, for amplitudes c of the two columns at its top.
+/// Solution in one layer, for amplitudes c of the two columns at its top.
 struct Crossing {
-  Answer top;       ///< the columns there
-  Matrix2d falling; ///< c to a at the top; of a thick layer
-  Matrix2d rising;  ///< c to b at the bottom; of a thick layer
-  Matrix2d descent; ///< c to the amplitudes of the columns at the bottom
+  Answer top;       ///< the columns at the top
+  Matrix2d falling; ///< maps c to a at the top; thick layers only
+  Matrix2d rising;  ///< maps c to b at the bottom; thick layers only
+  Matrix2d descent; ///< maps c to the amplitudes of the columns at the bottom
 };
 
-/// Multiplies the columns at the top, so that they are neither large nor small.
+/// Scales the columns at the top to order 1.
 void normalise(Crossing& crossing) {
   Answer& top = crossing.top;
   const Matrix2d scale = (top.displacement + top.traction).inverse();
@@ -135,7 +137,7 @@ Crossing across(const StackLayer& layer, double wavevector,
   return crossing;
 }
 
-/// The columns that a far face leaves to the layers on it.
+/// (U, T) on the far boundary.
 Answer far_answer(FarFace far_face) {
   switch (far_face) {
   case FarFace::sliding:
@@ -148,8 +150,9 @@ Answer far_answer(FarFace far_face) {
   return {Matrix2d::Zero(), Matrix2d::Identity()};
 }
 
-/// Visits the layers that the face can feel from the lowest up, with (U, T) at
-/// the bottom of each; returns what visit() returned for the first layer.
+/// Visits the layers that affect the surface, from the lowest upwards, with
+/// (U, T) at the bottom of each. Returns what visit() returned for the first
+/// layer.
 template <class Visit>
 Answer climb(std::span<const StackLayer> layers, FarFace far_face,
              double wavevector, const Visit& visit) {
@@ -160,7 +163,8 @@ Answer climb(std::span<const StackLayer> layers, FarFace far_face,
   Answer answer = far_answer(far_face);
   std::size_t above = layers.size();
   if (deep_layer != layers.end()) {
-    // A half-space: no wave comes back, and D(x) makes an end of those below.
+    // This layer acts as a half-space: no mode is reflected from its bottom,
+    // and D(x) = 0 removes the layers below it.
     answer = {downward(*deep_layer), Matrix2d::Identity()};
     above = static_cast<std::size_t>(deep_layer - layers.begin()) + 1;
   }
@@ -173,8 +177,8 @@ Answer climb(std::span<const StackLayer> layers, FarFace far_face,
   return answer;
 }
 
-/// The amplitudes of the columns at the face that leave it without shear and
-/// under a unit of pressure.
+/// Amplitudes of the columns at the surface that give zero shear traction and
+/// unit pressure.
 Vector2d under_pressure(const Answer& face) {
   return face.traction.inverse().col(1);
 }

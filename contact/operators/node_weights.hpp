@@ -1,7 +1,7 @@
 #pragma once
 
-// Nodal areas inside loops: a loop is compiled twice, for equal nodes and for
-// those of a quadratic face.
+// This file provides nodal areas inside loops. A loop is compiled twice: for
+// equal nodal areas and for those of quadratic elements.
 
 #include <cstddef>
 #include <span>
@@ -12,7 +12,8 @@ struct EqualWeights {
   double operator[](std::size_t) const { return 1.0; }
 };
 
-/// Calls loop(weights), weights[i] the area of node i relative to the mean.
+/// Calls loop(weights), where weights[i] is the area of node i relative to the
+/// mean.
 template <class Loop>
 auto with_weights(std::span<const double> weights, const Loop& loop) {
   return weights.empty() ? loop(EqualWeights{}) : loop(weights.data());

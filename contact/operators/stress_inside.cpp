@@ -14,17 +14,18 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// At this q z a wave has died out.
+/// At this q z a mode has decayed below roundoff.
 constexpr double decayed = 40.0;
 
-/// The search for the strongest plane goes down by this factor.
+/// Ratio of the depths of consecutive planes in the search for the largest
+/// stress.
 constexpr double plane_ratio = 1.25;
 
-/// The one wave of a half-space, (L.4): a unit of pressure on its face.
+/// The only mode of a half-space, (L.4), for a unit pressure on its surface.
 constexpr LayerStack::Wave half_space_wave{0.0, 1.0, 0.0, 0.0};
 
-/// Unit vector along q; the modes that a grid cannot tell from their opposite
-/// have none in that direction.
+/// Unit vector along q. A Nyquist mode, which equals its opposite on the grid,
+/// has no sign.
 struct Direction {
   double length = 0.0; ///< q [rad/m]
   double x = 0.0;
@@ -190,7 +191,8 @@ StressPeak StressInside::strongest() const {
       strength = here;
       best = plane;
     }
-  // In units of the best plane's depth: the search's tolerance is absolute.
+  // The depth is scaled by that of the best plane, because the tolerance of the
+  // search is absolute.
   const StackLayer& layer = stack_.layer(best.layer);
   const double low =
       std::max(1.0 / plane_ratio, std::max(shallowest, layer.top) / best.depth);

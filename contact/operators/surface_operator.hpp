@@ -1,8 +1,8 @@
 #pragma once
 
-// The only thing the contact solver knows of elasticity: pressure on a face
-// gives displacement of that face. Finite elements, half-space and lattice
-// each are one such operator.
+// This file defines the interface between the contact solvers and the elastic
+// models: a pressure on a surface gives the displacement of that surface.
+// Finite elements, half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
 
@@ -11,16 +11,18 @@
 
 namespace asperity::contact {
 
-/// A linear, symmetric, positive surface compliance of a periodic face.
+/// A linear, symmetric surface compliance of a periodic surface, positive
+/// definite on fields of zero mean.
 ///
 /// Sign and gauge: `pressure` >= 0 pushes the block away from the rigid
-/// surface, `displacement` is how far the face gives way, in the same sense;
-/// the part of the displacement that is uniform (nodal_weights' mean) is
-/// removed, so that the mean gap is the rigid distance of the mean planes.
-/// Symmetric means: sum_i weight_i p_i (C q)_i = sum_i weight_i (C p)_i q_i.
+/// counter-surface; `displacement` is positive in the same direction. The mean
+/// of the displacement, weighted by nodal_weights(), is removed, so that the
+/// mean gap equals the separation of the mean planes.
+/// Symmetry means: sum_i weight_i p_i (C q)_i = sum_i weight_i (C p)_i q_i.
 ///
-/// Methods are not const because operators keep their scratch: one instance a
-/// thread; clone() shares the set-up and has its own scratch.
+/// The methods are not const because operators own scratch memory: use one
+/// instance per thread. clone() shares the immutable data and has its own
+/// scratch memory.
 class SurfaceOperator {
 public:
   virtual ~SurfaceOperator() = default;
@@ -28,37 +30,38 @@ public:
 
   virtual const Grid& grid() const = 0;
 
-  /// Area of each node relative to the mean, mean 1; empty if all are equal.
+  /// Area of each node relative to the mean area; empty if all are equal.
   virtual std::span<const double> nodal_weights() const = 0;
 
-  /// displacement = C pressure [m], without its mean.
+  /// Computes displacement = C pressure [m], without its mean.
   /// @param pressure     grid().size() values [Pa]
   /// @param displacement grid().size() values, overwritten
   virtual void displacement(std::span<const double> pressure,
                             std::span<double> displacement) = 0;
 
-  /// The same for a small change of pressure, in single precision: right to
-  /// some 1e-7 of the change.
+  /// The same for a small change of pressure, in single precision: the error is
+  /// about 1e-7 of the change.
   virtual void displacement_change(std::span<const float> pressure_change,
                                    std::span<float> displacement_change) = 0;
 
-  /// pressure = (C + 1/penalty)^-1 gap [Pa] on the whole face, mean of the
-  /// result free to be anything bounded: the preconditioner, in single
-  /// precision and exact but for that and the mean.
-  /// @param local_compliance  1/penalty [m/Pa] >= 0, 0 for a hard wall
+  /// Computes pressure = (C + 1/penalty)^-1 gap [Pa] on the whole surface, for
+  /// use as a preconditioner. It is exact up to single precision and up to the
+  /// mean of the result, which may be any bounded value.
+  /// @param local_compliance  1/penalty [m/Pa] >= 0; 0 for hard contact
   virtual void pressure_estimate(std::span<const float> gap,
                                  double local_compliance,
                                  std::span<float> pressure) = 0;
 
-  /// C at half the Nyquist wavevector [m/Pa]: how much a node gives way to a
-  /// pressure that alternates at the scale of the grid.
+  /// C at half the Nyquist wavevector [m/Pa]: the local compliance of a node
+  /// for pressures that vary on the scale of the grid.
   virtual double short_wave_compliance() const = 0;
 
-  /// Threads that each application uses, and the solver beside it.
+  /// Number of threads that each application uses, and the contact solver with
+  /// it.
   virtual int threads() const { return 1; }
 
-  /// The same block seen at every second node in both directions, for a
-  /// coarse-to-fine start; null where there is none.
+  /// The operator of the same block on every second node in both directions,
+  /// for a coarse-to-fine initial guess; null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 };
 

@@ -15,17 +15,20 @@
 namespace asperity::contact {
 namespace {
 
-/// Transforms and sums lose some ten eps of a field; the rest is a margin.
+/// Transforms and sums lose about ten eps of a field; the rest is a safety
+/// margin.
 constexpr double rounding_of_a_field =
     64.0 * std::numeric_limits<double>::epsilon();
 
-/// So often all wrong nodes are exchanged without becoming fewer.
+/// Number of iterations in which all wrong nodes are exchanged although their
+/// number reaches no new minimum.
 constexpr int tries_without_progress = 10;
 
-/// Seen are some ten; one node at a time could be very many.
+/// About ten iterations have been observed; exchanging one node at a time could
+/// need very many.
 constexpr int most_iterations = 200;
 
-/// C [m/Pa] of the longest wave along the longer side.
+/// C [m/Pa] of the longest wavelength along the longer side.
 double long_wave_compliance(SurfaceOperator& elasticity) {
   const Grid& grid = elasticity.grid();
   const bool along_x = grid.length_x >= grid.length_y;
@@ -52,7 +55,7 @@ public:
         balanced_(state.pressure.size()),
         displacement_(state.pressure.size()) {}
 
-  /// One iteration. Empty, or the reason why there is none.
+  /// Makes one iteration. Returns an empty string, or why the iteration failed.
   std::string step() {
     free_.clear();
     for (std::size_t i = 0; i < is_free_.size(); ++i)
@@ -85,8 +88,8 @@ private:
     return state_.target.kind == LoadTarget::Kind::nominal_pressure;
   }
 
-  /// gap + c p of all nodes, its mean on the free ones 0 where the load is
-  /// prescribed.
+  /// Finds gap + c p of all nodes. Under a prescribed load its mean over the
+  /// active nodes is set to 0.
   void find_residual(std::span<const double> pressure,
                      std::span<const double> displacement) {
     for (std::size_t i = 0; i < residual_.size(); ++i)
@@ -106,8 +109,9 @@ private:
       value -= sum / total;
   }
 
-  /// Frees nodes that overlap and fixes those that are pulled; all of them as
-  /// long as they become fewer, else the last one only.
+  /// Activates nodes that overlap and deactivates those with a tensile
+  /// pressure: all of them while their number falls, otherwise the last one
+  /// only.
   void exchange() {
     const double tolerance = 0.5 * state_.problem.gap_tolerance;
     const double softness = state_.elasticity.short_wave_compliance() +
@@ -135,9 +139,9 @@ private:
   std::vector<std::uint8_t> is_free_;
   std::vector<std::size_t> free_;
   std::vector<double> residual_; ///< gap + c p [m]
-  std::vector<double> balanced_; ///< p that balances the free nodes [Pa]
+  std::vector<double> balanced_; ///< p with no residual on active nodes [Pa]
   std::vector<double> displacement_;
-  std::vector<std::size_t> wrong_; ///< pulled, or overlapping
+  std::vector<std::size_t> wrong_; ///< nodes in tension, or overlapping
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int tries_left_ = 0;
 };

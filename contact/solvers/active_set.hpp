@@ -1,8 +1,8 @@
 #pragma once
 
-// The last resort of the contact solver: the set of nodes in contact is found
-// by exact solutions for fixed sets. For few nodes, where an iteration has
-// stalled.
+// This file declares an active-set method for the contact problem, used when
+// the iterative solver stagnates: it finds the set of nodes in contact by exact
+// solutions for fixed sets. It is limited to problems with few nodes.
 
 #include "contact/solvers/solver.hpp"
 
@@ -10,31 +10,37 @@
 
 namespace asperity::contact {
 
-/// The largest matrix that active_set() factors, in nodes: 34 MB. Every grid
-/// of 64^2 nodes is within it, whatever is in contact.
+/// Order of the largest matrix that active_set() factorises; it takes 34 MB. A
+/// grid of 64^2 nodes is always within this limit.
 inline constexpr std::size_t most_active_nodes = 2048;
 
-/// The same problem as solve_contact by an active set: block principal
-/// pivoting. One iteration: with n of N nodes free, the pressure that balances
-/// them is found, of whatever sign, by a dense factor (ActiveSystem); then the
-/// nodes that are pulled are fixed and those that overlap are freed. All of
-/// them change sides as long as they become fewer within ten iterations, else
-/// the last one only, which always ends for a positive compliance.
+/// Solves the problem of solve_contact by an active-set method, block principal
+/// pivoting. With n of N nodes active, each iteration finds the pressure, of
+/// either sign, that satisfies the contact condition at these nodes, by a dense
+/// factorisation (ActiveSystem). Active nodes with a tensile pressure then
+/// become inactive, and inactive nodes that overlap become active. All of these
+/// nodes are exchanged as long as their number reaches a new minimum at least
+/// once in ten iterations, otherwise only the last one, which guarantees
+/// termination for a positive definite compliance.
 ///
-/// @param initial_pressure  as of solve_contact; the closer the fewer steps
-/// @return  as solve_contact; not converged, and says why, where n and
-///          N - n pass most_active_nodes, or after 200 iterations
-///          or problem.max_iterations
+/// @param initial_pressure  as for solve_contact; a good estimate saves
+///                          iterations
+/// @return  as solve_contact; not converged, with the reason in the note, if
+///          both n and N - n exceed most_active_nodes, if the stored fields
+///          (see Cost) would exceed 128 MB, or after 200 iterations or
+///          problem.max_iterations
 /// @throws std::domain_error  see solve_contact
-/// @par Accuracy  problem.gap_tolerance or, if that is larger, the rounding of
-///      a gap: 64 eps (max |h| + |u| + p_max (C_max + c)), C_max that of the
-///      longest wave. The note says where that was the case.
-/// @par Cost  m^3 / 6 multiplications an iteration and m^2 numbers, m the
-///      smaller of n and N - n. Where the block is not the same at every node,
-///      as of second order, one application of C and a field of numbers more
-///      for each node that is ever among the m. From a stalled iteration some
-///      ten iterations.
+/// @par Accuracy  problem.gap_tolerance or, if that is larger, the roundoff
+///      error of a gap: 64 eps (max |h| + |u| + p_max (C_max + c)), C_max that
+///      of the longest wavelength. The note says where that was the case.
+/// @par Cost  m^3 / 6 multiplications per iteration and storage for m^2
+///            numbers, m the smaller of n and N - n. A block that is not
+///            laterally homogeneous on the node grid, such as one with elements
+///            of second order, also needs one application of C and one stored
+///            field for each node that is ever among the m. A stagnated
+///            iteration takes about ten iterations to complete.
 /// @see  L. F. Portugal, J. J. Judice, L. N. Vicente, Math. Comput. 63, 625
+///       (1994), without a prescribed load.
 ///       (1994), without a prescribed load.
 ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,

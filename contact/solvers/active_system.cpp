@@ -14,12 +14,12 @@
 namespace asperity::contact {
 namespace {
 
-/// Cholesky's factor of a matrix brought to order 1 by a power of two, so that
-/// the roots in it are the same ones in all units.
+/// Cholesky factor of a matrix that is scaled to order 1 by a power of two, so
+/// that the roundoff of its square roots does not depend on the units.
 class Factor {
 public:
-  /// A matrix without a positive diagonal, or with a number that is not
-  /// finite, has none.
+  /// Factorises the matrix. There is no factor if the diagonal has no positive
+  /// entry or if any entry is not finite.
   void compute(Eigen::MatrixXd matrix) {
     const double largest = matrix.diagonal().maxCoeff();
     exists_ = largest > 0.0 && matrix.allFinite();
@@ -43,11 +43,11 @@ private:
   bool exists_ = false;
 };
 
-/// Conjugate gradients with a preconditioner of single precision take some
-/// five steps; a step that is left unfinished is still a way down.
+/// Conjugate gradients with a single-precision preconditioner take about five
+/// iterations; an incomplete step still reduces the energy.
 constexpr int most_refinements = 60;
 
-/// Numbers in the columns that are kept: 128 MB.
+/// Largest number of values in the cached columns: 128 MB.
 constexpr std::size_t most_numbers = std::size_t{1} << 24;
 
 bool looks_the_same_everywhere(SurfaceOperator& elasticity) {
@@ -64,7 +64,7 @@ std::size_t at(std::span<const std::size_t> nodes, Eigen::Index i) {
 
 } // namespace
 
-/// M = (C + c)^-1 of the free nodes, to single precision.
+/// M = (C + c)^-1 restricted to the active nodes, in single precision.
 class ActiveSystem::Preconditioner {
 public:
   Preconditioner(ActiveSystem& system, std::vector<std::size_t> fixed)
@@ -88,7 +88,8 @@ public:
 
   bool exists() const { return fixed_.empty() || factor_.exists(); }
 
-  /// z = M r, 0 on the fixed nodes; r is 0 there and is used up.
+  /// Computes z = M r, which is 0 on the inactive nodes; r must be 0 there and
+  /// is overwritten.
   void apply(std::vector<double>& r, std::vector<double>& z) const {
     const std::vector<double> ones(r.size(), 1.0);
     const double sum = system_.dot(ones, r);
@@ -116,7 +117,8 @@ public:
   }
 
 private:
-  /// From N c times it = the sum of r and of what holds the fixed nodes.
+  /// The uniform part u of z, from N c u = the sum of r and of the constraint
+  /// values on the inactive nodes.
   double uniform_part(double sum, double held) const {
     const double softness =
         (fixed_.empty() ? 0.0 : areas_.dot(of_areas_)) +
@@ -165,7 +167,7 @@ std::string ActiveSystem::solve(std::span<const std::size_t> free,
     return std::to_string(free.size()) + " of " + std::to_string(nodes) +
            " nodes in contact are too many for an active set";
   std::fill(step.begin(), step.end(), 0.0);
-  if (free.empty()) // under gap control nothing need touch
+  if (free.empty()) // under gap control no node need be in contact
     return {};
   const bool is_solved = is_direct
                              ? solve_directly(free, residual, step)
@@ -222,7 +224,7 @@ bool ActiveSystem::solve_by_fixed(std::span<const std::size_t> free,
     r[node] = -residual[node];
   double before = 0.0;
   for (int i = 0; i < most_refinements; ++i) {
-    if (keeps_load_) { // a uniform part of r changes nothing but rounding
+    if (keeps_load_) { // a uniform part of r adds roundoff only
       double sum = 0.0, total = 0.0;
       for (const std::size_t node : free) {
         sum += weight(node) * r[node];

@@ -1,7 +1,7 @@
 #pragma once
 
-// The linear problem of a fixed set of nodes in contact, solved by a dense
-// factor of the smaller of two matrices.
+// This file solves the linear problem of a fixed set of nodes in contact, by
+// dense factorisation of the smaller of two matrices.
 
 #include "contact/operators/columns.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -12,27 +12,30 @@
 
 namespace asperity::contact {
 
-/// The step d on the free nodes F, 0 on the fixed ones Z, with
+/// Computes the step d on the active nodes F (`free`), with d = 0 on the
+/// inactive nodes Z, from
 ///
 ///     ((C + c) d + v)(x) = -r(x)  on F,
 ///
-/// v uniform such that the mean of d is 0 (prescribed load) or 0 (prescribed
-/// gap). With fewer nodes in F than in Z the weighted C + c of F is factored.
-/// Else, with B = (C + c)^-1 on fields of mean 0, the step is B (mu - r) plus
-/// a uniform part, mu on Z such that d = 0 there: B of Z is factored. B is
-/// known in single precision only, so that is the preconditioner of conjugate
-/// gradients in double precision, some five steps of them.
+/// v is uniform: under a prescribed load it makes the mean of d vanish, under a
+/// prescribed gap it is 0. If F has fewer nodes than Z, the weighted C + c on F
+/// is factorised. Otherwise, with B = (C + c)^-1 on fields of zero mean, the
+/// step is B (mu - r) plus a uniform part, with mu on Z such that d = 0 there,
+/// and B on Z is factorised. Because B is known in single precision only, the
+/// result is used as the preconditioner of conjugate gradients in double
+/// precision, which take about five iterations.
 class ActiveSystem {
 public:
-  /// @param keeps_load  the mean of the step is 0
+  /// @param keeps_load  true if the mean of the step is 0 (prescribed load)
   ActiveSystem(SurfaceOperator& elasticity, double local_compliance,
                bool keeps_load);
 
-  /// @param free       F, increasing
-  /// @param residual   r [m], a value a node of the grid
-  /// @param tolerance  left of r at most in the second way [m] > 0
-  /// @param step       d [Pa], a value a node; overwritten
-  /// @return           empty, or why there is no step
+  /// @param free       F, indices in increasing order
+  /// @param residual   r [m], one value per node of the grid
+  /// @param tolerance  largest residual that the iterative variant leaves
+  ///                   [m] > 0
+  /// @param step       d [Pa], one value per node; overwritten
+  /// @return           an empty string, or why there is no step
   std::string solve(std::span<const std::size_t> free,
                     std::span<const double> residual, double tolerance,
                     std::span<double> step);

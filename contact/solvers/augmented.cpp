@@ -11,8 +11,8 @@ namespace {
 
 constexpr int max_rounds = 200;
 
-/// The softest spring, 1/k over C at half the Nyquist wavevector: a round then
-/// leaves at most a few hundredths of any penetration.
+/// Upper limit of 1/k over C at half the Nyquist wavevector: each outer
+/// iteration then reduces any penetration to a few hundredths.
 constexpr double largest_reduced_compliance = 0.01;
 
 double weighted_mean(std::span<const double> field,
@@ -23,7 +23,7 @@ double weighted_mean(std::span<const double> field,
   return sum / static_cast<double>(field.size());
 }
 
-/// Largest gap in contact and overlap anywhere [m].
+/// Largest gap in contact, or overlap at any node [m].
 double wall_error(const ContactSolution& solution) {
   double error = 0.0;
   for (std::size_t i = 0; i < solution.gap.size(); ++i)
@@ -66,7 +66,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
 
     ContactSolution next =
         solve_contact(elasticity, round, round_target, solution.pressure);
-    // Back to the gap against the surface as it is.
+    // Convert to the gap against the original heights.
     for (std::size_t i = 0; i < heights.size(); ++i)
       next.gap[i] += heights[i] - problem.heights[i];
     next.mean_gap += mean_rise;

@@ -11,9 +11,9 @@
 namespace asperity::contact {
 namespace {
 
-/// The displacement is computed anew when the error has fallen by this since
-/// the last time: changes in single precision have left some 1e-7 of the first
-/// error by then.
+/// The displacement is recomputed when the error has fallen by this factor
+/// since the last time: the accumulated single-precision changes have by then
+/// left an error of about 1e-7 of the first one.
 constexpr double recurrence_range = 1e-4;
 
 struct ResidualSums {

@@ -1,7 +1,8 @@
 #pragma once
 
-// The fields of one contact problem under the preconditioned iteration:
-// pressure and displacement in double precision, what changes them in single.
+// This file contains the fields of one contact problem in the preconditioned
+// iteration: pressure and displacement in double precision, their changes in
+// single precision.
 
 #include "contact/solvers/solver.hpp"
 
@@ -12,44 +13,45 @@
 
 namespace asperity::contact {
 
-/// What the iteration may do with a node.
+/// Changes of pressure that the iteration allows at a node.
 enum Freedom : std::uint8_t {
-  fixed = 0,     ///< no pressure, no overlap
-  gains = 1,     ///< overlaps without pressure: it may gain some
-  may_shift = 2, ///< carries pressure
+  fixed = 0,     ///< inactive: no pressure, no overlap
+  gains = 1,     ///< overlaps without pressure: the pressure may only grow
+  may_shift = 2, ///< carries pressure, which may change in either direction
 };
 
-/// A direction's value at a node as its freedom allows.
+/// Value of a search direction at a node, restricted to the changes allowed.
 inline float allowed(float value, std::uint8_t freedom) {
   const float gain = value < 0.0F ? value : 0.0F;
   const float limited = freedom > gains ? value : gain;
   return freedom > fixed ? limited : 0.0F;
 }
 
-/// Pressure, displacement and residual, kept consistent. Each operation is one
-/// pass over the nodes with all the sums that it can take along.
+/// Pressure, displacement and residual, kept consistent. Each operation is a
+/// single pass over the nodes that also accumulates the sums needed later.
 class ContactState {
 public:
-  /// Checks the arguments and takes the start.
+  /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
   ContactState(SurfaceOperator& elasticity, const ContactProblem& problem,
                const LoadTarget& target,
                std::span<const double> initial_pressure);
 
-  /// Residual, rigid distance, error and kinds of nodes. Computes the
-  /// displacement anew in double precision when the error has fallen so far
-  /// that the single precision of the changes would show, and before the
-  /// tolerance is believed.
+  /// Updates the residual, the separation u, the error and the node classes.
+  /// The displacement is recomputed in double precision when the error has
+  /// fallen so far that the single precision of the changes would matter, and
+  /// before convergence is accepted.
   void update_residual();
 
-  /// p = max(0, p - step * direction), C p to match. Where a pressure was cut
-  /// the load is restored by scaling, at the cost of a transform pair.
+  /// Sets p = max(0, p - step * direction) and updates C p. If a pressure was
+  /// set to 0, C p is corrected and a prescribed load is restored by scaling,
+  /// which costs one application of C.
   /// @param compliance_direction  C direction; overwritten
   void advance(float step, std::span<const float> direction,
                std::span<float> compliance_direction);
 
-  /// Under pressure control the mean of a field over the free nodes: taken
-  /// away from a direction it keeps the load. Else 0.
+  /// Mean of a field over the active nodes under pressure control, otherwise 0.
+  /// Subtracting it from a direction preserves the load.
   float free_mean(std::span<const float> field) const;
 
   struct Slopes {
@@ -62,14 +64,14 @@ public:
     }
   };
 
-  /// r . z, and its part that is new since the last residual; z = field - mean
-  /// as far as the nodes allow.
+  /// Computes r . z and the part of it due to the change of the residual;
+  /// z = field - mean, restricted to the changes allowed.
   Slopes slopes(std::span<const float> field, float mean) const;
 
   bool is_converged() const { return gap_error <= problem.gap_tolerance; }
 
-  /// True at the tolerance, after the iterations allowed, or where an error
-  /// that is not finite leaves nothing to go on from.
+  /// True if the tolerance is met, if the iteration limit is reached, or if the
+  /// error is not finite.
   bool is_at_end() const {
     return is_converged() || !std::isfinite(gap_error) ||
            iterations >= problem.max_iterations;
@@ -79,7 +81,7 @@ public:
     return target.kind == LoadTarget::Kind::nominal_pressure;
   }
 
-  /// The state as the answer; says if it did not converge.
+  /// The state as a solution; its note says if it did not converge.
   ContactSolution solution() &&;
 
   SurfaceOperator& elasticity;
@@ -87,14 +89,14 @@ public:
   LoadTarget target;
   std::vector<double> pressure;      ///< p [Pa]
   std::vector<double> raw_gap;       ///< C p - h [m]
-  std::vector<float> residual;       ///< gap + c p [m] on free nodes, else 0
-  std::vector<std::uint8_t> freedom; ///< of each node
-  double free_weight = 0.0;          ///< of the free nodes
+  std::vector<float> residual;       ///< gap + c p [m] on active nodes, else 0
+  std::vector<std::uint8_t> freedom; ///< Freedom of each node
+  double free_weight = 0.0;          ///< total weight of the active nodes
   double gap_error = 0.0;            ///< [m]
   int iterations = 0;
   int transforms = 0;
   int threads = 1;
-  double freed = 0.0; ///< nodes whose being free has changed, in all
+  double freed = 0.0; ///< cumulative number of changes of the active set
 
 private:
   struct ContactSums {
@@ -114,9 +116,9 @@ private:
 
   double mean_height_ = 0.0;
   double rigid_distance_ = 0.0; ///< u [m]
-  double computed_error_ = 0.0; ///< gap_error when C p was last computed
-  bool is_computed_ = false;    ///< the raw gap holds no recurrence
-  ContactSums contact_sums_;    ///< of raw_gap + c p where p > 0
+  double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
+  bool is_computed_ = false;    ///< C p was recomputed, not updated
+  ContactSums contact_sums_;    ///< sums of raw_gap + c p where p > 0
   std::vector<float> previous_residual_;
 };
 

@@ -12,16 +12,16 @@
 namespace asperity::contact {
 namespace {
 
-/// Tolerance of a coarse-to-fine start, relative to the rms height: finer
-/// gains no iteration on the fine grid.
+/// Tolerance of a coarse-to-fine initial guess, relative to the rms height: a
+/// smaller one saves no iteration on the fine grid.
 constexpr double coarse_accuracy = 1e-3;
 
-/// How far, in steps between the last two loads, their line is trusted.
+/// Longest extrapolation, in units of the last load increment.
 constexpr double longest_extrapolation = 2.5;
 
-/// A soft spring is pressed in far deeper than the heights are high, and the
-/// gap is then known to the rounding of that depth only, and of a sum over N
-/// nearly equal depths, whose roundings are alike and add up.
+/// With a soft penalty the penetration is far larger than the heights, and the
+/// gap is known only to the roundoff of that penetration and of a sum over N
+/// nearly equal values, whose roundoff errors are alike and add up.
 double reachable_tolerance(double gap_tolerance, const LoadTarget& target,
                            double local_compliance, std::size_t nodes) {
   const double rounding = (8.0 + 0.125 * static_cast<double>(nodes)) *
@@ -78,7 +78,7 @@ ContactSolution LoadSequence::solve(const LoadTarget& target) {
   return solution;
 }
 
-/// Kind of load, then amount and pressure of each step.
+/// The layout is: kind of load, then amount and pressure of each step.
 std::vector<double> LoadSequence::memory() const {
   std::vector<double> memory;
   for (const Step& step : history_) {

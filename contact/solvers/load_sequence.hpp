@@ -1,7 +1,8 @@
 #pragma once
 
-// A load program on one surface: contact laws, where each step starts from,
-// and the step itself. Owns the memory of earlier steps.
+// This file computes a loading path on one surface: it contains the contact
+// laws, the initial guess of each step, its solution and the saved state of
+// earlier steps.
 
 #include "contact/solvers/solver.hpp"
 
@@ -10,35 +11,35 @@
 
 namespace asperity::contact {
 
-/// The law of the interface; all but the penalty end at the hard wall.
+/// Contact law. All laws except `penalty` end at hard contact.
 enum class Law {
   penalty,   ///< p = k * penetration
-  hard,      ///< complementarity
+  hard,      ///< unilateral contact, complementarity conditions
   augmented, ///< penalty, its multiplier updated until nothing penetrates
 };
 
 struct Interface {
   Law law = Law::hard;
-  double penalty = 0.0; ///< k [Pa/m] > 0; not read by the hard wall
+  double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
 };
 
-/// Solves one load step after another, each started from what is known:
+/// Solves one load step after another. The initial guess of a step is
 ///
-/// - two earlier steps: their line, continued to the new load and cut at 0;
-/// - one, or a load too far away: the coarse-to-fine start below, else the
-///   last step scaled;
-/// - none: the problem on every second node (recursively), to 1e-3 of the rms
-///   height, interpolated.
+/// - after two earlier steps: their linear extrapolation to the new load, cut
+///   off at 0;
+/// - after one step, or for a load too far away: the coarse-to-fine guess
+///   below, or the last step, scaled, if there is no coarse operator;
+/// - for the first step: the problem on every second node (recursively), solved
+///   to 1e-3 of the rms height and interpolated.
 ///
-/// The start changes how many iterations a step takes, not its answer.
+/// The initial guess affects the number of iterations, not the solution.
 class LoadSequence {
 public:
-  /// @param elasticity     taken over; its scratch is used
+  /// @param elasticity     C; owned by this object, its scratch is used
   /// @param heights        h [m], grid.size() values
-  /// @param gap_tolerance  [m] > 0, see ContactProblem; no less than the
-  /// rounding
-  ///                       of the depth c p_0 that a soft penalty is pressed
-  ///                       in, (8 + N/8) eps of it on N nodes
+  /// @param gap_tolerance  [m] > 0, see ContactProblem; for a soft penalty
+  ///                       it is raised to the roundoff (8 + N/8) eps of the
+  ///                       penetration c p_0, on N nodes
   /// @throws std::domain_error  a size or a number is outside its range
   LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
                std::vector<double> heights, const Interface& interface,
@@ -46,16 +47,17 @@ public:
 
   ContactSolution solve(const LoadTarget& target);
 
-  /// The last steps as numbers, from which another process goes on as this one
-  /// would; empty before the first.
+  /// The saved state of the last steps as numbers, from which another process
+  /// can continue with identical results; empty before the first step.
   std::vector<double> memory() const;
 
-  /// @param memory  of a sequence on an equal grid
-  /// @throws std::domain_error  it is none
+  /// Restores the state saved by memory().
+  /// @param memory  from a sequence on an equal grid
+  /// @throws std::domain_error  its size or a value is invalid
   void recall(std::span<const double> memory);
 
-  /// Penalty compliance 1/k [m/Pa] that the solution's gap in contact shows;
-  /// 0 for laws that end at the hard wall.
+  /// Penalty compliance 1/k [m/Pa], which determines the penetration in the
+  /// solution; 0 for laws that end at hard contact.
   double local_compliance() const;
 
 private:
@@ -76,20 +78,21 @@ private:
   std::vector<Step> history_; ///< the last two steps, oldest first
 };
 
-/// The pressure of the same problem on every second node, solved to
-/// `coarse_tolerance` [m] and interpolated bilinearly; empty where the
-/// operator has no coarse form or the coarse residual is not finite.
+/// Pressure of the same problem on every second node, solved to
+/// `coarse_tolerance` [m] and interpolated bilinearly; empty if the operator
+/// has no coarse version or if the coarse residual is not finite.
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
                                  const ContactProblem& problem,
                                  const LoadTarget& target,
                                  double coarse_tolerance);
 
-/// The hard wall by augmented Lagrangian: penalty problems on heights raised
-/// by lambda/k, lambda = the pressure of the last one, until no node
-/// penetrates by more than problem.gap_tolerance. problem.local_compliance
-/// is 1/k > 0; each round shrinks a wave's penetration by 1/(1 + k C(q)). The
-/// answer does not depend on k, so a spring too soft to get there is replaced
-/// by a stiffer one.
+/// Hard contact by the augmented Lagrangian method: penalty problems on heights
+/// raised by lambda/k, where lambda is the pressure of the previous problem,
+/// until no node penetrates by more than problem.gap_tolerance.
+/// problem.local_compliance is 1/k > 0. Each outer iteration reduces the
+/// penetration of a Fourier mode by the factor 1/(1 + k C(q)). The solution
+/// does not depend on k, so a penalty too small to converge is replaced by a
+/// larger one.
 ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const ContactProblem& problem,
                                 const LoadTarget& target,

@@ -8,14 +8,14 @@ namespace {
 
 constexpr int word_bits = 64;
 
-/// Bit k of the answer: whether byte k of eight is not 0.
+/// Bit k of the result tells whether byte k of the eight flags is not 0.
 std::uint64_t packed(const std::uint8_t* flags) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, flags, 8);
   bytes |= bytes >> 4 & 0x0f0f0f0f0f0f0f0fU;
   bytes |= bytes >> 2 & 0x0303030303030303U;
   bytes |= bytes >> 1;
-  // The product brings bit 8 k to bit 56 + k without a carry.
+  // The product moves bit 8 k to bit 56 + k without a carry.
   return (bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Sets of the nodes of a periodic grid, a bit a node: neighbours of 64 nodes at
-// a time.
+// This file represents sets of nodes of a periodic grid with one bit per node,
+// with neighbour queries for 64 nodes at a time.
 
 #include "base/grid.hpp"
 
@@ -20,27 +20,28 @@ public:
 
   int words_a_row() const { return words_; }
 
-  /// The nodes 64 * word + 0..63 of a row, the first in the lowest bit; bits
-  /// past the end of the row are 0 and must stay so.
+  /// Nodes 64 * word + 0..63 of a row, the first one in the lowest bit; bits
+  /// past the end of the row must remain 0.
   Word& at(int iy, int word) { return bits_[index(iy, word)]; }
 
   Word at(int iy, int word) const { return bits_[index(iy, word)]; }
 
-  /// The bits of a word that are nodes.
+  /// Mask of the bits of a word that represent nodes.
   Word valid(int word) const {
     return word + 1 == words_ ? last_valid_ : ~Word{};
   }
 
-  /// The bits of a word whose nodes lie at the border of the grid's storage:
-  /// their neighbours are not where those of the others are.
+  /// Mask of the nodes of a word on the border of the grid's storage, whose
+  /// neighbours have other index offsets because of periodicity.
   Word border(int iy, int word) const;
 
-  /// Takes a row from flags, 0 or not.
+  /// Sets a row from flags, which are 0 or non-zero.
   /// @param flags  grid.points_x values
   void assign_row(int iy, std::span<const std::uint8_t> flags);
 
-  /// Whether the eight neighbours of each node are in the set: the four beside
-  /// it, then the four across. Bits past the end of the row mean nothing.
+  /// Membership of the eight neighbours of each node: first the four nearest
+  /// ones, then the four diagonal ones. Bits past the end of the row have no
+  /// meaning.
   std::array<Word, 8> neighbours(int iy, int word) const;
 
 private:
@@ -53,7 +54,7 @@ private:
            static_cast<std::size_t>(word);
   }
 
-  /// A word of a row, and its nodes' neighbours in that row.
+  /// A word of a row and the neighbours of its nodes in the same row.
   Row row(int iy, int word) const;
 
   int width_, height_, words_;

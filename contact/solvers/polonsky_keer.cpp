@@ -6,7 +6,7 @@
 namespace asperity::contact {
 namespace {
 
-/// Lets overlapping nodes enter the contact with -step * residual; true if
+/// Adds overlapping nodes to the contact with -step * residual; returns true if
 /// there are any.
 bool admit_overlaps(const ProjectedState& state,
                     std::vector<double>& direction) {
@@ -36,7 +36,7 @@ ContactSolution polonsky_keer(SurfaceOperator& elasticity,
   std::vector<double> r(nodes);
   std::vector<double> direction(nodes, 0.0);
   std::vector<double> compliance_direction(nodes);
-  double before = 0.0; // <r, r> of the last iteration; 0 restarts
+  double before = 0.0; // <r, r> of the last iteration; 0 means restart
   for (;; ++state.iterations) {
     state.update_residual();
     if (state.is_at_end())
@@ -53,14 +53,14 @@ ContactSolution polonsky_keer(SurfaceOperator& elasticity,
         state.dot(direction, compliance_direction) +
         problem.local_compliance * state.dot(direction, direction);
     const double slope = state.dot(r, direction);
-    // A lone node in balance has no direction of its own; overlaps then enter
-    // with the step that a wave of the grid's own scale would take.
+    // A single node in equilibrium has no search direction; overlapping nodes
+    // then enter with a step that suits a wavelength on the scale of the grid.
     const double step = curvature > 0.0
                             ? slope / curvature
                             : 1.0 / (elasticity.short_wave_compliance() +
                                      problem.local_compliance);
     const bool has_entered = admit_overlaps(state, direction);
-    if (has_entered) // its compliance is not known for the new nodes
+    if (has_entered) // C direction does not include the new nodes
       state.advance(step, direction, {});
     else
       state.advance(step, direction, compliance_direction);

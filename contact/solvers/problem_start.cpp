@@ -49,9 +49,10 @@ double weighted_sum(std::span<const double> weights,
   });
 }
 
-/// Without a pressure no node overlaps at the mean gap that is asked: that is
-/// the answer. A flat face has no other start, since a uniform pressure moves
-/// nothing there that could tell how large it is.
+/// True if no node overlaps at the prescribed mean gap without pressure, which
+/// is then the solution. For a flat surface this is the only possible start:
+/// the residual of a uniform pressure is uniform and does not determine its
+/// magnitude.
 bool is_apart(std::span<const double> heights, std::span<const double> weights,
               const LoadTarget& target) {
   if (target.kind != LoadTarget::Kind::mean_gap)
@@ -74,7 +75,8 @@ starting_pressure(const SurfaceOperator& elasticity,
     return std::vector<double>(nodes, 0.0);
   std::vector<double> pressure;
   if (initial_pressure.empty()) {
-    // Under gap control any positive scale will do: the first step corrects.
+    // Under gap control any positive scale will do: the first iteration
+    // corrects it.
     const double start =
         target.kind == LoadTarget::Kind::nominal_pressure
             ? target.amount

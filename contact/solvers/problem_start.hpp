@@ -1,6 +1,7 @@
 #pragma once
 
-// What every solver does before its first iteration and says after its last.
+// This file contains the steps that all contact solvers share before the first
+// and after the last iteration.
 
 #include "contact/solvers/solver.hpp"
 
@@ -11,26 +12,27 @@
 namespace asperity::contact {
 
 /// Checks the arguments of solve_contact.
-/// @return  the pressure it starts from [Pa], at the target's load
+/// @return  the initial pressure [Pa], at the load of the target
 /// @throws std::domain_error  see solve_contact
 std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const ContactProblem& problem,
                                       const LoadTarget& target,
                                       std::span<const double> initial_pressure);
 
-/// What a pressure with this (weighted) sum over the nodes is multiplied by to
-/// bear the prescribed load. NaN where that is no number of full precision:
-/// the sum is 0, not finite or out of all proportion to the load.
+/// Factor that scales a pressure with this (weighted) sum over the nodes to the
+/// prescribed load. It is NaN if it cannot be computed to full precision: the
+/// sum is 0, not finite, or out of proportion to the load.
 double load_scale(const LoadTarget& target, std::size_t nodes,
                   double pressure_sum);
 
-/// Scales to the mean pressure of the target, if that is what it asks. Where no
-/// node carries a load, the pressure is NaN afterwards, and so is its residual.
-/// @param threads  >= 1; their number changes no bit
+/// Scales the pressure to the mean pressure of the target, if the target
+/// prescribes one. If no node carries a load, the pressure, and hence its
+/// residual, becomes NaN.
+/// @param threads  >= 1; the result does not depend on it
 void scale_to_target(const LoadTarget& target, std::span<const double> weights,
                      std::span<double> pressure, int threads = 1);
 
-/// Why iterations that ended with this error [m] are not converged.
+/// Why an iteration that ended with this error [m] has not converged.
 std::string not_converged_note(double gap_error, int iterations);
 
 } // namespace asperity::contact

@@ -20,8 +20,8 @@ int turns_of(const Grid& grid) {
   return (grid.points_y + rows_a_turn - 1) / rows_a_turn;
 }
 
-/// Calls do_word(turn, iy, word) for each word of the grid's bits, the rows of
-/// a turn on one thread.
+/// Calls do_word(turn, iy, word) for each word of the bit field; one thread
+/// processes the rows of one turn.
 template <class DoWord>
 void each_word(const Grid& grid, const NodeBits& bits, int threads,
                const DoWord& do_word) {
@@ -33,14 +33,14 @@ void each_word(const Grid& grid, const NodeBits& bits, int threads,
   });
 }
 
-/// Calls found(bit) for each bit that is set, the lowest first.
+/// Calls found(bit) for each bit that is set, from the lowest to the highest.
 template <class Found>
 void each_bit(NodeBits::Word bits, const Found& found) {
   for (; bits != 0; bits &= bits - 1)
     found(std::countr_zero(bits));
 }
 
-/// 1 / sum of w over the neighbours of a bit's node, 0 if there are none.
+/// 1 / sum of w over the neighbours of the node of a bit, 0 if there are none.
 float share_of(const std::array<NodeBits::Word, 8>& neighbours, int bit) {
   NodeBits::Word beside = 0, diagonal = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -58,7 +58,7 @@ RimExtension::RimExtension(const Grid& grid, int threads)
     : grid_(grid), threads_(threads), rings_(layers + 1) {}
 
 void RimExtension::build(std::span<const std::uint8_t> is_free) {
-  work_.resize(grid_.size()); // all 0 between uses
+  work_.resize(grid_.size()); // all 0 between calls
   NodeBits seen(grid_), before(grid_), ring(grid_);
   const auto width = static_cast<std::size_t>(grid_.points_x);
   parallel_rows(turns_of(grid_), threads_, [&](int turn) {
@@ -67,7 +67,7 @@ void RimExtension::build(std::span<const std::uint8_t> is_free) {
       seen.assign_row(iy, is_free.subspan(grid_.index(0, iy), width));
   });
 
-  // Ring 0: free nodes beside others.
+  // Ring 0: active nodes with an inactive neighbour.
   each_word(grid_, seen, threads_, [&](std::size_t, int iy, int word) {
     const NodeBits::Word own = seen.at(iy, word);
     if (own == 0)
@@ -104,7 +104,7 @@ void RimExtension::collect(const NodeBits& members, const NodeBits& before,
   };
 
   const auto turns = static_cast<std::size_t>(turns_of(grid_));
-  std::vector<Place> places(turns + 1); // counts, then where a turn begins
+  std::vector<Place> places(turns + 1); // counts, later the start of each turn
   each_word(grid_, members, threads_, [&](std::size_t turn, int iy, int word) {
     const NodeBits::Word bits = members.at(iy, word);
     const NodeBits::Word border = bits & members.border(iy, word);

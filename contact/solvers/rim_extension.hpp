@@ -1,7 +1,8 @@
 #pragma once
 
-// Continues a residual from the free nodes over the rim of the contact, and
-// brings the answer back: what makes the masked preconditioner a good one.
+// This file extends a residual from the active nodes across the contact
+// boundary, and applies the transpose to the result, which makes the masked
+// preconditioner efficient.
 
 #include "base/grid.hpp"
 
@@ -13,58 +14,62 @@ namespace asperity::contact {
 
 class NodeBits;
 
-/// The linear map E of a residual on the free nodes to a field on the grid:
-/// itself where free, and on each of the `layers` next rings of nodes
+/// The linear map E from a residual on the active nodes to a field on the grid.
+/// It is the identity on the active nodes; on each of the `layers` next rings
+/// of nodes around them it is
 ///
 ///     e_i = reach * sum_j w_ij e_j / sum_j w_ij                        (R.1)
 ///
-/// over the neighbours j of the ring before, w = 1 beside and 1/2 across.
+/// over the neighbours j in the previous ring, w = 1 for nearest neighbours and
+/// 1/2 for diagonal ones.
 ///
-/// Why: the inverse of C on the free nodes takes the cheapest continuation of
-/// the residual, while F^-1 C^-1 F takes the one by 0, whose jump at the rim
-/// costs energy that grows with the logarithm of contact size over spacing.
-/// E^T C^-1 E takes one that falls off over a few nodes.
+/// Reason: the inverse of C on the active nodes corresponds to the continuation
+/// of the residual with the least energy. F^-1 C^-1 F corresponds to the
+/// continuation by 0, whose jump at the contact boundary has an energy that
+/// grows with the logarithm of contact size over grid spacing. E^T C^-1 E
+/// corresponds to one that decays over a few nodes.
 class RimExtension {
 public:
   static constexpr int layers = 3;
 
   RimExtension(const Grid& grid, int threads);
 
-  /// Finds the rings around the nodes with is_free[i] > 0.
+  /// Finds the rings around the active nodes, those with is_free[i] > 0.
   void build(std::span<const std::uint8_t> is_free);
 
-  /// Free nodes that touch others, when the rings were found.
+  /// Number of active nodes at the contact boundary when the rings were built.
   std::size_t size() const { return rings_[0].nodes.size(); }
 
   bool is_built() const { return is_built_; }
 
-  /// field = E field. A ring's node that has become free since build() keeps
-  /// its value.
-  /// @param field  0 off the free nodes
+  /// field = E field. A node of a ring that has become active since build()
+  /// keeps its value.
+  /// @param field  0 at the inactive nodes
   void extend(double reach, std::span<const std::uint8_t> is_free,
               std::span<float> field);
 
-  /// Sets the rings to 0 again.
+  /// Sets the field on the rings to 0.
   void clear(std::span<const std::uint8_t> is_free,
              std::span<float> field) const;
 
-  /// field = E^T field on the free nodes; elsewhere it means nothing.
+  /// field = E^T field on the active nodes; elsewhere the result has no
+  /// meaning.
   void fold(double reach, std::span<const std::uint8_t> is_free,
             std::span<float> field);
 
 private:
   struct Ring {
-    std::vector<std::uint32_t> nodes; ///< inside the grid's border rows first
-    std::size_t n_inside = 0;
-    std::vector<float> share; ///< 1 / sum of w over the ring before
+    std::vector<std::uint32_t> nodes; ///< those off the grid border first
+    std::size_t n_inside = 0;         ///< number of those off the border
+    std::vector<float> share;         ///< 1 / sum of w over the previous ring
   };
 
-  /// The ring of these nodes, `before` the members of the ring before.
+  /// Builds the ring of `members`; `before` are the nodes of the previous ring.
   void collect(const NodeBits& members, const NodeBits& before,
                Ring& kept) const;
   void clear_work();
 
-  /// Sum of w field over the eight neighbours of the ring's node k.
+  /// Sum of w field over the eight neighbours of node k of the ring.
   float around(const Ring& ring, std::size_t k, const float* field) const;
   template <class DoNodes>
   void each_chunk(const Ring& ring, const DoNodes& do_nodes) const;
@@ -72,9 +77,9 @@ private:
   Grid grid_;
   int threads_;
   bool is_built_ = false;
-  std::vector<Ring> rings_; ///< 0: the free nodes that touch ring 1
+  std::vector<Ring> rings_; ///< 0: the active nodes adjacent to ring 1
   std::vector<float> values_;
-  std::vector<float> work_; ///< what the rings done pass on; else 0
+  std::vector<float> work_; ///< shares of the completed rings; otherwise 0
 };
 
 } // namespace asperity::contact

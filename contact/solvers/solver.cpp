@@ -14,19 +14,21 @@
 namespace asperity::contact {
 namespace {
 
-/// The residual must halve within so many iterations, or an active set
-/// takes over. Only plates with a free back thinner than length/20, whose
-/// compliance falls like q^-4, have been seen to need more than 60.
+/// The residual must halve within this number of iterations, otherwise the
+/// active-set method takes over. Only plates thinner than length/20 with a
+/// traction-free far boundary, whose compliance falls like q^-4, have been
+/// observed to need more than 60.
 constexpr int patience = 150;
 
-/// How much of a residual the next ring of nodes takes over, see RimExtension.
+/// Fraction of a residual that the next ring of nodes takes over, see
+/// RimExtension.
 constexpr double rim_reach = 0.65;
 
-/// The rings are found anew when so many nodes have been freed or fixed since,
-/// relative to those at the rim.
+/// The rings are rebuilt when this many nodes, relative to the number at the
+/// contact boundary, have changed between active and inactive.
 constexpr double rim_change = 0.05;
 
-/// Says when an error has stopped falling.
+/// Stagnation criterion: tells when an error has stopped falling.
 class StallWatch {
 public:
   bool is_stalled(double error, int iteration) {
@@ -51,7 +53,7 @@ public:
         direction_(state.pressure.size()),
         compliance_direction_(state.pressure.size()) {}
 
-  /// One iteration. False if there is no way down from here.
+  /// Makes one iteration. Returns false if there is no descent direction.
   bool step(ContactState& state) {
     precondition(state);
     if (!state.by_pressure())
@@ -72,7 +74,7 @@ public:
   }
 
 private:
-  /// z = E^T (C + c)^-1 E r on the free nodes.
+  /// z = E^T (C + c)^-1 E r on the active nodes.
   void precondition(ContactState& state) {
     const double c = state.problem.local_compliance;
     if (!rim_.is_built() || state.freed - freed_at_build_ >
@@ -80,7 +82,7 @@ private:
       rim_.build(state.freedom);
       freed_at_build_ = state.freed;
     }
-    // A soft penalty is local: it couples no node to its neighbours.
+    // A soft penalty acts locally and does not couple neighbouring nodes.
     const double short_wave = state.elasticity.short_wave_compliance();
     const double reach = rim_reach * short_wave / (short_wave + c);
     rim_.extend(reach, state.freedom, state.residual);
@@ -90,10 +92,11 @@ private:
     ++state.transforms;
   }
 
-  /// Under gap control the load itself is unknown, and near full contact a
-  /// uniform pressure costs next to nothing. There the mean of z is replaced
-  /// by the exact minimum along it, <1, r> / <1, (C + c) 1> over the free
-  /// nodes. With few of them free it only costs a transform.
+  /// Under gap control the load is unknown, and near full contact a uniform
+  /// pressure changes the energy very little. The mean of z is then replaced by
+  /// the exact minimiser along it, <1, r> / <1, (C + c) 1> over the active
+  /// nodes. If few nodes are active, this would only cost a transform and is
+  /// omitted.
   void correct_load(ContactState& state) {
     const std::size_t nodes = preconditioned_.size();
     const double n_free = state.free_weight;
@@ -116,7 +119,7 @@ private:
       });
     };
     const double softness = sum(softened) + c * n_free;
-    // In full contact against a hard wall there is no curvature at all.
+    // In full hard contact the curvature vanishes.
     if (softness <= 1e-6 * n_free * state.elasticity.short_wave_compliance())
       return;
     const double shift =
@@ -125,8 +128,8 @@ private:
       preconditioned_[i] += static_cast<float>(shift) * uniform[i];
   }
 
-  /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns
-  /// the slope r . direction.
+  /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns the
+  /// slope r . direction.
   double conjugate(const ContactState& state) {
     const float mean = state.free_mean(preconditioned_);
     const ContactState::Slopes slopes = state.slopes(preconditioned_, mean);
@@ -157,7 +160,7 @@ private:
         });
     if (slope.value > 0.0)
       return slope.value;
-    for (std::size_t i = 0; i < direction_.size(); ++i) // start afresh
+    for (std::size_t i = 0; i < direction_.size(); ++i) // restart
       direction_[i] = allowed(z[i] - mean, free[i]);
     return slopes.now;
   }

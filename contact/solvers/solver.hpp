@@ -1,7 +1,8 @@
 #pragma once
 
-// Elastic face against a rigid obstacle: the complementarity problem, its
-// answer, and the preconditioned solver that every elastic method uses.
+// This file declares the contact of an elastic surface and a rigid
+// counter-surface: the complementarity problem, its solution, and the
+// preconditioned solver that all elastic models use.
 
 #include "contact/operators/surface_operator.hpp"
 
@@ -11,23 +12,24 @@
 
 namespace asperity::contact {
 
-/// Find the pressure p and the rigid distance u with
+/// Find the pressure p and the separation u with
 ///
 ///     gap = u + (C p)(x) - h(x)
 ///     p >= 0,  gap + c p >= 0,  p (gap + c p) = 0     at every node
 ///
 /// c = 1/k is the compliance of a linear penalty (p = k times penetration);
-/// c = 0 is the hard wall.
+/// c = 0 is hard contact.
 struct ContactProblem {
   std::span<const double> heights; ///< h [m], grid.size() values
   double local_compliance = 0.0;   ///< c = 1/k [m/Pa] >= 0
-  /// Largest gap in contact and largest overlap outside it that is accepted
-  /// [m] > 0. The work p |gap| left over is then below p_0 times this.
+  /// Largest accepted gap at nodes in contact and largest accepted overlap
+  /// outside the contact [m] > 0. The remaining work p |gap| is then below p_0
+  /// times this value.
   double gap_tolerance = 0.0;
   int max_iterations = 2000;
 };
 
-/// What is prescribed: the mean of p [Pa] > 0, or of the gap [m].
+/// The prescribed quantity: the mean of p [Pa] > 0, or the mean gap [m].
 struct LoadTarget {
   enum class Kind { nominal_pressure, mean_gap } kind = Kind::nominal_pressure;
   double amount = 0.0;
@@ -40,40 +42,46 @@ struct ContactSolution {
   double nominal_pressure = 0.0;    ///< mean of p [Pa]
   double mean_gap = 0.0;            ///< mean of the gap [m]
   double gap_error = 0.0; ///< largest violation, see gap_tolerance [m]
-  int iterations = 0;     ///< of the solver on this grid
+  int iterations = 0;     ///< iterations on this grid
   int transforms = 0;     ///< applications of C or its inverse on this grid
   bool converged = false;
-  std::string note; ///< what went otherwise than usual; empty if nothing
+  std::string note; ///< describes unusual events; empty if there were none
 };
 
-/// Projected preconditioned conjugate gradients on the free nodes, which are
-/// those in contact and those that overlap. One iteration: residual gap r on
-/// the free nodes, continued over the rim (RimExtension), direction from
-/// (C + c)^-1 masked to them, folded back the same way, Polak-Ribiere
-/// conjugation, exact step, pressures cut at 0. Nodes that overlap enter with
-/// what the direction gives them, so no scale for their entry is guessed.
+/// Projected preconditioned conjugate gradients on the active nodes, which are
+/// those in contact and those that overlap. Each iteration takes the residual
+/// gap r on the active nodes, extends it across the contact boundary
+/// (RimExtension), applies (C + c)^-1, restricts the result to the active nodes
+/// by the transpose of the extension, conjugates it (Polak-Ribiere), makes an
+/// exact line search and sets negative pressures to 0. Overlapping nodes enter
+/// with the value of the search direction, so no scale for their pressure has
+/// to be guessed.
 ///
-/// A residual that has not halved within 150 iterations sends the problem to
-/// active_set(), and if that has too many nodes to polonsky_keer(), from where
-/// the iteration stood; the note says so. A slab thinner than length/20 with a
-/// free back bends like a plate and may need it.
+/// If the residual has not halved within 150 iterations, or if there is no
+/// descent direction, the problem is passed with its current pressure to
+/// active_set(), and to polonsky_keer() if that does not converge, for example
+/// because there are too many nodes; the note reports this. A slab thinner than
+/// length/20 with a traction-free far boundary bends like a plate and may need
+/// it.
 ///
 /// @param elasticity       C; its scratch is used
-/// @param initial_pressure start [Pa], grid.size() values >= 0 with a positive
-///                         one, or empty for a uniform pressure
-/// @throws std::domain_error  a size or a number is outside its range; a mean
-///         gap is asked that a hard wall does not allow (<= 0)
-/// @par Accuracy  The discrete problem to gap_tolerance; mean pressure (or
-///            gap) to rounding.
-/// @see  I. A. Polonsky, L. M. Keer, Wear 231, 206 (1999) for the plain
-///       method; preconditioner and free set are ours (docs/solver.md).
+/// @param initial_pressure initial guess [Pa], grid.size() values >= 0 with at
+///                         least one positive, or empty for a uniform pressure
+/// @throws std::domain_error  a size or a number is outside its range; the
+///         prescribed mean gap is impossible in hard contact (<= 0)
+/// @par Accuracy  The discrete problem is solved to gap_tolerance; the mean
+///            pressure (or gap) is exact to roundoff.
+/// @see  I. A. Polonsky, L. M. Keer, Wear 231, 206 (1999) for the
+///       unpreconditioned method; the preconditioner and the active set are
+///       described in docs/solver.md.
 ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
                               const LoadTarget& target,
                               std::span<const double> initial_pressure = {});
 
-/// The judge: conjugate gradients of Polonsky and Keer, no preconditioner.
-/// Same arguments and answer. Slow, and it always ends.
+/// The reference solver: the conjugate gradients of Polonsky and Keer without a
+/// preconditioner. It has the arguments and the return value of solve_contact.
+/// It is slow, but it always terminates.
 ContactSolution polonsky_keer(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
                               const LoadTarget& target,
