@@ -11,10 +11,10 @@
 namespace asperity::surfaces {
 namespace {
 
-constexpr double nyquist_rounding =
-    1e-9; // of a wave that ends at the limit itself
+/// Relative tolerance for a mode exactly at the limit.
+constexpr double nyquist_rounding = 1e-9;
 
-/// s^2 of lines of these means [m^2].
+/// s^2 of lines with these mean heights [m^2], see line_offset_ratio.
 double mean_square_offset(const std::vector<double>& means, std::size_t step) {
   if (means.size() <= 2 * step)
     return not_a_number;

@@ -38,7 +38,8 @@ Grid square_grid(const SurfaceSpec& surface) {
   return {points, points, length, length};
 }
 
-/// The wavevector, or the lower one that it undercuts by a rounding in print.
+/// The wavevector, or `lower` if it falls below that by no more than the
+/// rounding of a printed number.
 double not_below(double wavevector, double lower) {
   const bool is_meant_equal =
       wavevector < lower && wavevector >= lower * (1.0 - printed_rounding);
@@ -59,7 +60,8 @@ IsotropicSpectrum self_affine_spectrum(const SurfaceSpec& surface) {
       .isotropic();
 }
 
-/// The table, C multiplied by a constant where an rms is asked for.
+/// The tabulated spectrum, with C multiplied by a constant if the case
+/// prescribes an rms value.
 IsotropicSpectrum table_spectrum(const SurfaceSpec& surface) {
   IsotropicSpectrum spectrum =
       read_tabulated_spectrum(surface.file).isotropic();
@@ -76,8 +78,10 @@ IsotropicSpectrum table_spectrum(const SurfaceSpec& surface) {
   return spectrum;
 }
 
-/// @param points_name  whose number of points it is
-/// @param highest      of the waves [rad/m], called highest_name
+/// Checks that the grid resolves all modes of the surface.
+/// @param points_name  name of the number of points, for the message
+/// @param highest      highest wavevector of the modes [rad/m]
+/// @param highest_name its name, for the message
 void require_points(const SurfaceSpec& surface, const char* points_name,
                     const Grid& grid, const std::string& highest_name,
                     double highest) {
@@ -99,7 +103,8 @@ std::string band_end_name(const SurfaceSpec& surface) {
              : std::string("surface.wavevector_high");
 }
 
-/// To the rms the case asks for; the spectrum has it already.
+/// Factor that scales the map to the rms value of the case, which the spectrum
+/// already has.
 double rescaling(const HeightMap& map, const SurfaceSpec& surface,
                  const IsotropicSpectrum& spectrum) {
   const Statistics found = statistics(map);
@@ -126,8 +131,8 @@ HeightMap random_surface(const SurfaceSpec& surface, int realization) {
   return map;
 }
 
-/// The spectrum up to a wavevector within its band; its moments stay those of
-/// the whole.
+/// The spectrum up to a wavevector within its band; its moments remain those of
+/// the whole spectrum.
 IsotropicSpectrum cut(IsotropicSpectrum spectrum, double highest) {
   std::erase_if(spectrum.kinks, [&](double kink) { return kink >= highest; });
   spectrum.kinks.push_back(highest);
@@ -154,7 +159,8 @@ HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
 
   HeightMap map = realize(kept, grid, key, surface.amplitudes);
   if (surface.rescale) {
-    // Of the modes alone, so that any grid which carries them will do.
+    // The factor depends on the modes only, so any grid that resolves them can
+    // be used.
     const int points = points_needed(whole.wavevector_high(), grid.length_x);
     const Grid enough{points, points, grid.length_x, grid.length_y};
     multiply(map, rescaling(realize(whole, enough, key, surface.amplitudes),
@@ -174,7 +180,7 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
     map = low_passed(map, *highest);
   const double rms_height = statistics(map).rms_height;
   Resampled resampled = resample(map, grid);
-  constexpr double rounding = 1e-20; // of the squares of two transforms
+  constexpr double rounding = 1e-20; // roundoff of two transforms, squared
   if (resampled.dropped > rounding * rms_height * rms_height)
     throw cases::CaseError(fmt::format(
         "a grid of {} by {} points is too coarse for the {} by {} of {}: waves "

@@ -24,7 +24,7 @@ double largest_magnitude(const HeightMap& map) {
   return largest;
 }
 
-/// Slopes by differences of neighbours inside the map: it need not be periodic.
+/// Uses differences of neighbours inside the map, which need not be periodic.
 MapRoughness rms_height_and_slope(const HeightMap& map) {
   const Grid& grid = map.grid;
   const auto mean_square = [&](int step_x, int step_y, double distance) {

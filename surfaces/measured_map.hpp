@@ -1,31 +1,34 @@
 #pragma once
 
-// A measured map between its file and the surface that is pressed. Owns its
-// refusal where nothing is left of it, and what [surface] edges does to it.
+// This file prepares a measured map for the contact problem: levelling,
+// rejection of flat maps, and the effect of the edge treatment
+// ([surface] edges).
 
 #include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {
 
-/// The map of the case, levelled. What levelling leaves of a perfect plane is
-/// the rounding of its heights, some eps of the largest, and no roughness.
+/// The map of the case after levelling. A map that was a perfect plane is
+/// considered flat: levelling leaves only the roundoff of its heights, a few
+/// eps of the largest.
 /// @throws cases::CaseError  the file is not a map, or the map is flat
 HeightMap levelled_map(const cases::SurfaceSpec& surface);
 
-/// Of a map that need not be periodic: the slope is that of differences of
-/// neighbours inside it, in both directions.
+/// Roughness of a map that need not be periodic: the slope is computed from
+/// differences of neighbours inside the map, in both directions.
 struct MapRoughness {
   double rms_height = 0.0; ///< [m]
   double rms_slope = 0.0;  ///< [1]
 };
 
-/// What [surface] edges makes of a measured map.
+/// Effect of [surface] edges on a measured map.
 struct EdgeEffect {
-  MapRoughness measured; ///< levelled, before
-  MapRoughness pressed;  ///< after
+  MapRoughness measured; ///< levelled map, before the edge treatment
+  MapRoughness pressed;  ///< map used in the contact problem, after it
 };
 
+/// Computes the roughness before and after the edge treatment.
 /// @throws cases::CaseError  as levelled_map
 EdgeEffect edge_effect(const cases::SurfaceSpec& surface);
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-/// The largest integer wavenumber whose wavevector may lie in the band. The
-/// slack is that of is_in_band, with room for the rounding of the quotient.
+/// The largest integer wavenumber whose wavevector may lie in the band, with
+/// the tolerance of is_in_band and a margin for the roundoff of the quotient.
 int highest_wavenumber(double wavevector_high, double length) {
   const double wavenumber = wavevector_high * length / two_pi * (1.0 + 2e-9);
   require_between("wavevector_high", wavenumber / length * two_pi, 0.0,
@@ -37,7 +37,7 @@ void require_points(const char* name, int points, double wavevector_high,
             needed, two_pi / wavevector_high, length));
 }
 
-/// a_q for the member of the pair (q, -q) that owns the draw.
+/// a_q for the mode of the pair (q, -q) that owns the draw.
 std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
                                       int wavenumber_x, int wavenumber_y,
                                       cases::Amplitudes amplitudes) {
@@ -48,8 +48,7 @@ std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
   return std::polar(std::sqrt(mean_square) * spread, two_pi * draw.second);
 }
 
-/// The half spectrum of the surface; nothing but zeros if no wave is in the
-/// band.
+/// The half spectrum of the surface; all zeros if the band contains no mode.
 std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
                                              const Grid& grid,
                                              const RandomKey& key,
@@ -74,7 +73,7 @@ std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
         continue;
       mode_at(i, j) =
           draw_coefficient(density * mode_area, key, i, j, amplitudes);
-      if (i == 0) // FFTW stores both of a pair in its column 0
+      if (i == 0) // FFTW stores both modes of a pair in its column 0
         mode_at(0, -j) = std::conj(mode_at(0, j));
     }
   return modes;

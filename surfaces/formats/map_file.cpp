@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* known_units = "m, mm, um, nm, pm, angstrom";
 
-/// Metres per unit; none for what is not a length.
+/// Metres per unit; empty if the unit is not a length.
 std::optional<double> length_unit(std::string_view unit) {
   static constexpr std::pair<std::string_view, double> units[] = {
       {"m", 1.0},
@@ -39,7 +39,7 @@ std::optional<double> length_unit(std::string_view unit) {
   return std::nullopt;
 }
 
-/// The header line "<key>: <content>"; its line is 0 where there is none.
+/// The header line "<key>: <content>"; its line number is 0 if there is none.
 CommentLine header(const NumberTable& table, std::string_view key) {
   for (const CommentLine& comment : table.comments) {
     const std::string_view text = comment.text;
@@ -53,7 +53,7 @@ CommentLine header(const NumberTable& table, std::string_view key) {
   return {};
 }
 
-/// "20.0 um" in metres.
+/// Converts the header line of `key`, such as "20.0 um", to metres.
 double header_length(const NumberTable& table, const char* key) {
   const CommentLine line = header(table, key);
   if (line.line == 0)

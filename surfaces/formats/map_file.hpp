@@ -1,7 +1,8 @@
 #pragma once
 
-// Measured height maps in text files. Owns what Gwyddion and scripts write:
-// headers, length units and the orientation of a matrix.
+// This file reads measured height maps from text files in the formats written
+// by Gwyddion and by scripts, including headers, length units and the
+// orientation of a matrix.
 
 #include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
@@ -12,15 +13,16 @@
 
 namespace asperity::surfaces {
 
-/// What a case says about a map because its file does not.
+/// Scales that a case gives for a map because the file does not contain them.
 struct MapScale {
-  std::optional<double> length;      ///< side in x [m] > 0
-  std::optional<double> height_unit; ///< m per unit of the file's numbers > 0
+  std::optional<double> length;      ///< side length in x [m] > 0
+  std::optional<double> height_unit; ///< [m] per unit of the numbers > 0
 };
 
-/// Reads a matrix of heights as it is: nothing levelled, the mean left in.
-/// Columns go along x, rows along y from the first line on; a map may be
-/// rectangular and of odd size. Numbers as read_number_text takes them.
+/// Reads a matrix of heights without levelling it or removing its mean. Columns
+/// go along x, rows along y, starting with the first line; a map may be
+/// rectangular and have an odd number of points. The numbers are read as in
+/// read_number_text.
 ///
 /// Gwyddion's text matrix begins with the lines
 ///
@@ -28,16 +30,17 @@ struct MapScale {
 ///     # Height: 20.0 um         period in y
 ///     # Value units: nm         of the numbers
 ///
-/// with m, mm, um, nm, pm or angstrom (or their signs, in UTF-8 or Latin-1),
-/// not necessarily one unit for all. Then scale.length must be empty, and
-/// scale.height_unit as well unless the file says no value units.
+/// with the units m, mm, um, nm, pm or angstrom (or their symbols, in UTF-8 or
+/// Latin-1), which may differ between the lines. Then scale.length must be
+/// empty, and scale.height_unit as well unless the file has no value units.
 ///
-/// A plain matrix is anything else: scale.length is its period in x, pixels
-/// are square, and scale.height_unit is what its numbers count. Neither has a
+/// Any other file is a plain matrix: scale.length is its period in x, pixels
+/// are square, and scale.height_unit is the unit of its numbers. Neither has a
 /// default.
 ///
-/// @param format  automatic: Gwyddion if a comment says a width
-/// @throws cases::CaseError  with name:line of what is wrong in the file, or
+/// @param format  automatic: Gwyddion if a comment contains a width
+/// @throws cases::CaseError  with name:line of the error in the file, or the
+///                           key of the case that is missing or superfluous
 ///                           the key of the case that is missing or too much
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                cases::MapFormat format, const MapScale& scale);

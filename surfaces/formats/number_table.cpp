@@ -24,8 +24,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Whether a line parts its numbers by something else than commas and yet has
-/// a comma right between two characters: "1,5  2,5".
+/// Whether a line separates its numbers by something other than commas and yet
+/// has a comma directly between two characters: "1,5  2,5".
 bool has_ambiguous_comma(std::string_view line) {
   if (line.find_first_of(" \t;") == std::string_view::npos)
     return false;
@@ -42,7 +42,7 @@ bool has_ambiguous_comma(std::string_view line) {
   return false;
 }
 
-/// The number that is all of the word, or NaN.
+/// The number represented by the whole word, or NaN.
 double parse_number(std::string_view word) {
   if (word.size() > 1 && word.front() == '+' && word[1] != '-')
     word.remove_prefix(1);

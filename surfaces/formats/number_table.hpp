@@ -1,7 +1,8 @@
 #pragma once
 
-// Rows of numbers in a text file, as instruments and scripts write them. Owns
-// separators, comments and the messages about what is not a number.
+// This file reads tables of numbers from text files, as written by instruments
+// and scripts. It defines separators, comments and the error messages about
+// invalid numbers.
 
 #include <cstddef>
 #include <string>
@@ -10,18 +11,18 @@
 
 namespace asperity::surfaces {
 
-/// A line that begins with '#', without that sign.
+/// A line that begins with '#', without this character.
 struct CommentLine {
-  int line = 0; ///< from 1
+  int line = 0; ///< line number, from 1
   std::string text;
 };
 
 /// A rectangular table of finite numbers, row by row.
 struct NumberTable {
-  std::string name; ///< of the file, for messages
+  std::string name; ///< name of the file, for messages
   std::size_t columns = 0;
-  std::vector<double> numbers; ///< columns * lines.size() of them
-  std::vector<int> lines;      ///< where each row stood, from 1
+  std::vector<double> numbers; ///< columns * lines.size() values
+  std::vector<int> lines;      ///< line number of each row, from 1
   std::vector<CommentLine> comments;
 
   std::size_t rows() const { return lines.size(); }
@@ -31,20 +32,23 @@ struct NumberTable {
   }
 };
 
-/// Reads a whole text. Numbers are parted by blanks, tabs, commas
-/// or semicolons and written with a dot, whatever the locale; empty lines are
-/// skipped, lines that begin with '#' are comments, Windows line ends and a
-/// UTF-8 byte order mark are taken. A comma inside a column that is parted by
-/// something else is refused: it may be a decimal comma.
-/// @throws cases::CaseError  name:line: of the first thing that is not a finite
-///                           number, of a row of another length than the first,
-///                           or that there are no numbers at all
+/// Reads a whole text. Numbers are separated by blanks, tabs, commas or
+/// semicolons and written with a decimal point, whatever the locale. Empty
+/// lines are skipped, lines that begin with '#' are comments; Windows line ends
+/// and a UTF-8 byte order mark are accepted. A comma inside a column is
+/// rejected if the columns are separated by something else, because it may be a
+/// decimal comma.
+/// @throws cases::CaseError  name:line: of the first entry that is not a finite
+///                           number, or of a row whose length differs from the
+///                           first, or the text contains no numbers
 NumberTable read_number_text(std::string_view text, const std::string& name);
 
-/// @throws cases::CaseError  the same, and what is no regular file or is larger
-///                           than cases::largest_number_file
+/// Reads a whole file in the same way.
+/// @throws cases::CaseError  as above, or the file is not a regular file or is
+///                           larger than cases::largest_number_file
 NumberTable read_number_file(const std::string& path);
 
+/// Reports an error in a line of a file.
 /// @throws cases::CaseError  "name:line: what"
 [[noreturn]] void refuse_line(const std::string& name, int line,
                               const std::string& what);

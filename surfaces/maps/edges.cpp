@@ -32,7 +32,7 @@ HeightMap windowed(HeightMap map) {
     return along_x[i % columns] * along_y[i / columns];
   };
 
-  remove_mean(map); // a large offset would leave its rounding in the sum
+  remove_mean(map); // the roundoff of a large offset would remain in the sum
   double weights = 0.0;
   double weighted_heights = 0.0;
   for (std::size_t i = 0; i < map.heights.size(); ++i) {

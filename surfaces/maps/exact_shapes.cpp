@@ -14,7 +14,7 @@ namespace asperity::surfaces {
 namespace {
 
 /// cos(2 pi x/wavelength) at the nodes of one side. The phase is reduced in
-/// integers, so that equal heights are equal to the last bit.
+/// integer arithmetic, so that equal heights are bitwise equal.
 std::vector<double> cosine_along(const char* length_name, double length,
                                  int points, double wavelength) {
   const double waves = std::round(length / wavelength);

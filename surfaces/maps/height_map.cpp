@@ -11,7 +11,7 @@ double mean_height(const HeightMap& map) {
 }
 
 void remove_mean(HeightMap& map) {
-  // The second pass takes away the rounding of a large first mean.
+  // The second pass removes the roundoff of a large first mean.
   for (int pass = 0; pass < 2; ++pass) {
     const double mean = mean_height(map);
     for (double& height : map.heights)

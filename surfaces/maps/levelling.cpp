@@ -31,8 +31,8 @@ double sum_of_squares(const std::vector<double>& side) {
 
 void remove_product(HeightMap& map, const std::vector<double>& along_x,
                     const std::vector<double>& along_y) {
-  // A side of one or two points has no tilt or bow of its own; what rounding
-  // leaves of its polynomial must not be projected on.
+  // A side of one or two points has no linear or quadratic form of its own; the
+  // roundoff that remains of its polynomial must not be projected on.
   const double norm = sum_of_squares(along_x) * sum_of_squares(along_y);
   if (norm < 1e-20)
     return;
@@ -63,7 +63,7 @@ void remove_trend(HeightMap& map, cases::Levelling levelling) {
     remove_product(map, x.constant, y.quadratic);
     remove_product(map, x.linear, y.linear);
   }
-  remove_mean(map); // what rounding of a steep trend left
+  remove_mean(map); // roundoff that remains of a steep trend
 }
 
 } // namespace asperity::surfaces

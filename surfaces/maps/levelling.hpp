@@ -1,6 +1,7 @@
 #pragma once
 
-// What an instrument adds to a map: tilt and bow. Owns their removal.
+// This file removes the tilt and the second-order form (bow) that an instrument
+// adds to a map.
 
 #include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
@@ -13,10 +14,11 @@ namespace asperity::surfaces {
 ///     plane  1, x, y
 ///     bow    1, x, y, x^2, x y, y^2
 ///
-/// so that at least the mean is gone. On a regular grid these are spanned by
-/// products of the discrete Legendre polynomials of the two sides, which are
-/// orthogonal: each coefficient is one projection and nothing is solved.
-/// @par Accuracy  some eps of the largest height before
+/// so that at least the mean is removed. On a regular grid these polynomials
+/// are spanned by products of the discrete Legendre polynomials of the two
+/// sides, which are orthogonal: each coefficient is one projection and no
+/// linear system is solved.
+/// @par Accuracy  a few eps of the largest height before levelling
 void remove_trend(HeightMap& map, cases::Levelling levelling);
 
 } // namespace asperity::surfaces

@@ -20,7 +20,7 @@ void for_each_mode(const HeightMap& map,
     for (int jx = 0; jx <= grid.points_x / 2; ++jx, ++at) {
       if (jx == 0 && jy == 0)
         continue;
-      // Column 0 and an even Nyquist column hold both of a pair themselves.
+      // Column 0 and an even Nyquist column hold both modes of a pair.
       const int pair = jx == 0 || 2 * jx == grid.points_x ? 1 : 2;
       take({std::hypot(wavevector(jx, grid.length_x),
                        wavevector(signed_wavenumber(jy, grid.points_y),

@@ -5,7 +5,7 @@
 namespace asperity::surfaces {
 namespace {
 
-/// (k + 1/2) 2^-52 for the upper 52 bits k: exact, never 0 and never 1.
+/// (k + 1/2) 2^-52 for the upper 52 bits k: exact, and never 0 or 1.
 double to_unit_interval(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
 }

@@ -1,14 +1,15 @@
 #pragma once
 
-// The random numbers of a surface: one independent draw a mode, fixed by what
-// the mode is and not by when it is drawn. Owns the counter-based generator.
+// This file contains the random numbers of a surface: one independent draw per
+// mode from a counter-based generator, determined by the mode and not by the
+// order of the draws.
 
 #include <cstdint>
 
 namespace asperity::surfaces {
 
-/// Named streams of random numbers: draws of different streams never meet.
-/// The numbers are part of what a seed means and never change.
+/// Named, independent streams of random numbers. The numerical values enter the
+/// generator, so they must never change.
 enum class RandomStream : std::uint64_t {
   surface_modes = 1,
   thermal_noise = 2, ///< drawn in md/dynamics/thermal_noise.hpp
@@ -21,7 +22,7 @@ struct UniformPair {
   double second = 0.0;
 };
 
-/// What makes one realisation different from another.
+/// Identifies one realisation.
 struct RandomKey {
   std::uint64_t seed = 0;
   int realization = 0; ///< >= 0
@@ -32,8 +33,9 @@ struct RandomKey {
 ///
 ///     key = (seed, stream),  counter = (i, j, realization, 0),
 ///
-/// i and j in two's complement; its first two words' upper 52 bits, plus a
-/// half, are the pair. Same bits on every platform, in every order of calls.
+/// with i and j in two's complement. The pair is made of the upper 52 bits of
+/// the first two words, plus one half. The result has the same bits on every
+/// platform and in every order of calls.
 /// @see  J. K. Salmon et al., Parallel random numbers: as easy as 1, 2, 3,
 ///       SC11 (2011)
 UniformPair draw_mode(const RandomKey& key, int wavenumber_x, int wavenumber_y);

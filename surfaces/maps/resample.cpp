@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The coefficients of a map's interpolation by signed wavenumbers.
+/// Fourier coefficients of the interpolation of a map, by signed wavenumbers.
 class Modes {
 public:
   explicit Modes(const Grid& grid)
@@ -28,12 +28,12 @@ public:
       mode /= static_cast<double>(grid_.size());
   }
 
-  /// Of the transform, for 0 <= column <= points_x/2 and any row.
+  /// Coefficient of the transform, for 0 <= column <= points_x/2 and any row.
   Complex& at(int column, int row) {
     return half_spectrum_[index(column, row)];
   }
 
-  /// Of the interpolation: 0 beyond the Nyquist row, half on it.
+  /// Coefficient of the interpolation: 0 beyond the Nyquist row, half on it.
   Complex operator()(int column, int row) const {
     const double share =
         share_of(column, grid_.points_x) * share_of(row, grid_.points_y);
@@ -66,7 +66,7 @@ private:
   std::vector<Complex> half_spectrum_;
 };
 
-/// Calls visit(column, row) for each mode of the half spectrum, row signed.
+/// Calls visit(column, row) for each mode of the half spectrum; row is signed.
 template <class Visit>
 void for_half_spectrum(const Grid& grid, const Visit& visit) {
   for (int jy = 0; jy < grid.points_y; ++jy)
@@ -75,7 +75,7 @@ void for_half_spectrum(const Grid& grid, const Visit& visit) {
 }
 
 /// sum |a_q - b_q|^2 over the modes of `grid` that are not strictly below the
-/// Nyquist rows of `target`: the others are the same in both.
+/// Nyquist rows of `target`; the other modes are equal.
 double difference_beyond(const Grid& grid, const Grid& target, const Modes& a,
                          const Modes& b) {
   double sum = 0.0;

@@ -12,12 +12,12 @@
 namespace asperity::surfaces {
 namespace {
 
-constexpr double exact_up_to = 8.0; // longest waves
-constexpr double resolution = 1e-7; // what is one |q|, relative
+constexpr double exact_up_to = 8.0; // in units of the smallest |q|
+constexpr double resolution = 1e-7; // relative difference of distinct |q|
 constexpr std::int64_t first_logarithmic = 1'000'000'000;
 
-/// The number of a shell, ascending with |q|.
-/// @param reduced_wavevector  |q| in units of the longest wave's, >= 1
+/// The index of a shell, ascending with |q|.
+/// @param reduced_wavevector  |q| in units of the smallest one, >= 1
 std::int64_t shell_number(double reduced_wavevector, double relative_width) {
   if (reduced_wavevector < exact_up_to)
     return std::llround(std::log(reduced_wavevector) / resolution);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The isotropic spectrum of a map as it is: its power in shells of |q|. Owns
-// the grouping, from which the theory's shells and the plotted C(q) both come.
+// This file computes the isotropic spectrum of a given map, its power in shells
+// of |q|. Both the theory and the plotted C(q) use this grouping.
 
 #include "surfaces/maps/height_map.hpp"
 
@@ -9,24 +9,25 @@
 
 namespace asperity::surfaces {
 
-/// The modes of a map with about the same |q|. Summed over shells, both
+/// The modes of a map with approximately the same |q|. The sums over shells
 ///
 ///     sum mean_square_height                 = <h^2>
 ///     sum wavevector^2 * mean_square_height  = <|grad h|^2>
 ///
-/// are those of the map (statistics.hpp) to rounding: a sum over shells of
-/// q^n f takes the place of 2 pi int q^(1+n) C f dq.
+/// equal those of the map (statistics.hpp) to roundoff: a sum over shells of
+/// q^n f replaces 2 pi int q^(1+n) C f dq.
 struct Shell {
   double wavevector = 0.0;         ///< q [rad/m]: q^2 is the mean of |q|^2,
                                    ///< weighted by power
   double mean_square_height = 0.0; ///< sum of |a_q|^2 [m^2] > 0
-  int modes = 0;                   ///< number of q in the shell, -q counted
+  int modes = 0;                   ///< number of modes, q and -q both counted
 };
 
-/// Shells in ascending wavevector. Up to 8 times the longest wave of the cell
-/// every distinct |q| has its own; above, they are equal steps of ln q, the
-/// same for every grid of these lengths: some 200 in all on 1024 points a side.
-/// Shells without power (below 1e-28 of the whole: rounding) are left out.
+/// Shells in order of ascending wavevector. Up to 8 times the smallest
+/// wavevector of the cell every distinct |q| has its own shell; above, the
+/// shells are equal steps of ln q, the same for every grid of these lengths:
+/// about 200 in total for 1024 points per side. Shells without power (below
+/// 1e-28 of the total, which is roundoff) are omitted.
 /// @param relative_width  the step of ln q [1] > 0
 /// @throws std::domain_error  relative_width is outside its range
 std::vector<Shell> spectral_shells(const HeightMap& map,

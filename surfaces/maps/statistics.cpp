@@ -10,7 +10,7 @@
 namespace asperity::surfaces {
 namespace {
 
-/// Moments, extremes: what needs no transform.
+/// Adds moments and extreme values, which need no transform.
 void add_heights(const HeightMap& map, Statistics& result) {
   const double mean = mean_height(map);
   double square = 0.0;
@@ -67,7 +67,7 @@ std::vector<HeightBin> height_distribution(const HeightMap& map, int bins) {
   const double share = 1.0 / (static_cast<double>(map.heights.size()) * width);
   for (const double height : map.heights) {
     const int bin = static_cast<int>((height - *lowest) / width);
-    // The highest node closes the last bin.
+    // The highest node belongs to the last bin.
     distribution[static_cast<std::size_t>(std::min(bin, bins - 1))].density +=
         share;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a height map is, in numbers: moments of the heights, spectral slope and
-// curvature, height distribution. Owns their definitions.
+// This file defines the statistics of a height map: moments of the heights,
+// spectral slope and curvature, height distribution.
 
 #include "surfaces/maps/height_map.hpp"
 
@@ -9,8 +9,9 @@
 
 namespace asperity::surfaces {
 
-/// Averages over the nodes, <h> subtracted; with a_q the Fourier coefficients
-/// of the map (mode_power.hpp says how Nyquist modes count):
+/// Averages over the nodes, with <h> subtracted; a_q are the Fourier
+/// coefficients of the map (mode_power.hpp explains how Nyquist modes are
+/// counted):
 ///
 ///     rms_height     sqrt <h^2>
 ///     rms_slope      sqrt sum q^2 |a_q|^2      of grad h, both directions
@@ -29,7 +30,7 @@ struct Statistics {
 
 Statistics statistics(const HeightMap& map);
 
-/// One bar of the height distribution.
+/// One bin of the height distribution.
 struct HeightBin {
   double height = 0.0;  ///< centre of the bin, above the mean [m]
   double density = 0.0; ///< P_h [1/m]
