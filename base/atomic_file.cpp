@@ -15,7 +15,7 @@ namespace {
                           "cannot write " + path.string());
 }
 
-/// True if all of `text` reached the disk; errno says why not.
+/// Returns true if all of `text` was written; otherwise errno holds the reason.
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());

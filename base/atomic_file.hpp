@@ -1,22 +1,23 @@
 #pragma once
 
-// Files that are there whole or not at all: written beside their place and
-// renamed over it. Every output a reader may open goes this way.
+// This file writes files atomically: a temporary file in the same folder is
+// written and renamed, so that the file exists either completely or not at all.
+// Every output file that a reader may open is written this way.
 
 #include <filesystem>
 #include <string_view>
 
 namespace asperity {
 
-/// A hidden name in the folder of `path` that nobody else in this or another
-/// process gets: ".<file name>.<process>-<count>.part".
+/// A hidden file name in the folder of `path` that is unique in this and all
+/// other processes: ".<file name>.<process>-<count>.part".
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
-/// Puts `text` at `path`. A reader sees the old file or the new one, never a
-/// part, also when the process is killed at any moment; the bytes are on disk
-/// before the rename. The folder must exist; permissions follow the umask.
-/// @throws std::system_error naming the path; the old file is then untouched
-///         and no temporary is left
+/// Writes `text` to `path`. A reader sees either the old file or the new one,
+/// never a part, even if the process is killed; the bytes are on disk before
+/// the rename. The folder must exist; permissions follow the umask.
+/// @throws std::system_error naming the path; the old file is then unchanged
+///         and no temporary file is left
 void write_file_atomically(const std::filesystem::path& path,
                            std::string_view text);
 

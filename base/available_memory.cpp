@@ -16,8 +16,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number behind `key` in a file of the kernel, or the first of all for "";
-/// unlimited if there is none ("max").
+/// The number after `key` in a kernel file, or the first number if the key is
+/// ""; unlimited if there is none ("max").
 double number_in(const std::string& path, const std::string& key) {
   std::ifstream file(path);
   for (std::string word; file >> word;) {
@@ -36,7 +36,8 @@ double left_in_system() {
   return 1024.0 * number_in("/proc/meminfo", "MemAvailable:");
 }
 
-/// In each group from ours up to the root, control groups of version 2.
+/// Smallest remaining memory of the control groups (version 2) from that of
+/// this process up to the root.
 double left_in_groups() {
   namespace fs = std::filesystem;
   std::ifstream file("/proc/self/cgroup");

@@ -24,8 +24,8 @@
 namespace asperity {
 namespace {
 
-constexpr double seconds_to_end = 3.0; ///< granted to a child asked to stop
-constexpr double longest_look = 0.05;  ///< between two looks at the clock [s]
+constexpr double seconds_to_end = 3.0; ///< for a child that was asked to stop
+constexpr double longest_look = 0.05;  ///< interval of time limit checks [s]
 
 void check(bool is_good, const std::string& what) {
   if (!is_good)
@@ -37,7 +37,7 @@ double in_seconds(const timeval& time) {
          1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Where the child's standard output and error go.
+/// Opens the file that receives the child's standard output and error.
 FileDescriptor open_output(const ChildCommand& command) {
   FileDescriptor file(command.output.empty()
                           ? memfd_create("output", MFD_CLOEXEC)
@@ -120,11 +120,12 @@ ChildProcess ChildProcess::forked(const std::function<void(int)>& work,
 }
 
 void ChildProcess::started() {
-  setpgid(process_, process_); // the child does so too: whoever comes first
+  setpgid(process_, process_); // the child does the same; the first call wins
   start_ = Clock::now();
-  // By number, because the header of glibc 2.36 declares it for C alone.
-  watched_ = FileDescriptor(
-      static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+  // The system call is made by number, because the header of glibc 2.36
+  // declares the function for C only.
+  watched_ =
+      FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept {
@@ -147,8 +148,9 @@ ChildProcess::~ChildProcess() {
   stop();
 }
 
-/// Until the process ends or the time is over. Without a descriptor to watch
-/// (an older kernel) it returns early, and the process is asked again.
+/// Waits until the process ends or the time has passed. Without a file
+/// descriptor for the process (older kernels) it returns early, and the caller
+/// checks the state again.
 void ChildProcess::wait_for_change(double seconds) const {
   if (watched_.get() < 0) {
     constexpr double look = 0.002;
@@ -160,7 +162,8 @@ void ChildProcess::wait_for_change(double seconds) const {
   poll(&watched, 1, static_cast<int>(1e3 * seconds));
 }
 
-/// Takes the exit status if there is one. A status that is lost is a failure.
+/// Collects the exit status if there is one. A status that is lost counts as a
+/// failure.
 bool ChildProcess::reap() {
   int status = 0;
   rusage used{};

@@ -1,7 +1,8 @@
 #pragma once
 
-// One child process: started under limits, watched, ended. The only place in
-// the tree that starts a process; a child never outlives the one that did.
+// This file contains a child process that is started under limits, monitored
+// and terminated. No other module starts processes; a child never outlives its
+// parent.
 
 #include "base/file_descriptor.hpp"
 
@@ -16,55 +17,57 @@
 
 namespace asperity {
 
-/// The executable of that name along PATH; empty if there is none.
+/// Path of the executable of that name along PATH; empty if there is none.
 std::filesystem::path program_on_path(const std::string& name);
 
-/// "NAME=value" of each variable of this process.
+/// The environment of this process, "NAME=value" for each variable.
 std::vector<std::string> own_environment();
 
-/// What a child may take; 0 is no limit.
+/// Limits on a child; 0 means no limit.
 struct ChildLimits {
-  double wall_time = 0.0;       ///< until it is killed [s]
-  double cpu_time = 0.0;        ///< counted in whole seconds, rounded up [s]
-  std::uintmax_t memory = 0;    ///< of its address space [B]
+  double wall_time = 0.0;       ///< time after which it is killed [s]
+  double cpu_time = 0.0;        ///< in whole seconds, rounded up [s]
+  std::uintmax_t memory = 0;    ///< size of its address space [B]
   std::uintmax_t file_size = 0; ///< of each file and of captured output [B]
 };
 
 struct ChildCommand {
   std::vector<std::string> words; ///< program (path, or name along PATH), then
-                                  ///< its arguments; no shell reads them
-  std::filesystem::path folder = {}; ///< its working folder; empty: ours
-  std::filesystem::path output = {}; ///< gets standard output and error;
-                                     ///< empty: ChildProcess::output() has them
+                                  ///< its arguments; no shell is involved
+  std::filesystem::path folder = {}; ///< working folder; empty: the parent's
+  std::filesystem::path output = {}; ///< receives standard output and error;
+                                     ///< empty: see ChildProcess::output()
   std::vector<std::string> environment = own_environment();
   ChildLimits limits = {};
-  int death_signal = SIGKILL; ///< what the child gets when this process dies
+  int death_signal = SIGKILL; ///< sent to the child when this process ends
 };
 
 /// How a child ended.
 struct ChildEnd {
-  int exit_code = -1;  ///< 128 + signal if one ended it
+  int exit_code = -1;  ///< 128 + signal number if a signal ended it
   std::string failure; ///< "" after exit code 0, else "exit code 3", "signal 9
                        ///< (Killed)" or the limit that it exceeded
   double wall_time = 0.0; ///< [s]
   double cpu_time = 0.0;  ///< user and system [s]
 };
 
-/// Started by the constructor; the destructor ends what still runs.
+/// A running child process. The constructor starts it; the destructor stops it
+/// if it is still running.
 ///
-/// The child leads a process group of its own: it and what it starts end
-/// together, and an interrupt at the terminal is ours to pass on. Its standard
-/// input is empty, and no other open file of ours reaches it. The kernel ends
-/// it when the thread that started it ends, so that thread must wait for it.
+/// The child leads its own process group: it and the processes that it starts
+/// end together, and this process must forward an interrupt from the terminal.
+/// Its standard input is empty, and it inherits no other open file. The kernel
+/// ends it when the thread that started it ends, so that thread must wait for
+/// it.
 class ChildProcess {
 public:
-  /// @throws std::system_error  naming the program: it cannot be started
+  /// @throws std::system_error  naming the program, if it cannot be started
   explicit ChildProcess(const ChildCommand& command);
 
-  /// A copy of this process, which has to have one thread: it calls `work` with
-  /// the write end of output_pipe() and exits, with code 1 if `work` throws.
-  /// No destructor of the parent's objects runs in it.
-  /// @throws std::system_error  it cannot be started
+  /// Starts a copy of this process, which must have a single thread. The copy
+  /// calls `work` with the write end of output_pipe() and exits, with code 1 if
+  /// `work` throws. No destructor of an object of the parent runs in it.
+  /// @throws std::system_error  the copy cannot be started
   static ChildProcess forked(const std::function<void(int)>& work,
                              const ChildLimits& limits = {});
 
@@ -72,29 +75,31 @@ public:
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;
 
-  /// Waits for at most `seconds`; kills what exceeds its wall time.
+  /// Waits for at most `seconds` and returns true if the child has ended; kills
+  /// a child that exceeds its wall time.
   bool has_ended(double seconds);
 
-  /// Waits for the end.
+  /// Waits until the child has ended.
   const ChildEnd& wait();
 
-  /// Asks for an end, waits for some seconds, then insists.
+  /// Asks the child to end, waits for a few seconds, then kills it.
   void stop();
 
-  /// Asks for an end (SIGTERM) and returns at once; kill() does not ask.
+  /// Asks the child to end (SIGTERM) and returns at once; kill() sends SIGKILL.
   void ask_to_end();
   void kill();
 
-  /// Of an ended child.
+  /// Result of a child that has ended.
   const ChildEnd& end() const { return end_; }
 
-  /// Standard output and error so far, where no file was named for them.
+  /// Standard output and error so far, if no file was given for them.
   std::string output() const;
 
-  /// What a forked child writes to, for poll() and read(); -1 of others.
+  /// Read end of the pipe of a forked child, for poll() and read(); -1 for
+  /// other children.
   int output_pipe() const { return pipe_.get(); }
 
-  /// CPU time of the child so far, without its own children's [s].
+  /// CPU time of the child so far, without that of its own children [s].
   double cpu_time() const;
 
 private:
@@ -106,8 +111,8 @@ private:
   bool reap();
 
   pid_t process_ = 0;       ///< 0 once it has ended
-  FileDescriptor watched_;  ///< becomes readable at its end
-  FileDescriptor captured_; ///< its output, in memory
+  FileDescriptor watched_;  ///< becomes readable when the child ends
+  FileDescriptor captured_; ///< captured output, in memory
   FileDescriptor pipe_;
   ChildLimits limits_;
   Clock::time_point start_;
@@ -117,11 +122,11 @@ private:
 
 struct ChildAnswer {
   ChildEnd end;
-  std::string output; ///< what it said, if no file was named for it
+  std::string output; ///< standard output and error, unless sent to a file
 };
 
-/// Runs a command to its end.
-/// @throws std::system_error  naming the program: it cannot be started
+/// Runs a command until it ends.
+/// @throws std::system_error  naming the program, if it cannot be started
 ChildAnswer run_child(const ChildCommand& command);
 
 } // namespace asperity

@@ -12,8 +12,8 @@
 namespace asperity {
 namespace {
 
-/// Everything the child needs between vfork and exec, where it shares our
-/// memory and may not allocate.
+/// Data that the child needs between vfork and exec, where it shares the memory
+/// of the parent and must not allocate.
 struct Prepared {
   const char* program = nullptr;
   char* const* words = nullptr;
@@ -24,7 +24,7 @@ struct Prepared {
   pid_t parent = 0;
   int death_signal = 0;
   const ChildLimits* limits = nullptr;
-  sigset_t signals{}; ///< mask of this thread, which the child gets back
+  sigset_t signals{}; ///< signal mask of this thread, restored in the child
 };
 
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
@@ -40,7 +40,8 @@ bool limit(int resource, rlim_t soft, rlim_t hard) {
   return setrlimit(static_cast<__rlimit_resource_t>(resource), &values) == 0;
 }
 
-/// A handler of ours must not run in the child: it would change our memory.
+/// Resets the signal handlers: a handler that runs in the child would change
+/// the memory of the parent.
 void forget_signal_handlers() {
   for (int number = 1; number < NSIG; ++number) {
     struct sigaction action {};
@@ -54,7 +55,7 @@ void forget_signal_handlers() {
   }
 }
 
-/// Returns only where something was refused; errno says what.
+/// Executes the program. Returns only on failure; errno holds the reason.
 void become(const Prepared& child) {
   forget_signal_handlers();
   if (setpgid(0, 0) != 0 ||
@@ -65,13 +66,14 @@ void become(const Prepared& child) {
       (child.folder != nullptr && chdir(child.folder) != 0))
     return;
   constexpr unsigned first_inherited = 3;
-  close_range(first_inherited, ~0U, 0); // an older kernel leaves them open
+  close_range(first_inherited, ~0U, 0); // no effect on older kernels
   sigprocmask(SIG_SETMASK, &child.signals, nullptr);
   execve(child.program, child.words, child.environment);
 }
 
-/// The error of the child's start, 0 if it runs. vfork: the parent waits until
-/// exec, and a large process starts a child as fast as a small one.
+/// Starts the child and returns its error, 0 if it runs. With vfork the parent
+/// waits until exec, and the start is as fast from a large process as from a
+/// small one.
 [[gnu::noinline]] int start(const Prepared& child, pid_t& process) {
   volatile int error = 0;
   const pid_t started = vfork();
@@ -97,7 +99,7 @@ bool bind_to_parent(pid_t parent, int death_signal, const ChildLimits& limits) {
       prctl(PR_SET_PDEATHSIG, death_signal) != 0)
     return false;
   errno = ESRCH;
-  return getppid() == parent; // else it died before it could be bound to
+  return getppid() == parent; // false if the parent has already ended
 }
 
 pid_t start_process(const ChildCommand& command, int output) {

@@ -9,10 +9,11 @@
 namespace asperity {
 namespace {
 
-/// Columns transformed together: a cache line of single precision a row.
+/// Columns that are transformed together: in single precision one row of them
+/// is a cache line.
 constexpr std::size_t block_width = 8;
 
-/// Rows that a thread takes at a time.
+/// Rows that a thread processes at a time.
 constexpr int rows_a_turn = 8;
 
 std::size_t rounded_up(std::size_t n) {
@@ -35,8 +36,8 @@ struct Convolution<Real>::Plans {
   Plans& operator=(const Plans&) = delete;
 
   Plans(const Grid& grid, std::size_t row_stride, std::size_t column_stride) {
-    // Only the alignment of these matters: FFTW_ESTIMATE does not touch them,
-    // and the plans are executed on other arrays.
+    // Only the alignment of these arrays matters: FFTW_ESTIMATE does not access
+    // them, and the plans are executed on other arrays.
     std::vector<Real> field(static_cast<std::size_t>(grid.points_x));
     std::vector<std::complex<Real>> spectrum(
         std::max(row_stride, block_width * column_stride));

@@ -1,8 +1,8 @@
 #pragma once
 
-// Periodic convolutions of real fields on a Grid: transform, multiply by a real
-// symbol, transform back, in three passes over memory. Owns the split of the
-// work into rows and blocks of columns.
+// This file computes periodic convolutions of real fields on a Grid: forward
+// transform, product with a real symbol, backward transform, in three passes
+// over memory. It partitions the work into rows and blocks of columns.
 
 #include "base/grid.hpp"
 
@@ -13,30 +13,33 @@
 
 namespace asperity {
 
-/// answer = F^-1 [ multiplier(q) F field ], with RealFourier's sign.
+/// Computes answer = F^-1 [ multiplier(q) F field ], with the sign of
+/// RealFourier.
 ///
-/// Rows are transformed one at a time; then blocks of columns are gathered,
+/// Rows are transformed one at a time. Then blocks of columns are gathered,
 /// transformed, multiplied, transformed back and scattered while they are in
-/// the cache; then the rows again. FFTW sees only single rows and columns, so
-/// the number of threads changes no bit of the answer, and FFTW_ESTIMATE gives
-/// the same bits in every run. Real is float or double.
+/// the cache; then the rows are transformed back. FFTW only sees single rows
+/// and columns, so the result is bitwise independent of the number of threads,
+/// and because of FFTW_ESTIMATE it is the same in every run. Real is float or
+/// double.
 ///
-/// An instance is immutable: threads share it, each with its own Scratch.
+/// An instance is immutable: threads may share it, each with its own Scratch.
 template <class Real>
 class Convolution {
 public:
-  /// Multipliers in the order in which the columns meet them.
+  /// Multipliers in the order in which the columns are processed.
   class Symbol {
     friend class Convolution;
     std::vector<Real> values;
   };
 
-  /// Spectrum and buffers of one application at a time; grows when first used.
+  /// Spectrum and buffers for one application at a time; allocated at first
+  /// use.
   class Scratch {
     friend class Convolution;
     std::vector<std::complex<Real>> spectrum;
-    std::vector<std::complex<Real>> columns; ///< a block for each thread
-    std::vector<Real> rows;                  ///< a row for each thread
+    std::vector<std::complex<Real>> columns; ///< one block per thread
+    std::vector<Real> rows;                  ///< one row per thread
   };
 
   /// @param threads  >= 1, used by each application
@@ -49,13 +52,15 @@ public:
 
   int threads() const { return threads_; }
 
+  /// Arranges multipliers for use in apply().
   /// @param multiplier  grid.half_spectrum_size() values in the order of
   ///                    Grid::half_spectrum_size
   Symbol arranged(std::span<const double> multiplier) const;
 
+  /// Applies the convolution.
   /// @param field   grid.size() values
   /// @param answer  grid.size() values, overwritten; may be `field`
-  /// @par Accuracy  rounding of Real: some ulp of the largest |multiplier|
+  /// @par Accuracy  roundoff of Real: a few ulp of the largest |multiplier|
   ///                times the rms of the field, at every wavevector
   void apply(std::span<const Real> field, const Symbol& symbol,
              Scratch& scratch, std::span<Real> answer) const;
@@ -67,8 +72,8 @@ private:
 
   Grid grid_;
   int threads_;
-  std::size_t row_stride_;    ///< complex values a row of the spectrum
-  std::size_t column_stride_; ///< values a column of a block
+  std::size_t row_stride_;    ///< complex values per row of the spectrum
+  std::size_t column_stride_; ///< values per column of a block
   std::unique_ptr<Plans> plans_;
 };
 

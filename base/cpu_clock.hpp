@@ -1,6 +1,7 @@
 #pragma once
 
-// CPU seconds: what a step cost, whatever else runs beside it.
+// This file measures CPU time, which does not depend on other processes on the
+// same machine.
 
 #include <ctime>
 #include <sys/resource.h>
@@ -9,14 +10,15 @@ namespace asperity {
 
 class CpuClock {
 public:
-  /// @param n_threads  that the work measured may use: 1 counts the thread that
-  ///                   asks, more the whole process
+  /// @param n_threads  number that the measured work may use: 1 measures the
+  ///                   calling thread, more the whole process
   explicit CpuClock(int n_threads = 1)
       : clock_(n_threads == 1 ? CLOCK_THREAD_CPUTIME_ID
                               : CLOCK_PROCESS_CPUTIME_ID),
         start_(now()) {}
 
-  /// Since construction, child processes that have ended among it [s].
+  /// CPU time since construction [s], including child processes that have
+  /// ended.
   double seconds() const { return now() - start_; }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Sums over all values of a field, in a fixed order.
+// This file computes sums over all values of a field, in a fixed order.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// sum_i left_i right_i; both of one size.
+/// sum_i left_i right_i; the two must have the same size.
 inline double dot(std::span<const double> left, std::span<const double> right) {
   double sum = 0.0;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -17,7 +17,7 @@ inline double dot(std::span<const double> left, std::span<const double> right) {
   return sum;
 }
 
-/// The arithmetic mean; NaN of no values.
+/// The arithmetic mean; NaN if there are no values.
 inline double mean(std::span<const double> values) {
   double sum = 0.0;
   for (const double value : values)
@@ -25,7 +25,7 @@ inline double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Whether no value is NaN or infinite; true of no values.
+/// Whether no value is NaN or infinite; true if there are no values.
 inline bool all_finite(std::span<const double> values) {
   return std::ranges::all_of(values,
                              [](double value) { return std::isfinite(value); });

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// An open file of the operating system, closed when the object goes.
+/// Owner of a file descriptor, which is closed by the destructor.
 class FileDescriptor {
 public:
   FileDescriptor() = default;
@@ -22,7 +22,7 @@ public:
     return *this;
   }
 
-  /// -1 if there is none.
+  /// The descriptor, or -1 if there is none.
   int get() const { return number_; }
 
   void reset() {

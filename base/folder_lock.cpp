@@ -25,8 +25,8 @@ std::string description_of(const std::string& purpose) {
                      purpose, getpid(), host.nodename, fmt::gmtime(now));
 }
 
-/// A holder writes its name just after it has locked the file, so an empty file
-/// is read again for a second.
+/// Description of the process that holds the lock. It is written just after the
+/// file has been locked, so an empty file is read again for up to a second.
 std::string holder_in(int file) {
   constexpr int tries = 50;
   for (int i = 0; i < tries; ++i) {
@@ -39,7 +39,8 @@ std::string holder_in(int file) {
   return "another process";
 }
 
-/// Half a second is granted to a holder that was killed and is still ending.
+/// Tries to lock for half a second, because a holder that was killed may still
+/// be ending.
 bool lock_soon(int file) {
   constexpr int tries = 10;
   for (int i = 1; i < tries; ++i) {
@@ -50,7 +51,7 @@ bool lock_soon(int file) {
   return flock(file, LOCK_EX | LOCK_NB) == 0;
 }
 
-/// The folder and those above it that do not exist yet, the deepest first.
+/// The folder and its parents that do not exist yet, the deepest first.
 std::vector<std::filesystem::path>
 missing_folders(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> missing;
@@ -60,8 +61,8 @@ missing_folders(const std::filesystem::path& folder) {
   return missing;
 }
 
-/// Whether the file that is open is still the one of that name: a former
-/// holder removes it at its end.
+/// Whether the open file still is the one at this path: a former holder removes
+/// the file when it ends.
 bool is_still_at(const std::filesystem::path& path, int file) {
   struct stat opened {};
 
@@ -103,7 +104,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder,
 FolderLock::~FolderLock() {
   if (file_.get() < 0)
     return;
-  std::error_code ignored; // a folder with something in it stays
+  std::error_code ignored; // a folder that is not empty remains
   std::filesystem::remove(path_, ignored);
   for (const std::filesystem::path& folder : made_)
     if (!std::filesystem::remove(folder, ignored))

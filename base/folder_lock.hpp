@@ -1,6 +1,7 @@
 #pragma once
 
-// One writer per folder: who holds it, and the refusal of everybody else.
+// This file provides exclusive write access to a folder, with an error message
+// that names the holder.
 
 #include "base/file_descriptor.hpp"
 
@@ -11,22 +12,25 @@
 
 namespace asperity {
 
-/// "out/polymer is in use by run polymer (process 123 on host, since ...)".
+/// The folder is locked: "out/polymer is in use by run polymer (process 123 on
+/// host, since ...)".
 struct FolderInUse : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Holds a folder for as long as it lives, by flock on the file ".lock" in it.
-/// The kernel releases the lock when the process ends, however it ends, so a
-/// file that a killed process left locks nothing. At the end the file goes, and
-/// so do folders that the lock had made and that are still empty.
+/// Locks a folder for the lifetime of the object, by flock on the file ".lock"
+/// in it. The kernel releases the lock when the process ends, however it ends,
+/// so the file that a killed process leaves locks nothing. The destructor
+/// removes the file and those folders that the constructor created and that are
+/// still empty.
 class FolderLock {
 public:
-  /// Makes the folder if need be; waits half a second for a holder to end.
-  /// @param purpose  what the folder is held for, "run polymer"
-  /// @throws FolderInUse        naming who holds it
-  /// @throws std::system_error  the folder cannot be made or written to, or its
-  ///                            file system has no locks
+  /// Creates the folder if necessary and waits half a second for a holder to
+  /// end.
+  /// @param purpose  what the folder is locked for, such as "run polymer"
+  /// @throws FolderInUse        naming the holder
+  /// @throws std::system_error  the folder cannot be created or written to, or
+  ///                            its file system does not support locks
   FolderLock(const std::filesystem::path& folder, const std::string& purpose);
   ~FolderLock();
   FolderLock(FolderLock&&) = default;

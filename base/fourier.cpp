@@ -20,7 +20,7 @@ fftw_complex* as_fftw(std::complex<double>* spectrum) {
   return reinterpret_cast<fftw_complex*>(spectrum);
 }
 
-/// FFTW's parallel loop over its n_jobs, run by the threads that stay.
+/// FFTW's parallel loop over its n_jobs, run by the persistent threads.
 void run_jobs(void* (*do_job)(char*), char* jobs, std::size_t job_size,
               int n_jobs, void*) {
   parallel_rows(n_jobs, n_jobs, [&](int job) {
@@ -28,7 +28,7 @@ void run_jobs(void* (*do_job)(char*), char* jobs, std::size_t job_size,
   });
 }
 
-/// 0 if FFTW cannot have threads.
+/// Makes FFTW use these threads; returns 0 if FFTW cannot use threads.
 int start_threads() {
   const int ready = fftw_init_threads();
   fftw_threads_set_callback(run_jobs, nullptr);
@@ -50,8 +50,8 @@ struct RealFourier::Plans {
     if (threads_ready == 0)
       throw std::runtime_error("FFTW could not start its threads");
     fftw_plan_with_nthreads(threads);
-    // Only the alignment of these matters: FFTW_ESTIMATE does not touch them,
-    // and the plans are executed on other arrays.
+    // Only the alignment of these arrays matters: FFTW_ESTIMATE does not access
+    // them, and the plans are executed on other arrays.
     double* field = fftw_alloc_real(grid.size());
     fftw_complex* spectrum = fftw_alloc_complex(grid.half_spectrum_size());
     forward = fftw_plan_dft_r2c_2d(grid.points_y, grid.points_x, field,
@@ -81,8 +81,8 @@ void RealFourier::forward(std::span<const double> field,
   assert(field.size() == grid_.size());
   assert(spectrum.size() == grid_.half_spectrum_size());
   assert(fftw_alignment_of(const_cast<double*>(field.data())) == 0);
-  // A real-to-complex transform out of place keeps its input: the cast does
-  // not let FFTW write.
+  // An out-of-place real-to-complex transform preserves its input, so FFTW does
+  // not write in spite of the cast.
   fftw_execute_dft_r2c(plans_->forward, const_cast<double*>(field.data()),
                        as_fftw(spectrum.data()));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Real two-dimensional discrete Fourier transforms on a Grid, with their plans
-// kept. FFTW itself stays inside this room.
+// This file contains real two-dimensional discrete Fourier transforms on a
+// Grid, with stored plans. FFTW is not visible outside this module.
 
 #include "base/grid.hpp"
 
@@ -12,16 +12,17 @@
 
 namespace asperity {
 
-/// The transform pair of one grid:
+/// The transform pair of one grid,
 ///
 ///     forward:   F(j) = sum_x f(x) exp(-i q_j . x)        (no factor)
 ///     backward:  f(x) = sum_j F(j) exp(+i q_j . x)        (no factor)
 ///
-/// so backward(forward(f)) = f * grid.size(), and the coefficient of mode j is
-/// F(j) / grid.size(). Spectra are half spectra in the order of
-/// Grid::half_spectrum_size. Plans are made with FFTW_ESTIMATE: the same bits
-/// in every run. An instance holds no scratch and may be shared by threads.
-/// Arrays begin on a 16-byte boundary, as every std::vector does.
+/// so that backward(forward(f)) = f * grid.size(), and the coefficient of mode
+/// j is F(j) / grid.size(). Spectra are half spectra in the order of
+/// Grid::half_spectrum_size. Plans are made with FFTW_ESTIMATE, so the results
+/// are bitwise the same in every run. An instance holds no scratch memory and
+/// may be shared by threads. Arrays must begin on a 16-byte boundary, as every
+/// std::vector does.
 class RealFourier {
 public:
   explicit RealFourier(const Grid& grid, int threads = 1);
@@ -31,11 +32,13 @@ public:
 
   const Grid& grid() const { return grid_; }
 
+  /// Forward transform.
   /// @param field    grid.size() values, not changed
   /// @param spectrum grid.half_spectrum_size() values, overwritten
   void forward(std::span<const double> field,
                std::span<std::complex<double>> spectrum) const;
 
+  /// Backward transform.
   /// @param spectrum grid.half_spectrum_size() values, destroyed
   /// @param field    grid.size() values, overwritten
   void backward(std::span<std::complex<double>> spectrum,
@@ -47,7 +50,7 @@ private:
   std::unique_ptr<Plans> plans_;
 };
 
-/// Name and version of the library behind RealFourier.
+/// Name and version of the FFT library.
 std::string fourier_library();
 
 } // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
-// FFTW in either precision under one name. Only this room's sources include it.
+// This file provides common names for FFTW in single and double precision. Only
+// the sources of this module include it.
 
 #include <fftw3.h>
 
@@ -9,8 +10,9 @@
 
 namespace asperity {
 
-/// FFTW's planner is not thread safe; executing a plan is. There is one planner
-/// a precision in the process, hence one mutex: this room is a shared library.
+/// Protects FFTW's planner, which is not thread safe; executing a plan is. A
+/// process has one planner per precision and must have a single mutex,
+/// therefore this module is a shared library.
 std::mutex& planner_mutex();
 
 template <class Real>

@@ -1,7 +1,8 @@
 #pragma once
 
-// The periodic rectangle every field lives on: its points, steps and
-// wavevectors. Owns the storage order and the DFT's wavenumber convention.
+// This file defines the periodic rectangular grid of all fields: points,
+// spacings, wavevectors, the storage order and the wavenumber convention of the
+// DFT.
 
 #include <cmath>
 #include <cstddef>
@@ -50,19 +51,19 @@ struct Grid {
   friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// The signed integer wavenumber of DFT row j of n: j, or j - n above n/2.
-/// The Nyquist row n/2 of an even n counts as positive.
+/// Signed integer wavenumber of DFT row j of n: j, or j - n if j > n/2. The
+/// Nyquist row n/2 of an even n counts as positive.
 inline int signed_wavenumber(int j, int n) {
   return j <= n / 2 ? j : j - n;
 }
 
-/// Whether two lengths are meant to be one: 10 um and 100 times 0.1 um differ
-/// by the rounding of a product.
+/// Whether two lengths are equal up to the roundoff of a product: 10 um and 100
+/// times 0.1 um are.
 inline bool is_same_length(double a, double b) {
   return std::abs(a - b) <= 1e-12 * std::abs(b);
 }
 
-/// q = 2 pi j / length [rad/m] of the integer wavenumber j.
+/// Wavevector q = 2 pi j / length [rad/m] of the integer wavenumber j.
 inline double wavevector(int wavenumber, double length) {
   return 2.0 * std::numbers::pi * wavenumber / length;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-// Constants of nature, each with its source. No other file types one.
+// This file contains the physical constants with their sources. No other file
+// contains their values.
 
 namespace asperity {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What counts as text from outside: UTF-8 without control characters, so that
-// it can be printed, plotted and written into JSON, HTML and XML.
+// This file defines plain text in external input: UTF-8 without control
+// characters, which can be printed, plotted and written to JSON, HTML and XML.
 
 #include <cstddef>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace asperity {
 
-/// Where the first byte stands that is no part of UTF-8 or is a control
+/// Position of the first byte that is not valid UTF-8 or that is a control
 /// character other than tab, line feed and carriage return; npos if the text is
 /// plain. Unassigned code points are plain, surrogates are not.
 std::size_t find_not_plain(std::string_view text);
 
-/// `text` as a message may show it: at most `longest` bytes and "..." behind
-/// them if there were more, '?' for each byte that is not plain and for each
-/// line end.
+/// `text` in a form that can be shown in a message: at most `longest` bytes,
+/// followed by "..." if there were more, with '?' for each byte that is not
+/// plain and for each line end.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// `text` without the blanks and tabs at its ends.

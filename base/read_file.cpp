@@ -35,11 +35,11 @@ const char* description(fs::file_type type) {
   }
 }
 
-/// Closes a file of the system when it goes.
+/// Owner of an open file, which is closed by the destructor.
 class OpenFile {
 public:
-  /// O_NONBLOCK: a pipe that took the file's place a moment ago does not wait
-  /// for its writer.
+  /// Opens the file. O_NONBLOCK prevents waiting for a writer if a pipe has
+  /// just replaced the file.
   explicit OpenFile(const fs::path& path)
       : id_(::open(path.c_str(),
                    O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
@@ -85,7 +85,7 @@ std::string read_file(const fs::path& path, std::uintmax_t largest) {
   std::string content(std::min(fs::file_size(path), largest), '\0');
   std::size_t length = 0;
   for (;;) {
-    if (length == content.size()) // one byte more tells the end from a rest
+    if (length == content.size()) // an extra byte detects the end of the file
       content.resize(length + 4096);
     const ssize_t count =
         ::read(file.id(), content.data() + length, content.size() - length);

@@ -1,7 +1,8 @@
 #pragma once
 
-// Whole files into memory. Owns what may be opened at all: regular files of a
-// stated size, so that no pipe or device can hold the program or fill it.
+// This file reads whole files into memory. It accepts only regular files up to
+// a given size, so that no pipe or device can block the program or fill its
+// memory.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,26 +11,26 @@
 
 namespace asperity {
 
-/// "path: what was found, what is allowed": there is no such file, it is no
-/// regular file, it is larger than its limit, or the system cannot read it.
+/// "path: what was found, what is allowed": the file does not exist, is not a
+/// regular file, is larger than its limit, or cannot be read.
 struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The whole content of a file, byte for byte. A symbolic link is followed; a
-/// folder, pipe, device or socket is refused without being read.
-/// @param largest  size allowed [bytes], which is also all that is read of a
-///                 file that grows meanwhile
-/// @throws FileError
+/// Returns the whole content of a file, byte for byte. A symbolic link is
+/// followed; a folder, pipe, device or socket is rejected without being read.
+/// @param largest  largest size allowed [bytes]; no more than this is read even
+///                 if the file grows meanwhile
+/// @throws FileError  as described there
 std::string read_file(const std::filesystem::path& path,
                       std::uintmax_t largest);
 
-/// The same checks for a file that a library opens by its name.
-/// @throws FileError
+/// Makes the same checks for a file that a library opens by its name.
+/// @throws FileError  as described there
 void require_regular_file(const std::filesystem::path& path,
                           std::uintmax_t largest);
 
-/// "64 MiB", "1.5 GiB", in messages about sizes and memory.
+/// A size for messages, such as "64 MiB" or "1.5 GiB".
 std::string bytes_text(double bytes);
 
 } // namespace asperity

@@ -1,22 +1,23 @@
 #pragma once
 
-// The one answer to a bad argument of a public function: std::domain_error
-// that names the argument, its value and the allowed range.
+// This file contains range checks for the arguments of public functions, which
+// throw a std::domain_error that names the argument, its value and the allowed
+// range.
 
 #include <string>
 
 namespace asperity {
 
-/// @throws std::domain_error "name = value, but must be <range>".
+/// @throws std::domain_error  "name = value, but must be <range>"
 [[noreturn]] void refuse_argument(const std::string& name, double value,
                                   const std::string& range);
 
-/// Each refuses a value that is outside its range or not finite; `unit` is
-/// printed in the message, "1" for none.
+/// These functions reject a value that is outside its range or not finite;
+/// `unit` is printed in the message, "1" if dimensionless.
 void require_positive(const char* name, double value, const char* unit);
 void require_not_negative(const char* name, double value, const char* unit);
 
-/// low <= value <= high.
+/// Requires low <= value <= high.
 void require_between(const char* name, double value, double low, double high,
                      const char* unit);
 

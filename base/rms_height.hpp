@@ -1,7 +1,7 @@
 #pragma once
 
-// The one definition of the rms height, for surfaces and for the tolerances
-// that are a share of it.
+// This file defines the rms height, for surfaces and for tolerances that are
+// relative to it.
 
 #include <cmath>
 #include <numeric>
@@ -9,8 +9,9 @@
 
 namespace asperity {
 
-/// sqrt <(h - <h>)^2> over the nodes, in the unit of h: no constant added to
-/// all heights changes it. NaN for no heights or one that is not finite.
+/// sqrt <(h - <h>)^2> over the nodes, in the unit of h; adding a constant to
+/// all heights does not change it. NaN if there are no heights or if one is not
+/// finite.
 inline double rms_height(std::span<const double> heights) {
   const auto count = static_cast<double>(heights.size());
   const double mean =

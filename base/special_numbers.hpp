@@ -1,6 +1,6 @@
 #pragma once
 
-// Names of the two numbers that are not finite.
+// This file defines names for infinity and NaN.
 
 #include <limits>
 

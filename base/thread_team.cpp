@@ -12,11 +12,12 @@
 namespace asperity {
 namespace {
 
-/// Looks at a state that is about to change before a thread sleeps, some 50 us:
-/// waking costs as much, and the serial lines between two loops take less.
+/// Number of times a thread polls a state that is about to change before it
+/// sleeps, about 50 us: waking takes as long, and the serial code between two
+/// loops takes less.
 constexpr int looks = 100;
 
-/// A parked thread that does one call at a time.
+/// A parked thread that executes one call at a time.
 class Helper {
 public:
   Helper() : thread_([this] { live(); }) {}
@@ -37,7 +38,7 @@ public:
     state_.notify_one();
   }
 
-  /// Takes the call back if it has not begun, else waits for its end.
+  /// Withdraws the call if it has not begun, otherwise waits for its end.
   void release() {
     State seen = State::called;
     if (!state_.compare_exchange_strong(seen, State::parked))
@@ -64,7 +65,7 @@ private:
     while (wait_while(State::parked) != State::leaves) {
       State seen = State::called;
       if (!state_.compare_exchange_strong(seen, State::works))
-        continue; // taken back
+        continue; // the call was withdrawn
       (*work_)(worker_);
       state_ = State::parked;
       state_.notify_one();
@@ -74,10 +75,10 @@ private:
   std::atomic<State> state_ = State::parked;
   const std::function<void(int)>* work_ = nullptr;
   int worker_ = 0;
-  std::thread thread_; // last: it uses the others
+  std::thread thread_; // last, because it uses the other members
 };
 
-/// What was thrown first by any of several threads.
+/// The first exception thrown by any of several threads.
 class FirstFailure {
 public:
   void keep() {
@@ -86,7 +87,7 @@ public:
       first_ = std::current_exception();
   }
 
-  /// Once all have ended.
+  /// To be called after all threads have ended.
   void rethrow() const {
     if (first_)
       std::rethrow_exception(first_);
@@ -99,7 +100,7 @@ private:
 
 using Helpers = std::vector<std::unique_ptr<Helper>>;
 
-/// The helpers of the process that nobody uses.
+/// The idle helper threads of the process.
 class Park {
 public:
   static Park& instance() {
@@ -134,10 +135,11 @@ private:
                    [] { instance().begin_child(); });
   }
 
-  /// A child process has this memory but none of the threads.
+  /// Discards the helpers in a child process, which has this memory but none of
+  /// the threads.
   void begin_child() {
     for (auto& helper : parked_)
-      static_cast<void>(helper.release()); // its thread cannot be joined here
+      static_cast<void>(helper.release()); // the thread cannot be joined here
     parked_.clear();
     mutex_.unlock();
   }
