@@ -83,7 +83,7 @@ double dmt_pull_off_force(const StickySphere& sphere) {
 
 namespace {
 
-// The Dugdale zone in t = arcsec(c/a), s = tan t, n = 1/cos t.
+// The cohesive (Dugdale) zone, with t = arcsec(c/a), s = tan t, n = 1/cos t.
 struct Zone {
   double angle = 0.0;
 

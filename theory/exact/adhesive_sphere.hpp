@@ -1,64 +1,68 @@
 #pragma once
 
-// A sphere that sticks to an elastic half-space: Johnson, Kendall and Roberts',
-// Derjaguin, Muller and Toporov's, and Maugis' solution between the two.
+// This file contains the adhesive contact of a sphere and an elastic
+// half-space: the theories of Johnson, Kendall and Roberts (JKR) and of
+// Derjaguin, Muller and Toporov (DMT), and the transition between them by
+// Maugis.
 
 namespace asperity::theory {
 
-/// The sphere and how it sticks. Two spheres: 1/R = 1/R_1 + 1/R_2.
+/// The sphere and its adhesion. For two spheres 1/R = 1/R_1 + 1/R_2.
 struct StickySphere {
   double sphere_radius = 0.0;    ///< R [m] > 0
   double contact_modulus = 0.0;  ///< E* [Pa] > 0
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0
 };
 
-/// One equilibrium. Loads that pull are negative.
+/// One equilibrium state. Tensile loads are negative.
 struct StickyContact {
   double contact_radius = 0.0;  ///< a [m]
-  double adhesive_radius = 0.0; ///< c >= a [m]: between them the faces attract
-  double approach = 0.0;        ///< delta [m]; negative when pulled up
+  double adhesive_radius = 0.0; ///< c >= a [m]: attraction in a < r < c
+  double approach = 0.0;        ///< delta [m]; negative under tension
   double load = 0.0;            ///< F [N]
 };
 
-/// JKR: attraction inside the contact only,
+/// JKR theory, with attraction inside the contact only:
 ///
 ///     F     = 4 E* a^3/(3 R) - sqrt(8 pi w E* a^3),
 ///     delta = a^2/R - sqrt(2 pi w a/E*).
 ///
 /// @param contact_radius  a [m] >= 0
-/// @throws std::domain_error  an argument outside its range or not finite,
-///         here and below
-/// @par Accuracy  rounding. Model: the Tabor parameter is large.
+/// @throws std::domain_error  an argument is outside its range or not finite,
+///         as for all functions of this file
+/// @par Accuracy  roundoff. Model: valid for a large Tabor parameter.
 /// @see  K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324, 301
 ///       (1971)
 StickyContact jkr_contact(const StickySphere& sphere, double contact_radius);
 
-/// The stable contact under a load,
+/// The stable JKR contact under a load,
 ///     a^3 = (3 R/4 E*) [F + 3 pi w R + sqrt(6 pi w R F + (3 pi w R)^2)].
 /// @param load  F [N] >= -(3/2) pi w R
 StickyContact jkr_contact_at_load(const StickySphere& sphere, double load);
 
-/// (2 E* a/pi R) sqrt(1 - r^2/a^2) - sqrt(2 E* w/(pi a))/sqrt(1 - r^2/a^2) for
-/// r < a, -infinite at the edge, 0 outside [Pa].
+/// JKR contact pressure (2 E* a/pi R) sqrt(1 - r^2/a^2) -
+/// sqrt(2 E* w/(pi a))/sqrt(1 - r^2/a^2) for r < a, minus infinity at the edge,
+/// 0 outside [Pa].
 double jkr_pressure(const StickySphere& sphere, double contact_radius,
                     double radius);
 
-/// The force that parts a sphere under a fixed load, (3/2) pi w R [N] > 0.
+/// JKR pull-off force under a fixed load, (3/2) pi w R [N] > 0.
 double jkr_pull_off_force(const StickySphere& sphere);
 
-/// DMT: Hertz' contact with attraction outside it,
+/// DMT theory, Hertzian contact with attraction outside it:
 ///     F = 4 E* a^3/(3 R) - 2 pi w R,  delta = a^2/R.
-/// The range of attraction, and with it c, is left open: c = a is returned.
+/// The theory does not specify the range of attraction, nor therefore c; c = a
+/// is returned.
 /// @see  B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface
 ///       Sci. 53, 314 (1975), with Maugis' form of the load
 StickyContact dmt_contact(const StickySphere& sphere, double contact_radius);
 
-/// 2 pi w R [N] > 0.
+/// DMT pull-off force, 2 pi w R [N] > 0.
 double dmt_pull_off_force(const StickySphere& sphere);
 
-/// Maugis: the faces attract with a constant stress sigma_0 up to a gap
-/// w/sigma_0, reached at r = c (Dugdale). With K = 4 E*/3, A = a/(pi w
-/// R^2/K)^{1/3}, n = c/a and
+/// Maugis's theory: the surfaces attract each other with a constant stress
+/// sigma_0 up to a gap w/sigma_0, which is reached at r = c (Dugdale model).
+/// With K = 4 E*/3, A = a/(pi w R^2/K)^{1/3}, n = c/a and
 ///
 ///     lambda = 2 sigma_0 (R/(pi w K^2))^{1/3},
 ///     1       = (lambda A^2/2) [s + (n^2 - 2) t] +
@@ -66,36 +70,37 @@ double dmt_pull_off_force(const StickySphere& sphere);
 ///     F/pi w R = A^3 - lambda A^2 [s + n^2 t],         t = arcsec n,
 ///     delta   = (pi^2 w^2 R/K^2)^{1/3} [A^2 - (4/3) lambda A s].
 ///
-/// lambda -> infinity is JKR, lambda -> 0 is DMT.
+/// The limit lambda -> infinity is JKR, the limit lambda -> 0 is DMT.
 /// @see  D. Maugis, J. Colloid Interface Sci. 150, 243 (1992)
 class MaugisSphere {
 public:
   /// @param adhesive_stress  sigma_0 [Pa] > 0
   MaugisSphere(const StickySphere& sphere, double adhesive_stress);
 
-  /// lambda [1]; Tabor's parameter is 0.864 of it for a Lennard-Jones force.
+  /// lambda [1]; the Tabor parameter is 0.864 lambda for a Lennard-Jones
+  /// potential.
   double transition_parameter() const { return transition_parameter_; }
 
   /// @param contact_radius  a [m] > 0
-  /// @par Accuracy  1e-12 of pi w R and of a^2/R while a < 30 (pi w
-  /// R^2/K)^{1/3}
+  /// @par Accuracy  1e-12 of pi w R and of a^2/R for a < 30 (pi w R^2/K)^{1/3}
   StickyContact contact(double contact_radius) const;
 
   /// The stable contact under a load.
   /// @param load  F [N] >= -pull_off_force()
   StickyContact contact_at_load(double load) const;
 
-  /// Hertz' pressure less (sigma_0/pi) arccos[(2a^2 - c^2 - r^2)/(c^2 - r^2)]
-  /// for r < a, -sigma_0 for a < r < c, 0 outside [Pa].
+  /// Hertzian pressure minus (sigma_0/pi)
+  /// arccos[(2a^2 - c^2 - r^2)/(c^2 - r^2)] for r < a, -sigma_0 for a < r < c,
+  /// 0 outside [Pa].
   double pressure(const StickyContact& contact, double radius) const;
 
-  /// The force that parts the sphere under a fixed load, the minimum of F over
-  /// a; for small lambda that is at a -> 0 [N] > 0.
+  /// Pull-off force under a fixed load, the minimum of F over a, which for
+  /// small lambda is at a -> 0 [N] > 0.
   /// @par Accuracy  1e-9 relative
   double pull_off_force() const;
 
 private:
-  double weakest_radius() const; // a where F is least
+  double weakest_radius() const; // a at the minimum of F
 
   StickySphere sphere_;
   double adhesive_stress_;

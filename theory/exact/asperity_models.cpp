@@ -21,11 +21,12 @@ void check(const ProfileMoments& moments, double contact_modulus,
   require_positive("contact_modulus", contact_modulus, "Pa");
   if (!std::isfinite(mean_gap))
     refuse_argument("mean_gap", mean_gap, "finite [m]");
-  summit_statistics(moments); // for its refusals
+  summit_statistics(moments); // checks the moments
 }
 
-// int_0^inf x^power e^{-(x + distance)^2/2} dx/sqrt(2 pi), over root =
-// sqrt(x - start), in which x^power is smooth, as far as e^-45 of its largest.
+// int_0^inf x^power e^{-(x + distance)^2/2} dx/sqrt(2 pi), integrated over
+// root = sqrt(x - start), in which x^power is smooth, until the integrand has
+// fallen to e^-45 of its maximum.
 double gaussian_excess(double power, double distance) {
   const double nearest = std::max(0.0, distance);
   const double farthest = std::sqrt(nearest * nearest + 90.0);
@@ -44,18 +45,19 @@ double gaussian_excess(double power, double distance) {
   return sum * std::exp(-0.5 * nearest * nearest) / std::sqrt(2.0 * pi);
 }
 
-// A node of the integral over rho/t = 1 - v^2, v = 0..1.
+// A node of the quadrature over rho/t = 1 - v^2, v = 0..1.
 struct ShapeNode {
   double contrast = 0.0;    // rho/t
   double weight = 0.0;      // d(rho/t)
-  double load_factor = 0.0; // of EllipticFactors
+  double load_factor = 0.0; // see EllipticFactors
   double area_factor = 0.0;
 };
 
 constexpr std::size_t n_shapes = 40;
 using Shapes = std::array<ShapeNode, n_shapes>;
 
-// In v the factors' 1/sqrt(1 - rho/t) and the summits' 1 - (rho/t)^2 are tame.
+// In v, both 1/sqrt(1 - rho/t) in the factors and 1 - (rho/t)^2 in the summit
+// density are smooth.
 const Shapes& shapes() {
   static const Shapes nodes = [] {
     using Gauss = boost::math::quadrature::gauss<double, n_shapes>;
@@ -73,7 +75,7 @@ const Shapes& shapes() {
   return nodes;
 }
 
-// Averages over rho at one t, in units of y = t/sqrt(2 m_4/3):
+// Averages over rho at fixed t, in units of y = t/sqrt(2 m_4/3):
 // int (1 - g^2) 2 y^4 g e^{-y^2 g^2} factor dg, g = rho/t.
 AsperityLoad shape_means(double y) {
   AsperityLoad mean;
@@ -119,13 +121,13 @@ AsperityLoad bush_gibson_thomas(const ProfileMoments& moments,
                                 double contact_modulus, double mean_gap) {
   check(moments, contact_modulus, mean_gap);
   const double m0 = moments.height, m2 = moments.slope;
-  const double unit = std::sqrt(2.0 / 3.0 * moments.curvature); // of t
+  const double unit = std::sqrt(2.0 / 3.0 * moments.curvature); // unit of t
   const double correlation = m2 / (std::sqrt(m0) * unit);       // of z and t
   const double deviation =
-      std::sqrt(m0 * (1.0 - correlation) * (1.0 + correlation)); // of z at t
-  const double height = m2 / unit;                               // <z> at y = 1
+      std::sqrt(m0 * (1.0 - correlation) * (1.0 + correlation)); // of z given t
+  const double height = m2 / unit; // mean of z at y = 1
 
-  // Density of summits times load at y, over the common factors below.
+  // Density of summits times load at y, without the common factors below.
   const auto at = [&](double y) {
     const double distance = (mean_gap - height * y) / deviation;
     AsperityLoad load = shape_means(y);

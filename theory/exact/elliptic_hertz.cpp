@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 namespace {
 
-// The two integrals at m = 1 - b^2/a^2.
+// The complete elliptic integrals at m = 1 - b^2/a^2.
 struct Integrals {
   double first;  // K
   double second; // E

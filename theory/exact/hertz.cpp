@@ -17,7 +17,8 @@ HertzContact hertz_contact(double load, double sphere_radius,
   const double radius =
       std::cbrt(0.75 * load * sphere_radius / contact_modulus);
   const double approach = radius * radius / sphere_radius;
-  // p_0 = 3 F/(2 pi a^2) without a division by the area of no contact
+  // p_0 = 3 F/(2 pi a^2), without dividing by a zero area if there is no
+  // contact
   const double peak = 2.0 * contact_modulus * radius / (pi * sphere_radius);
   return {load, sphere_radius, contact_modulus,      radius,
           peak, approach,      0.4 * load * approach};
@@ -44,7 +45,7 @@ double hertz_displacement(const HertzContact& contact, double radius) {
   require_not_negative("radius", radius, "m");
   const double a = contact.contact_radius;
   const double r = radius;
-  // p_0/(2 a E*) = 1/(pi R), finite for no contact at all
+  // p_0/(2 a E*) = 1/(pi R), which is finite without contact
   const double scale = 1.0 / (pi * contact.sphere_radius);
   if (r <= a)
     return 0.5 * pi * scale * (2.0 * a * a - r * r);
@@ -71,7 +72,7 @@ AxisStress hertz_axis_stress(const HertzContact& contact, double depth,
   const double z = depth / contact.contact_radius;
   const double fall = 1.0 / (1.0 + z * z);
   double spread = 1.0 - z * std::atan2(1.0, z);
-  if (z > 20.0) { // 1/(3 z^2) - 1/(5 z^4) + ...: the difference cancels
+  if (z > 20.0) { // 1/(3 z^2) - 1/(5 z^4) + ... avoids cancellation
     const double square = 1.0 / (z * z);
     spread =
         square * (1.0 / 3.0 -
@@ -83,7 +84,8 @@ AxisStress hertz_axis_stress(const HertzContact& contact, double depth,
 
 namespace {
 
-// sum over the square lattice but its origin, as far as exp(-pi n^2) matters
+// Sum over the square lattice without its origin, to the precision of
+// exp(-pi n^2)
 template <class Function>
 double lattice_sum(Function function) {
   const int reach = 4; // erfc(4 sqrt(pi)) = 1e-23
@@ -97,17 +99,20 @@ double lattice_sum(Function function) {
 
 } // namespace
 
-// Ewald's sum at the width where the lattice and its reciprocal are alike:
+// Ewald's sum, with the width for which the direct and the reciprocal sums are
+// equal:
 //   pi^-s Gamma(s) sum' n^-2s = 1/(s - 1) - 1/s + sum' [Gamma(s, x) x^-s +
 //   Gamma(1 - s, x) x^{s - 1}],  x = pi n^2,
-// here s = 1/2, where the lattice sum is understood less its integral.
+// here with s = 1/2, for which the lattice sum means the sum minus its
+// integral.
 double square_array_constant() {
   return 4.0 - 2.0 * lattice_sum([](double square) {
                  return std::erfc(std::sqrt(pi * square)) / std::sqrt(square);
                });
 }
 
-// The same with s = 3/2; Gamma(1/2, x) = sqrt(pi) erfc(sqrt x) and recurrence.
+// The same sum with s = 3/2, from Gamma(1/2, x) = sqrt(pi) erfc(sqrt x) and the
+// recurrence relation.
 double square_array_curvature_constant() {
   const double sum = lattice_sum([](double square) {
     const double root = std::sqrt(pi * square);

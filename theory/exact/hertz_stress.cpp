@@ -22,12 +22,12 @@ struct SpheroidalPoint {
   double bend = 0.0;    ///< angle - sqrt(u)/(1 + u)
 };
 
-// 1 - atan(x)/x, whose difference cancels for small x.
+// 1 - atan(x)/x, by its series for small x, where the difference would cancel.
 double arc_deficit(double x) {
   if (x > 0.1)
     return 1.0 - std::atan(x) / x;
   double sum = 0.0;
-  for (int n = 8; n >= 1; --n) // what is left out: x^16 of the first term
+  for (int n = 8; n >= 1; --n) // truncation error: x^16 of the first term
     sum = (1.0 / (2.0 * n + 1.0) - sum) * x * x;
   return sum;
 }
@@ -45,9 +45,10 @@ SpheroidalPoint point_at(const HertzContact& contact, double radius,
   const double z = point.z;
   const double s = (r - 1.0) * (r + 1.0) + z * z;
   const double root = std::hypot(s, 2.0 * z);
-  if (root == 0.0) // the rim
+  if (root == 0.0) // the contact edge
     return {r, z, 0.0, 0.0, 0.5 * pi, 1.0, 0.5 * pi};
-  // u = (s + root)/2 and z^2/u = (root - s)/2, each without cancellation.
+  // u = (s + root)/2 and z^2/u = (root - s)/2, each computed without
+  // cancellation.
   point.u = s >= 0.0 ? 0.5 * (s + root) : 2.0 * z * z / (root - s);
   point.k = std::sqrt(s >= 0.0 ? 2.0 * z * z / (root + s) : 0.5 * (root - s));
   const double q = std::sqrt(point.u);
@@ -58,7 +59,7 @@ SpheroidalPoint point_at(const HertzContact& contact, double radius,
   return point;
 }
 
-// (1 - k^3)/r^2, by 1 - k^2 = r^2/(1 + u).
+// (1 - k^3)/r^2, from 1 - k^2 = r^2/(1 + u).
 double rim_share(const SpheroidalPoint& point) {
   const double k = point.k;
   return (1.0 + k + k * k) / ((1.0 + k) * (1.0 + point.u));
@@ -86,7 +87,7 @@ AxisymmetricStress hertz_stress(const HertzContact& contact, double radius,
   const SpheroidalPoint at = point_at(contact, radius, depth, poisson);
   const double k = at.k;
   const double square = at.u + k * k;
-  // k^3 u/(u^2 + z^2) = k^3/(u + k^2), finite on the face.
+  // k^3 u/(u^2 + z^2) = k^3/(u + k^2), finite on the surface.
   const double normal = square > 0.0 ? k * k * k / square : 0.0;
   const double fall = 1.0 / (1.0 + at.u);
   const double hole = (1.0 - 2.0 * poisson) / 3.0 * rim_share(at);

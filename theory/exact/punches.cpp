@@ -66,7 +66,7 @@ double Cone::displacement(double load, double radius) const {
   if (radius <= a)
     return spot.approach - slope_ * radius;
   const double root = std::sqrt((radius - a) * (radius + a));
-  // root - r = -a^2/(root + r), without cancellation far away
+  // root - r = -a^2/(root + r), which avoids cancellation far from the contact
   return slope_ * (a * std::asin(a / radius) - a * a / (root + radius));
 }
 

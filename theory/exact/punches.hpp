@@ -1,14 +1,14 @@
 #pragma once
 
-// Two rigid punches on an elastic half-space with closed fields: the flat
-// cylinder and the cone.
+// This file contains two rigid punches on an elastic half-space whose fields
+// have closed forms: the flat-ended cylinder and the cone.
 
 namespace asperity::theory {
 
-/// What a punch of revolution does: radius of contact, depth and load.
+/// Contact of an axisymmetric punch: radius, approach and load.
 struct PunchContact {
   double contact_radius = 0.0; ///< a [m]
-  double approach = 0.0;       ///< delta [m], towards contact
+  double approach = 0.0;       ///< delta [m], positive into contact
   double load = 0.0;           ///< F [N]
 };
 
@@ -18,18 +18,18 @@ class FlatPunch {
 public:
   /// @param punch_radius     a [m] > 0
   /// @param contact_modulus  E* [Pa] > 0
-  /// @throws std::domain_error  an argument outside its range or not finite,
-  ///         here and below
+  /// @throws std::domain_error  an argument is outside its range or not finite,
+  ///                            as for all members
   FlatPunch(double punch_radius, double contact_modulus);
 
-  /// @param load  F [N], tension too: the edge does not move
+  /// @param load  F [N], may be tensile: the contact edge does not move
   PunchContact contact(double load) const;
 
-  /// F/(2 pi a^2 sqrt(1 - r^2/a^2)) for r < a, infinite at the edge, 0 outside
-  /// [Pa].
+  /// Contact pressure F/(2 pi a^2 sqrt(1 - r^2/a^2)) for r < a, infinite at the
+  /// edge, 0 outside [Pa].
   double pressure(double load, double radius) const;
 
-  /// delta for r <= a, (2 delta/pi) asin(a/r) outside [m].
+  /// Surface displacement delta for r <= a, (2 delta/pi) asin(a/r) outside [m].
   double displacement(double load, double radius) const;
 
 private:
@@ -41,19 +41,21 @@ private:
 /// @see  I. N. Sneddon, Int. J. Eng. Sci. 3, 47 (1965)
 class Cone {
 public:
-  /// @param slope            s of its flank against the face [1] > 0, small
+  /// @param slope            s of its flank against the surface [1] > 0, small
   /// @param contact_modulus  E* [Pa] > 0
-  /// @throws std::domain_error  an argument outside its range or not finite,
-  ///         here and below
+  /// @throws std::domain_error  an argument is outside its range or not finite,
+  ///                            as for all members
   Cone(double slope, double contact_modulus);
 
   /// @param load  F [N] >= 0
   PunchContact contact(double load) const;
 
-  /// (E* s/2) arcosh(a/r) for r < a, infinite on the axis, 0 outside [Pa].
+  /// Contact pressure (E* s/2) arcosh(a/r) for r < a, infinite on the axis, 0
+  /// outside [Pa].
   double pressure(double load, double radius) const;
 
-  /// delta - s r for r <= a, s [a asin(a/r) + sqrt(r^2 - a^2) - r] outside [m].
+  /// Surface displacement delta - s r for r <= a,
+  /// s [a asin(a/r) + sqrt(r^2 - a^2) - r] outside [m].
   double displacement(double load, double radius) const;
 
 private:

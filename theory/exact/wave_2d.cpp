@@ -19,8 +19,8 @@ using std::numbers::pi;
 
 namespace {
 
-// Cubics through the four nearest rows, so that what counting nodes leaves of
-// noise stays where it is.
+// Cubic interpolation through the four nearest rows, which keeps the noise from
+// counting contact nodes local.
 struct Interpolant {
   std::vector<double> at, values;
 
@@ -41,16 +41,18 @@ struct Interpolant {
   }
 };
 
-// What the table adds to the ends, over t = P^{2/3}; in units of D and p*.
+// Corrections to the two limits, from the table, over t = P^{2/3}; in units of
+// D and p*.
 struct BetweenTheEnds {
-  // up to the load of the split: A over the light end's, and what the light
-  // end's gap lacks over t^2
+  // Up to the split load: A divided by the light-load limit, and the error of
+  // the gap in that limit divided by t^2.
   Interpolant light_area, light_gap;
-  // from there: 1 - A over 1 - P, and the gap over (1 - P)^{5/2}
+  // Above the split load: 1 - A over 1 - P, and the gap over (1 - P)^{5/2}.
   Interpolant heavy_area, heavy_gap;
 };
 
-// Neighbouring spots merge here; each side is interpolated by itself.
+// Neighbouring contacts coalesce at this load; each side is interpolated
+// separately.
 constexpr double split_load = 0.375;
 
 BetweenTheEnds between_the_ends() {
@@ -72,7 +74,7 @@ BetweenTheEnds between_the_ends() {
       heavy_gap.push_back(row.reduced_mean_gap / std::pow(deficit, 2.5));
     }
   }
-  light_gap[0] = 2.0 * light_gap[1] - light_gap[2]; // even rows
+  light_gap[0] = 2.0 * light_gap[1] - light_gap[2]; // linear extrapolation
   heavy.push_back(1.0);
   heavy_area.push_back(1.5 / pi);
   heavy_gap.push_back(unit.heavy_mean_gap(0.0));
@@ -123,7 +125,8 @@ double Wave2dContact::mean_gap(double nominal_pressure) const {
   return amplitude_ * std::pow(1.0 - ratio, 2.5) * between().heavy_gap(load);
 }
 
-// Panels end at the rows; in P^{1/3} the light end's gap is a polynomial.
+// Integration panels end at the rows; in P^{1/3} the gap in the light-load
+// limit is a polynomial.
 double Wave2dContact::elastic_energy(double nominal_pressure) const {
   const double ratio = reduced_pressure(nominal_pressure);
   const double last = std::cbrt(ratio);
@@ -143,7 +146,7 @@ double Wave2dContact::elastic_energy(double nominal_pressure) const {
          (sum - ratio * mean_gap(ratio * full_contact_pressure_));
 }
 
-// (1/2) <p u> of p = p* cos cos, u = D cos cos, with <cos^2 cos^2> = 1/4
+// (1/2) <p u> for p = p* cos cos, u = D cos cos, with <cos^2 cos^2> = 1/4
 double Wave2dContact::full_contact_energy() const {
   return 0.125 * amplitude_ * full_contact_pressure_;
 }

@@ -36,7 +36,8 @@ double WestergaardContact::mean_gap(double nominal_pressure) const {
   const double deficit = 1.0 - ratio;
   if (deficit > 0.1)
     return amplitude_ * (deficit + ratio * std::log(ratio));
-  // sum_{n>=2} deficit^n/(n (n - 1)): the closed form's terms nearly cancel
+  // sum_{n>=2} deficit^n/(n (n - 1)), because the terms of the closed form
+  // nearly cancel
   double sum = 0.0;
   double power = deficit;
   for (int n = 2; n <= 18; ++n) {

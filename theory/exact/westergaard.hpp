@@ -1,7 +1,8 @@
 #pragma once
 
-// Westergaard's contact of an elastic half-space and a rigid sinusoidal wave,
-// h = D cos(2 pi x/lambda): exact at every load, in closed form.
+// This file contains Westergaard's contact of an elastic half-space and a rigid
+// sinusoidal surface, h = D cos(2 pi x/lambda), which is exact at every load
+// and in closed form.
 
 namespace asperity::theory {
 
@@ -9,8 +10,8 @@ namespace asperity::theory {
 ///      Mechanics (1985), Sec. 13.2. Plane strain, no friction, no adhesion.
 ///
 /// All members throw std::domain_error for an argument that is outside its
-/// range or not finite, and are exact to rounding. P = p/p* throughout; from
-/// P = 1 on the contact is full.
+/// range or not finite, and are exact to roundoff. P = p/p* throughout; the
+/// contact is full for P >= 1.
 class WestergaardContact {
 public:
   /// @param amplitude        D, half the height from trough to crest [m] > 0
@@ -22,25 +23,25 @@ public:
   /// p* = pi E* D/lambda [Pa], the load of full contact.
   double full_contact_pressure() const { return full_contact_pressure_; }
 
-  /// (2/pi) asin sqrt(P) [1] 0..1.
-  /// @param nominal_pressure  p [Pa] >= 0, here and below
+  /// Area fraction (2/pi) asin sqrt(P) [1] 0..1.
+  /// @param nominal_pressure  p [Pa] >= 0, as for all members
   double area_fraction(double nominal_pressure) const;
 
-  /// D (1 - P + P ln P) [m], between the mean planes; 0 in full contact.
+  /// Separation of the mean planes, D (1 - P + P ln P) [m]; 0 in full contact.
   double mean_gap(double nominal_pressure) const;
 
   /// -dp/d(mean gap) = p*/(D ln(1/P)) [Pa/m], infinite in full contact, 0 at
-  /// no load.
+  /// zero load.
   double contact_stiffness(double nominal_pressure) const;
 
-  /// Energy per nominal area D p* P^2 (1/4 - ln(P)/2) [J/m^2]; D p*/4 in full
-  /// contact.
+  /// Elastic energy per nominal area, D p* P^2 (1/4 - ln(P)/2) [J/m^2]; D p*/4
+  /// in full contact.
   double elastic_energy(double nominal_pressure) const;
 
-  /// Contact pressure, psi = pi x/lambda,
+  /// Contact pressure, with psi = pi x/lambda,
   ///     2 p* cos(psi) sqrt(P - sin^2 psi),  0 where P < sin^2 psi,
   ///     p + p* cos(2 psi) in full contact [Pa].
-  /// @param position  x from a crest [m], any
+  /// @param position  x from a crest [m], any finite value
   double contact_pressure(double position, double nominal_pressure) const;
 
   /// Gap, with t = abs(sin(pi x/lambda)):

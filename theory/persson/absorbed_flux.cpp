@@ -23,7 +23,8 @@ void check(const MovingWall& wall) {
   }
 }
 
-// 2 Psi after `elapsed`, at a wall that is `away` from where it started.
+// 2 Psi after the time `elapsed`, for a boundary at the distance `away` from
+// the source.
 double twice_psi(double away, double elapsed, double rate) {
   const double slope = away / elapsed;
   return (rate - slope) * std::exp(-0.25 * away * slope) /
@@ -35,7 +36,7 @@ double twice_psi(double away, double elapsed, double rate) {
 Absorption absorbed_flux(const MovingWall& wall) {
   check(wall);
   const std::size_t n = wall.time.size();
-  std::vector<double> width(n); // trapezoidal weights, but for the last node
+  std::vector<double> width(n); // trapezoidal weights, except at the last node
   for (std::size_t i = 0; i + 1 < n; ++i)
     width[i] = 0.5 * (wall.time[i + 1] - wall.time[i == 0 ? 0 : i - 1]);
   Absorption result{std::vector<double>(n, 0.0), std::vector<double>(n, 1.0)};

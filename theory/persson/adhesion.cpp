@@ -23,7 +23,8 @@ double true_area_factor(double mean_square_slope) {
   if (inverse < gentle)
     return 1.0 + 0.5 * std::sqrt(pi) * slope * std::exp(inverse * inverse) *
                      std::erfc(inverse);
-  // erfc's asymptote: x e^{x^2} erfc(x) sqrt(pi) = sum (2n - 1)!! (-1/2x^2)^n
+  // Asymptotic series of erfc:
+  // x e^{x^2} erfc(x) sqrt(pi) = sum (2n - 1)!! (-1/2x^2)^n
   double sum = 1.0;
   for (int n = 6; n > 0; --n)
     sum = 1.0 - (2 * n - 1) * 0.5 * mean_square_slope * sum;
@@ -67,13 +68,13 @@ void RoughAdhesion::add_node(const HeightSpectrum& spectrum, double to) {
   nodes_.push_back({to, last.moment + moment(3), moment(2)});
 }
 
-// gamma_eff(q) of given P(q), from q_1 downwards.
+// gamma_eff(q) for given P(q), computed from q_1 downwards.
 AdhesiveState RoughAdhesion::state_of(std::vector<double> area_fractions,
                                       double height_ratio) const {
   const double square = height_ratio * height_ratio;
   const double modulus = pair_.contact_modulus;
   const auto energy_factor = [&](double p) {
-    return p * (pair_.gamma + (1.0 - pair_.gamma) * p * p); // (10)
+    return p * (pair_.gamma + (1.0 - pair_.gamma) * p * p); // Eq. (10)
   };
   AdhesiveState state;
   state.exists = true;

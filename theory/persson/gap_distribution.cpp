@@ -22,8 +22,8 @@ double GapDistribution::contact_weight() const {
   return contact_.area_fraction(contact_.highest_magnification());
 }
 
-// u_1 falls from infinity to 0 between zeta_0 and zeta_1, by hundreds of
-// orders of magnitude at both ends: the root is sought in logarithms.
+// u_1 falls from infinity to 0 between zeta_0 and zeta_1, by hundreds of orders
+// of magnitude at both ends; therefore the root is computed in logarithms.
 double GapDistribution::magnification(double gap) const {
   require_positive("gap", gap, "m");
   const double beyond = 700.0;

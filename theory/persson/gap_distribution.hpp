@@ -1,47 +1,53 @@
 #pragma once
 
-// The distribution of the local separation u_1(zeta), (27) and (28): a density
-// over u > 0 and the contact's weight at u = 0.
+// This file contains the distribution of the local separation u_1(zeta),
+// Eqs. (27) and (28) of Yang and Persson (2008): a density over u > 0 and the
+// weight of the contact area at u = 0. Equation numbers in this file are those
+// of that paper.
 
 #include "theory/persson/magnification.hpp"
 
 namespace asperity::theory {
 
-/// The part of the nominal area on which the surfaces part at less than u, and
-/// its density:
+/// Fraction of the nominal area in which the local separation u_1 is less than
+/// u, and its density:
 ///
 ///     Psi(u) = A(zeta(u))/A_0,  u = u_1(zeta(u)),   P_u = dPsi/du   (27)
 ///
-/// with a delta function of weight A(zeta_1)/A_0 at u = 0. In (28) zeta =
-/// e^{-mu} turns the sign round; zeta = e^{mu} is meant, and the integrals
-/// over mu = ln zeta are those of opening_rates(). Narrower than the
-/// distribution (26) of u(x) itself, of which u_1 is already a mean.
+/// with a delta function of weight A(zeta_1)/A_0 at u = 0. Eq. (28) has
+/// zeta = e^{-mu}, whose sign must be reversed to zeta = e^{mu}; the integrals
+/// over mu = ln zeta are those of opening_rates(). This distribution is
+/// narrower than that of u(x) itself, Eq. (26), because u_1 is a mean of u(x).
 ///
-/// The moments: int P_u du = 1 with the delta, int u P_u du = u(zeta_0), the
-/// mean gap. The tail falls as 1/(u^2 ln^2 u), so there is no variance.
+/// The moments are int P_u du = 1 including the delta function, and
+/// int u P_u du = u(zeta_0), the mean gap. The tail falls as 1/(u^2 ln^2 u), so
+/// the variance does not exist.
 ///
-/// @par Accuracy  1e-9 relative up to some 5 h_rms: zeta(u) is a root, and near
-/// zeta_0 the
+/// @par Accuracy  1e-9 relative up to about 5 h_rms: zeta(u) is a root, and
+///            near zeta_0 the digits of q - q_L are lost. Model: as
+///            MagnifiedContact.
 ///      digits of q - q_L are lost. Model: as MagnifiedContact.
 class GapDistribution {
 public:
-  /// @throws std::domain_error  a spectrum of shells, of which u_1 has jumps;
-  ///         take steps of MagnifiedContact::opening_gap() instead
+  /// @throws std::domain_error  the spectrum consists of shells, for which u_1
+  ///                            is discontinuous; use steps of
+  ///                            MagnifiedContact::opening_gap() instead
   explicit GapDistribution(MagnifiedContact contact);
 
   const MagnifiedContact& contact() const { return contact_; }
 
-  /// A(zeta_1)/A_0, the weight at u = 0 [1].
+  /// Weight at u = 0, A(zeta_1)/A_0 [1].
   double contact_weight() const;
 
-  /// zeta(u): where u_1 is u [m] > 0.
+  /// The magnification zeta(u) at which u_1 = u. u [m] > 0
   /// @throws std::domain_error  the gap is not positive and finite
   double magnification(double gap) const;
 
-  /// Psi(u) [1], at least contact_weight(), 1 for u -> inf. u [m] > 0
+  /// Cumulative distribution Psi(u) [1], at least contact_weight(), 1 for
+  /// u -> inf. u [m] > 0
   double cumulative(double gap) const;
 
-  /// P_u without its delta function [1/m]. u [m] > 0
+  /// Density P_u without its delta function [1/m]. u [m] > 0
   double density(double gap) const;
 
 private:

@@ -24,7 +24,7 @@ Series::Coefficients weighted_erf_squared() {
     for (std::size_t j = 0; i + j + 1 < product.size(); ++j)
       product[i + j + 1] += 4.0 / std::numbers::pi * odd[i] * odd[j];
   for (std::size_t i = 0; i < product.size(); ++i) {
-    double exponential = 1.0; // of e^{-3 t^2}
+    double exponential = 1.0; // coefficient of the series of e^{-3 t^2}
     for (std::size_t j = 0; i + j < result.size(); ++j) {
       result[i + j] += product[i] * exponential;
       exponential *= -3.0 / static_cast<double>(j + 1);
@@ -80,7 +80,7 @@ GammaParts scaled_kernel(double x) {
   return {0.5 * x * x * sum.linear, 0.5 * x * x * sum.cubic};
 }
 
-// x^2 e^{x^2} J on octaves limit * 2^k by Chebyshev interpolation.
+// x^2 e^{x^2} J on octaves limit * 2^k, by Chebyshev interpolation.
 class OctaveTable {
 public:
   static constexpr int n_octaves = 4;
@@ -137,8 +137,8 @@ private:
   std::array<Octave, n_octaves> octaves_;
 };
 
-// x^2 e^{x^2} J/(gamma + 3 (1 - gamma)) = (1/2) sum_n n! (-1/x^2)^n: erf is 1
-// to rounding up here, and term 12 is below 1e-16 above x = 11.3.
+// x^2 e^{x^2} J/(gamma + 3 (1 - gamma)) = (1/2) sum_n n! (-1/x^2)^n: here erf
+// is 1 to roundoff, and term 12 is below 1e-16 for x > 11.3.
 double scaled_asymptote(double x) {
   const double ratio = -1.0 / (x * x);
   double sum = 1.0;

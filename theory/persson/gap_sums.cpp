@@ -23,8 +23,8 @@ GammaParts contract(const Series::Coefficients& linear,
   return sum;
 }
 
-// Both kernels fall at least as e^{-x^2}: past this the rest is rounding, even
-// where the first term is all there is.
+// Both kernels fall at least as fast as e^{-x^2}: beyond this value the
+// remaining terms are below roundoff, even compared with the first term alone.
 bool is_negligible(double x, double smallest_x) {
   const double exponent_of_rounding = 45.0; // e^{-45} = 3e-20
   return x * x > smallest_x * smallest_x + exponent_of_rounding;
@@ -111,7 +111,8 @@ GammaParts GapSums::elastic_energy(double pressure_ratio) const {
   for (const Node& node : nodes_) { // (pi/2) weight m = (sqrt(pi)/2) weight/w
     const double part =
         0.5 * std::sqrt(std::numbers::pi) * node.weight / node.factor;
-    const double probability = std::erf(node.factor * pressure_ratio); // (11)
+    const double probability =
+        std::erf(node.factor * pressure_ratio); // Eq. (11)
     energy.linear += part * probability;
     energy.cubic += part * probability * probability * probability;
   }

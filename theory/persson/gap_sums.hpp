@@ -1,7 +1,9 @@
 #pragma once
 
-// The outer integrals of (9), (14) and their derivative at one pressure, fast:
-// what is prepared once for a spectrum so that a point of u(p) is microseconds.
+// This file evaluates the outer integrals of Eqs. (9) and (14) of Yang and
+// Persson (2008) and of their derivative at one pressure, from quantities that
+// are computed once per spectrum: a point of u(p) takes microseconds. Equation
+// numbers in this file are those of that paper.
 
 #include "theory/persson/gap_kernel.hpp"
 #include "theory/persson/height_spectrum.hpp"
@@ -13,27 +15,27 @@
 namespace asperity::theory {
 
 /// Sums over the nodes of a spectrum, x_k = p/(E* sqrt(pi) m_k). Nodes with
-/// x_k < sqrt(1/2) enter through their power moments, all of them at once; only
-/// the others, some three octaves of m, are summed one by one.
+/// x_k < sqrt(1/2) enter together through their power moments; only the others,
+/// about three octaves of m, are summed one by one.
 class GapSums {
 public:
-  /// @param nodes  descending in root_moment
+  /// @param nodes  in descending order of root_moment
   explicit GapSums(std::span<const RoughnessNode> nodes);
 
-  /// Both parts of u(p), (14) [m].
+  /// Both parts of u(p), Eq. (14) [m].
   /// @param pressure_ratio  p/E* [1] > 0
   GammaParts mean_gap(double pressure_ratio) const;
 
   /// Both parts of D = -du/dln p [m].
   GammaParts mean_gap_slope(double pressure_ratio) const;
 
-  /// Both parts of U_el/(A_0 E*), (9) [m].
+  /// Both parts of U_el/(A_0 E*), Eq. (9) [m].
   GammaParts elastic_energy(double pressure_ratio) const;
 
-  /// sum of the weights = 2 int dm/q = u_0/gamma of (18) [m].
+  /// Sum of the weights = 2 int dm/q = u_0/gamma of Eq. (18) [m].
   double weight_sum() const { return weight_sum_; }
 
-  /// The mean of ln w over the weights: the integrals' quotient in (19) [1].
+  /// Weighted mean of ln w, the quotient of the integrals in Eq. (19) [1].
   double mean_log_factor() const { return mean_log_factor_; }
 
 private:
@@ -42,11 +44,11 @@ private:
   struct Node {
     double factor;      ///< w = 1/(sqrt(pi) m) [1], ascending
     double weight;      ///< [m]
-    double log_sum;     ///< sum of weight * ln w up to and with this node [m]
-    Moments power_sums; ///< sum of weight_i (w_i/w)^{2n} likewise [m]
+    double log_sum;     ///< cumulative sum of weight * ln w [m]
+    Moments power_sums; ///< cumulative sums of weight_i (w_i/w)^{2n} [m]
   };
 
-  /// How many nodes have x < limit: they come first.
+  /// Number of nodes with x < limit, which come first.
   std::size_t n_small(double pressure_ratio) const;
 
   std::vector<Node> nodes_;

@@ -49,7 +49,8 @@ void check(const SpectrumFormula& formula) {
   }
 }
 
-// A spectrum that is zero up to one of its breaks begins at that break.
+// A spectrum that is zero up to one of its breaks is made to start at that
+// break.
 void drop_empty_start(SpectrumFormula& formula) {
   std::vector<double>& breaks = formula.breaks;
   const int n_samples = 8;

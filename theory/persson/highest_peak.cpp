@@ -32,7 +32,8 @@ double expected_highest(const ProfileMoments& moments, double area) {
   const double most = scale * std::exp(-0.5); // n(1)
   if (!(most >= 4.0))
     refuse_argument("area", area, "so large that 4 peaks are expected [m^2]");
-  // n falls from x = 1; below, all but e^-n(1) of the surfaces reach higher.
+  // n falls for x > 1; below that, all surfaces but a fraction e^-n(1) reach
+  // higher.
   const auto reaches = [scale](double x) {
     return -std::expm1(-scale * x * std::exp(-0.5 * x * x));
   };

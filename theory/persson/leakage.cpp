@@ -16,7 +16,7 @@ Leak leakage(const MagnifiedContact& contact, const Fluid& fluid,
       contact.magnification_of_area(critical_area);
   if (!found)
     return {};
-  const double before = *found * (1.0 - 1e-9); // no second shell is so near
+  const double before = *found * (1.0 - 1e-9); // closer than any other shell
   Leak leak;
   leak.percolates = true;
   leak.magnification = *found;

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 namespace {
 
-// A as a function of M_z, and how fast it falls.
+// A as a function of M_z, and its derivative.
 struct VisibleArea {
   double moment = 0.0;        // M_z
   double exponent = 0.0;      // x_0^2
@@ -36,10 +36,10 @@ VisibleArea visible_area(double moment, double pressure_ratio) {
 
 } // namespace
 
-/// Everything (25) and (27) need at one magnification.
+/// All quantities that Eqs. (25) and (27) need at one magnification.
 struct MagnifiedContact::View {
   VisibleArea visible;
-  OpeningSums hidden; // of u at p/A
+  OpeningSums hidden; // for u at the pressure p/A
 
   // -d(A u)/dM_z
   double volume_fall() const {
@@ -75,7 +75,8 @@ double MagnifiedContact::highest_magnification() const {
   return contact_.spectrum().wavevector_high() / reference_wavevector_;
 }
 
-// A shell at q is seen at q; a formula has nothing at a single q.
+// At the magnification of a shell, the shell itself is resolved; for a formula
+// a single q has no weight.
 std::optional<HeightSpectrum>
 MagnifiedContact::hidden(double magnification) const {
   const HeightSpectrum& whole = contact_.spectrum();
@@ -126,7 +127,8 @@ MagnifiedContact::magnification_of_area(double area_fraction) const {
   const auto excess = [&](double log_magnification) {
     return visible_moment(std::exp(log_magnification)) - moment;
   };
-  // Outside zeta_0..zeta_1 by rounding, so that the ends have their signs.
+  // The bracket extends beyond zeta_0..zeta_1 by roundoff, so that the function
+  // has opposite signs at its ends.
   const double edge = 4.0 * std::numeric_limits<double>::epsilon();
   const double from = std::log(low) - edge, to = std::log(high) + edge;
   if (excess(to) <= 0.0)
@@ -142,7 +144,7 @@ double MagnifiedContact::mean_gap(double magnification) const {
   if (!below)
     return 0.0;
   return PerssonContact(*below, contact_.contact_modulus(), contact_.gamma())
-      .mean_gap(apparent_pressure(magnification)); // (23), (24)
+      .mean_gap(apparent_pressure(magnification)); // Eqs. (23), (24)
 }
 
 double MagnifiedContact::mean_gap_as_printed(double magnification) const {
@@ -181,7 +183,7 @@ double MagnifiedContact::opening_gap(double magnification) const {
   const View at = view(magnification);
   if (at.hidden.mean_gap == 0.0)
     return 0.0;
-  return at.volume_fall() / at.visible.fall; // (25)
+  return at.volume_fall() / at.visible.fall; // Eq. (25)
 }
 
 double MagnifiedContact::opening_gap(double from_magnification,
@@ -219,7 +221,7 @@ double MagnifiedContact::gap_density(double magnification) const {
       2.0 * (sums.closing_rate - sums.closing) * fall +
       (sums.slope_rate - sums.slope) * fall * fall / area +
       area * (sums.closing_shift - (exponent - 1.5) / moment * sums.closing);
-  return -fall * fall / rate; // (27)
+  return -fall * fall / rate; // Eq. (27)
 }
 
 } // namespace asperity::theory

@@ -14,7 +14,7 @@ struct Kernels {
   double slope = 0.0;
 };
 
-// Adds `step` times beta's integrand and its derivatives: with x ~ 1/m,
+// Adds `step` times the integrand of beta and its derivatives: with x ~ 1/m,
 // d(J/m)/dln p = -S/m, and m^2 = M - M_z gives d(J/m)/dM_z = (J - S)/(2 m^3).
 void add_closing(OpeningSums& sums, const Kernels& kernels, double root_moment,
                  double step) {

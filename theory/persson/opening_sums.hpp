@@ -1,23 +1,27 @@
 #pragma once
 
-// How the separation of what is hidden below a magnification answers when a
-// little more roughness is seen: the sums behind (25) and its derivative.
+// This file computes the derivatives of the mean separation due to the
+// unresolved roughness with respect to the resolved roughness: the sums in
+// Eq. (25) of Yang and Persson (2008) and its derivative. Equation numbers in
+// this file are those of that paper.
 
 #include "theory/persson/height_spectrum.hpp"
 
 namespace asperity::theory {
 
-/// u(M_z, p) is (14) of the roughness hidden below q, in which q is a function
-/// of M_z + m^2 and M_z is the moment M of what is seen:
+/// u(M_z, p) is Eq. (14) for the unresolved roughness, with wavevectors above
+/// q, where q is a function of M_z + m^2 and M_z is the moment M of the
+/// resolved roughness:
 ///
 ///     u = 2 int_0^{m_1} J(x) dm/q(M_z + m^2),   x = p/(E* sqrt(pi) m).
 ///
-/// Its derivatives need neither C(q) nor a division by it, because
+/// Its derivatives do not contain C(q), not even as a divisor, because
 /// dq/dM = 1/(q^3 C):
 ///
 ///     -du/dM_z = J(x_1)/(q_1 m_1) + int J(x) dq/(q^2 m)
 ///
-/// with every term positive; the integral runs over what is hidden.
+/// with every term positive; the integral extends over the unresolved
+/// roughness.
 struct OpeningSums {
   double mean_gap = 0.0;      ///< u [m]
   double slope = 0.0;         ///< D = -du/dln p [m]
@@ -27,10 +31,11 @@ struct OpeningSums {
   double closing_shift = 0.0; ///< dbeta/dM_z [m]
 };
 
-/// @param hidden          the spectrum above q, a formula
+/// Computes u and its derivatives.
+/// @param hidden          the spectrum above q, given by a formula
 /// @param pressure_ratio  p/E* [1] > 0, not checked
-/// @param gamma           of (10) [1]
-/// @par Accuracy  some 1e-13 relative, as the nodes
+/// @param gamma           gamma of Eq. (10) [1]
+/// @par Accuracy  about 1e-13 relative, as for the nodes
 OpeningSums opening_sums(const HeightSpectrum& hidden, double pressure_ratio,
                          double gamma);
 

@@ -18,7 +18,7 @@ void require_gamma(double gamma) {
 
 double log_epsilon(double gamma) {
   return -0.5 * std::numbers::egamma +
-         cubic_energy_constant() * (1.0 - gamma) / gamma; // (16)
+         cubic_energy_constant() * (1.0 - gamma) / gamma; // Eq. (16)
 }
 
 } // namespace
@@ -73,7 +73,7 @@ double PerssonContact::elastic_energy(double nominal_pressure) const {
   require_not_negative("nominal_pressure", nominal_pressure, "Pa");
   return contact_modulus_ *
          sums_->elastic_energy(nominal_pressure / contact_modulus_)
-             .at(gamma_); // (9)
+             .at(gamma_); // Eq. (9)
 }
 
 double PerssonContact::full_contact_energy() const {
@@ -82,7 +82,7 @@ double PerssonContact::full_contact_energy() const {
 }
 
 double PerssonContact::mean_gap(double nominal_pressure) const {
-  return mean_gap_parts(nominal_pressure).at(gamma_); // (14)
+  return mean_gap_parts(nominal_pressure).at(gamma_); // Eq. (14)
 }
 
 GammaParts PerssonContact::mean_gap_parts(double nominal_pressure) const {
@@ -98,35 +98,35 @@ double PerssonContact::contact_stiffness(double nominal_pressure) const {
 }
 
 double PerssonContact::gap_decay_length() const {
-  return gamma_ * sums_->weight_sum(); // (18)
+  return gamma_ * sums_->weight_sum(); // Eq. (18)
 }
 
 double PerssonContact::pressure_prefactor() const {
-  return std::exp(log_epsilon(gamma_) - sums_->mean_log_factor()); // (19)
+  return std::exp(log_epsilon(gamma_) - sums_->mean_log_factor()); // Eq. (19)
 }
 
 double PerssonContact::asymptotic_pressure(double mean_gap) const {
   require_not_negative("mean_gap", mean_gap, "m");
   return contact_modulus_ *
          std::exp(log_epsilon(gamma_) - sums_->mean_log_factor() -
-                  mean_gap / gap_decay_length()); // (17)
+                  mean_gap / gap_decay_length()); // Eq. (17)
 }
 
-// Newton's iteration for ln u as a function of ln p, kept inside a bracket.
-// ln u falls with ln p everywhere, as a straight line's logarithm at small p
-// and as -p^2 near full contact; its slope is -D/u.
+// Newton's iteration for ln u as a function of ln p, confined to a bracket. ln
+// u decreases monotonically with ln p, like the logarithm of a linear function
+// of ln p at small p and like -p^2 near full contact; its slope is -D/u.
 double PerssonContact::nominal_pressure(double mean_gap) const {
   require_positive("mean_gap", mean_gap, "m");
   const double log_least = -340.0 * std::numbers::ln10 / 3.0; // p/E* = 1e-113
   const double log_small =
       std::log(asymptotic_pressure(mean_gap) / contact_modulus_);
   if (!(log_small > log_least))
-    return asymptotic_pressure(mean_gap); // right to 1e-100
+    return asymptotic_pressure(mean_gap); // relative error below 1e-100
 
   double low = log_least;
   double high = std::log(30.0 * spectrum_.rms_slope()); // u(high) = 0
   double log_ratio = std::min(log_small, std::log(spectrum_.rms_slope()));
-  const int most_steps = 200; // bisection alone ends after 60
+  const int most_steps = 200; // bisection alone would take 60
   for (int step = 0; step < most_steps; ++step) {
     const double ratio = std::exp(log_ratio);
     const double gap = sums_->mean_gap(ratio).at(gamma_);

@@ -1,7 +1,9 @@
 #pragma once
 
-// Persson's theory of one surface under one modulus: pressure, area, energy
-// and separation, (1)-(19) of Yang and Persson, in the form smooth in m.
+// This file contains Persson's contact theory for one surface and one modulus:
+// pressure, area, energy and separation, Eqs. (1)-(19) of Yang and Persson
+// (2008), with integrals over the smooth variable m. Equation numbers in this
+// file are those of that paper.
 
 #include "theory/persson/gap_kernel.hpp"
 #include "theory/persson/height_spectrum.hpp"
@@ -14,16 +16,16 @@ namespace asperity::theory {
 
 class GapSums;
 
-/// eps of the low-pressure limit,
+/// The constant eps of the low-pressure limit,
 ///
 ///     ln eps = -gamma_Euler/2 + K (1 - gamma)/gamma                  (16)
 ///
-/// with K = cubic_energy_constant(). The paper's 4.047 is eps(0.42).
+/// with K = cubic_energy_constant(). The value 4.047 in the paper is eps(0.42).
 ///
 /// @param gamma  0 < gamma <= 1 [1]
-/// @return       eps [1], a few ulp times K/gamma; infinite below gamma
-/// = 1.7e-3
-/// @throws std::domain_error  gamma outside its range
+/// @return       eps [1], with an error of a few ulp times K/gamma; infinite
+///               for gamma < 1.7e-3
+/// @throws std::domain_error  gamma is outside its range
 double persson_epsilon(double gamma);
 
 /// Frictionless contact without adhesion of an elastic half-space and a rigid,
@@ -33,20 +35,20 @@ double persson_epsilon(double gamma);
 /// J(x) as in gap_kernel(). Every pressure is nominal, load over A_0.
 ///
 /// @par Accuracy
-///   Each integral to some 1e-14 relative for spectra that are smooth between
-///   their breaks, and for shells. Model: the reader of the paper's Sec. 3
-///   knows gamma as the one fitted parameter; what the theory misses in
-///   partial contact is measured by comparison and not claimed here.
+///   Each integral has a relative error of about 1e-14 for shells and for
+///   spectra that are smooth between their breaks. Model: gamma is the fitted
+///   parameter of Sec. 3 of the paper; the error of the theory in partial
+///   contact is measured by comparison and not stated here.
 /// @see C. Yang, B. N. J. Persson, J. Phys.: Condens. Matter 20, 215214 (2008)
 class PerssonContact {
 public:
   /// @param spectrum         of the surface (for two rough bodies, of the sum)
   /// @param contact_modulus  E* [Pa] > 0
-  /// @param gamma            of (10) [1] 0 < gamma <= 1
-  /// @throws std::domain_error  an argument outside its range or not finite
+  /// @param gamma            gamma of Eq. (10) [1], 0 < gamma <= 1
+  /// @throws std::domain_error  an argument is outside its range or not finite
   PerssonContact(HeightSpectrum spectrum, double contact_modulus, double gamma);
 
-  /// The same surface and modulus with another gamma; shares all set-up.
+  /// The same surface and modulus with another gamma; shares all prepared data.
   PerssonContact with_gamma(double gamma) const;
 
   const HeightSpectrum& spectrum() const { return spectrum_; }
@@ -55,17 +57,17 @@ public:
 
   double gamma() const { return gamma_; }
 
-  /// G of the whole spectrum, (2) [Pa^2].
+  /// G of the whole spectrum, Eq. (2) [Pa^2].
   double stress_variance() const;
 
-  /// P(sigma) of (1) at the full magnification [1/Pa].
+  /// P(sigma) of Eq. (1) at the full magnification [1/Pa].
   double pressure_density(double contact_pressure,
                           double nominal_pressure) const;
 
-  /// A/A_0 of (4) [1].
+  /// A/A_0 of Eq. (4) [1].
   double area_fraction(double nominal_pressure) const;
 
-  /// Moments of (1); see pressure_moments().
+  /// Moments of Eq. (1), see pressure_moments().
   PressureMoments pressure_moments(double nominal_pressure) const;
 
   /// Elastic energy per nominal area,
@@ -74,13 +76,14 @@ public:
   ///     W = P [gamma + (1 - gamma) P^2],  P = erf x            (10), (11)
   ///
   /// @param nominal_pressure  p [Pa] >= 0
-  /// @return                  [J/m^2]; int_u^inf p du' for each gamma, (6)
+  /// @return                  [J/m^2]; equals int_u^inf p du' for each gamma,
+  ///                          Eq. (6)
   double elastic_energy(double nominal_pressure) const;
 
-  /// (9) with W = 1: E* (pi/2) int q^2 C dq [J/m^2].
+  /// Eq. (9) with W = 1: E* (pi/2) int q^2 C dq [J/m^2].
   double full_contact_energy() const;
 
-  /// Mean separation of the surfaces' mean planes,
+  /// Separation of the mean planes of the surfaces,
   ///
   ///     u(p) = 2 int_0^{m_1} J(x) dm/q(m)                           (14)
   ///
@@ -89,31 +92,33 @@ public:
   /// @throws std::domain_error  the pressure is not positive and finite
   double mean_gap(double nominal_pressure) const;
 
-  /// u(p) at gamma = 1 and at gamma = 0 [m]: u is linear in gamma, so a least
-  /// squares fit of gamma is closed form.
+  /// u(p) at gamma = 1 and at gamma = 0 [m]: u is linear in gamma, so a
+  /// least-squares fit of gamma has a closed form.
   GammaParts mean_gap_parts(double nominal_pressure) const;
 
   /// D = -du/dln p = 2 int [gamma + 3 (1 - gamma) erf^2 x] e^{-x^2} dm/q [m],
-  /// the derivative of (14), p > 0.
+  /// the derivative of Eq. (14), for p > 0.
   double mean_gap_slope(double nominal_pressure) const;
 
-  /// -dp/du = p/D [Pa/m] > 0, infinite once D has underflowed. p > 0.
+  /// Contact stiffness -dp/du = p/D [Pa/m] > 0, infinite where D underflows,
+  /// for p > 0.
   double contact_stiffness(double nominal_pressure) const;
 
-  /// p(u), the inverse of (14).
+  /// p(u), the inverse of Eq. (14).
   /// @param mean_gap  u [m] > 0
-  /// @return          p [Pa]; the relative error of u(p) is some 1e-14
+  /// @return          p [Pa]; the relative error of u(p) is about 1e-14
   /// @throws std::domain_error  the gap is not positive and finite
   double nominal_pressure(double mean_gap) const;
 
-  /// u_0 = sqrt(pi) gamma int q^2 C w dq = 2 gamma int dm/q, (18) [m]: the
-  /// slope u_0 in p ~ e^{-u/u_0}. u_0/h_rms is not the parameter gamma.
+  /// u_0 = sqrt(pi) gamma int q^2 C w dq = 2 gamma int dm/q, Eq. (18) [m]: the
+  /// decay length in p ~ e^{-u/u_0}. u_0/h_rms is not the parameter gamma.
   double gap_decay_length() const;
 
-  /// beta of p = beta E* e^{-u/u_0}, (19) [1].
+  /// beta in p = beta E* e^{-u/u_0}, Eq. (19) [1].
   double pressure_prefactor() const;
 
-  /// p = beta E* e^{-u/u_0}, (17) [Pa]: what (14) tends to at small pressure.
+  /// p = beta E* e^{-u/u_0}, Eq. (17) [Pa], the limit of Eq. (14) at small
+  /// pressure.
   /// @param mean_gap  u [m] >= 0
   double asymptotic_pressure(double mean_gap) const;
 
@@ -132,12 +137,13 @@ struct GapPoint {
   double mean_gap = 0.0;         ///< u [m]
 };
 
-/// The gamma of (10) with which u(p), (14), lies nearest to the points in the
-/// least squares of u. Closed form: u = gamma u_1(p) + (1 - gamma) u_3(p).
+/// Fits gamma of Eq. (10) so that u(p), Eq. (14), approximates the points in
+/// the least-squares sense. The solution has a closed form, because
+/// u = gamma u_1(p) + (1 - gamma) u_3(p).
 ///
-/// @param contact  surface and modulus; its own gamma does not enter
+/// @param contact  surface and modulus; its own gamma is not used
 /// @param points   at least one
-/// @return         gamma [1], free to leave 0..1 when the points ask for it
+/// @return         gamma [1], not restricted to 0..1
 /// @throws std::domain_error  no points, or a pressure not positive
 double fit_gamma(const PerssonContact& contact,
                  std::span<const GapPoint> points);

@@ -14,7 +14,7 @@ double stress_variance(double contact_modulus, double rms_slope) {
   require_positive("contact_modulus", contact_modulus, "Pa");
   require_positive("rms_slope", rms_slope, "1");
   const double stress = contact_modulus * rms_slope;
-  return stress * stress / 8.0; // (2)
+  return stress * stress / 8.0; // Eq. (2)
 }
 
 double pressure_density(double contact_pressure, double nominal_pressure,
@@ -26,7 +26,7 @@ double pressure_density(double contact_pressure, double nominal_pressure,
   const double mirror_loss =
       -std::expm1(-contact_pressure * nominal_pressure / variance);
   return std::exp(-distance * distance / (4.0 * variance)) * mirror_loss /
-         (2.0 * std::sqrt(pi * variance)); // (1)
+         (2.0 * std::sqrt(pi * variance)); // Eq. (1)
 }
 
 double pressure_share(double low, double high, double nominal_pressure,
@@ -45,7 +45,7 @@ double pressure_share(double low, double high, double nominal_pressure,
 double area_fraction(double nominal_pressure, double variance) {
   require_not_negative("nominal_pressure", nominal_pressure, "Pa");
   require_positive("variance", variance, "Pa^2");
-  return std::erf(0.5 * nominal_pressure / std::sqrt(variance)); // (4)
+  return std::erf(0.5 * nominal_pressure / std::sqrt(variance)); // Eq. (4)
 }
 
 PressureMoments pressure_moments(double nominal_pressure, double variance) {

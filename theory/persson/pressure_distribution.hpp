@@ -1,18 +1,20 @@
 #pragma once
 
-// Persson's distribution of contact pressure in closed form, (1)-(5): pure
-// functions of the nominal pressure and of the stress variance G.
+// This file contains Persson's distribution of contact pressure in closed form,
+// Eqs. (1)-(5) of Yang and Persson (2008), as functions of the nominal pressure
+// and of the stress variance G. Equation numbers in this file are those of that
+// paper.
 
 namespace asperity::theory {
 
-/// What the roughness does to the pressure distribution:
+/// Variance parameter of the pressure distribution due to the roughness:
 ///
 ///     G = (pi/4) E*^2 int q^3 C dq = E*^2 rms_slope^2/8              (2)
 ///
 /// @param contact_modulus  E* [Pa] > 0
 /// @param rms_slope        both directions [1] > 0
 /// @return                 G [Pa^2]; full contact has the variance 2 G
-/// @throws std::domain_error  an argument outside its range or not finite
+/// @throws std::domain_error  an argument is outside its range or not finite
 double stress_variance(double contact_modulus, double rms_slope);
 
 /// Density of the contact pressure sigma > 0, normalised to the area fraction:
@@ -23,34 +25,35 @@ double stress_variance(double contact_modulus, double rms_slope);
 /// @param nominal_pressure  p [Pa] >= 0
 /// @param variance          G [Pa^2] > 0
 /// @return                  P [1/Pa] >= 0
-/// @throws std::domain_error  an argument outside its range or not finite
+/// @throws std::domain_error  an argument is outside its range or not finite
 /// @par Accuracy  a few ulp, also where the exponentials nearly cancel
 double pressure_density(double contact_pressure, double nominal_pressure,
                         double variance);
 
-/// Share of the nominal area whose contact pressure lies between two values,
+/// Fraction of the nominal area whose contact pressure lies between two values,
 ///
 ///     int_a^b P dsigma = [Phi(b - p) - Phi(a - p) - Phi(b + p) + Phi(a + p)]/2
 ///
-/// with Phi(x) = erf(x/(2 sqrt G)), from (1). All of it, a = 0 and b to
-/// infinity, is the area fraction (4).
+/// with Phi(x) = erf(x/(2 sqrt G)), from Eq. (1). For a = 0 and b -> infinity
+/// it is the area fraction, Eq. (4).
 ///
 /// @param low               a [Pa] >= 0
 /// @param high              b [Pa] >= a
 /// @param nominal_pressure  p [Pa] >= 0
 /// @param variance          G [Pa^2] > 0
 /// @return                  [1] 0..1
-/// @throws std::domain_error  an argument outside its range or not finite
-/// @par Accuracy  rounding of four erf, 1e-16 absolute
+/// @throws std::domain_error  an argument is outside its range or not finite
+/// @par Accuracy  roundoff of four erf, 1e-16 absolute
 double pressure_share(double low, double high, double nominal_pressure,
                       double variance);
 
-/// A/A_0 = erf(p/(2 sqrt G)), (4). Small pressures: p/sqrt(pi G), (5).
+/// A/A_0 = erf(p/(2 sqrt G)), Eq. (4), which is p/sqrt(pi G) at small
+/// pressures, Eq. (5).
 ///
 /// @param nominal_pressure  p [Pa] >= 0
 /// @param variance          G [Pa^2] > 0
 /// @return                  A/A_0 [1] 0..1
-/// @throws std::domain_error  an argument outside its range or not finite
+/// @throws std::domain_error  an argument is outside its range or not finite
 /// @par Accuracy  a few ulp (one erf). Model: exact in full contact only.
 /// @see  B. N. J. Persson, J. Chem. Phys. 115, 3840 (2001)
 double area_fraction(double nominal_pressure, double variance);
@@ -64,9 +67,10 @@ struct PressureMoments {
   double mean_square_pressure = 0.0; ///< over the whole nominal area [Pa^2]
 };
 
+/// Moments of Eq. (1).
 /// @param nominal_pressure  p [Pa] >= 0
 /// @param variance          G [Pa^2] > 0
-/// @throws std::domain_error  an argument outside its range or not finite
+/// @throws std::domain_error  an argument is outside its range or not finite
 PressureMoments pressure_moments(double nominal_pressure, double variance);
 
 } // namespace asperity::theory

@@ -12,15 +12,15 @@
 namespace asperity::theory {
 namespace {
 
-constexpr std::size_t n_nodes = 20; // a panel
+constexpr std::size_t n_nodes = 20; // per panel
 using NodeRule = boost::math::quadrature::gauss<double, n_nodes>;
 
-// m below 2^-n_octaves m_1 holds no more than rounding of any integral.
+// The contribution of m < 2^-n_octaves m_1 to any integral is below roundoff.
 constexpr int n_octaves = 50;
 
 struct PanelNode {
   double at = 0.0;     // -1..1, ascending
-  double weight = 0.0; // adds up to 2
+  double weight = 0.0; // the sum is 2
 };
 
 std::array<PanelNode, n_nodes> make_panel_nodes() {
@@ -39,7 +39,7 @@ const std::array<PanelNode, n_nodes>& panel_nodes() {
   return nodes;
 }
 
-// One pass over a formula, panel by panel upwards in t = sqrt(q - q_L).
+// Integrates a formula in one pass over panels in ascending t = sqrt(q - q_L).
 class FormulaPass {
 public:
   explicit FormulaPass(const SpectrumFormula& formula)
@@ -90,7 +90,7 @@ private:
     }
   }
 
-  // Halves a panel (in ln t) until m grows at most fourfold on it.
+  // Halves a panel (in ln t) until m grows at most fourfold over it.
   void add_split(double from, double to, int depth) {
     const double growth = moment(from, to);
     const int deepest = 8;
@@ -151,7 +151,7 @@ Legendre legendre_integral(double x) {
   return integral;
 }
 
-// One step of the staircase: q is `wavevector` up to m = root_moment.
+// One step of the step function: q is `wavevector` up to m = root_moment.
 struct Step {
   double root_moment;
   double wavevector;
