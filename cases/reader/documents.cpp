@@ -117,22 +117,23 @@ std::string table_section(const Table& table) {
 // Returns the section that follows the table of [expect].
 std::string at_load_section() {
   std::string page =
-      "A quantity at one load is written `name@p=pressure`, as in\n"
+      "A quantity at one load is written `name@p=pressure`, for example\n"
       "`\"area_fraction@p=0.0129 E*\" = { value = 0.109, within = 0.01 }`, the "
       "pressure\nin " +
       fmt::format("{}", fmt::join(unit_symbols(Dimension::pressure,
                                                {Yardstick::contact_modulus}),
                                   ", ")) +
-      ". It is taken from the method's loading curve, between its\nrows by "
-      "monotone cubics in ln p (the area by its logarithm), never beyond "
-      "them,\nand averaged over realisations. `reference.csv` has the same "
-      "names.\n\n| name | what it is |\n|---|---|\n";
+      ". The quantity is interpolated in\nthe method's loading curve by "
+      "monotone cubics in ln p (the area by its logarithm),\nnever "
+      "extrapolated, and averaged over realisations. `reference.csv` uses the "
+      "same\nnames.\n\n| name | what it is |\n|---|---|\n";
   for (const ExpectationName& entry : quantities_at_load())
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
-  page += "\nOne of a contact seen at a magnification has both, "
+  page += "\nA quantity of a contact at a magnification names both, "
           "`\"area_fraction@p=10 MPa@zeta=10\"`:\nthe load is one of "
-          "[magnification], and between its magnifications the logarithm "
-          "goes\nstraight. The theory of the studies answers.\n\n"
+          "[magnification], and the logarithm of the quantity is "
+          "interpolated\nlinearly between the magnifications. The theory of "
+          "the studies yields it.\n\n"
           "| name | what it is |\n|---|---|\n";
   for (const ExpectationName& entry : quantities_at_magnification())
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
@@ -142,32 +143,33 @@ std::string at_load_section() {
 const char* const page_head =
     R"(# The case file
 
-A case is one TOML file: it is the only place where a parameter is written. This
-page is generated from the table that the reader checks by
-(`cases/vocabulary*.cpp`); `asperity schema` prints the same as JSON Schema, and
-`asperity new NAME` writes a template.
+A case is one TOML file, which holds all of its parameters. This page is
+generated from the table that the reader validates against
+(`cases/reader/vocabulary*.cpp`); `asperity schema` prints the same as JSON
+Schema, and `asperity new NAME` writes a template.
 
 - A quantity is a number in SI, or a string with a unit: `"14 nm"`, `"0.3 E*"`.
-  Units of the problem: `E*` the contact modulus, `length` the side of the
-  square, `h` the distance of nodes, `h_rms` the rms height of the realisation
-  (for a theory by the formula, that of the formula),
-  `E*/h` a stiffness per area. Which units a key takes stands in its row; `µm`
-  is read as `um`.
-- A method whose table is absent does not run. A table inside a method's table is
-  a variant: `[fem.hard]` is the method `fem.hard`, with `[fem]`'s keys and its
-  own over them. Its name has the letters a-z, digits and hyphens.
-- Every mistake is reported in one go: file, line, key, what was found, what is
-  allowed, what is nearest. The program then ends with exit code 2.
-- `--set key.path=value` lays a value over the file: TOML, or else a string
-  (`--set "surface.length=20 um"`); an empty value removes the key. The case
-  text in a result ends with a line `#--set key.path=value` for each, and the
-  reader obeys such lines at the end of a file. A key with dots or equals signs
-  stands in quotes: `expect."area_fraction@p=0.01 E*"`.
-- A file whose first key is `base = "../polymer/case.toml"` (relative to itself)
-  is another case with changes: every other key is laid over that case as --set
-  would, and `key = ""` takes a key away, `fem = ""` a whole table. Relative
-  paths of the base still start at its folder. The case text of a result is the
-  base's with the changes as `#--set` lines: it needs neither file again.
+  Units of the problem: `E*` is the contact modulus, `length` the side of the
+  square, `h` the node spacing, `h_rms` the rms height of the realisation (for a
+  theory by the formula, that of the formula) and `E*/h` a stiffness per area.
+  The row of each key lists its units; `µm` is read as `um`.
+- A method runs only if its table is present. A table inside a method's table is
+  a variant: `[fem.hard]` is the method `fem.hard`; it inherits the keys of
+  `[fem]`, and its own keys override them. Its name consists of the letters a-z,
+  digits and hyphens.
+- All mistakes are reported together: file, line, key, what was found, what is
+  allowed and the nearest valid word. The program then ends with exit code 2.
+- `--set key.path=value` overrides a value of the file. The value is TOML, or
+  else a string (`--set "surface.length=20 um"`); an empty value removes it.
+  The case text in a result ends with one line `#--set key.path=value` per
+  override, and the reader applies such lines at the end of a file. A key with
+  dots or equals signs is quoted: `expect."area_fraction@p=0.01 E*"`.
+- A file whose first key is `base = "../polymer/case.toml"` (relative to the
+  file) is another case with changes: every other key overrides that case as
+  `--set` would; `key = ""` removes a key and `fem = ""` a whole table. Relative
+  paths in the base case are still resolved from its folder. The case text of a
+  result is that of the base case with the changes as `#--set` lines; it needs
+  neither file.
 
 )";
 
@@ -177,7 +179,7 @@ std::string case_template(const std::string& name) {
   std::string text =
       "# A case for asperity. Quantities are numbers in SI or strings with a "
       "unit;\n# keys behind a # show their default or an alternative. "
-      "docs/case.md has\n# one method more, atoms: [md].\n";
+      "docs/case.md describes\n# one more method, atoms: [md].\n";
   for (const Table& table : vocabulary()) {
     bool is_shown = false;
     for (const Key& key : table.keys)

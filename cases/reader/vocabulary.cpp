@@ -15,77 +15,74 @@ namespace {
 Table top_table() {
   return {.name = "",
           .when = "Always needed.",
-          .description = "The file's own keys stand before the first table.",
+          .description = "Keys at the top of the file, before the first table.",
           .keys = {
               {.name = "base",
                .type = ValueType::path,
-               .when = "first key, if it is there",
+               .when = "optional; must be the first key",
                .example = "\"../polymer/case.toml\"",
                .show = Show::no,
-               .description =
-                   "A case that this one stands on: every other key here is "
-                   "laid over it, and a key or table set to \"\" is taken "
-                   "away."},
+               .description = "Base case; every other key here overrides it, "
+                              "and a key or table set to \"\" is removed."},
               {.name = "schema",
                .type = ValueType::integer,
                .range = between(1, 1),
                .need = Need::always,
                .example = "1",
                .show = Show::yes,
-               .description = "Version of this vocabulary."},
+               .description = "Version of the case format."},
               {.name = "title",
                .type = ValueType::text,
                .when = "default: the case's name",
                .example = "\"A rough block\"",
                .show = Show::yes,
-               .description = "One line for the head of the report."},
+               .description = "Title of the report, one line."},
           }};
 }
 
 Table report_table() {
-  return {.name = "report",
-          .when = "Optional.",
-          .description = "What the result keeps for the report.",
-          .keys = {
-              {.name = "fields",
-               .type = ValueType::fields,
-               .range = between(0, 1000000),
-               .fallback = "3",
-               .example = "3",
-               .show = Show::yes,
-               .description =
-                   "Number of load steps, spread over the program, whose maps "
-                   "of pressure and gap are kept."},
-              {.name = "stress_inside",
-               .type = ValueType::boolean,
-               .fallback = "false",
-               .example = "true",
-               .description =
-                   "Work out the stress below the face under each kept "
-                   "pressure map, by the continuum, or from the cells of a "
-                   "whole block: the strongest von Mises stress, its place, "
-                   "and a section through it."},
-              {.name = "vtu",
-               .type = ValueType::boolean,
-               .fallback = "false",
-               .example = "true",
-               .show = Show::no,
-               .description =
-                   "The whole block ([fem] with solver = \"full\") writes "
-                   "displacement and stress of the steps whose maps are kept, "
-                   "for ParaView."},
-          }};
+  return {
+      .name = "report",
+      .when = "Optional.",
+      .description = "Fields that are saved in the result for the report.",
+      .keys = {
+          {.name = "fields",
+           .type = ValueType::fields,
+           .range = between(0, 1000000),
+           .fallback = "3",
+           .example = "3",
+           .show = Show::yes,
+           .description = "Number of load steps, spread over the loading path, "
+                          "whose pressure and gap fields are saved."},
+          {.name = "stress_inside",
+           .type = ValueType::boolean,
+           .fallback = "false",
+           .example = "true",
+           .description = "Compute the subsurface stress under each saved "
+                          "pressure field, by continuum elasticity or from the "
+                          "cells of a full 3-D block: the maximum von Mises "
+                          "stress, its location, and a section through it."},
+          {.name = "vtu",
+           .type = ValueType::boolean,
+           .fallback = "false",
+           .example = "true",
+           .show = Show::no,
+           .description = "The full 3-D block ([fem] with solver = \"full\") "
+                          "writes displacement and stress of the steps whose "
+                          "fields are saved, for ParaView."},
+      }};
 }
 
 Table expect_table() {
-  Table table{.name = "expect",
-              .when = "Optional.",
-              .description =
-                  "What must come out: each key is a quantity and holds the "
-                  "band it must lie in, or a list of bands where methods "
-                  "differ. `asperity check` judges by it. A key in quotes, "
-                  "`\"area_fraction@p=0.01 E*\"`, is a quantity at one load.",
-              .keys = {}};
+  Table table{
+      .name = "expect",
+      .when = "Optional.",
+      .description =
+          "Expectations: each key is a quantity and holds the band that its "
+          "value must lie in, or a list of bands where methods differ. "
+          "`asperity check` tests results against them. A key in quotes, "
+          "`\"area_fraction@p=0.01 E*\"`, is a quantity at one load.",
+      .keys = {}};
   for (const ExpectationName& entry : expectation_names())
     table.keys.push_back(
         {.name = entry.name,
@@ -97,40 +94,40 @@ Table expect_table() {
 }
 
 Table band_table() {
-  return {.name = "expect.band",
-          .when = "The value of a key of [expect].",
-          .is_part = true,
-          .description = "A band: value and within, or below, above or both.",
-          .keys = {
-              {.name = "value",
-               .need = Need::conditional,
-               .when = "with within",
-               .example = "0.40",
-               .description = "Middle of the band."},
-              {.name = "within",
-               .type = ValueType::tolerance,
-               .range = at_least(0.0),
-               .need = Need::conditional,
-               .when = "with value",
-               .example = "0.05",
-               .description = "Half its width: a number, or \"5 %\" of value."},
-              {.name = "below", .example = "0.3", .description = "Upper end."},
-              {.name = "above", .example = "0.2", .description = "Lower end."},
-              {.name = "methods",
-               .type = ValueType::names,
-               .when = "default: every method of the case that answers the "
-                       "quantity",
-               .example = "[\"fem\", \"theory\"]",
-               .description = "Methods that must lie in the band."},
-              {.name = "if_undecided",
-               .type = ValueType::word,
-               .words = {"fail", "pass"},
-               .fallback = "\"fail\"",
-               .example = "\"fail\"",
-               .description =
-                   "What a value counts as whose 95 % interval reaches over an "
-                   "end of the band, so that it is undecided."},
-          }};
+  return {
+      .name = "expect.band",
+      .when = "The value of a key of [expect].",
+      .is_part = true,
+      .description = "A band: value and within, or below, above or both.",
+      .keys = {
+          {.name = "value",
+           .need = Need::conditional,
+           .when = "with within",
+           .example = "0.40",
+           .description = "Centre of the band."},
+          {.name = "within",
+           .type = ValueType::tolerance,
+           .range = at_least(0.0),
+           .need = Need::conditional,
+           .when = "with value",
+           .example = "0.05",
+           .description =
+               "Half-width of the band: a number, or \"5 %\" of value."},
+          {.name = "below", .example = "0.3", .description = "Upper bound."},
+          {.name = "above", .example = "0.2", .description = "Lower bound."},
+          {.name = "methods",
+           .type = ValueType::names,
+           .when = "default: every method of the case that yields the quantity",
+           .example = "[\"fem\", \"theory\"]",
+           .description = "Methods whose values must lie in the band."},
+          {.name = "if_undecided",
+           .type = ValueType::word,
+           .words = {"fail", "pass"},
+           .fallback = "\"fail\"",
+           .example = "\"fail\"",
+           .description = "Verdict on an undecided value: one whose 95 % "
+                          "confidence interval contains an end of the band."},
+      }};
 }
 
 std::vector<Table> all_tables() {

@@ -77,20 +77,21 @@ Table material_table() {
                       "\"20 GPa\", poisson_ratio = 0.2 }]",
            .show = Show::no,
            .description =
-               "Bonded layers of other moduli, the contact face's first; "
-               "below them the block is this table's own, and E* is always "
-               "its. Half-space and finite elements see them."},
+               "Bonded layers of other moduli, listed from the contact surface "
+               "down. The block below them has the moduli of this table, and "
+               "these define E* in every case. The methods halfspace and fem "
+               "take the layers into account."},
       }};
 }
 
 Table counter_table() {
   return {.name = "material.counter",
           .when = "Optional, with youngs_modulus in [material].",
-          .description = "A second elastic body; the surface is rigid "
-                         "without it. 1/E* is the sum of (1 - nu^2)/E; one "
-                         "block with this E* and the first body's nu "
-                         "stands for both, exact for thick bodies; [fem] with "
-                         "bodies = 2 meshes both.",
+          .description =
+              "A second elastic body; without it the surface is rigid. 1/E* is "
+              "the sum of (1 - nu^2)/E of both bodies. One block with this E* "
+              "and the first body's nu represents both, which is exact for "
+              "thick bodies; [fem] with bodies = 2 meshes both.",
           .keys = {youngs_modulus_key(), poisson_ratio_key()}};
 }
 
@@ -99,73 +100,76 @@ Table layer_table() {
           .when = "An entry of material.layers.",
           .is_part = true,
           .description = "One bonded layer.",
-          .keys = {length_key("thickness", "\"0.05 length\"", "Of the layer."),
+          .keys = {length_key("thickness", "\"0.05 length\"",
+                              "Thickness of the layer."),
                    youngs_modulus_key(), poisson_ratio_key()}};
 }
 
 Table inclusion_table() {
-  return {.name = "material.inclusion",
-          .when = "Optional; only the whole block ([fem] with solver = "
-                  "\"full\") sees it.",
-          .description = "A sphere of other moduli under the middle of the "
-                         "contact face.",
-          .keys = {length_key("radius", "\"0.1 length\"", "Of the sphere."),
-                   length_key("depth", "\"0.2 length\"",
-                              "Of its centre below the contact face, more than "
-                              "the radius."),
-                   youngs_modulus_key(), poisson_ratio_key()}};
+  return {
+      .name = "material.inclusion",
+      .when = "Optional; only the full 3-D block ([fem] with solver = "
+              "\"full\") takes it into account.",
+      .description =
+          "A sphere of other moduli below the centre of the contact surface.",
+      .keys = {length_key("radius", "\"0.1 length\"", "Radius of the sphere."),
+               length_key("depth", "\"0.2 length\"",
+                          "Depth of its centre below the contact surface, "
+                          "larger than the radius."),
+               youngs_modulus_key(), poisson_ratio_key()}};
 }
 
 Table variation_table() {
-  return {.name = "material.variation",
-          .when = "Optional; only the whole block ([fem] with solver = "
-                  "\"full\") sees it.",
-          .description = "Young's modulus times a factor that varies from "
-                         "cell to cell; nu stays.",
-          .keys = {
-              {.name = "kind",
-               .type = ValueType::word,
-               .words = {"function", "random", "table"},
-               .need = Need::always,
-               .example = "\"random\"",
-               .show = Show::no,
-               .description = "Where the factor comes from."},
-              {.name = "factor",
-               .type = ValueType::text,
-               .need = Need::conditional,
-               .when = "with kind = \"function\"",
-               .example = "\"1 + 0.5 * sin(2 * _pi * x) * exp(-z / 0.1)\"",
-               .show = Show::no,
-               .description = "An expression (muParser) of x, y and z, each "
-                              "over length; z = 0 is the contact face."},
-              {.name = "spread",
-               .range = inside(0.0, 1.0),
-               .need = Need::conditional,
-               .when = "with kind = \"random\"",
-               .example = "0.5",
-               .show = Show::no,
-               .description = "The factors are uniform between 1 - spread and "
-                              "1 + spread."},
-              {.name = "seed",
-               .type = ValueType::integer,
-               .range = between(0, 2147483647),
-               .need = Need::conditional,
-               .when = "with kind = \"random\"",
-               .example = "1",
-               .show = Show::no,
-               .description = "Of the factors, which belong to the cells' "
-                              "places."},
-              {.name = "file",
-               .type = ValueType::path,
-               .need = Need::conditional,
-               .when = "with kind = \"table\"",
-               .example = "\"factors.txt\"",
-               .show = Show::no,
-               .description = "A first line `# boxes nx ny nz`, then ny nz "
-                              "rows of nx factors, y after x and z last, those "
-                              "of the contact face first: equal boxes of the "
-                              "block."},
-          }};
+  return {
+      .name = "material.variation",
+      .when = "Optional; only the full 3-D block ([fem] with solver = "
+              "\"full\") takes it into account.",
+      .description = "Young's modulus times a factor that varies from cell to "
+                     "cell; nu is constant.",
+      .keys = {
+          {.name = "kind",
+           .type = ValueType::word,
+           .words = {"function", "random", "table"},
+           .need = Need::always,
+           .example = "\"random\"",
+           .show = Show::no,
+           .description = "Source of the factor."},
+          {.name = "factor",
+           .type = ValueType::text,
+           .need = Need::conditional,
+           .when = "with kind = \"function\"",
+           .example = "\"1 + 0.5 * sin(2 * _pi * x) * exp(-z / 0.1)\"",
+           .show = Show::no,
+           .description = "An expression (muParser) of x, y and z, each "
+                          "divided by length; z = 0 is the contact surface."},
+          {.name = "spread",
+           .range = inside(0.0, 1.0),
+           .need = Need::conditional,
+           .when = "with kind = \"random\"",
+           .example = "0.5",
+           .show = Show::no,
+           .description = "The factors are uniform between 1 - spread and "
+                          "1 + spread."},
+          {.name = "seed",
+           .type = ValueType::integer,
+           .range = between(0, 2147483647),
+           .need = Need::conditional,
+           .when = "with kind = \"random\"",
+           .example = "1",
+           .show = Show::no,
+           .description = "Seed of the factors, which depend on the positions "
+                          "of the cells."},
+          {.name = "file",
+           .type = ValueType::path,
+           .need = Need::conditional,
+           .when = "with kind = \"table\"",
+           .example = "\"factors.txt\"",
+           .show = Show::no,
+           .description = "Table of equal boxes that fill the block: a first "
+                          "line `# boxes nx ny nz`, then ny nz rows of nx "
+                          "factors, with y varying after x and z last; the "
+                          "boxes at the contact surface come first."},
+      }};
 }
 
 Table mesh_table() {
@@ -173,7 +177,7 @@ Table mesh_table() {
       .name = "mesh",
       .when = "Optional; for [fem] with solver = \"full\", whose layers "
               "(growth, surface_cell_depth) it replaces.",
-      .description = "The mesh of the whole block.",
+      .description = "The mesh of the full 3-D block.",
       .keys = {
           {.name = "kind",
            .type = ValueType::word,
@@ -181,54 +185,59 @@ Table mesh_table() {
            .need = Need::always,
            .example = "\"gmsh\"",
            .show = Show::no,
-           .description = "[fem]'s own graded layers, cubes halved towards "
-                          "the face with hanging nodes, or gmsh."},
+           .description =
+               "[fem]'s own graded layers, cubes halved towards the contact "
+               "surface with hanging nodes, or a mesh by gmsh."},
           {.name = "cells_a_level",
            .type = ValueType::integer,
            .range = between(1, 64),
            .fallback = "4",
            .example = "4",
            .show = Show::no,
-           .description = "With hanging: layers of cells between one "
-                          "halving and the next."},
+           .description = "With hanging: layers of cells between two "
+                          "successive halvings."},
           {.name = "geometry",
            .type = ValueType::word,
            .words = {"block", "indentation", "layered", "inclusion", "file"},
            .fallback = "\"block\"",
            .example = "\"indentation\"",
            .show = Show::no,
-           .description = "With gmsh: a block graded with depth, one fine "
-                          "around the middle of the face, one with "
-                          "[material]'s layers or inclusion, or your own."},
+           .description =
+               "With gmsh: a block graded with depth, one refined around the "
+               "centre of the contact surface, one with the layers or the "
+               "inclusion of [material], or a file of your own."},
           {.name = "cells",
            .type = ValueType::word,
            .words = {"hexahedra", "tetrahedra"},
            .fallback = "\"hexahedra\"",
            .example = "\"tetrahedra\"",
            .show = Show::no,
-           .description = "With gmsh."},
-          length_key_or("\"1 h\"", "size_at_contact",
-                        "With gmsh: edge of a cell where contact is."),
-          length_key_or("\"0.1 length\"", "size_far",
-                        "With gmsh: edge of a cell far from it."),
+           .description = "With gmsh: shape of the cells."},
+          length_key_or(
+              "\"1 h\"", "size_at_contact",
+              "With gmsh: edge length of a cell in the contact region."),
+          length_key_or(
+              "\"0.1 length\"", "size_far",
+              "With gmsh: edge length of a cell far from the contact region."),
           length_key_or("\"0.1 length\"", "fine_radius",
-                        "With indentation: of the fine part around the "
-                        "middle of the face."),
+                        "With indentation: radius of the refined region around "
+                        "the centre of the contact surface."),
           {.name = "file",
            .type = ValueType::path,
            .need = Need::conditional,
            .when = "with geometry = \"file\"",
            .example = "\"block.msh\"",
            .show = Show::no,
-           .description = "A .msh or .geo that names the physical groups "
-                          "contact, fixed and, if it has any, sides."},
+           .description = "A .msh or .geo file that defines the physical "
+                          "groups contact, fixed and, if it has any, sides."},
           {.name = "file_unit",
            .dimension = Dimension::length,
            .range = positive(),
            .fallback = "1.0",
            .example = "\"1 mm\"",
            .show = Show::no,
-           .description = "Length that the number 1 of the file means."},
+           .description =
+               "Length that corresponds to the number 1 in the file."},
       }};
 }
 
@@ -248,41 +257,45 @@ std::vector<Key> whole_block_keys() {
                "one",
        .example = "\"layers\"",
        .show = Show::no,
-       .description = "Mesh of the whole block: its own graded layers, or the "
-                      "case's [mesh]."},
+       .description = "Mesh of the full 3-D block: its own graded layers, or "
+                      "the case's [mesh]."},
       {.name = "sides",
        .type = ValueType::word,
        .words = {"periodic", "free"},
        .fallback = "\"periodic\"",
        .example = "\"free\"",
        .show = Show::no,
-       .description = "Of the block; free ones only with solver = \"full\"."},
+       .description = "Lateral boundary conditions of the block; free sides "
+                      "need solver = \"full\"."},
       {.name = "linear_solver",
        .type = ValueType::word,
        .words = {"auto", "direct", "multigrid", "fourier"},
        .fallback = "\"auto\"",
        .example = "\"fourier\"",
        .show = Show::no,
-       .description = "With solver = \"full\": factors, conjugate gradients "
-                      "with algebraic multigrid, or with the condensed block "
-                      "as preconditioner (periodic layers only); auto takes "
-                      "the fastest that the mesh allows."},
+       .description =
+           "With solver = \"full\": direct factorisation, or conjugate "
+           "gradients with algebraic multigrid or with the condensed block "
+           "(fourier; periodic layers only) as preconditioner; auto selects "
+           "the fastest that the mesh allows."},
       {.name = "contact_at",
        .type = ValueType::word,
        .words = {"nodes", "gauss"},
        .fallback = "\"nodes\"",
        .example = "\"gauss\"",
        .show = Show::no,
-       .description = "With solver = \"full\": where the law of the interface "
-                      "is asked; Gauss points not with a hard wall."},
+       .description = "With solver = \"full\": points at which the contact law "
+                      "is evaluated; Gauss points are not available with hard "
+                      "(unilateral) contact."},
       {.name = "bodies",
        .type = ValueType::integer,
        .range = between(1, 2),
        .fallback = "1",
        .example = "2",
        .show = Show::no,
-       .description = "With solver = \"full\": 2 meshes [material.counter] "
-                      "against the block, the heights between them."},
+       .description =
+           "With solver = \"full\": 2 meshes [material.counter] against the "
+           "block, with the heights between the two bodies."},
   };
 }
 

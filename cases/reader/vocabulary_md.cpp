@@ -12,35 +12,36 @@ std::vector<Key> lattice_keys() {
        .words = {"asperity", "lammps"},
        .fallback = "\"asperity\"",
        .example = "\"asperity\"",
-       .description = "What moves the atoms: this program, or LAMMPS as a "
+       .description = "Program that moves the atoms: this one, or LAMMPS as a "
                       "child process."},
       {.name = "lattice",
        .type = ValueType::word,
        .words = {"isotropic", "born", "central"},
        .fallback = "\"isotropic\"",
        .example = "\"isotropic\"",
-       .description = "Springs of the simple cubic block; central has "
-                      "Poisson's ratio 1/4 and no other."},
+       .description = "Springs of the simple cubic block; central springs "
+                      "allow only Poisson's ratio 1/4."},
       {.name = "bulk",
        .type = ValueType::word,
        .words = {"green", "explicit"},
        .fallback = "\"green\"",
        .example = "\"green\"",
-       .description = "The block eliminated exactly for its lowest layer, or "
-                      "all of its atoms, coarser with depth."},
+       .description =
+           "The block condensed exactly to its lowest layer (green), or all of "
+           "its atoms, coarser with depth (explicit)."},
       {.name = "modes",
        .type = ValueType::word,
        .words = {"vector", "normal"},
        .fallback = "\"vector\"",
        .example = "\"vector\"",
-       .description = "With green: atoms move in all three directions, or "
-                      "normal to the face alone."},
+       .description = "With green: atoms move in all three directions, or only "
+                      "normal to the contact surface."},
       {.name = "atoms",
        .type = ValueType::integer,
        .range = between(8, 16384),
        .when = "default: the points of the surface",
        .example = "400",
-       .description = "Atoms a side of the block's lowest layer, even; their "
+       .description = "Atoms per side of the block's lowest layer, even; their "
                       "spacing is a = length / atoms."},
       {.name = "substrate_atoms",
        .type = ValueType::integer,
@@ -48,29 +49,29 @@ std::vector<Key> lattice_keys() {
        .when = "default: the even number nearest to the golden mean times "
                "atoms",
        .example = "648",
-       .description = "Rigid atoms a side, even, at the heights of the "
-                      "surface."},
+       .description = "Rigid substrate atoms per side, even, at the heights of "
+                      "the surface."},
       {.name = "depth",
        .dimension = Dimension::length,
        .range = positive(),
        .yardsticks = {Yardstick::length, Yardstick::spacing},
        .fallback = "\"1 length\"",
        .example = "\"1 length\"",
-       .description = "Of the block, for green and LAMMPS, rounded to whole "
-                      "layers of atoms."},
+       .description = "Depth of the block, for green and LAMMPS, rounded to "
+                      "whole layers of atoms."},
       {.name = "levels",
        .type = ValueType::integer,
        .range = between(1, 12),
        .fallback = "1",
        .example = "5",
-       .description = "With explicit: the spacing doubles from each level to "
-                      "the next."},
+       .description = "With explicit: number of levels; the spacing doubles "
+                      "from each level to the next."},
       {.name = "layers",
        .type = ValueType::integer,
        .range = between(1, 4096),
        .fallback = "6",
        .example = "6",
-       .description = "With explicit: layers of cells a level."},
+       .description = "With explicit: layers of cells per level."},
   };
 }
 
@@ -81,36 +82,36 @@ std::vector<Key> interaction_keys() {
        .words = {"repulsive", "lennard-jones"},
        .fallback = "\"repulsive\"",
        .example = "\"repulsive\"",
-       .description = "eps (r_0/r)^12, or with the attraction that puts the "
-                      "minimum -eps at r_0."},
+       .description = "Repulsion eps (r_0/r)^12, or with the attraction that "
+                      "puts the minimum -eps at r_0 (Lennard-Jones 12-6)."},
       {.name = "interaction_energy",
        .dimension = Dimension::energy,
        .range = positive(),
        .need = Need::always,
        .example = "\"74.4 meV\"",
-       .description = "eps of the law between an atom of the block and one of "
-                      "the substrate."},
+       .description = "Energy eps of the potential between an atom of the "
+                      "block and one of the substrate."},
       {.name = "interaction_distance",
        .dimension = Dimension::length,
        .range = positive(),
        .need = Need::always,
        .example = "\"3.28 angstrom\"",
-       .description = "r_0 of that law."},
+       .description = "Distance r_0 of that potential."},
       {.name = "cutoff",
        .dimension = Dimension::length,
        .range = positive(),
        .need = Need::always,
        .example = "\"10 angstrom\"",
-       .description = "Distance beyond which a pair feels nothing; its force "
-                      "fades before."},
+       .description = "Distance beyond which a pair does not interact; its "
+                      "force decays smoothly to zero there."},
       {.name = "contact_distance",
        .dimension = Dimension::length,
        .range = positive(),
        .need = Need::always,
        .example = "\"4.3615 angstrom\"",
-       .description = "d_c: the mean gap is u = d - d_c, d the height of the "
-                      "lowest layer over the substrate; a pair nearer than "
-                      "this is in contact."},
+       .description =
+           "d_c: the mean gap is u = d - d_c, with d the height of the lowest "
+           "layer above the substrate; a pair closer than d_c is in contact."},
   };
 }
 
@@ -121,22 +122,22 @@ std::vector<Key> balance_keys() {
        .words = {"auto", "lbfgs", "fire", "dynamics"},
        .fallback = "\"auto\"",
        .example = "\"auto\"",
-       .description = "Road to the balance of forces; auto is Newton's method "
-                      "for green and L-BFGS for explicit. fire and dynamics "
-                      "need bulk = \"explicit\"."},
+       .description =
+           "Minimiser; auto is Newton's method for green and L-BFGS for "
+           "explicit. fire and dynamics need bulk = \"explicit\"."},
       {.name = "tolerance",
        .range = {0.0, 0.1, false, true},
        .fallback = "1e-4",
        .example = "1e-4",
-       .description = "Root mean square of the forces left, relative to the "
-                      "mean normal force an atom."},
+       .description = "Root mean square of the residual forces, relative to "
+                      "the mean normal force per atom."},
       {.name = "max_evaluations",
        .type = ValueType::integer,
        .range = between(1, 100000000),
        .fallback = "20000",
        .example = "20000",
-       .description = "Evaluations of the forces after which a step is given "
-                      "up, and said to be."},
+       .description = "Force evaluations after which a step is stopped and "
+                      "marked as not converged."},
   };
 }
 
@@ -154,37 +155,39 @@ std::vector<Key> dynamics_keys() {
        .need = Need::conditional,
        .when = "with minimizer = \"dynamics\"",
        .example = "\"197 u\"",
-       .description = "Of an atom of the block."},
+       .description = "Mass of an atom of the block."},
       for_dynamics({.name = "time_step",
                     .dimension = Dimension::time,
                     .range = positive(),
                     .example = "\"10 fs\"",
-                    .description = "Of the integration."}),
-      for_dynamics({.name = "damping",
-                    .dimension = Dimension::rate,
-                    .range = at_least(0.0),
-                    .example = "\"0.5 1/ps\"",
-                    .description = "Rate at which momenta fade: friction of "
-                                   "the heat bath."}),
-      for_dynamics({.name = "duration",
-                    .dimension = Dimension::time,
-                    .range = positive(),
-                    .example = "\"200 ps\"",
-                    .description = "Of a load step; without temperature a step "
-                                   "ends as soon as it is in balance."}),
+                    .description = "Time step of the integration."}),
+      for_dynamics(
+          {.name = "damping",
+           .dimension = Dimension::rate,
+           .range = at_least(0.0),
+           .example = "\"0.5 1/ps\"",
+           .description =
+               "Rate at which momenta decay: friction of the heat bath."}),
+      for_dynamics(
+          {.name = "duration",
+           .dimension = Dimension::time,
+           .range = positive(),
+           .example = "\"200 ps\"",
+           .description = "Duration of a load step; without temperature a step "
+                          "ends as soon as the forces are in equilibrium."}),
       {.name = "temperature",
        .dimension = Dimension::temperature,
        .range = at_least(0.0),
        .fallback = "0.0",
        .example = "\"0 K\"",
-       .description = "Of the heat bath."},
+       .description = "Temperature of the heat bath."},
       {.name = "seed",
        .type = ValueType::integer,
        .range = between(0, 2147483647),
        .need = Need::conditional,
        .when = "with a temperature above 0",
        .example = "1",
-       .description = "Of the thermal noise."},
+       .description = "Seed of the thermal noise."},
   };
 }
 
@@ -195,13 +198,13 @@ std::vector<Key> outside_keys() {
        .range = between(1, 1024),
        .fallback = "1",
        .example = "2",
-       .description = "MPI processes that LAMMPS runs on."},
+       .description = "Number of MPI processes on which LAMMPS runs."},
       {.name = "dump",
        .type = ValueType::boolean,
        .fallback = "false",
        .example = "true",
        .description = "Write the atoms of every step as extended XYZ, for "
-                      "viewing in OVITO; LAMMPS writes its own dump."},
+                      "OVITO; LAMMPS writes its own dump."},
   };
 }
 
@@ -209,8 +212,7 @@ std::vector<Key> outside_keys() {
 
 Table md_table() {
   Table table{.name = "md",
-              .description = "The block of atoms on a rigid substrate of "
-                             "atoms.",
+              .description = "A block of atoms on a rigid substrate of atoms.",
               .keys = {}};
   for (std::vector<Key> keys :
        {lattice_keys(), interaction_keys(), balance_keys(), dynamics_keys(),

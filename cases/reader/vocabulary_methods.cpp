@@ -9,7 +9,8 @@ Key top_key() {
           .words = {"clamped", "sliding", "pressure"},
           .fallback = "\"clamped\"",
           .example = "\"clamped\"",
-          .description = "What holds the block's upper face."};
+          .description =
+              "Boundary condition at the far boundary of the block."};
 }
 
 std::vector<Key> contact_keys() {
@@ -20,30 +21,30 @@ std::vector<Key> contact_keys() {
        .fallback = "\"hard\"",
        .example = "\"hard\"",
        .show = Show::yes,
-       .description = "Law of the interface: penetration at a price, none, or "
-                      "the price raised until there is none."},
+       .description =
+           "Penalty, hard (unilateral) or augmented-Lagrangian contact."},
       {.name = "penalty",
        .dimension = Dimension::stiffness,
        .range = positive(),
        .yardsticks = {Yardstick::contact_modulus_per_spacing},
        .need = Need::conditional,
-       .when = "with contact = \"penalty\" or \"augmented\"; not looked at "
-               "with \"hard\"",
+       .when =
+           "with contact = \"penalty\" or \"augmented\"; ignored with \"hard\"",
        .example = "\"100 E*/h\"",
-       .description = "Pressure per penetration."},
+       .description = "Penalty stiffness: contact pressure per penetration."},
       {.name = "tolerance",
        .range = {0.0, 0.01, false, true},
        .fallback = "1e-8",
        .example = "1e-8",
-       .description = "Complementarity at which a step ends, relative to h_rms "
-                      "and the nominal pressure."},
+       .description = "Complementarity error at which a step has converged, "
+                      "relative to h_rms and the nominal pressure."},
       {.name = "max_iterations",
        .type = ValueType::integer,
        .range = between(1, 10000000),
        .fallback = "2000",
        .example = "2000",
-       .description = "Iterations after which a step is given up, and said to "
-                      "be."},
+       .description = "Iterations after which a step is stopped and marked as "
+                      "not converged."},
   };
 }
 
@@ -56,7 +57,8 @@ std::vector<Key> with_contact(std::vector<Key> keys) {
 Table load_table() {
   return {.name = "load",
           .when = "Always needed.",
-          .description = "The load program, run in its order.",
+          .description =
+              "The loading path; its steps are computed in the given order.",
           .keys = {
               {.name = "nominal_pressure",
                .type = ValueType::program,
@@ -68,7 +70,7 @@ Table load_table() {
                .example = "{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
                           "spacing = \"log\" }",
                .show = Show::yes,
-               .description = "Load over nominal area."},
+               .description = "Load divided by the nominal area."},
               {.name = "mean_gap",
                .type = ValueType::program,
                .dimension = Dimension::length,
@@ -78,13 +80,13 @@ Table load_table() {
                .need = Need::conditional,
                .when = "this or nominal_pressure",
                .example = "[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
-               .description = "Mean distance of block and surface."},
+               .description = "Mean gap between block and surface."},
               {.name = "cycle",
                .type = ValueType::word,
                .words = {"load", "load-unload"},
                .fallback = "\"load\"",
                .example = "\"load\"",
-               .description = "There only, or there and back."},
+               .description = "Loading, or loading and unloading."},
           }};
 }
 
@@ -92,7 +94,7 @@ Table sweep_table() {
   return {.name = "load.sweep",
           .when = "The value of nominal_pressure or mean_gap.",
           .is_part = true,
-          .description = "Steps between two values, both among them.",
+          .description = "Steps between two values, both included.",
           .keys = {
               {.name = "from",
                .type = ValueType::target,
@@ -103,7 +105,7 @@ Table sweep_table() {
                .type = ValueType::target,
                .need = Need::always,
                .example = "\"0.1 E*\"",
-               .description = "Last value, in the same kind of unit."},
+               .description = "Last value, in the same kind of unit as from."},
               {.name = "steps",
                .type = ValueType::integer,
                .range = between(2, 10000),
@@ -128,8 +130,9 @@ Table theory_table() {
                .need = Need::always,
                .example = "0.42",
                .show = Show::yes,
-               .description = "Parameter of (10), the share of the elastic "
-                              "energy; not the slope of ln p against u."},
+               .description = "Parameter gamma of Eq. (10) of Yang and Persson "
+                              "(2008), the fraction of the elastic energy; not "
+                              "the slope of ln p against u."},
               {.name = "spectrum",
                .type = ValueType::word,
                .words = {"formula", "surface"},
@@ -137,14 +140,14 @@ Table theory_table() {
                        "for the others, which have no formula",
                .example = "\"formula\"",
                .description = "The case's own spectrum, or the one measured on "
-                              "the very surface the other methods use."},
+                              "the same surface that the other methods use."},
           }};
 }
 
 Table halfspace_table() {
   return {.name = "halfspace",
-          .description = "The continuum half-space, or a slab of finite "
-                         "thickness, spectral.",
+          .description = "The elastic half-space, or a slab of finite "
+                         "thickness, by a spectral (Fourier) method.",
           .keys = with_contact({
               {.name = "thickness",
                .dimension = Dimension::length,
@@ -152,50 +155,53 @@ Table halfspace_table() {
                .yardsticks = {Yardstick::length, Yardstick::spacing},
                .when = "default: infinitely thick",
                .example = "\"1 length\"",
-               .description = "Of the slab."},
+               .description = "Thickness of the slab."},
               top_key(),
           })};
 }
 
 Table fem_table() {
-  return {.name = "fem",
-          .description = "The block by finite elements.",
-          .keys = with_contact({
-              {.name = "element",
-               .type = ValueType::word,
-               .words = {"Q1", "Q2"},
-               .fallback = "\"Q2\"",
-               .example = "\"Q2\"",
-               .description = "Trilinear or triquadratic hexahedra; points "
-                              "counts nodes for both, and Q2 asks for an even "
-                              "number."},
-              {.name = "surface_cell_depth",
-               .range = {0.0, 10.0, false, true},
-               .fallback = "1.0",
-               .example = "1.0",
-               .description = "Depth of the cells at the face, in node "
-                              "spacings h."},
-              {.name = "growth",
-               .range = between(1.0, 4.0),
-               .fallback = "1.2",
-               .example = "1.2",
-               .description = "Thickness ratio from layer to layer."},
-              {.name = "depth",
-               .dimension = Dimension::length,
-               .range = positive(),
-               .yardsticks = {Yardstick::length, Yardstick::spacing},
-               .fallback = "\"1 length\"",
-               .example = "\"1 length\"",
-               .description = "Of the block."},
-              top_key(),
-              {.name = "solver",
-               .type = ValueType::word,
-               .words = {"auto", "condensed", "full"},
-               .fallback = "\"auto\"",
-               .example = "\"auto\"",
-               .description = "The block condensed to its face, all of it, or "
-                              "the first where the scene allows it."},
-          })};
+  return {
+      .name = "fem",
+      .description = "The elastic block by finite elements.",
+      .keys = with_contact({
+          {.name = "element",
+           .type = ValueType::word,
+           .words = {"Q1", "Q2"},
+           .fallback = "\"Q2\"",
+           .example = "\"Q2\"",
+           .description =
+               "Trilinear (Q1) or triquadratic (Q2) hexahedra; points counts "
+               "nodes for both, and Q2 requires an even number."},
+          {.name = "surface_cell_depth",
+           .range = {0.0, 10.0, false, true},
+           .fallback = "1.0",
+           .example = "1.0",
+           .description = "Depth of the cells at the contact surface, in node "
+                          "spacings h."},
+          {.name = "growth",
+           .range = between(1.0, 4.0),
+           .fallback = "1.2",
+           .example = "1.2",
+           .description =
+               "Grading ratio: thickness ratio of successive layers of cells."},
+          {.name = "depth",
+           .dimension = Dimension::length,
+           .range = positive(),
+           .yardsticks = {Yardstick::length, Yardstick::spacing},
+           .fallback = "\"1 length\"",
+           .example = "\"1 length\"",
+           .description = "Depth of the block."},
+          top_key(),
+          {.name = "solver",
+           .type = ValueType::word,
+           .words = {"auto", "condensed", "full"},
+           .fallback = "\"auto\"",
+           .example = "\"auto\"",
+           .description = "The block condensed to its contact surface, the "
+                          "full 3-D block, or the condensed one where the "
+                          "problem allows it (auto)."},
+      })};
 }
 
 Table fem_table_with_whole_block() {
@@ -211,15 +217,15 @@ Key magnification_key() {
           .range = positive(),
           .when = "default: all of the roughness; self-affine surfaces only",
           .example = "4.0",
-          .description = "zeta: this method's surface has no roughness above "
-                         "zeta times the roll-off wavevector; what stays keeps "
-                         "its phases and amplitudes."};
+          .description = "zeta: the surface of this method has no roughness "
+                         "above zeta times the roll-off wavevector; the "
+                         "remaining waves keep their phases and amplitudes."};
 }
 
 /// Appends the common key to the keys of a method.
 Table as_method(Table table) {
   table.is_method = true;
-  table.when = "Runs only if this table is there.";
+  table.when = "The method runs only if this table is present.";
   table.keys.push_back(magnification_key());
   return table;
 }

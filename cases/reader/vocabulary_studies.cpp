@@ -29,8 +29,10 @@ Key points_key(const std::string& description) {
 Table magnification_table() {
   return {.name = "magnification",
           .when = for_theory,
-          .description = "The contact seen at magnifications zeta = q/q_ref, "
-                         "(23) to (28): area, separation, and where it opens.",
+          .description =
+              "The contact at magnifications zeta = q/q_ref, Eqs. (23) to (28) "
+              "of Yang and Persson (2008): area, separation, and the "
+              "separation where contact is lost.",
           .keys = {
               {.name = "nominal_pressure",
                .type = ValueType::program,
@@ -40,10 +42,10 @@ Table magnification_table() {
                .need = Need::always,
                .example = "[\"1 MPa\", \"10 MPa\"]",
                .show = Show::no,
-               .description = "The loads that are looked at."},
+               .description = "Loads at which the contact is evaluated."},
               positive_number("from", "1.0", "Lowest magnification."),
               positive_number("to", "100.0", "Highest magnification."),
-              points_key("Number of magnifications, in equal ratios."),
+              points_key("Number of magnifications, at equal ratios."),
               {.name = "reference_wavevector",
                .dimension = Dimension::wavevector,
                .range = positive(),
@@ -51,7 +53,7 @@ Table magnification_table() {
                        "for other kinds, or reference_wavelength",
                .example = "6.283e5",
                .show = Show::no,
-               .description = "q_ref, where zeta is 1."},
+               .description = "q_ref, the wavevector at which zeta = 1."},
               {.name = "reference_wavelength",
                .dimension = Dimension::length,
                .range = positive(),
@@ -59,15 +61,16 @@ Table magnification_table() {
                .when = "instead of reference_wavevector",
                .example = "\"1 length\"",
                .show = Show::no,
-               .description = "2 pi/q_ref."},
+               .description = "Reference wavelength 2 pi/q_ref."},
           }};
 }
 
 Table leak_table() {
   return {.name = "magnification.leak",
           .when = "Optional.",
-          .description = "A fluid sealed in: the flow through the one pore "
-                         "where the open area percolates, an estimate.",
+          .description =
+              "Leakage of a sealed fluid, an estimate: the flow through the "
+              "one pore at which the open area percolates.",
           .keys = {
               {.name = "density",
                .dimension = Dimension::density,
@@ -75,25 +78,25 @@ Table leak_table() {
                .need = Need::always,
                .example = "\"1000 kg/m^3\"",
                .show = Show::no,
-               .description = "Of the fluid."},
+               .description = "Density of the fluid."},
               {.name = "viscosity",
                .dimension = Dimension::viscosity,
                .range = positive(),
                .need = Need::always,
                .example = "\"1 mPa s\"",
                .show = Show::no,
-               .description = "Of the fluid."},
+               .description = "Viscosity of the fluid."},
               {.name = "pressure_drop",
                .dimension = Dimension::pressure,
                .range = at_least(0.0),
                .need = Need::always,
                .example = "\"10 kPa\"",
                .show = Show::no,
-               .description = "Across the seal."},
+               .description = "Pressure drop across the seal."},
               {.name = "critical_area",
                .range = inside(0.0, 1.0),
-               .when = "default: one less the threshold of site percolation "
-                       "on the square lattice",
+               .when = "default: 1 minus the threshold of site percolation on "
+                       "the square lattice",
                .example = "0.42",
                .show = Show::no,
                .description = "A/A_0 at which the open area percolates."},
@@ -104,8 +107,9 @@ Table adhesion_table() {
   return {
       .name = "adhesion",
       .when = for_theory,
-      .description = "Rough contact held by adhesion alone (Sec. 9), on "
-                     "the case's surface with all heights scaled.",
+      .description =
+          "Rough contact held by adhesion alone, Sec. 9 of Yang and Persson "
+          "(2008), on the case's surface with all heights scaled.",
       .keys = {
           {.name = "work_of_adhesion",
            .dimension = Dimension::energy_per_area,
@@ -113,17 +117,18 @@ Table adhesion_table() {
            .need = Need::always,
            .example = "\"0.1 J/m^2\"",
            .show = Show::no,
-           .description = "Delta gamma of flat faces."},
+           .description = "Work of adhesion Delta gamma of flat surfaces."},
           positive_number("from", "0.5",
-                          "Lowest ratio of h_rms to the case's."),
+                          "Lowest ratio of h_rms to that of the case."),
           positive_number("to", "1.5", "Highest ratio."),
-          points_key("Number of ratios, in equal differences."),
+          points_key("Number of ratios, at equal differences."),
           {.name = "detachment_factor",
            .range = positive(),
-           .when = "default: 2/pi, at which the paper's flip comes out",
+           .when =
+               "default: 2/pi, which reproduces the transition of the paper",
            .example = "0.64",
            .show = Show::no,
-           .description = "c of the stress that tears a contact off, "
+           .description = "Factor c of the stress that detaches a contact, "
                           "sigma_a^2 = c E* gamma_eff q; not in the paper."},
           {.name = "sphere_radius",
            .dimension = Dimension::length,
@@ -131,7 +136,7 @@ Table adhesion_table() {
            .when = "default: no pull-off force",
            .example = "\"1 mm\"",
            .show = Show::no,
-           .description = "Of a ball on the surface, for its pull-off "
+           .description = "Radius of a sphere on the surface, for its pull-off "
                           "force (3 pi/2) R gamma_eff."},
           {.name = "steps",
            .type = ValueType::integer,
@@ -139,8 +144,8 @@ Table adhesion_table() {
            .fallback = "400",
            .example = "400",
            .show = Show::no,
-           .description = "Of the discretisation between the longest and "
-                          "the shortest wave; second order."},
+           .description = "Steps of the discretisation between the longest and "
+                          "the shortest wavelength; second order."},
       }};
 }
 

@@ -17,27 +17,27 @@ std::vector<Key> kind_and_grid_keys() {
        .need = Need::always,
        .example = "\"self-affine\"",
        .show = Show::yes,
-       .description = "What the surface is."},
+       .description = "Type of surface."},
       {.name = "length",
        .dimension = Dimension::length,
        .range = positive(),
        .need = Need::conditional,
-       .when = "always but for measured maps whose file says it, and for a "
-               "theory from a formula alone",
+       .when = "always, except for measured maps whose file states it and for "
+               "a theory from a formula alone",
        .example = "\"10 um\"",
        .show = Show::yes,
-       .description = "Side of the periodic square."},
+       .description = "Side length of the periodic square."},
       {.name = "points",
        .type = ValueType::integer,
        .range = between(4, 65536),
        .need = Need::conditional,
-       .when = "always but for measured maps and for a theory from a formula "
-               "alone",
+       .when = "always, except for measured maps and for a theory from a "
+               "formula alone",
        .kinds = {"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d"},
        .example = "256",
        .show = Show::yes,
-       .description = "Nodes a side, even; their distance is h = length / "
-                      "points."},
+       .description =
+           "Nodes per side, even; the node spacing is h = length / points."},
   };
 }
 
@@ -47,12 +47,12 @@ std::vector<Key> random_keys() {
        .type = ValueType::integer,
        .range = at_least(0),
        .need = Need::conditional,
-       .when = "always but for a theory from a formula alone",
+       .when = "always, except for a theory from a formula alone",
        .kinds = random_kinds,
        .example = "7",
        .show = Show::yes,
-       .description = "Of the random phases: the same seed is the same surface "
-                      "on any grid."},
+       .description = "Seed of the random phases: the same seed gives the same "
+                      "surface on any grid."},
       {.name = "realizations",
        .type = ValueType::integer,
        .range = between(1, 1000),
@@ -60,21 +60,24 @@ std::vector<Key> random_keys() {
        .fallback = "1",
        .example = "1",
        .show = Show::yes,
-       .description = "Number of surfaces, each from its own stream of the "
-                      "seed."},
+       .description = "Number of realisations of the surface, each from its "
+                      "own random stream of the seed."},
       {.name = "amplitudes",
        .type = ValueType::word,
        .words = {"spectrum", "gaussian"},
        .kinds = random_kinds,
        .fallback = "\"spectrum\"",
        .example = "\"spectrum\"",
-       .description = "Exactly the spectrum's, or Gaussian around them."},
+       .description = "Fourier amplitudes: exactly those of the spectrum, or "
+                      "Gaussian with the spectrum as their mean square."},
       {.name = "rescale",
        .type = ValueType::boolean,
        .kinds = random_kinds,
        .fallback = "false",
        .example = "false",
-       .description = "Scale each realisation to the spectrum's rms exactly."},
+       .description =
+           "Scale each realisation so that its rms height (or rms slope, where "
+           "that is given) equals the spectrum's exactly."},
   };
 }
 
@@ -90,23 +93,23 @@ std::vector<Key> self_affine_keys() {
        .kinds = kind,
        .example = "\"34 nm\"",
        .show = Show::yes,
-       .description = "Root mean square of the height, over all of the "
-                      "spectrum."},
+       .description = "Root-mean-square height of the whole spectrum."},
       {.name = "rms_slope",
        .range = positive(),
        .need = Need::conditional,
        .when = "this or rms_height",
        .kinds = kind,
        .example = "0.1",
-       .description = "Root of <|grad height|^2>, both directions."},
+       .description = "Root-mean-square slope: root of <|grad height|^2>, both "
+                      "directions included."},
       {.name = "hurst",
        .range = {0.0, 1.0, false, true},
        .need = Need::always,
        .kinds = kind,
        .example = "0.8",
        .show = Show::yes,
-       .description = "Exponent H: C(q) falls as q^(-2-2H) beyond the "
-                      "roll-off."},
+       .description =
+           "Hurst exponent H: C(q) falls as q^(-2-2H) beyond the roll-off."},
   };
 }
 
@@ -150,8 +153,9 @@ std::vector<Key> file_keys() {
        .kinds = {"measured", "spectrum"},
        .example = "\"map.txt\"",
        .show = Show::no,
-       .description = "The map, or the spectrum's columns q [1/m], C [m^4]; "
-                      "relative to the case file's folder."},
+       .description =
+           "File of the map, or of the spectrum with the columns q [1/m], C "
+           "[m^4]; the path is relative to the case file's folder."},
       {.name = "format",
        .type = ValueType::word,
        .words = {"auto", "plain", "gwyddion"},
@@ -159,7 +163,7 @@ std::vector<Key> file_keys() {
        .fallback = "\"auto\"",
        .example = "\"auto\"",
        .show = Show::no,
-       .description = "How the map is written."},
+       .description = "Format of the map file."},
       {.name = "level",
        .type = ValueType::word,
        .words = {"none", "plane", "bow"},
@@ -167,8 +171,8 @@ std::vector<Key> file_keys() {
        .kinds = kind,
        .example = "\"plane\"",
        .show = Show::no,
-       .description = "What is taken off the map: nothing, its tilt, or tilt "
-                      "and bow."},
+       .description = "Form removed from the map: none, the plane (tilt), or "
+                      "the second-order form (bow, which includes the tilt)."},
       {.name = "edges",
        .type = ValueType::word,
        .words = {"periodic", "window", "mirror"},
@@ -176,16 +180,17 @@ std::vector<Key> file_keys() {
        .fallback = "\"mirror\"",
        .example = "\"mirror\"",
        .show = Show::no,
-       .description = "How the map becomes periodic: it is, by a window, which "
-                      "is for spectra, or by its mirror images."},
+       .description = "How the map becomes periodic: it is periodic already, "
+                      "it is multiplied by a window (for spectra), or it is "
+                      "continued by its mirror images."},
       {.name = "press_windowed_map",
        .type = ValueType::boolean,
        .kinds = kind,
        .fallback = "false",
        .example = "true",
        .show = Show::no,
-       .description = "Confirms edges = \"window\": the map that is pressed "
-                      "has 9/64 of the measured power."},
+       .description = "Confirms edges = \"window\": the surface that is "
+                      "pressed then has 9/64 of the measured power."},
       {.name = "height_unit",
        .dimension = Dimension::length,
        .range = positive(),
@@ -194,7 +199,8 @@ std::vector<Key> file_keys() {
        .kinds = kind,
        .example = "\"1 nm\"",
        .show = Show::no,
-       .description = "Height that the number 1 of a plain map means."},
+       .description =
+           "Height that corresponds to the number 1 in a plain map."},
   };
 }
 
@@ -208,7 +214,7 @@ std::vector<Key> shape_keys() {
        .kinds = {"sphere"},
        .example = "\"1 mm\"",
        .show = Show::no,
-       .description = "Of the sphere."},
+       .description = "Radius of the sphere."},
       {.name = "amplitude",
        .dimension = Dimension::length,
        .range = positive(),
@@ -217,8 +223,8 @@ std::vector<Key> shape_keys() {
        .kinds = wave_kinds,
        .example = "\"10 nm\"",
        .show = Show::no,
-       .description = "D of the wave D cos(2 pi x / wavelength), in two "
-                      "dimensions times cos(2 pi y / wavelength)."},
+       .description = "Amplitude D of the wave D cos(2 pi x / wavelength), in "
+                      "two dimensions times cos(2 pi y / wavelength)."},
       {.name = "wavelength",
        .dimension = Dimension::length,
        .range = positive(),
@@ -227,7 +233,8 @@ std::vector<Key> shape_keys() {
        .kinds = wave_kinds,
        .example = "\"1 length\"",
        .show = Show::no,
-       .description = "Of the wave; length is a whole multiple of it."},
+       .description =
+           "Wavelength of the wave; length must be a whole multiple of it."},
   };
 }
 
@@ -246,13 +253,14 @@ Table surface_table() {
   append(table.keys, self_affine_keys());
   add_cut_off(table.keys,
               {"wavevector_low", "wavelength_long", "\"1.2566e6 1/m\"",
-               "\"1 length\"", "q_L, where the spectrum begins"});
+               "\"1 length\"", "q_L, low cut-off wavevector of the spectrum"});
   add_cut_off(table.keys,
               {"wavevector_roll_off", "wavelength_roll_off", "\"2.8274e6 1/m\"",
-               "\"0.25 length\"", "q_0, up to which the spectrum is flat"});
+               "\"0.25 length\"",
+               "q_0, roll-off wavevector, below which the spectrum is flat"});
   add_cut_off(table.keys,
               {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
-               "\"8 h\"", "q_1, where the spectrum ends"});
+               "\"8 h\"", "q_1, high cut-off wavevector of the spectrum"});
   append(table.keys, file_keys());
   append(table.keys, shape_keys());
   return table;

@@ -8,45 +8,48 @@ const std::vector<ExpectationName>& expectation_names() {
   using enum SurfaceKind;
   static const std::vector<ExpectationName> names = {
       {.name = "gamma_slope",
-       .description = "u_0 / h_rms of p ~ exp(-u / u_0), from ln p against u "
-                      "[1].",
+       .description = "u_0 / h_rms of p ~ exp(-u / u_0), from the slope of ln "
+                      "p against u [1].",
        .theory_answers = true},
       {.name = "gamma_theory",
-       .description = "The parameter of (10) with which theory fits the "
-                      "method's u(p) best [1]."},
+       .description = "gamma of Eq. (10) of Yang and Persson (2008) with which "
+                      "theory best fits the method's u(p) [1]."},
       {.name = "beta",
-       .description = "p / E* that the exponential u(p) has at u = 0 [1].",
+       .description = "p / E* of the exponential u(p) at u = 0 [1].",
        .theory_answers = true},
       {.name = "kappa",
-       .description = "Slope of the area fraction at light load, against "
-                      "p / (E* rms slope) [1].",
+       .description = "Area-load coefficient: slope of the area fraction at "
+                      "light load, against p / (E* rms slope) [1].",
        .theory_answers = true},
       {.name = "area_excess",
-       .description = "Counted area over theory's at light load, minus 1 [1].",
+       .description =
+           "Counted area over that of theory at light load, minus 1 [1].",
        .needs_theory = true},
       {.name = "area_scale",
-       .description = "Least-squares factor from theory's A(p) to the counted "
-                      "one, over all loads [1].",
+       .description = "Least-squares factor between theory's A(p) and the "
+                      "counted area, over all loads [1].",
        .needs_theory = true},
       {.name = "area_scale_corrected",
-       .description = "Least-squares factor from theory's A(p) to the "
-                      "corrected one, over all loads [1].",
+       .description = "Least-squares factor between theory's A(p) and the "
+                      "corrected area, over all loads [1].",
        .needs_theory = true},
       {.name = "area_excess_fit",
-       .description = "Area by (21) of the fitted pressure distribution over "
-                      "theory's at light load, minus 1 [1].",
+       .description = "Area by Eq. (21) of Yang and Persson (2008) from the "
+                      "fitted pressure distribution, over that of theory at "
+                      "light load, minus 1 [1].",
        .needs_theory = true},
       {.name = "area_excess_moment",
-       .description = "Area by (21) of the pressures' second moment over "
-                      "theory's at light load, minus 1 [1].",
+       .description =
+           "Area by Eq. (21) of Yang and Persson (2008) from the second moment "
+           "of the pressure, over that of theory at light load, minus 1 [1].",
        .needs_theory = true},
       {.name = "gap_deviation",
-       .description = "Largest |u - u of theory| / h_rms where "
-                      "0.3 < u / h_rms < 1.5 [1].",
+       .description =
+           "Largest |u - u of theory| / h_rms for 0.3 < u / h_rms < 1.5 [1].",
        .needs_theory = true},
       {.name = "pressure_difference",
-       .description = "Of a variant, \"md.explicit\": largest relative "
-                      "difference of p at equal u to its method, \"md\" [1].",
+       .description = "Largest relative difference of p at equal u between a "
+                      "variant, \"md.explicit\", and its method, \"md\" [1].",
        .variants_only = true},
       {.name = "mean_gap_error",
        .description = "Largest |mean gap - exact| / amplitude [1].",
@@ -61,34 +64,35 @@ const std::vector<ExpectationName>& expectation_names() {
        .description = "Largest relative error of Hertz's approach [1].",
        .surfaces = {sphere}},
       {.name = "von_mises_error",
-       .description = "Largest relative error of the strongest von Mises "
-                      "stress under Hertz's contact; needs [report] "
-                      "stress_inside [1].",
+       .description = "Largest relative error of the maximum von Mises stress "
+                      "of Hertz's contact; needs [report] stress_inside [1].",
        .surfaces = {sphere}},
       {.name = "von_mises_depth_error",
-       .description = "Largest relative error of its depth [1].",
+       .description =
+           "Largest relative error of the depth of that maximum [1].",
        .surfaces = {sphere}},
       {.name = "penetration",
-       .description = "Largest penetration / h_rms in the maps kept [1]."},
+       .description = "Largest penetration / h_rms in the saved fields [1]."},
       {.name = "epsilon",
-       .description = "eps of (16) with the case's gamma [1].",
+       .description = "eps of Eq. (16) of Yang and Persson (2008) with the "
+                      "case's gamma [1].",
        .theory_answers = true,
        .theory_only = true},
       {.name = "gap_pressure_dependence",
-       .description = "Largest |u(zeta) / u'(zeta) - 1| of the two lightest "
-                      "loads of [magnification], from twice the zeta on where "
-                      "roughness begins [1].",
+       .description = "Largest |u(zeta) / u'(zeta) - 1| between the two "
+                      "lightest loads of [magnification], from twice the zeta "
+                      "at which roughness begins [1].",
        .theory_answers = true,
        .theory_only = true,
        .study = Study::magnification},
       {.name = "adhesion_flip",
        .description = "h_rms / h_rms0 at which complete and partial contact "
-                      "have one gamma_eff [1].",
+                      "have the same gamma_eff [1].",
        .theory_answers = true,
        .theory_only = true,
        .study = Study::adhesion},
       {.name = "adhesion_flip_area",
-       .description = "A/A_0 of the partial contact at the flip [1].",
+       .description = "A/A_0 of the partial contact at this transition [1].",
        .theory_answers = true,
        .theory_only = true,
        .study = Study::adhesion},
@@ -99,7 +103,7 @@ const std::vector<ExpectationName>& expectation_names() {
        .theory_only = true,
        .study = Study::adhesion},
       {.name = "iterations_max",
-       .description = "Most iterations a step took [1]."},
+       .description = "Largest number of iterations of a step [1]."},
   };
   return names;
 }
