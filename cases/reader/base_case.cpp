@@ -101,7 +101,7 @@ Node seen(const StackedText& stacked) {
 StackedText read_level(const std::string& path, const Place& asked_at,
                        int level) {
   if (level > deepest)
-    throw_mistake(asked_at, "base leads in a circle");
+    throw_mistake(asked_at, "base refers back to itself in a cycle");
   StackedText stacked{text_of_file(path, asked_at), path, {}};
   Node file = parse_toml(stacked.text, path);
   const Node* const base = file.find("base");

@@ -39,13 +39,14 @@ std::vector<std::string> locking_warnings(const MaterialSpec& material,
       continue;
     const bool is_q1 = fem->element == Element::q1;
     warnings.push_back(fmt::format(
-        "{}: {} elements lock at a Poisson's ratio of {:g}: waves of eight "
-        "nodes are more than {} % too stiff and contact areas too small; {}",
+        "{}: {} elements lock at a Poisson's ratio of {:g}: the stiffness at a "
+        "wavelength of eight nodes is more than {} % too high and contact "
+        "areas are too small; {}",
         method.name, is_q1 ? "Q1" : "Q2", ratio, is_q1 ? 10 : 5,
-        is_q1 && ratio < locking_ratio(Element::q2) ? "take element = \"Q2\""
-        : is_q1 ? "take element = \"Q2\", with more nodes in the shortest "
-                  "wave, or [halfspace]"
-                : "take more nodes in the shortest wave, or [halfspace]"));
+        is_q1 && ratio < locking_ratio(Element::q2) ? "use element = \"Q2\""
+        : is_q1 ? "use element = \"Q2\" with more nodes per shortest "
+                  "wavelength, or [halfspace]"
+                : "use more nodes per shortest wavelength, or [halfspace]"));
   }
   return warnings;
 }

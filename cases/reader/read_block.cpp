@@ -48,7 +48,7 @@ MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
   if (inclusion.radius.yardstick == inclusion.depth.yardstick &&
       inclusion.depth.value > 0.0 &&
       inclusion.depth.value <= inclusion.radius.value)
-    table.refuse(*node.find("depth"), "must be more than the radius");
+    table.refuse(*node.find("depth"), "must be larger than the radius");
   return inclusion;
 }
 
@@ -158,9 +158,10 @@ void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem) {
     table.refuse(said_by(table, "mesh"), "the table [mesh] is missing");
   if (fem.contact_at == ContactPoints::gauss &&
       fem.contact.law == ContactLaw::hard)
-    table.refuse(said_by(table, "contact_at"),
-                 "a hard wall at more points than the face has nodes holds it "
-                 "too often; take contact = \"augmented\" or \"penalty\"");
+    table.refuse(
+        said_by(table, "contact_at"),
+        "hard (unilateral) contact at more points than the contact surface has "
+        "nodes is overconstrained; use contact = \"augmented\" or \"penalty\"");
 }
 
 /// Checks what layers need besides their own values.
@@ -178,9 +179,9 @@ void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
     if (std::holds_alternative<HalfspaceSettings>(method.settings) ||
         (fem != nullptr && fem->bodies == 1))
       mistakes.add(entry_of(file, "material", "layers").place,
-                   method.name + ": no one block stands for a layered body and "
-                                 "[material.counter]; take [fem] with solver = "
-                                 "\"full\" and bodies = 2");
+                   method.name + ": no single block represents a layered body "
+                                 "and [material.counter]; use [fem] with "
+                                 "solver = \"full\" and bodies = 2");
   }
 }
 
@@ -204,9 +205,9 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                                  "[material.counter] is missing");
     if (fem->bodies == 2 && fem->contact.law == ContactLaw::hard)
       mistakes.add(entry_of(file, method.name, "bodies").place,
-                   method.name + ".bodies = 2 cannot be held at one place by a "
-                                 "hard wall; take contact = \"augmented\" or "
-                                 "\"penalty\"");
+                   method.name +
+                       ".bodies = 2 cannot be combined with hard (unilateral) "
+                       "contact; use contact = \"augmented\" or \"penalty\"");
     const bool is_lattice =
         fem->sides == BlockSides::periodic &&
         (!fem->uses_case_mesh || read.mesh.kind == MeshKind::layers);

@@ -63,8 +63,9 @@ void read_top(const Node& file, Case& read, Mistakes& mistakes) {
   TableReader top(file, vocabulary_table(""), mistakes);
   top.refuse_unknown(table_names());
   if (const Node* const base = file.find("base"))
-    mistakes.add(base->place, "base = " + written(*base) +
-                                  ", but only a file can stand on another");
+    mistakes.add(base->place,
+                 "base = " + written(*base) +
+                     ", but only a case file can have a base case");
   top.integer("schema");
   read.title = top.has("title") ? top.text("title") : read.name;
 }
@@ -120,9 +121,10 @@ void require_file(const Case& read, const std::string& key,
   if (file.empty())
     return;
   if (!std::filesystem::exists(file))
-    throw_mistake({read.path, 0},
-                  key + ": there is no file " + file +
-                      " (a relative path starts at the case file's folder)");
+    throw_mistake(
+        {read.path, 0},
+        key + ": there is no file " + file +
+            " (a relative path is resolved from the case file's folder)");
   try {
     require_regular_file(file, largest_number_file);
   } catch (const FileError& error) {
@@ -153,7 +155,7 @@ Case read_text(const StackedText& stacked, const std::string& path) {
   if (own.size() + entries.size() > most_overrides)
     throw_mistake({path, 0},
                   "has more than " + std::to_string(most_overrides) +
-                      " keys laid over it (--set, or a case on its base)");
+                      " overridden keys (by --set or over a base case)");
   for (const std::string& entry : own)
     apply_override(file, entry, mistakes);
   for (const LaidOver& over : stacked.overrides)

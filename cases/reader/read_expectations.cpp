@@ -94,8 +94,9 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
     allowed.reserve(kinds.size());
     for (const SurfaceKind kind : kinds)
       allowed.push_back(words[static_cast<std::size_t>(kind)]);
-    band.complain(band.node(), fmt::format("is known only for the surfaces {}",
-                                           fmt::join(allowed, ", ")));
+    band.complain(band.node(),
+                  fmt::format("is defined only for the surfaces {}",
+                              fmt::join(allowed, ", ")));
   }
   if (!case_.has(quantity.study))
     band.complain(band.node(), quantity.study == Study::adhesion
@@ -103,8 +104,9 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
                                    : "needs the table [magnification]");
   if (quantity.needs_theory &&
       std::none_of(case_.methods.begin(), case_.methods.end(), is_theory))
-    band.complain(band.node(),
-                  "compares with theory: the table [theory] is missing");
+    band.complain(
+        band.node(),
+        "is a comparison with theory, but the table [theory] is missing");
 }
 
 std::vector<std::string> answering(const ExpectationName& quantity,
@@ -122,7 +124,7 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
   if (!band.has("methods")) {
     expectation.methods = allowed;
     if (allowed.empty() && !case_.methods.empty())
-      band.complain(band.node(), "is answered by none of the case's methods");
+      band.complain(band.node(), "is computed by none of the case's methods");
     return;
   }
   expectation.methods = band.names("methods");
@@ -130,8 +132,8 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
     if (!name.empty() &&
         std::find(allowed.begin(), allowed.end(), name) == allowed.end())
       band.complain(*band.node().find("methods"),
-                    fmt::format("names \"{}\", but those of this case that "
-                                "answer {} are: {}; nearest: {}",
+                    fmt::format("names \"{}\", but the methods of this case "
+                                "that compute {} are: {}; nearest: {}",
                                 name, quantity.name, fmt::join(allowed, ", "),
                                 nearest(name, allowed)));
 }

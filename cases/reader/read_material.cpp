@@ -24,8 +24,8 @@ void read_counter(TableReader& material, MaterialSpec& spec,
   spec.counter = {counter.number("youngs_modulus"),
                   counter.number("poisson_ratio")};
   if (material.has("contact_modulus"))
-    material.complain(node, "means nothing beside material.contact_modulus, "
-                            "which is that of the pair");
+    material.complain(node, "cannot be combined with material.contact_modulus, "
+                            "which is that of both bodies together");
   else if (modulus > 0.0 && spec.contact_modulus > 0.0)
     spec.contact_modulus = 1.0 / (1.0 / spec.contact_modulus + 1.0 / modulus);
 }

@@ -48,8 +48,8 @@ void read_interaction(TableReader& table, MdSettings& md) {
   md.contact_distance = table.number("contact_distance");
   if (md.cutoff > 0.0 && md.cutoff <= md.contact_distance)
     table.refuse(*table.node().find("cutoff"),
-                 fmt::format("must be > contact_distance = {:g} m: atoms in "
-                             "contact would feel nothing",
+                 fmt::format("must be > contact_distance = {:g} m: otherwise "
+                             "atoms in contact would not interact",
                              md.contact_distance));
 }
 
@@ -79,8 +79,8 @@ void read_balance(TableReader& table, MdSettings& md) {
     table.complain_missing("seed", ", which a temperature needs");
   if (moves && md.bulk != AtomBulk::explicit_layers)
     table.complain(*table.node().find("minimizer"),
-                   "needs bulk = \"explicit\": atoms that were eliminated "
-                   "have no masses to move");
+                   "needs bulk = \"explicit\": the atoms of a condensed block "
+                   "have no mass");
 }
 
 const Node* method_node(const Node& file, const std::string& name) {
@@ -130,13 +130,12 @@ void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
         *method.magnification * read.surface.wavevector_roll_off <
             read.surface.wavevector_low) {
       const Node& found = entry_of(file, method.name, "magnification");
-      mistakes.add(
-          found.place,
-          fmt::format("{}.magnification = {:g}, but must be >= {:g}: below it "
-                      "the surface has no wave",
-                      method.name, *method.magnification,
-                      read.surface.wavevector_low /
-                          read.surface.wavevector_roll_off));
+      mistakes.add(found.place,
+                   fmt::format("{}.magnification = {:g}, but must be >= {:g}: "
+                               "below it the surface has no roughness",
+                               method.name, *method.magnification,
+                               read.surface.wavevector_low /
+                                   read.surface.wavevector_roll_off));
     }
   }
 }

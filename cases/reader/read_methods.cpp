@@ -63,8 +63,8 @@ std::optional<double> read_magnification(TableReader& table,
   const double magnification = table.number("magnification");
   if (surface != SurfaceKind::self_affine)
     table.refuse(*table.node().find("magnification"),
-                 "means nothing here: it counts from the roll-off wavevector "
-                 "of a self-affine surface");
+                 "this key applies only to self-affine surfaces, because it is "
+                 "relative to their roll-off wavevector");
   return magnification;
 }
 
@@ -104,9 +104,9 @@ void check_variant_name(const NodeEntry& entry, Mistakes& mistakes) {
   if (entry.key.empty() ||
       entry.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
           std::string::npos)
-    mistakes.add(entry.node.place, entry.node.path +
-                                       " names a variant, but must be of the "
-                                       "letters a-z, digits and hyphens");
+    mistakes.add(entry.node.place,
+                 entry.node.path + " names a variant, but must consist of the "
+                                   "letters a-z, digits and hyphens");
 }
 
 /// Merges the keys of a variant into those of its base method. Inherited keys
@@ -159,8 +159,9 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                     "]");
   }
   if (!has_any)
-    mistakes.add(file.place, "no method is named; allowed: [theory], "
-                             "[halfspace], [fem], [md]");
+    mistakes.add(
+        file.place,
+        "no method is given; allowed: [theory], [halfspace], [fem], [md]");
   std::vector<MethodSpec> methods = ranks[0];
   methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());
   return methods;

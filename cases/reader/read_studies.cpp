@@ -25,7 +25,7 @@ double wavevector_of(TableReader& table, const std::string& key,
   const Quantity wavelength = table.quantity(key);
   if (wavelength.yardstick == Yardstick::length && !surface.length) {
     table.refuse(*table.node().find(key),
-                 "surface.length is not known, in which it is measured");
+                 "surface.length is missing, which its unit needs");
     return 0.0;
   }
   const double metres =
@@ -44,8 +44,9 @@ double read_reference_wavevector(TableReader& table,
   if (table.has(inverse))
     return wavevector_of(table, inverse, surface);
   if (surface.kind != SurfaceKind::self_affine)
-    table.complain_missing(direct, " (or " + inverse +
-                                       "), where the surface has no roll-off");
+    table.complain_missing(
+        direct, " (or " + inverse +
+                    "), because the surface has no roll-off wavevector");
   return surface.wavevector_roll_off;
 }
 

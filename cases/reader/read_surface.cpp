@@ -51,11 +51,11 @@ void SurfaceReader::complain_where_meaningless() {
       if (key.name == entry.key && !key.kinds.empty() &&
           std::find(key.kinds.begin(), key.kinds.end(), kind) ==
               key.kinds.end())
-        table.complain(entry.node,
-                       fmt::format("= {} means nothing for kind = \"{}\"{}; it "
-                                   "belongs to {}",
-                                   written(entry.node), kind, reason,
-                                   fmt::join(key.kinds, ", ")));
+        table.complain(
+            entry.node,
+            fmt::format(
+                "= {} does not apply to kind = \"{}\"{}; it belongs to {}",
+                written(entry.node), kind, reason, fmt::join(key.kinds, ", ")));
 }
 
 void SurfaceReader::read_grid() {
@@ -173,18 +173,20 @@ void SurfaceReader::check_wavevectors() {
     return;
   const double longest = 2.0 * std::numbers::pi / *spec.length;
   if (low < longest * (1.0 - printed_rounding))
-    table.refuse(node_of("wavevector_low", "wavelength_long"),
-                 fmt::format("the longest wave that fits is \"1 length\", "
-                             "{:.7g} 1/m",
-                             longest));
+    table.refuse(
+        node_of("wavevector_low", "wavelength_long"),
+        fmt::format(
+            "the longest wavelength that fits is \"1 length\", {:.7g} 1/m",
+            longest));
   if (!spec.points)
     return;
   const double nyquist = std::numbers::pi * *spec.points / *spec.length;
   if (high > nyquist * (1.0 + printed_rounding))
-    table.refuse(node_of("wavevector_high", "wavelength_short"),
-                 fmt::format("the shortest wave of the grid is \"2 h\", "
-                             "{:.7g} 1/m",
-                             nyquist));
+    table.refuse(
+        node_of("wavevector_high", "wavelength_short"),
+        fmt::format(
+            "the shortest wavelength of the grid is \"2 h\", {:.7g} 1/m",
+            nyquist));
 }
 
 /// Requires an explicit confirmation for a windowed map, because its surface
@@ -195,13 +197,12 @@ void SurfaceReader::read_window() {
   if (spec.edges == Edges::window && !is_confirmed)
     table.refuse(
         *edges,
-        "this needs press_windowed_map = true: a window is for spectra, "
-        "and the map that is pressed has 9/64 of the measured power, "
-        "an rms height and slope of about 3/8; edges = \"mirror\" "
-        "keeps both");
+        "this needs press_windowed_map = true: a window is meant for spectra, "
+        "and the windowed map has 9/64 of the measured power and about 3/8 of "
+        "the rms height and slope; edges = \"mirror\" preserves both");
   if (spec.edges != Edges::window && is_confirmed)
     table.refuse(*table.node().find("press_windowed_map"),
-                 "this belongs to edges = \"window\"");
+                 "this key applies only to edges = \"window\"");
 }
 
 void SurfaceReader::read_map() {
@@ -213,14 +214,15 @@ void SurfaceReader::read_map() {
     spec.height_unit = table.number("height_unit");
   if (spec.format == MapFormat::plain) {
     if (!spec.length)
-      table.complain_missing("length", ", which a plain map does not say");
+      table.complain_missing("length", ", which a plain map does not contain");
     if (!spec.height_unit)
-      table.complain_missing("height_unit", ", which a plain map does not say");
+      table.complain_missing("height_unit",
+                             ", which a plain map does not contain");
   }
   for (const char* const key : {"length", "height_unit"})
     if (spec.format == MapFormat::gwyddion && table.has(key))
       table.refuse(*table.node().find(key),
-                   "a gwyddion map says it itself: leave it out");
+                   "a gwyddion map contains it: remove this key");
 }
 
 void SurfaceReader::read_wave() {
@@ -232,7 +234,7 @@ void SurfaceReader::read_wave() {
   if (std::abs(waves - std::round(waves)) > printed_rounding * waves)
     table.refuse(*table.node().find("wavelength"),
                  fmt::format("surface.length must be a whole multiple of it, "
-                             "and is {:.7g} of it",
+                             "but is {:.7g} times it",
                              waves));
 }
 

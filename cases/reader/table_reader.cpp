@@ -193,8 +193,9 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
   if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !spacing)
     return {};
   if (from.yardstick != to.yardstick) {
-    refuse(*to_node, "must be measured as from is, both in SI or both in " +
-                         std::string("the same unit of the problem"));
+    refuse(*to_node,
+           "must have the same kind of unit as from: both in SI or both in " +
+               std::string("the same unit of the problem"));
     return {};
   }
   std::vector<Quantity> targets;
@@ -225,7 +226,7 @@ void TableReader::refuse(const Node& found, const std::string& rule) {
 void TableReader::refuse_both(const std::string& first,
                               const std::string& second) {
   complain(*node_.find(second),
-           "and " + path_of(first) + " are both given, but one says it all");
+           "and " + path_of(first) + " are both given; give only one of them");
 }
 
 void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
@@ -238,8 +239,9 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
     const std::string home = table_of_key(candidate.key);
     std::string what = "is not a key of this table; ";
     if (node_.path.empty())
-      what = candidate.node.is_table() ? "is not a table of a case; "
-                                       : "is not a key at the top of a case; ";
+      what = candidate.node.is_table()
+                 ? "is not a table of a case file; "
+                 : "is not a key at the top of a case file; ";
     what += home.empty() ? "nearest: " : "it belongs to [";
     what += home.empty() ? nearest(candidate.key, known) : home + "]";
     complain(candidate.node, what);

@@ -223,7 +223,7 @@ std::string allowed_text(const Key& key) {
         "a number [{}] or a string with one of: {}", si_unit(key.dimension),
         fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
   case ValueType::target:
-    return "a quantity, in the units of the key it is for";
+    return "a quantity in the units of its key";
   case ValueType::integer:
     return "a whole number";
   case ValueType::boolean:

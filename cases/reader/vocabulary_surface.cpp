@@ -268,7 +268,7 @@ Table surface_table() {
 
 std::string reason_of_kind(const std::string& kind) {
   if (kind == "measured")
-    return "the file fixes the points, and nothing in it is random";
+    return "the file determines the points, and nothing in it is random";
   if (kind == "sphere" || kind == "wave-1d" || kind == "wave-2d")
     return "the shape is exact and nothing in it is random";
   return "";

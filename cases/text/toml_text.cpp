@@ -290,8 +290,8 @@ void apply_override(Node& file, const std::string& override_text,
       keys.empty() || std::find(keys.begin(), keys.end(), "") != keys.end();
   if (equals == std::string::npos || has_empty_key ||
       override_text.find('\n') != std::string::npos) {
-    mistakes.add(place,
-                 "\"" + override_text + "\" is not key.path=value on one line");
+    mistakes.add(place, "\"" + override_text +
+                            "\" must have the form key.path=value on one line");
     return;
   }
   Node* const table = table_for(file, keys, place, mistakes);

@@ -50,8 +50,9 @@ std::string mistake_in_name(const std::string& quantity,
     names.push_back(entry.name);
   if (std::find(names.begin(), names.end(), quantity) != names.end())
     return "";
-  return fmt::format("asks for {} at a load, which is not known; nearest: {}",
-                     quantity, nearest(quantity, names));
+  return fmt::format(
+      "asks for {} at a load, which is not a known quantity; nearest: {}",
+      quantity, nearest(quantity, names));
 }
 
 } // namespace
@@ -116,7 +117,7 @@ QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
   const auto second_at = at == std::string::npos ? at : name.find('@', at + 1);
   const std::optional<std::string> load = value_of("p", name, at, second_at);
   if (!load)
-    return refused_at_load("must be spelt as area_fraction@p=0.01 E* is");
+    return refused_at_load("must have the form area_fraction@p=0.01 E*");
   const bool has_magnification = second_at != std::string::npos;
   const std::string mistake = mistake_in_name(
       quantity,
@@ -135,7 +136,7 @@ QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
         positive_number(value_of("zeta", name, second_at, std::string::npos));
     if (!read.magnification)
       return refused_at_load(
-          "must end as in area_fraction@p=0.01 E*@zeta=10, zeta > 0");
+          "must have the form area_fraction@p=0.01 E*@zeta=10 with zeta > 0");
   }
   return {read, ""};
 }

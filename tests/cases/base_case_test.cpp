@@ -157,9 +157,9 @@ TEST_F(BaseCase, SaysWhatABaseMustBe) {
   EXPECT_EQ(mistakes_of("number.toml"),
             "  number.toml:1: base = 3, but must be the path of a file\n");
   EXPECT_EQ(mistakes_of("circle.toml"),
-            "  circle.toml:1: base leads in a circle\n");
+            "  circle.toml:1: base refers back to itself in a cycle\n");
   EXPECT_NE(asperity::cases::mistakes_of("base = \"block.toml\"\n" + rough_case)
-                .find("only a file can stand on another"),
+                .find("only a case file can have a base case"),
             std::string::npos);
 }
 

@@ -94,7 +94,7 @@ TEST(Block, RefusesAnInclusionThatSticksOut) {
       "youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n",
       full);
 
-  EXPECT_NE(answer.find("must be more than the radius"), std::string::npos)
+  EXPECT_NE(answer.find("must be larger than the radius"), std::string::npos)
       << answer;
 }
 
@@ -107,7 +107,7 @@ TEST(Block, ComparesDepthsOfOneYardstickAlone) {
   };
 
   EXPECT_NE(refusal(sphere("\"0.2 length\""), full)
-                .find("must be more than the radius"),
+                .find("must be larger than the radius"),
             std::string::npos);
   EXPECT_EQ(block(sphere("1e-6"), full).material.inclusion->depth.value, 1e-6);
 }
@@ -176,10 +176,10 @@ TEST(Block, NamesWhatLayersCannotBe) {
               "poisson_ratio = 0.3\n",
               {a_layer});
 
-  EXPECT_NE(pair.find("halfspace: no one block stands for a layered body"),
+  EXPECT_NE(pair.find("halfspace: no single block represents a layered body"),
             std::string::npos)
       << pair;
-  EXPECT_NE(pair.find("fem: no one block"), std::string::npos) << pair;
+  EXPECT_NE(pair.find("fem: no single block"), std::string::npos) << pair;
   EXPECT_NE(mistakes_of(without_ratio, {a_layer})
                 .find("material.layers needs material.poisson_ratio"),
             std::string::npos);
@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\ncontact = "
                 "\"hard\"\n[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
                 "poisson_ratio = 0.3\n",
-                "fem.growth=1.2", "cannot be held at one place"},
+                "fem.growth=1.2", "cannot be combined with hard"},
         Refused{"[fem.whole]\nsolver = \"full\"\nsides = \"free\"\n"
                 "linear_solver = \"fourier\"\n",
                 "fem.growth=1.2", "needs one periodic block"},

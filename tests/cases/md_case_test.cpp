@@ -73,13 +73,13 @@ TEST(MdCase, SaysWhatDoesNotGoTogether) {
   EXPECT_EQ(told({"md.lattice=central"}),
             "  --set: md.lattice = \"central\" has Poisson's ratio 1/4, but "
             "material.poisson_ratio = 0.42\n");
-  EXPECT_EQ(told({"md.cutoff=4 angstrom"}),
-            "  --set: md.cutoff = \"4 angstrom\", but must be > "
-            "contact_distance = 4.3615e-10 m: atoms in contact would feel "
-            "nothing\n");
+  EXPECT_EQ(
+      told({"md.cutoff=4 angstrom"}),
+      "  --set: md.cutoff = \"4 angstrom\", but must be > contact_distance = "
+      "4.3615e-10 m: otherwise atoms in contact would not interact\n");
   EXPECT_EQ(told({"md.minimizer=dynamics"}),
-            "  --set: md.minimizer needs bulk = \"explicit\": atoms that were "
-            "eliminated have no masses to move\n"
+            "  --set: md.minimizer needs bulk = \"explicit\": the atoms of a "
+            "condensed block have no mass\n"
             "  case.toml:17: md.mass is missing, which this minimizer needs: a "
             "number [kg] or a string with one of: kg, u\n"
             "  case.toml:17: md.time_step is missing, which this minimizer "
@@ -118,12 +118,12 @@ TEST(Magnification, IsEveryMethodsOwn) {
 TEST(Magnification, IsRefusedWhereItLeavesNothing) {
   EXPECT_EQ(told({"md.magnification=0.25"}),
             "  --set: md.magnification = 0.25, but must be >= 0.333333: below "
-            "it the surface has no wave\n");
+            "it the surface has no roughness\n");
   EXPECT_NE(mistakes_of(shape_case("kind = \"wave-1d\"\nlength = 1e-6\n"
                                    "points = 64\namplitude = 1e-8\n"
                                    "wavelength = 1e-6\n"),
                         {"halfspace.magnification=4"})
-                .find("counts from the roll-off wavevector"),
+                .find("relative to their roll-off wavevector"),
             std::string::npos);
 }
 

@@ -34,7 +34,7 @@ TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {
   EXPECT_EQ(
       mistakes_of(text),
       "  case.toml:1: schema = 2, but must be 1 [1]\n"
-      "  case.toml:2: surfaces is not a table of a case; nearest: "
+      "  case.toml:2: surfaces is not a table of a case file; nearest: "
       "surface\n"
       "  case.toml:3: surface.length is missing: a number [m] or a string with "
       "one of: m, mm, um, nm, angstrom\n"
@@ -43,9 +43,8 @@ TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {
       "  case.toml:6: surface.points = 7, but must be even\n"
       "  case.toml:7: surface.amplitude = \"1 MPa\" has the unit MPa of a "
       "pressure, but must have one of: m, mm, um, nm, angstrom, length, h\n"
-      "  case.toml:9: material.youngs_modulus is missing (or "
-      "contact_modulus): a number [Pa] or a string with one of: Pa, kPa, MPa, "
-      "GPa\n"
+      "  case.toml:9: material.youngs_modulus is missing (or contact_modulus): "
+      "a number [Pa] or a string with one of: Pa, kPa, MPa, GPa\n"
       "  case.toml:10: material.poisson_ratio = 0.7, but must be between -1 "
       "and 0.5, ends excluded [1]\n"
       "  case.toml:11: load.nominal_pressure is missing (or mean_gap): a "
@@ -59,7 +58,7 @@ TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {
 TEST(Mistakes, NameTheMissingTables) {
   EXPECT_EQ(mistakes_of("schema = 1\n"),
             "  case.toml:1: the table [surface] is missing\n"
-            "  case.toml:1: no method is named; allowed: [theory], "
+            "  case.toml:1: no method is given; allowed: [theory], "
             "[halfspace], [fem], [md]\n"
             "  case.toml:1: the table [material] is missing\n"
             "  case.toml:1: the table [load] is missing\n");
@@ -92,40 +91,38 @@ TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
        "of: m, mm, um, nm, angstrom"},
       {"surface.rescale=yes",
        "surface.rescale = \"yes\", but must be true | false"},
-      {"surface.rms_slope=0.1",
-       "surface.rms_slope and surface.rms_height are both given, but one says "
-       "it all"},
+      {"surface.rms_slope=0.1", "surface.rms_slope and surface.rms_height are "
+                                "both given; give only one of them"},
       {"surface.wavevector_low=1.3e6",
-       "surface.wavelength_long and surface.wavevector_low are both given, but "
-       "one says it all"},
+       "surface.wavelength_long and surface.wavevector_low are both given; "
+       "give only one of them"},
       {"surface.wavelength_long=20 um",
-       "surface.wavelength_long = \"20 um\", but the longest wave that fits is "
-       "\"1 length\", 628318.5 1/m"},
+       "surface.wavelength_long = \"20 um\", but the longest wavelength that "
+       "fits is \"1 length\", 628318.5 1/m"},
       {"surface.wavelength_short=1.9 h",
-       "surface.wavelength_short = \"1.9 h\", but the shortest wave of the "
-       "grid is \"2 h\", 1.608495e+08 1/m"},
+       "surface.wavelength_short = \"1.9 h\", but the shortest wavelength of "
+       "the grid is \"2 h\", 1.608495e+08 1/m"},
       {"surface.kind=rough",
        "surface.kind = \"rough\", but must be self-affine | spectrum | "
        "measured | sphere | wave-1d | wave-2d; nearest: sphere"},
-      {"surface.radius=1", "surface.radius = 1 means nothing for kind = "
+      {"surface.radius=1", "surface.radius = 1 does not apply to kind = "
                            "\"self-affine\"; it belongs to sphere"},
       {"surface=3", "surface = 3, but must be a table: [surface]"},
       {"material.contact_modulus=1e9",
-       "material.youngs_modulus and material.contact_modulus are both given, "
-       "but one says it all"},
+       "material.youngs_modulus and material.contact_modulus are both given; "
+       "give only one of them"},
       {"material.counter=1",
        "material.counter = 1, but must be a table: [material.counter]"},
-      {"load.mean_gap=1e-8",
-       "load.mean_gap and load.nominal_pressure are both given, but one says "
-       "it all"},
+      {"load.mean_gap=1e-8", "load.mean_gap and load.nominal_pressure are both "
+                             "given; give only one of them"},
       {"load.nominal_pressure=[]",
        "load.nominal_pressure = [], but must be a quantity, a list of them, or "
        "{ from, to, steps, spacing }"},
       {"load.nominal_pressure=[1e6, \"-1 Pa\"]",
        "load.nominal_pressure = \"-1 Pa\", but must be > 0 [Pa]"},
       {"load.nominal_pressure.to=1 GPa",
-       "load.nominal_pressure.to = \"1 GPa\", but must be measured as from is, "
-       "both in SI or both in the same unit of the problem"},
+       "load.nominal_pressure.to = \"1 GPa\", but must have the same kind of "
+       "unit as from: both in SI or both in the same unit of the problem"},
       {"load.nominal_pressure.steps=1",
        "load.nominal_pressure.steps = 1, but must be between 2 and 10000 [1]"},
       {"load.nominal_pressure.step=4",
@@ -134,9 +131,8 @@ TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
       {"theory.gamma=0", "theory.gamma = 0, but must be > 0 and <= 1 [1]"},
       {"fem.penalty=", "fem.penalty is missing, which this contact needs: a "
                        "number [Pa/m] or a string with one of: Pa/m, E*/h"},
-      {"fem.Hard.contact=hard",
-       "fem.Hard names a variant, but must be of the letters a-z, digits and "
-       "hyphens"},
+      {"fem.Hard.contact=hard", "fem.Hard names a variant, but must consist of "
+                                "the letters a-z, digits and hyphens"},
       {"fem.tolerance=1", "fem.tolerance = 1, but must be > 0 and <= 0.01 [1]"},
       {"fem.growth=1979-05-27", "fem.growth = a date or time, but must be a "
                                 "number"},
@@ -174,18 +170,18 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
       {"expect.kappa={ above = 2, below = 1 }",
        "expect.kappa is empty: above exceeds below"},
       {"expect.kappa={ above = 2, methods = [\"fam\"] }",
-       "expect.kappa.methods names \"fam\", but those of this case that answer "
-       "kappa are: theory, halfspace, fem; nearest: fem"},
+       "expect.kappa.methods names \"fam\", but the methods of this case that "
+       "compute kappa are: theory, halfspace, fem; nearest: fem"},
       {"expect.penetration={ below = 1, methods = [\"theory\"] }",
-       "expect.penetration.methods names \"theory\", but those of this case "
-       "that answer penetration are: halfspace, fem; nearest: fem"},
+       "expect.penetration.methods names \"theory\", but the methods of this "
+       "case that compute penetration are: halfspace, fem; nearest: fem"},
       {"expect.kappa={ above = 2, if_undecided = \"passed\" }",
        "expect.kappa.if_undecided = \"passed\", but must be fail | pass; "
        "nearest: pass"},
       {"expect.kappa={ above = 2, methods = \"fem\" }",
        "expect.kappa.methods = \"fem\", but must be a list of strings"},
       {"expect.mean_gap_error={ below = 1 }",
-       "expect.mean_gap_error is known only for the surfaces wave-1d, "
+       "expect.mean_gap_error is defined only for the surfaces wave-1d, "
        "wave-2d"},
   };
   for (const auto& [entry, answer] : answers)
@@ -196,8 +192,8 @@ TEST(Mistakes, SayThatAnExpectationNeedsTheTheory) {
   const std::string mistakes =
       told({"theory=", "expect=", "expect.area_excess={ below = 1 }"});
 
-  EXPECT_EQ(mistakes, "  --set: expect.area_excess compares with theory: the "
-                      "table [theory] is missing\n");
+  EXPECT_EQ(mistakes, "  --set: expect.area_excess is a comparison with "
+                      "theory, but the table [theory] is missing\n");
 }
 
 TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
@@ -208,11 +204,12 @@ TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
 }
 
 TEST(Mistakes, RefuseASecondBodyBesideThePairsModulus) {
-  EXPECT_EQ(told({"material.youngs_modulus=", "material.contact_modulus=1e9",
-                  "material.counter={ youngs_modulus = 1e9, poisson_ratio = "
-                  "0.3 }"}),
-            "  --set: material.counter means nothing beside "
-            "material.contact_modulus, which is that of the pair\n");
+  EXPECT_EQ(
+      told({"material.youngs_modulus=", "material.contact_modulus=1e9",
+            "material.counter={ youngs_modulus = 1e9, poisson_ratio = "
+            "0.3 }"}),
+      "  --set: material.counter cannot be combined with "
+      "material.contact_modulus, which is that of both bodies together\n");
 }
 
 TEST(Mistakes, AskForPoissonsRatioOnlyWhereItCounts) {

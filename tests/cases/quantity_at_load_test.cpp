@@ -67,21 +67,21 @@ TEST(QuantityAtLoad, IsAKeyOfExpect) {
 TEST(QuantityAtLoad, IsAnsweredByWhatIsWrongWithIt) {
   const std::vector<std::pair<std::string, std::string>> answers = {
       {"area_fracton@p=0.01 E*",
-       " asks for area_fracton at a load, which is not known; nearest: "
-       "area_fraction"},
+       " asks for area_fracton at a load, which is not a known quantity; "
+       "nearest: area_fraction"},
       {"area_fraction@p=0.01 nm",
        " has a p that has the unit nm of a length, but must have one of: Pa, "
        "kPa, MPa, GPa, E*"},
       {"area_fraction@p=-1 Pa", " has a p that is not > 0"},
-      {"area_fraction@u=1 nm", " must be spelt as area_fraction@p=0.01 E* is"}};
+      {"area_fraction@u=1 nm", " must have the form area_fraction@p=0.01 E*"}};
   for (const auto& [key, answer] : answers)
     EXPECT_EQ(mistakes_of(rough_case + '"' + key + band),
               "  case.toml:28: expect." + key + answer + "\n");
   EXPECT_EQ(mistakes_of(rough_case + "\"area_fraction_fit@p=1 Pa\" = { below = "
                                      "1, methods = [\"theory\"] }\n"),
             "  case.toml:28: expect.area_fraction_fit@p=1 Pa.methods names "
-            "\"theory\", but those of this case that answer area_fraction_fit "
-            "are: halfspace, fem; nearest: fem\n");
+            "\"theory\", but the methods of this case that compute "
+            "area_fraction_fit are: halfspace, fem; nearest: fem\n");
 }
 
 // Claim: the schema lets the key stand, and nothing that the reader refuses.

@@ -254,14 +254,13 @@ TEST(ReadCase, SaysThatAFileIsNotThere) {
             head + "no/case.toml: there is no such file\n");
   EXPECT_EQ(told("cases", {}),
             head + "cases: is a folder, but must be a regular file\n");
-  EXPECT_EQ(
-      told("cases/wave-1d/case.toml",
-           {"surface={ kind = \"measured\", file = \"no.txt\", level = "
-            "\"none\", edges = \"periodic\" }",
-            "expect="}),
-      head + "cases/wave-1d/case.toml: surface.file: there is no file "
-             "cases/wave-1d/no.txt (a relative path starts at the case file's "
-             "folder)\n");
+  EXPECT_EQ(told("cases/wave-1d/case.toml",
+                 {"surface={ kind = \"measured\", file = \"no.txt\", level = "
+                  "\"none\", edges = \"periodic\" }",
+                  "expect="}),
+            head + "cases/wave-1d/case.toml: surface.file: there is no file "
+                   "cases/wave-1d/no.txt (a relative path is resolved from the "
+                   "case file's folder)\n");
   EXPECT_EQ(
       told("cases/wave-1d/case.toml",
            {"surface={ kind = \"measured\", file = \"/dev/zero\", level = "

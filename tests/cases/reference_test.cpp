@@ -78,7 +78,7 @@ TEST(Reference, KnowsQuantitiesAtALoad) {
   EXPECT_EQ(values.at(0).quantity, "area_fraction@p=0.0129 E*");
   EXPECT_EQ(mistakes_of(head + "area@p=1 Pa,1,1,0,s\n"),
             "  reference.csv:2: area@p=1 Pa asks for area at a load, which is "
-            "not known; nearest: area_excess\n");
+            "not a known quantity; nearest: area_excess\n");
 }
 
 // Claim: a sixth field is there for all lines or for none; it may be empty.

@@ -118,7 +118,7 @@ TEST(Studies, NeedATheoryByTheFormula) {
             "  case.toml:16: magnification needs a [theory] whose spectrum is "
             "\"formula\"\n"
             "  case.toml:27: expect.adhesion_flip needs the table [adhesion]\n"
-            "  case.toml:27: expect.adhesion_flip is answered by none of the "
+            "  case.toml:27: expect.adhesion_flip is computed by none of the "
             "case's methods\n");
 }
 
@@ -135,8 +135,8 @@ TEST(Studies, SayWhatIsWrongWithTheirValues) {
   EXPECT_EQ(told({"magnification.reference_wavevector=7e5",
                   "magnification.reference_wavelength=1 um"}),
             "  --set: magnification.reference_wavelength and "
-            "magnification.reference_wavevector are both given, but one says "
-            "it all\n");
+            "magnification.reference_wavevector are both given; give only one "
+            "of them\n");
   EXPECT_EQ(
       told({"magnification=4"}),
       "  --set: magnification = 4, but must be a table: [magnification]\n");

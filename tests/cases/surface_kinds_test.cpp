@@ -53,33 +53,33 @@ TEST(SurfaceKinds, LeaveAnAbsolutePathAsItIs) {
 }
 
 TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
-  EXPECT_EQ(mistakes_of(shape_case(
-                "kind = \"measured\"\nfile = \"m\"\nlevel = \"none\"\n"
-                "edges = \"mirror\"\npoints = 8\nseed = 3\n")),
-            "  case.toml:7: surface.points = 8 means nothing for kind = "
-            "\"measured\" (the file fixes the points, and nothing in it is "
-            "random); it belongs to self-affine, spectrum, sphere, wave-1d, "
-            "wave-2d\n"
-            "  case.toml:8: surface.seed = 3 means nothing for kind = "
-            "\"measured\" (the file fixes the points, and nothing in it is "
-            "random); it belongs to self-affine, spectrum\n");
+  EXPECT_EQ(
+      mistakes_of(
+          shape_case("kind = \"measured\"\nfile = \"m\"\nlevel = \"none\"\n"
+                     "edges = \"mirror\"\npoints = 8\nseed = 3\n")),
+      "  case.toml:7: surface.points = 8 does not apply to kind = \"measured\" "
+      "(the file determines the points, and nothing in it is random); it "
+      "belongs to self-affine, spectrum, sphere, wave-1d, wave-2d\n"
+      "  case.toml:8: surface.seed = 3 does not apply to kind = \"measured\" "
+      "(the file determines the points, and nothing in it is random); it "
+      "belongs to self-affine, spectrum\n");
 }
 
 TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
   const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
                           "level = \"none\"\nedges = \"periodic\"\n";
 
-  EXPECT_EQ(mistakes_of(shape_case(map + "format = \"plain\"\n")),
-            "  case.toml:2: surface.length is missing, which a plain map does "
-            "not say: a number [m] or a string with one of: m, mm, um, nm, "
-            "angstrom\n"
-            "  case.toml:2: surface.height_unit is missing, which a plain map "
-            "does not say: a number [m] or a string with one of: m, mm, um, "
-            "nm, angstrom\n");
+  EXPECT_EQ(
+      mistakes_of(shape_case(map + "format = \"plain\"\n")),
+      "  case.toml:2: surface.length is missing, which a plain map does not "
+      "contain: a number [m] or a string with one of: m, mm, um, nm, angstrom\n"
+      "  case.toml:2: surface.height_unit is missing, which a plain map does "
+      "not contain: a number [m] or a string with one of: m, mm, um, nm, "
+      "angstrom\n");
   EXPECT_EQ(
       mistakes_of(shape_case(map + "format = \"gwyddion\"\nlength = 1.0\n")),
-      "  case.toml:8: surface.length = 1, but a gwyddion map says it itself: "
-      "leave it out\n");
+      "  case.toml:8: surface.length = 1, but a gwyddion map contains it: "
+      "remove this key\n");
 }
 
 TEST(SurfaceKinds, AskAMapForItsLevelling) {
@@ -98,16 +98,14 @@ TEST(SurfaceKinds, MirrorAMapAndPressAWindowedOneOnlyIfConfirmed) {
   EXPECT_EQ(surface_of(map + "edges = \"periodic\"\n").edges, Edges::periodic);
   EXPECT_EQ(surface_of(window + "press_windowed_map = true\n").edges,
             Edges::window);
-  EXPECT_EQ(
-      mistakes_of(shape_case(window)),
-      "  case.toml:6: surface.edges = \"window\", but this "
-      "needs press_windowed_map = true: a window is for spectra, and the map "
-      "that is pressed has 9/64 of the measured power, an rms height and "
-      "slope of about 3/8; edges = \"mirror\" keeps both\n");
-  EXPECT_EQ(
-      mistakes_of(shape_case(map + "press_windowed_map = true\n")),
-      "  case.toml:6: surface.press_windowed_map = true, but this belongs "
-      "to edges = \"window\"\n");
+  EXPECT_EQ(mistakes_of(shape_case(window)),
+            "  case.toml:6: surface.edges = \"window\", but this needs "
+            "press_windowed_map = true: a window is meant for spectra, and the "
+            "windowed map has 9/64 of the measured power and about 3/8 of the "
+            "rms height and slope; edges = \"mirror\" preserves both\n");
+  EXPECT_EQ(mistakes_of(shape_case(map + "press_windowed_map = true\n")),
+            "  case.toml:6: surface.press_windowed_map = true, but this key "
+            "applies only to edges = \"window\"\n");
 }
 
 TEST(SurfaceKinds, FitAWholeNumberOfWaves) {
@@ -115,7 +113,7 @@ TEST(SurfaceKinds, FitAWholeNumberOfWaves) {
                                    "points = 8\namplitude = 1e-3\n"
                                    "wavelength = 0.4\n")),
             "  case.toml:7: surface.wavelength = 0.4, but surface.length must "
-            "be a whole multiple of it, and is 2.5 of it\n");
+            "be a whole multiple of it, but is 2.5 times it\n");
 }
 
 TEST(SurfaceKinds, HaveAFormulaForTheoryOrNot) {

@@ -131,8 +131,8 @@ TEST(TomlLimits, HoldForTheNumberOfOverrides) {
     ADD_FAILURE() << "accepted";
   } catch (const CaseError& error) {
     EXPECT_EQ(std::string(error.what()),
-              one_mistake("case.toml: has more than 2000 keys laid over it "
-                          "(--set, or a case on its base)"));
+              one_mistake("case.toml: has more than 2000 overridden keys (by "
+                          "--set or over a base case)"));
   }
 }
 

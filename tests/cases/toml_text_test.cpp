@@ -108,11 +108,12 @@ TEST(Overrides, RefuseWhatIsNoKeyAndValue) {
   const std::string head = "1 mistake(s) in the case file\n  --set: ";
 
   EXPECT_EQ(with_override("", "gamma").mistakes,
-            head + "\"gamma\" is not key.path=value on one line\n");
+            head + "\"gamma\" must have the form key.path=value on one line\n");
   EXPECT_EQ(with_override("", "=3").mistakes,
-            head + "\"=3\" is not key.path=value on one line\n");
+            head + "\"=3\" must have the form key.path=value on one line\n");
   EXPECT_EQ(with_override("", "a..b=3").mistakes,
-            head + "\"a..b=3\" is not key.path=value on one line\n");
+            head +
+                "\"a..b=3\" must have the form key.path=value on one line\n");
   EXPECT_EQ(with_override("a = 1\n", "a.b=3").mistakes,
             head + "a is not a table, but 1\n");
   EXPECT_NE(with_override("", "a=1\nb=2").mistakes, "");
