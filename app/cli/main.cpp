@@ -26,88 +26,117 @@ namespace {
 /// The chosen command, which is called after the command line is parsed.
 using Action = std::function<ExitCode()>;
 
+/// Adds an example line to the help of a command, before the footer that all
+/// commands share.
+void add_example(CLI::App* command, const std::string& line) {
+  command->footer("example:\n  asperity " + line + "\n\n" +
+                  command->get_footer());
+}
+
 void add_run(CLI::App& program, RunCommand& run, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "run", "run cases and write result, tables and report of each");
+      "run", "Run cases; write result, tables and report\n"
+             "of each.");
   command
       ->add_option("case", run.cases,
-                   "case file, folder, shipped case or collection")
+                   "case files, their folders, shipped cases or\n"
+                   "collections (see 'asperity list')")
       ->required();
   command
       ->add_option("--methods", run.methods,
-                   "only these, by name or kind: fem,theory")
+                   "run only these methods, given by name or kind:\n"
+                   "fem,theory")
       ->delimiter(',');
   command
       ->add_option("--set", run.overrides,
-                   "key=value over the case file, e.g. surface.points=128")
+                   "override a key of the case file, e.g.\n"
+                   "surface.points=128; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--out", run.out, "folder (default: out/<case>)");
+  command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
-                    "go on with the steps an earlier run left out");
+                    "compute the steps missing from an earlier run");
   command->add_flag("--quick", run.is_quick,
-                    "lay the case's quick.set over it: minutes, not precision");
+                    "apply the overrides of the case's quick.set: a\n"
+                    "coarse run that takes minutes");
   command->add_option("--target-error", run.target_error,
-                      "the cheapest setting predicted to err by less, e.g. "
-                      "1%, verified by a finer run");
+                      "use the cheapest setting whose predicted error is\n"
+                      "smaller, e.g. 1%; a finer run verifies the error");
   command->add_flag("--exactly", run.is_exact,
-                    "--methods are names alone: fem is not fem.hard");
-  command->add_flag("--no-report", run.no_report, "write result.h5 alone");
+                    "--methods gives full names only: fem does not\n"
+                    "include fem.hard");
+  command->add_flag("--no-report", run.no_report, "write result.h5 only");
   command->add_flag("--dry-run", run.is_dry,
-                    "print what would be done, how long it would take and what "
-                    "is skipped; write nothing");
+                    "print the plan, the predicted time and what is\n"
+                    "skipped; write nothing");
   command->add_flag("!--no-cache", run.uses_cache,
-                    "compute everything, keep nothing");
-  command->add_option("--threads", run.threads, "default: all cores")
+                    "compute every step; do not read or write the cache");
+  command
+      ->add_option("--threads", run.threads,
+                   "number of threads (default: all cores)")
       ->check(CLI::Range(1, 1024));
+  add_example(command, "run polymer --methods fem,theory --set "
+                       "surface.points=128");
   command->callback([&] { action = [&] { return run_cases(run); }; });
 }
 
 void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "bench", "what each setting of a case's methods costs and how far its "
-               "answer is from the truth");
+      "bench", "Measure, for each setting of a case's\n"
+               "methods, its cost and its error against the\n"
+               "reference solution.");
   command
       ->add_option("case", bench.contact_case,
-                   "case file, folder, shipped case")
+                   "case file, its folder or shipped case")
       ->required();
   command
       ->add_option("--methods", bench.methods,
-                   "only these, by name or kind: fem,theory")
+                   "run only these methods, given by name or kind:\n"
+                   "fem,theory")
       ->delimiter(',');
   command
       ->add_option("--set", bench.overrides,
-                   "key=value over the case file, e.g. surface.points=128")
+                   "override a key of the case file, e.g.\n"
+                   "surface.points=128; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--out", bench.out, "folder (default: out/<case>/bench)");
+  command->add_option("--out", bench.out,
+                      "output folder (default: out/<case>/bench)");
   command
       ->add_option("--repeats", bench.repeats,
-                   "timed runs of a setting, after one that warms up")
+                   "timed runs per setting, after one warm-up run")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--realizations", bench.realizations, "at most so many")
+  command
+      ->add_option("--realizations", bench.realizations,
+                   "largest number of realisations")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option("--budget", bench.budget,
-                   "seconds, after which settings are run once and those but "
-                   "the points are left out")
+                   "time [s] after which each setting is run once and\n"
+                   "settings other than the points are skipped")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--quick", bench.is_quick,
-                    "quick.set, points alone, one timed run, a minute");
+                    "apply quick.set, vary only the points, time one run\n"
+                    "of each: about a minute");
   command->add_option("--target-error", bench.target_error,
-                      "also choose the cheapest setting for it: 1%");
+                      "also choose the cheapest setting with a smaller\n"
+                      "error, e.g. 1%");
+  add_example(command, "bench hertz --quick --target-error 1%");
   command->callback([&] { action = [&] { return bench_case(bench); }; });
 }
 
 void add_report(CLI::App& program, std::vector<std::string>& results,
                 std::string& out, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "report", "write the report of results, several beside each other");
-  command->add_option("result", results, "result.h5 or its folder")->required();
+      "report", "Write the report of one or more results,\n"
+                "compared side by side.");
+  command->add_option("result", results, "result.h5 files or their folders")
+      ->required();
   command->add_option("--out", out,
-                      "folder (default: that of a single result, else "
-                      "out/comparison)");
+                      "output folder (default: that of a single result,\n"
+                      "else out/comparison)");
+  add_example(command, "report out/polymer out/polymer-nominal");
   command->callback(
       [&] { action = [&] { return report_results(results, out); }; });
 }
@@ -115,15 +144,18 @@ void add_report(CLI::App& program, std::vector<std::string>& results,
 void add_check(CLI::App& program, std::vector<std::string>& targets,
                std::string& junit, bool& uses_cache, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "check", "hold results against the case's expectations; exit 1 if one "
-               "falls out");
+      "check", "Check results against the expectations of\n"
+               "their cases; exit 1 if one is not met.");
   command
       ->add_option("target", targets,
-                   "result (file or folder), or a case to run")
+                   "results (files or folders), or cases, which are run\n"
+                   "first")
       ->required();
-  command->add_option("--junit", junit, "file for JUnit XML");
+  command->add_option("--junit", junit,
+                      "write the outcome to this file as JUnit XML");
   command->add_flag("!--no-cache", uses_cache,
-                    "compute everything, keep nothing");
+                    "compute every step; do not read or write the cache");
+  add_example(command, "check polymer --junit check.xml");
   command->callback([&] {
     action = [&] { return check_targets(targets, junit, uses_cache); };
   });
@@ -131,59 +163,74 @@ void add_check(CLI::App& program, std::vector<std::string>& targets,
 
 void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "cache", "where earlier steps are kept, and how many");
-  command->add_flag("--clear", is_to_clear, "remove them all");
+      "cache", "Show the folder of the step cache, its size\n"
+               "and the number of its entries.");
+  command->add_flag("--clear", is_to_clear, "remove all entries first");
+  add_example(command, "cache --clear");
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                     Action& action) {
   CLI::App* command = program.add_subcommand(
-      "robustness",
-      "run thousands of random scenes and check every answer; exit 3 "
-      "if one is neither verified nor refused");
+      "robustness", "Run thousands of random problem instances\n"
+                    "and verify every answer; exit 3 if one is\n"
+                    "neither verified nor refused.");
   command->alias("stress"); // former name of the command
   command->add_option("case", robustness.cases,
-                      "cases whose settings are perturbed (default: none)");
-  command->add_option("--scenes", robustness.scenes, "how many (default: 2000)")
+                      "cases whose settings are perturbed\n"
+                      "(default: none)");
+  command
+      ->add_option("--scenes", robustness.scenes,
+                   "number of problem instances (default: 2000)")
       ->check(CLI::Range(1, 10000000));
-  command->add_option("--seed", robustness.seed, "default: 1");
+  command->add_option("--seed", robustness.seed,
+                      "seed of the instances (default: 1)");
   command->add_option("--only", robustness.only,
-                      "only scenes of a family or of an axis' value: slab, "
-                      "law=hard");
+                      "only instances of a family or with a value of an\n"
+                      "axis: slab, law=hard");
   command->add_option("--scene", robustness.scene,
-                      "this scene of the seed alone, with all about it");
+                      "run the instance with this index only and print\n"
+                      "its details");
   command->add_option("--out", robustness.out,
-                      "folder (default: out/robustness)");
-  command->add_option("--threads", robustness.threads, "default: all cores")
+                      "output folder (default: out/robustness)");
+  command
+      ->add_option("--threads", robustness.threads,
+                   "number of threads (default: all cores)")
       ->check(CLI::Range(1, 1024));
+  add_example(command, "robustness --scenes 500 --only law=hard");
   command->callback(
       [&] { action = [&] { return run_robustness(robustness); }; });
 }
 
 void add_small_commands(CLI::App& program, std::string& name, Action& action) {
-  program.add_subcommand("list", "the shipped cases")->callback([&] {
-    action = list_cases;
-  });
-  program.add_subcommand("schema", "JSON Schema of a case file")->callback([&] {
-    action = print_schema;
-  });
-  CLI::App* command =
-      program.add_subcommand("new", "write a commented case to start from");
-  command->add_option("name", name, "folder to make")->required();
+  CLI::App* list = program.add_subcommand("list", "List the shipped cases.");
+  add_example(list, "list");
+  list->callback([&] { action = list_cases; });
+  CLI::App* schema =
+      program.add_subcommand("schema", "Print the JSON Schema of a case file.");
+  add_example(schema, "schema > case.schema.json");
+  schema->callback([&] { action = print_schema; });
+  CLI::App* command = program.add_subcommand(
+      "new", "Write a commented case file to start from.");
+  command->add_option("name", name, "folder to create for case.toml")
+      ->required();
+  add_example(command, "new my-case");
   command->callback([&] { action = [&] { return new_case(name); }; });
 }
 
 int run(int argc, char** argv) {
   CLI::App program(
-      "Asperity: rough contact by finite elements, half-space and Persson's "
-      "theory,\nfrom one case file, side by side in one report");
+      "Asperity: rough contact by finite elements, a half-space, atoms and "
+      "Persson's\ntheory, computed from one case file and compared in one "
+      "report.");
   program.name("asperity");
   program.require_subcommand(1);
   program.set_version_flag("--version", ASPERITY_VERSION);
-  program.footer("exit codes: 0 good, 1 an expectation failed, 2 bad input, "
-                 "3 a solution did not\nconverge, 4 system or library error, "
-                 "130 interrupted");
+  program.footer(
+      "exit codes:\n  0 success, 1 an expectation is not met, 2 invalid "
+      "input, 3 a solution did not\n  converge, 4 system or "
+      "library error, 130 interrupted");
   Action action;
   RunCommand run;
   RobustnessCommand stress;
