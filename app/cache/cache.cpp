@@ -207,10 +207,9 @@ std::vector<std::string> Cache::problems() const {
         "cache {}: {} damaged entries were removed and computed again",
         folder_.string(), damaged_.load()));
   if (refused_ > 0)
-    found.push_back(
-        fmt::format("cache {}: {} entries could not be written and are not "
-                    "kept",
-                    folder_.string(), refused_.load()));
+    found.push_back(fmt::format(
+        "cache {}: {} entries could not be written and are not cached",
+        folder_.string(), refused_.load()));
   return found;
 }
 

@@ -25,7 +25,8 @@ ReadCase read_with_reference(const FoundCase& found,
     const cases::Case whole = cases::read_case(file);
     std::vector<std::string> quick = quick_overrides(found.file);
     if (quick.empty())
-      fmt::print("{}: there is no quick.set beside it; it runs in full\n",
+      fmt::print("{}: there is no quick.set next to the case file; the full "
+                 "case runs\n",
                  whole.name);
     else
       quick.push_back(title_override(whole.title + reports::quick_mark));

@@ -26,7 +26,7 @@ void print_verdicts(const reports::Summary& summary) {
       fmt::print("{}: {} of {} steps did not converge\n", method.name,
                  method.cost.failed_steps, method.cost.steps);
     for (const std::string& problem : method.problems)
-      fmt::print("{}: could not be worked out: {}\n", method.name, problem);
+      fmt::print("{}: could not be computed: {}\n", method.name, problem);
   }
 }
 

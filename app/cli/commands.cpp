@@ -68,7 +68,7 @@ ExitCode run_one(const cases::Case& rough_case, const RunOptions& options,
   const ExitCode reported = no_report ? exit_good : report_on(options.folder);
   if (outcome.is_interrupted) {
     if (!no_report)
-      fmt::print("interrupted; go on with --resume\n");
+      fmt::print("interrupted; continue with --resume\n");
     return exit_interrupted;
   }
   return no_report && outcome.failed_steps > 0 ? exit_numerics_gave_up

@@ -92,7 +92,8 @@ results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
       [&](const robustness::SceneReport& report) {
         results[report.index] = {by_index.at(report.index), report};
         if (results.size() % 500 == 0)
-          fmt::print("{} of {} scenes\n", results.size(), scenes.size());
+          fmt::print("{} of {} problem instances\n", results.size(),
+                     scenes.size());
       },
       [](const Scene& scene) { return robustness::run_scene(scene); });
   return results;
@@ -142,8 +143,8 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command) {
                report.check.empty() ? "" : " (" + report.check + ")",
                report.reason);
   const robustness::Counts& total = matrix.total();
-  fmt::print("{} scenes in {:.0f} s: {} verified, {} refused, {} anything "
-             "else; {}\n",
+  fmt::print("{} problem instances in {:.0f} s: {} verified, {} refused, {} "
+             "with any other outcome; {}\n",
              total.all(), words.wall_seconds,
              total.of(robustness::Outcome::verified),
              total.of(robustness::Outcome::refused), total.others(),
@@ -164,9 +165,10 @@ ExitCode run_one(const Source& source, const RobustnessCommand& command) {
              report.iterations, report.area, report.reduced_gap,
              report.seconds);
   if (report.has_twin)
-    fmt::print("twin ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
-               name_of(scene.twin), report.has_same_bits ? "same" : "other",
-               report.twin_difference);
+    fmt::print(
+        "metamorphic pair ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
+        name_of(scene.twin), report.has_same_bits ? "identical" : "different",
+        report.twin_difference);
   return is_good(report.outcome) ? exit_good : exit_numerics_gave_up;
 }
 

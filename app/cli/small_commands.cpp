@@ -37,7 +37,7 @@ ExitCode new_case(const std::string& name) {
   const fs::path file = fs::path(name) / "case.toml";
   if (fs::exists(file))
     throw cases::CaseError(file.string() +
-                           " is there already; choose another name");
+                           " already exists; choose another name");
   fs::create_directories(file.parent_path());
   write_file_atomically(
       file, cases::case_template(fs::path(name).filename().string()));

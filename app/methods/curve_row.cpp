@@ -69,7 +69,7 @@ void distrust_non_finite(StepAnswer& answer) {
   if (!has_load)
     add_note(row, "the mean gap or the nominal pressure is not finite");
   if (!has_maps) {
-    add_note(row, "the maps are not finite and were not kept");
+    add_note(row, "the fields are not finite and were not saved");
     answer.pressure = answer.gap = {};
   }
 }

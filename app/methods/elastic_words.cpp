@@ -21,11 +21,11 @@ std::string in_words(const ContactSettings& settings) {
   case cases::ContactLaw::penalty:
     return "penalty " + penalty();
   case cases::ContactLaw::augmented:
-    return "augmented Lagrangian on a penalty of " + penalty();
+    return "augmented Lagrangian with a penalty of " + penalty();
   case cases::ContactLaw::hard:
     break;
   }
-  return "hard wall";
+  return "hard (unilateral) contact";
 }
 
 /// Returns the moduli of each layer as text, beginning at the contact surface.
@@ -53,16 +53,15 @@ std::string material_words(const cases::MethodSpec& method,
 }
 
 MethodDescription describe(const FemSettings& settings) {
-  const std::string solver =
-      settings.solver == cases::FemSolver::full
-          ? "the full three-dimensional block"
-      : settings.solver == cases::FemSolver::condensed
-          ? "condensed to the contact face"
-          : "condensed to the contact face (auto: the block is laterally "
-            "uniform)";
+  const std::string solver = settings.solver == cases::FemSolver::full
+                                 ? "the full three-dimensional block"
+                             : settings.solver == cases::FemSolver::condensed
+                                 ? "condensed to the contact surface"
+                                 : "condensed to the contact surface (auto: "
+                                   "the block is laterally uniform)";
   return {"fem",
-          fmt::format("finite elements {}, {}, layers from {:g} h growing by "
-                      "{:g}, {}",
+          fmt::format("finite elements {}, {}, layers from {:g} h with the "
+                      "grading ratio {:g}, {}",
                       settings.element == cases::Element::q1 ? "Q1" : "Q2",
                       solver, settings.surface_cell_depth, settings.growth,
                       in_words(settings.contact)),

@@ -56,11 +56,12 @@ results::Table section_table(const std::string& method, double pressure,
       depth_column.values.push_back(depth);
       x_column.values.push_back(place);
     }
-  return {"stress-section-" + method,
-          fmt::format("Von Mises stress below the face at p = {:.6g} Pa, {}, "
-                      "{}",
-                      pressure, method, origin),
-          {depth_column, x_column, {"von_mises", "Pa", std::move(strength)}}};
+  return {
+      "stress-section-" + method,
+      fmt::format(
+          "Von Mises stress below the contact surface at p = {:.6g} Pa, {}, {}",
+          pressure, method, origin),
+      {depth_column, x_column, {"von_mises", "Pa", std::move(strength)}}};
 }
 
 std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {

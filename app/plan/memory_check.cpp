@@ -14,11 +14,10 @@ constexpr int memory_probe_points = 64; // small, because times are not needed
 
 std::string refusal_of(const Plan& plan) {
   const std::string shortage = memory_shortage(plan.memory);
-  return shortage.empty() ? ""
-                          : shortage + "; less is needed by fewer "
-                                       "surface.points, fewer "
-                                       "surface.realizations or fewer "
-                                       "--threads";
+  return shortage.empty()
+             ? ""
+             : shortage +
+                   "; reduce surface.points, surface.realizations or --threads";
 }
 
 void require_memory(const cases::Case& rough_case, const RunOptions& options) {

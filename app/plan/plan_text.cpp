@@ -47,19 +47,19 @@ std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
                     count_text(method.unknowns), time_text(method.setup_time),
                     time_text(method.step_time), size_text(method.memory));
   if (plan.study_time > 0.0)
-    text += fmt::format("tables of studies and of the stress inside: CPU {}\n",
-                        time_text(plan.study_time));
+    text += fmt::format(
+        "tables of the studies and of the subsurface stress: CPU {}\n",
+        time_text(plan.study_time));
   text +=
-      fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, "
-                  "result {}, within a factor of {:g} (the report "
-                  "comes on top)\n",
+      fmt::format("predicted: CPU {}, {} on {} thread{}, memory {}, result {}, "
+                  "within a factor of {:g} (not including the report)\n",
                   time_text(plan.cpu_time), time_text(plan.wall_time),
                   plan.threads, plan.threads == 1 ? "" : "s",
                   size_text(plan.memory), size_text(plan.disk), plan.factor);
   if (const std::string refusal = refusal_of(plan); !refusal.empty())
     text += "the run would be refused: it " + refusal + "\n";
   if (!plan.skipped.empty())
-    text += "skipped, with what it would have cost:\n";
+    text += "skipped, with the predicted cost of each:\n";
   for (const results::Skipped& one : plan.skipped)
     text += fmt::format("  {}: {} (CPU {}, {})\n", one.what, one.why,
                         time_text(one.cpu_time), size_text(one.bytes));

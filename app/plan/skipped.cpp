@@ -66,7 +66,7 @@ void Skips::add_methods_left_out() {
     MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
     if (nodes() > 0.0)
       cost = cost_of(scene_.rough_case, method, scene_.grid, rates_);
-    list.push_back({method.name, "not among --methods",
+    list.push_back({method.name, "not selected by --methods",
                     cost.setup_time + all_steps(method) * cost.step_time,
                     cost.memory});
   }
@@ -78,7 +78,7 @@ void Skips::add_surfaces() {
   const int realizations = scene_.rough_case.surface.realizations;
   list.push_back(
       {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
-       "the theory takes the spectrum by its formula",
+       "the theory uses the formula of the spectrum",
        3.0 * realizations * rates_.transform_time(scene_.grid),
        realizations * sizeof(double) * nodes()});
 }
@@ -92,14 +92,14 @@ void Skips::add_maps() {
       left_out += all_steps(method) - kept;
   if (left_out > 0.0)
     list.push_back(
-        {fmt::format("pressure and gap maps of {:g} steps", left_out),
-         fmt::format("[report] fields keeps {:g} of realisation 0", kept),
+        {fmt::format("pressure and gap fields of {:g} steps", left_out),
+         fmt::format("[report] fields saves {:g} of realisation 0", kept),
          not_a_number, left_out * map_bytes(scene_.grid)});
 }
 
 void Skips::add_of(const MethodSpec& method) {
   if (method.magnification)
-    list.push_back({fmt::format("{}: waves above {:g} q_0", method.name,
+    list.push_back({fmt::format("{}: roughness above {:g} q_0", method.name,
                                 *method.magnification),
                     "its magnification", not_a_number, not_a_number});
   if (const auto* half =
@@ -121,7 +121,7 @@ void Skips::add_of_theory(const MethodSpec& method) {
       cost_of(scene_.rough_case, method, scene_.grid, rates_);
   list.push_back({fmt::format("{} on {} realisation{}", method.name, others,
                               others == 1 ? "" : "s"),
-                  "the formula's spectrum is that of every realisation",
+                  "the formula of the spectrum holds for every realisation",
                   others * (cost.setup_time + n_steps() * cost.step_time),
                   0.0});
 }
@@ -131,15 +131,15 @@ void Skips::add_of_halfspace(const MethodSpec& method,
   const MethodCost cost =
       cost_of(scene_.rough_case, method, scene_.grid, rates_);
   list.push_back(
-      {fmt::format("{}: two tangential displacements a node", method.name),
-       "the face is frictionless: no shear traction moves it",
+      {fmt::format("{}: two tangential displacements per node", method.name),
+       "the contact surface is frictionless and has no shear traction",
        2.0 * all_steps(method) * cost.step_time,
        2.0 * sizeof(double) * nodes()});
-  list.push_back({method.name + ": the block below the face",
+  list.push_back({method.name + ": the block below the contact surface",
                   settings.thickness
-                      ? "a slab's compliance is a closed form"
-                      : "no thickness is asked: a half-space's compliance is a "
-                        "closed form",
+                      ? "the compliance of a slab has a closed form"
+                      : "no thickness is given: the compliance of a half-space "
+                        "has a closed form",
                   not_a_number, not_a_number});
 }
 
@@ -149,12 +149,12 @@ void Skips::add_of_fem(const MethodSpec& method,
     return;
   const MethodCost full =
       cost_of_full_block(scene_.rough_case, settings, scene_.grid, rates_);
-  list.push_back(
-      {fmt::format("{}: {} of {} displacements of the block", method.name,
-                   count_text(full.unknowns - nodes()),
-                   count_text(full.unknowns)),
-       "laterally uniform: condensed to the face's normal displacement",
-       all_steps(method) * full.step_time, full.memory});
+  list.push_back({fmt::format("{}: {} of {} displacements of the block",
+                              method.name, count_text(full.unknowns - nodes()),
+                              count_text(full.unknowns)),
+                  "laterally uniform: condensed to the normal displacement of "
+                  "the contact surface",
+                  all_steps(method) * full.step_time, full.memory});
   const MethodCost cost =
       cost_of(scene_.rough_case, method, scene_.grid, rates_);
   if (scene_.grid.is_square() && !std::exchange(has_operator_, true))
@@ -182,7 +182,7 @@ void Skips::add_of_atoms(const MethodSpec& method,
       cost_of(scene_.rough_case, whole, scene_.grid, rates_);
   list.push_back({fmt::format("{}: {} atoms inside the block", method.name,
                               count_text(cost.unknowns / 3.0 - side * side)),
-                  "bulk = \"green\": eliminated exactly for the lowest layer",
+                  "bulk = \"green\": condensed exactly to the lowest layer",
                   all_steps(method) * cost.step_time, cost.memory});
 }
 

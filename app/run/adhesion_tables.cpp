@@ -93,7 +93,7 @@ Table adhesion_flip_table(const RoughAdhesion& adhesion,
   const double whole = adhesion.complete_contact(1.0).effective_work;
   return {
       "adhesion-flip",
-      "Where complete contact gives way to partial",
+      "Transition from complete to partial contact",
       {{"height_ratio", "1", {ratio}},
        {"area_fraction", "1", {area}},
        {"complete_contact_binding", "1", {whole / study.work_of_adhesion}}}};

@@ -139,7 +139,7 @@ std::vector<ShippedCase> shipped_cases() {
   for (const std::string& word : shipped_words()) {
     const fs::path folder = library_folder() / word;
     if (is_collection(folder))
-      found.push_back({word, "a collection: all of the parts below"});
+      found.push_back({word, "collection of all the parts below"});
     else
       found.push_back(
           {word, cases::read_case((folder / "case.toml").string()).title});

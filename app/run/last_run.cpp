@@ -58,11 +58,11 @@ void put_last_run_aside(const fs::path& folder) {
     results::settle_result(folder);
     remove_files_of_methods(folder, results::read_result(folder));
   } catch (const cases::CaseError& error) {
-    fmt::print("the last result cannot be read: {}\n", error.what());
+    fmt::print("the previous result cannot be read: {}\n", error.what());
   }
   remove_report(folder);
   fs::rename(last, folder / "result.previous.h5");
-  fmt::print("the last result is kept as {}\n",
+  fmt::print("the previous result is saved as {}\n",
              (folder / "result.previous.h5").string());
 }
 

@@ -61,7 +61,7 @@ Table loads_table(std::span<const MagnifiedContact> contacts) {
     highest.values.push_back(contact.highest_magnification());
   }
   return {"magnification",
-          "The loads seen at magnifications",
+          "Loads of the magnification study",
           {pressure, weight, gap, height, lowest, highest}};
 }
 
@@ -88,7 +88,8 @@ Table magnification_table(const std::string& name,
     density.values.push_back(opens ? contact.gap_density(zeta) : not_a_number);
   }
   return {name,
-          "A, h_rms, u, u_1 and the density of (27) against zeta, " +
+          "A, h_rms, u, u_1 and the density of Eq. (27) of Yang and Persson "
+          "(2008) against zeta, " +
               load_text(contact),
           {magnification, area, height, gap, printed, opening, density}};
 }
@@ -111,8 +112,8 @@ Table gap_distribution_table(const std::string& name,
     density.values.push_back(contact.gap_density(*zeta));
   }
   return {name,
-          fmt::format("Distribution (27) of u_1, {}, with the weight {:.4g} at "
-                      "u = 0",
+          fmt::format("Distribution of u_1 by Eq. (27) of Yang and Persson "
+                      "(2008), {}, with the weight {:.4g} at u = 0",
                       load_text(contact), weight),
           {cumulative, gap, density}};
 }

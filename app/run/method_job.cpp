@@ -242,7 +242,7 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
     }
   if (next < step)
     fmt::print("{}, realization {}: steps {} to {} are computed again, because "
-               "the state after them was not kept\n",
+               "the state after them was not saved\n",
                method_.name, realization_, next, step - 1);
   const cases::Scales& scales =
       scene_.surfaces.of(method_, realization_).scales;

@@ -13,12 +13,13 @@ namespace {
 /// Describes for the report how the window function changes a measured map.
 std::string effect_of_window(const cases::SurfaceSpec& surface) {
   const auto [measured, pressed] = surfaces::edge_effect(surface);
-  return fmt::format(
-      "rms height {:.3g} nm of the measured map became {:.3g} nm ({:.2f} of "
-      "it), rms slope {:.3g} became {:.3g} ({:.2f})",
-      measured.rms_height * 1e9, pressed.rms_height * 1e9,
-      pressed.rms_height / measured.rms_height, measured.rms_slope,
-      pressed.rms_slope, pressed.rms_slope / measured.rms_slope);
+  return fmt::format("the window changes the rms height of the measured map "
+                     "from {:.3g} nm to {:.3g} nm (factor {:.2f}) and the rms "
+                     "slope from {:.3g} to {:.3g} (factor {:.2f})",
+                     measured.rms_height * 1e9, pressed.rms_height * 1e9,
+                     pressed.rms_height / measured.rms_height,
+                     measured.rms_slope, pressed.rms_slope,
+                     pressed.rms_slope / measured.rms_slope);
 }
 
 } // namespace

@@ -76,7 +76,7 @@ results::Table stress_table(const std::string& method,
                        map.grid.spacing_y());
   }
   return {"stress-inside-" + method,
-          "The strongest stress below the face, " + method,
+          "The maximum stress below the contact surface, " + method,
           {pressure, strongest, shear, depth, x, y}};
 }
 
@@ -120,7 +120,7 @@ void record_stress_inside(const cases::Case& rough_case,
       continue;
     const contact::ElasticBlock block =
         continuum_of(*method, rough_case.material, scales);
-    const auto table = tally.attempt("stress inside, " + method->name, [&] {
+    const auto table = tally.attempt("subsurface stress, " + method->name, [&] {
       return stress_table(method->name, block, maps, threads);
     });
     if (!table)

@@ -131,7 +131,7 @@ TEST_F(Messages, NewCaseRunsAndIsNeverOverwritten) {
   const Ended done = run("run mine");
 
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_TRUE(says(again, "is there already")) << again.output;
+  EXPECT_TRUE(says(again, "already exists")) << again.output;
   EXPECT_NE(done.exit_code, 2) << done.output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/mine/report.html"));
 }

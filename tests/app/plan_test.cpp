@@ -158,12 +158,12 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
       plan({"report.fields=\"all\"", "surface.realizations=1"});
 
   EXPECT_TRUE(find(planned.skipped, "theory on 1 realisation"));
-  EXPECT_TRUE(find(planned.skipped, "pressure and gap maps of 14 steps"));
+  EXPECT_TRUE(find(planned.skipped, "pressure and gap fields of 14 steps"));
   EXPECT_FALSE(find(planned.skipped, "2 surfaces"));
   EXPECT_TRUE(find(alone.skipped, "2 surfaces"));
   EXPECT_TRUE(find(alone.skipped, "halfspace"));
   EXPECT_TRUE(find(alone.skipped, "fem"));
-  EXPECT_FALSE(find(all_maps.skipped, "pressure and gap maps"));
+  EXPECT_FALSE(find(all_maps.skipped, "pressure and gap fields"));
   EXPECT_FALSE(find(all_maps.skipped, "theory on"));
 }
 
@@ -262,7 +262,7 @@ TEST_F(PlannedRun, IsPrintedAsATable) {
 
   for (const char* words :
        {"halfspace", "32 x 32", "formula", "predicted: CPU ", "on 2 threads",
-        "skipped, with what it would have cost:"})
+        "skipped, with the predicted cost of each:"})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
 }
 
