@@ -168,13 +168,13 @@ std::vector<Key> dynamics_keys() {
            .example = "\"0.5 1/ps\"",
            .description =
                "Rate at which momenta decay: friction of the heat bath."}),
-      for_dynamics(
-          {.name = "duration",
-           .dimension = Dimension::time,
-           .range = positive(),
-           .example = "\"200 ps\"",
-           .description = "Duration of a load step; without temperature a step "
-                          "ends as soon as the forces are in equilibrium."}),
+      for_dynamics({.name = "duration",
+                    .dimension = Dimension::time,
+                    .range = positive(),
+                    .example = "\"200 ps\"",
+                    .description =
+                        "Duration of a load step; without temperature a step "
+                        "ends as soon as the forces are in equilibrium."}),
       {.name = "temperature",
        .dimension = Dimension::temperature,
        .range = at_least(0.0),
