@@ -122,7 +122,7 @@ void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
   command->add_option("--target-error", bench.target_error,
                       "also choose the cheapest setting with a smaller\n"
                       "error, e.g. 1%");
-  add_example(command, "bench hertz --quick --target-error 1%");
+  add_example(command, "bench hertz --target-error 1%");
   command->callback([&] { action = [&] { return bench_case(bench); }; });
 }
 
@@ -166,7 +166,7 @@ void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
       "cache", "Show the folder of the step cache, its size\n"
                "and the number of its entries.");
   command->add_flag("--clear", is_to_clear, "remove all entries first");
-  add_example(command, "cache --clear");
+  add_example(command, "cache");
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
