@@ -210,7 +210,7 @@ LayerStack::LayerStack(const ElasticBlock& block)
   }
   if (!(block.thickness > depth))
     refuse_argument("thickness", block.thickness,
-                    "above that of the layers together, " +
+                    "above the total thickness of the layers, " +
                         std::to_string(depth) + " m");
   add(block.thickness - depth, block.contact_modulus, block.poisson_ratio);
 }

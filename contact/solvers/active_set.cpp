@@ -71,7 +71,7 @@ public:
     state_.elasticity.displacement(balanced_, displacement_);
     find_residual(balanced_, displacement_);
     if (!std::isfinite(largest_magnitude(residual_)))
-      return "the balanced gap is not finite";
+      return "the equilibrium gap is not finite";
     exchange();
     for (std::size_t i = 0; i < balanced_.size(); ++i)
       state_.pressure[i] = std::max(0.0, balanced_[i]);
@@ -182,7 +182,7 @@ ContactSolution active_set(SurfaceOperator& elasticity,
   state.transforms += nodes.transforms();
   ContactSolution answer = std::move(state).solution();
   if (answer.converged && answer.gap_error > problem.gap_tolerance)
-    answer.note = "to the rounding of a gap";
+    answer.note = "converged to the roundoff of the gap";
   if (!reason.empty())
     answer.note += ": " + reason;
   return answer;

@@ -165,14 +165,14 @@ std::string ActiveSystem::solve(std::span<const std::size_t> free,
   const bool is_even = looks_the_same_everywhere(elasticity_);
   if (size > most_active_nodes || (is_even ? 1 : size) * nodes > most_numbers)
     return std::to_string(free.size()) + " of " + std::to_string(nodes) +
-           " nodes in contact are too many for an active set";
+           " nodes in contact are too many for the active-set method";
   std::fill(step.begin(), step.end(), 0.0);
   if (free.empty()) // under gap control no node need be in contact
     return {};
   const bool is_solved = is_direct
                              ? solve_directly(free, residual, step)
                              : solve_by_fixed(free, residual, tolerance, step);
-  return is_solved ? "" : "the compliance is singular to rounding";
+  return is_solved ? "" : "the compliance matrix is singular to roundoff";
 }
 
 bool ActiveSystem::solve_directly(std::span<const std::size_t> free,

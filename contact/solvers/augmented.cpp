@@ -80,7 +80,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
   solution.gap_error = wall_error(solution);
   if (solution.converged && !(solution.gap_error <= problem.gap_tolerance)) {
     solution.converged = false;
-    solution.note = "penetration left after " + std::to_string(n_rounds) +
+    solution.note = "penetration remains after " + std::to_string(n_rounds) +
                     " multiplier updates; raise the penalty";
   }
   return solution;

@@ -95,13 +95,13 @@ void LoadSequence::recall(std::span<const double> memory) {
   if (!memory.empty() && memory.size() != 1 + length &&
       memory.size() != 1 + 2 * length)
     refuse_argument("memory.size()", static_cast<double>(memory.size()),
-                    "that of one or two steps");
+                    "the size of one or two saved steps");
   std::vector<Step> history;
   for (std::size_t at = 1; at < memory.size(); at += length) {
     const std::span<const double> pressure =
         memory.subspan(at + 1, heights_.size());
     for (const double value : pressure)
-      require_not_negative("a pressure of memory", value, "Pa");
+      require_not_negative("a saved pressure", value, "Pa");
     history.push_back({memory[at], {pressure.begin(), pressure.end()}});
   }
   history_ = std::move(history);

@@ -29,7 +29,7 @@ void require_problem(const ContactProblem& problem, const LoadTarget& target,
   if (target.kind == LoadTarget::Kind::nominal_pressure)
     require_positive("nominal_pressure", target.amount, "Pa");
   else if (problem.local_compliance == 0.0)
-    require_positive("mean_gap of a hard wall", target.amount, "m");
+    require_positive("mean_gap in hard contact", target.amount, "m");
   else if (!std::isfinite(target.amount))
     refuse_argument("mean_gap", target.amount, "finite [m]");
 }

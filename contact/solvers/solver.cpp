@@ -201,7 +201,7 @@ ContactSolution hand_over(ContactState&& state) {
       "stalled after " + std::to_string(state.iterations) + " iterations; ";
   ContactSolution answer =
       active_set(state.elasticity, state.problem, state.target, state.pressure);
-  std::string note = stalled + "finished by an active set";
+  std::string note = stalled + "finished by the active-set method";
   if (!answer.note.empty())
     note += ": " + answer.note;
   int iterations = state.iterations + answer.iterations;
@@ -214,7 +214,7 @@ ContactSolution hand_over(ContactState&& state) {
                                                            : state.pressure);
     iterations += answer.iterations;
     transforms += answer.transforms;
-    note += "; then by the plain method";
+    note += "; then by the unpreconditioned method";
     if (!answer.note.empty())
       note += ": " + answer.note;
   }

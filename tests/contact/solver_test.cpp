@@ -203,7 +203,7 @@ TEST_F(RoughSurface, RefusesBadArgumentsByName) {
             std::string::npos);
   EXPECT_NE(message(problem(), {Kind::nominal_pressure, 0.0}).find("nominal"),
             std::string::npos);
-  EXPECT_NE(message(problem(), {Kind::mean_gap, -1.0}).find("hard wall"),
+  EXPECT_NE(message(problem(), {Kind::mean_gap, -1.0}).find("hard contact"),
             std::string::npos);
   EXPECT_NE(message(problem(-1.0), light).find("local_compliance"),
             std::string::npos);
