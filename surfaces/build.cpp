@@ -90,11 +90,11 @@ void require_points(const SurfaceSpec& surface, const char* points_name,
   const int points = std::min(grid.points_x, grid.points_y);
   if (points >= needed)
     return;
-  throw cases::CaseError(fmt::format(
-      "{} = {}, but must be >= {} to carry {} = {:.6g} 1/m (a wave of {:.6g} "
-      "m) over surface.length = {:.6g} m",
-      points_name, points, needed, highest_name, highest,
-      2.0 * std::numbers::pi / highest, *surface.length));
+  throw cases::CaseError(
+      fmt::format("{} = {}, but must be >= {} to resolve {} = {:.6g} 1/m (a "
+                  "wavelength of {:.6g} m) over surface.length = {:.6g} m",
+                  points_name, points, needed, highest_name, highest,
+                  2.0 * std::numbers::pi / highest, *surface.length));
 }
 
 std::string band_end_name(const SurfaceSpec& surface) {
@@ -149,9 +149,10 @@ HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
   const IsotropicSpectrum whole = formula_spectrum(surface);
   const bool is_cut = highest && *highest < whole.wavevector_high();
   if (is_cut && *highest < whole.wavevector_low())
-    refuse_argument("highest_wavevector", *highest,
-                    fmt::format(">= {:.6g} rad/m, where the spectrum begins",
-                                whole.wavevector_low()));
+    refuse_argument(
+        "highest_wavevector", *highest,
+        fmt::format(">= {:.6g} rad/m, the lowest wavevector of the spectrum",
+                    whole.wavevector_low()));
   const IsotropicSpectrum kept = is_cut ? cut(whole, *highest) : whole;
   require_points(surface, "points of the grid", grid,
                  is_cut ? "highest_wavevector" : band_end_name(surface),
@@ -183,8 +184,8 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
   constexpr double rounding = 1e-20; // roundoff of two transforms, squared
   if (resampled.dropped > rounding * rms_height * rms_height)
     throw cases::CaseError(fmt::format(
-        "a grid of {} by {} points is too coarse for the {} by {} of {}: waves "
-        "of rms {:.6g} m would be lost",
+        "a grid of {} by {} points is too coarse for the {} by {} of {}: "
+        "Fourier modes of rms height {:.6g} m would be lost",
         grid.points_x, grid.points_y, map.grid.points_x, map.grid.points_y,
         surface.file, std::sqrt(resampled.dropped)));
   return std::move(resampled.map);
@@ -199,7 +200,7 @@ HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
   case SurfaceKind::wave_2d:
     return wave_2d(grid, surface.amplitude, surface.wavelength);
   default:
-    throw std::domain_error("surface.kind is none of SurfaceKind");
+    throw std::domain_error("unknown surface.kind");
   }
 }
 
@@ -223,7 +224,7 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
   if (surface.kind == SurfaceKind::spectrum)
     return table_spectrum(surface);
   throw std::domain_error("surface.kind must be self-affine or spectrum: no "
-                          "other kind has a formula for its spectrum");
+                          "other kind defines a power spectrum");
 }
 
 HeightMap build_surface(const SurfaceSpec& surface, int realization) {

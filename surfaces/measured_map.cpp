@@ -54,9 +54,8 @@ HeightMap levelled_map(const SurfaceSpec& surface) {
   constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
   if (left <= rounding * before)
     throw cases::CaseError(fmt::format(
-        "{}: the surface is flat: once it is levelled, heights of up to {:.3g} "
-        "m are left, the rounding of what was {:.3g} m; there is no roughness "
-        "to press on",
+        "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
+        "remain, the roundoff of the original {:.3g} m; there is no roughness",
         surface.file, left, before));
   return map;
 }

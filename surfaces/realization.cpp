@@ -30,11 +30,10 @@ void require_points(const char* name, int points, double wavevector_high,
                     double length) {
   const int needed = points_needed(wavevector_high, length);
   if (points < needed)
-    refuse_argument(
-        name, points,
-        fmt::format(
-            ">= {} to carry the shortest wave of {:.6g} m over {:.6g} m",
-            needed, two_pi / wavevector_high, length));
+    refuse_argument(name, points,
+                    fmt::format(">= {} to resolve the shortest wavelength of "
+                                "{:.6g} m over {:.6g} m",
+                                needed, two_pi / wavevector_high, length));
 }
 
 /// a_q for the mode of the pair (q, -q) that owns the draw.
@@ -100,8 +99,8 @@ HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
       modes.begin(), modes.end(), [](const auto& mode) { return mode == 0.0; });
   if (is_empty)
     throw std::domain_error(fmt::format(
-        "the band from {:.6g} to {:.6g} rad/m holds no wave that fits the "
-        "periodic cell of {:.6g} m by {:.6g} m",
+        "the band from {:.6g} to {:.6g} rad/m contains no wavevector that fits "
+        "the periodic cell of {:.6g} m by {:.6g} m",
         spectrum.wavevector_low(), wavevector_high, grid.length_x,
         grid.length_y));
 

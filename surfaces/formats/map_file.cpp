@@ -88,7 +88,8 @@ double header_height_unit(const NumberTable& table, const MapScale& scale) {
   }
   if (scale.height_unit)
     throw cases::CaseError(fmt::format(
-        "surface.height_unit = {:.6g} m, but line {} of {} says it: '{}'",
+        "surface.height_unit = {:.6g} m, but must be left out: line {} of {} "
+        "gives '{}'",
         *scale.height_unit, line.line, table.name, printable(line.text)));
   const std::optional<double> metres = length_unit(line.text);
   if (!metres)
@@ -104,10 +105,11 @@ HeightMap from_gwyddion(NumberTable table, const Grid& points,
   grid.length_x = header_length(table, "Width");
   grid.length_y = header_length(table, "Height");
   if (scale.length)
-    throw cases::CaseError(fmt::format(
-        "surface.length = {:.6g} m, but line {} of {} says it: '{}'",
-        *scale.length, header(table, "Width").line, table.name,
-        printable(header(table, "Width").text)));
+    throw cases::CaseError(fmt::format("surface.length = {:.6g} m, but must be "
+                                       "left out: line {} of {} gives '{}'",
+                                       *scale.length,
+                                       header(table, "Width").line, table.name,
+                                       printable(header(table, "Width").text)));
   const double unit = header_height_unit(table, scale);
   for (double& height : table.numbers)
     height *= unit;
@@ -117,15 +119,15 @@ HeightMap from_gwyddion(NumberTable table, const Grid& points,
 HeightMap from_plain(NumberTable table, const Grid& points,
                      const MapScale& scale) {
   if (!scale.length)
-    throw cases::CaseError(fmt::format(
-        "surface.length is missing: {} is a plain matrix and does not say how "
-        "wide it is",
-        table.name));
+    throw cases::CaseError(
+        fmt::format("surface.length is missing: {} is a plain matrix, which "
+                    "does not give its width",
+                    table.name));
   if (!scale.height_unit)
-    throw cases::CaseError(fmt::format(
-        "surface.height_unit is missing: {} is a plain matrix and does not say "
-        "in what its heights are",
-        table.name));
+    throw cases::CaseError(
+        fmt::format("surface.height_unit is missing: {} is a plain matrix, "
+                    "which does not give the unit of its heights",
+                    table.name));
   require_positive("length", *scale.length, "m");
   Grid grid = points;
   grid.length_x = *scale.length;
@@ -140,9 +142,10 @@ HeightMap from_plain(NumberTable table, const Grid& points,
 HeightMap from_table(NumberTable table, cases::MapFormat format,
                      const MapScale& scale) {
   if (table.columns < 2 || table.rows() < 2)
-    throw cases::CaseError(fmt::format(
-        "{}: {} column(s) and {} row(s), but a map has two at least of each",
-        table.name, table.columns, table.rows()));
+    throw cases::CaseError(fmt::format("{}: {} column(s) and {} row(s), but a "
+                                       "map must have at least two of each",
+                                       table.name, table.columns,
+                                       table.rows()));
   Grid points;
   points.points_x = static_cast<int>(table.columns);
   points.points_y = static_cast<int>(table.rows());

@@ -74,15 +74,16 @@ public:
 
   NumberTable finish() {
     if (table_.lines.empty())
-      throw cases::CaseError(table_.name + ": holds no numbers");
+      throw cases::CaseError(table_.name + ": contains no numbers");
     return std::move(table_);
   }
 
 private:
   void take_row(std::string_view line) {
     if (has_ambiguous_comma(line))
-      refuse_line(table_.name, line_number_,
-                  "a comma within a column: numbers are written with a dot");
+      refuse_line(
+          table_.name, line_number_,
+          "found a comma within a column; use a dot as the decimal separator");
     std::size_t column = 0;
     std::size_t at = 0;
     while ((at = line.find_first_not_of(separators, at)) !=
@@ -111,7 +112,7 @@ private:
     if (columns != table_.columns)
       refuse_line(table_.name, line_number_,
                   fmt::format("{} numbers in this row, but {} in line {}; "
-                              "every row must have as many",
+                              "every row must have the same number",
                               columns, table_.columns, table_.lines.front()));
     table_.lines.push_back(line_number_);
   }

@@ -27,7 +27,7 @@ TabulatedSpectrum from_table(const NumberTable& table) {
     if (!(wavevector > above))
       refuse_line(table.name, table.lines[row],
                   fmt::format("q = {:.6g}, but must be > {:.6g} [1/m]: "
-                              "wavevectors ascend from row to row",
+                              "wavevectors must increase from row to row",
                               wavevector, above));
     if (!(density > 0.0))
       refuse_line(table.name, table.lines[row],
@@ -39,7 +39,7 @@ TabulatedSpectrum from_table(const NumberTable& table) {
   }
   if (table.rows() < 2)
     refuse_line(table.name, table.lines.front(),
-                "one row, but a spectrum needs two at least");
+                "one row, but a spectrum must have at least two");
   return {std::move(wavevectors), std::move(densities)};
 }
 
@@ -53,7 +53,7 @@ TabulatedSpectrum::TabulatedSpectrum(std::vector<double> wavevectors,
                     static_cast<double>(wavevectors_.size()), ">= 2");
   if (densities_.size() != wavevectors_.size())
     refuse_argument("densities.size()", static_cast<double>(densities_.size()),
-                    "as many as wavevectors");
+                    "the number of wavevectors");
   for (std::size_t i = 0; i < wavevectors_.size(); ++i) {
     require_positive("wavevectors", wavevectors_[i], "rad/m");
     require_positive("densities", densities_[i], "m^4");

@@ -20,9 +20,9 @@ std::vector<double> cosine_along(const char* length_name, double length,
   const double waves = std::round(length / wavelength);
   if (waves < 1.0 ||
       std::abs(length / wavelength - waves) > printed_rounding * waves)
-    refuse_argument(
-        length_name, length,
-        fmt::format("a whole multiple of wavelength = {:.6g} m", wavelength));
+    refuse_argument(length_name, length,
+                    fmt::format("an integer multiple of wavelength = {:.6g} m",
+                                wavelength));
   if (2.0 * waves >= points)
     refuse_argument("wavelength", wavelength,
                     fmt::format("longer than two node spacings, {:.6g} m",

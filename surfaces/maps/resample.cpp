@@ -95,7 +95,7 @@ void require_target(const Grid& grid, const Grid& target) {
                                  double expected) {
     if (!is_same_length(length, expected))
       refuse_argument(name, length,
-                      fmt::format("{:.6g} m, as of the map", expected));
+                      fmt::format("{:.6g} m, the length of the map", expected));
   };
   require_length("target.length_x", target.length_x, grid.length_x);
   require_length("target.length_y", target.length_y, grid.length_y);

@@ -22,7 +22,7 @@ void require_shape(const SelfAffineShape& shape) {
                   shape.wavevector_roll_off, largest, "rad/m");
   if (shape.wavevector_high == shape.wavevector_low)
     refuse_argument("wavevector_high", shape.wavevector_high,
-                    "above wavevector_low: a band without width has no power");
+                    "above wavevector_low: a band of zero width has no power");
 }
 
 } // namespace

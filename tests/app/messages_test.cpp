@@ -201,8 +201,7 @@ TEST_F(Messages, AFlatMapIsNamed) {
   const Ended refused = run("run flat.toml --methods halfspace");
 
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_TRUE(
-      says(refused, "flat.txt: the surface is flat: once it is levelled"))
+  EXPECT_TRUE(says(refused, "flat.txt: the surface is flat: after levelling"))
       << refused.output;
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }

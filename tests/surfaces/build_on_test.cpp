@@ -122,13 +122,13 @@ TEST(BuildSurfaceOn, RefusesAGridTooCoarse) {
   const SurfaceSpec surface = self_affine();
 
   EXPECT_EQ(message_of([&] { build_surface_on(surface, 0, square(40)); }),
-            "points of the grid = 40, but must be >= 42 to carry "
-            "surface.wavevector_high = 1.25664e+07 1/m (a wave of 5e-07 m) "
-            "over surface.length = 1e-05 m");
+            "points of the grid = 40, but must be >= 42 to resolve "
+            "surface.wavevector_high = 1.25664e+07 1/m (a wavelength of 5e-07 "
+            "m) over surface.length = 1e-05 m");
   EXPECT_EQ(
       message_of([&] { build_surface_on(surface, 0, square(10), 5.0 * unit); }),
-      "points of the grid = 10, but must be >= 12 to carry "
-      "highest_wavevector = 3.14159e+06 1/m (a wave of 2e-06 m) over "
+      "points of the grid = 10, but must be >= 12 to resolve "
+      "highest_wavevector = 3.14159e+06 1/m (a wavelength of 2e-06 m) over "
       "surface.length = 1e-05 m");
   EXPECT_THROW(build_surface_on(surface, 0, square(64), 0.5 * unit),
                std::domain_error);

@@ -187,8 +187,8 @@ TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
     SurfaceSpec surface = flat;
     surface.edges = edges;
     const std::string message = message_of([&] { build_surface(surface, 0); });
-    EXPECT_TRUE(message.starts_with(flat.file + ": the surface is flat: once "
-                                                "it is levelled"))
+    EXPECT_TRUE(message.starts_with(flat.file +
+                                    ": the surface is flat: after levelling"))
         << message;
   }
   SurfaceSpec left_in = flat;
@@ -234,9 +234,9 @@ TEST(BuildSurface, SaysWhichKeyCannotBe) {
 
   surface.points = 40;
   EXPECT_EQ(message_of(build),
-            "surface.points = 40, but must be >= 42 to carry "
-            "surface.wavevector_high = 1.25664e+07 1/m (a wave of 5e-07 m) "
-            "over surface.length = 1e-05 m");
+            "surface.points = 40, but must be >= 42 to resolve "
+            "surface.wavevector_high = 1.25664e+07 1/m (a wavelength of 5e-07 "
+            "m) over surface.length = 1e-05 m");
   surface.points.reset();
   EXPECT_EQ(message_of(build), "surface.points is missing");
   surface = self_affine();
@@ -257,11 +257,12 @@ TEST(BuildSurface, SaysThatATableReachesBeyondTheGrid) {
   const SurfaceSpec surface =
       with_file(SurfaceKind::spectrum, "fine.csv", "1e6 1e-30\n1e9 1e-40\n");
 
-  EXPECT_EQ(message_of([&] { build_surface(surface, 0); }),
-            "surface.points = 64, but must be >= 3184 to carry the last q of " +
-                surface.file +
-                " = 1e+09 1/m (a wave of 6.28319e-09 m) over surface.length = "
-                "1e-05 m");
+  EXPECT_EQ(
+      message_of([&] { build_surface(surface, 0); }),
+      "surface.points = 64, but must be >= 3184 to resolve the last q of " +
+          surface.file +
+          " = 1e+09 1/m (a wavelength of 6.28319e-09 m) over surface.length = "
+          "1e-05 m");
 }
 
 } // namespace

@@ -88,10 +88,12 @@ TEST(ExactShapes, RefuseBadArgumentsByName) {
             "radius = 0, but must be finite and > 0 [m]");
   EXPECT_EQ(message_of([] { wave_1d(grid, -1.0, 1.0); }),
             "amplitude = -1, but must be finite and > 0 [m]");
-  EXPECT_EQ(message_of([] { wave_1d(grid, 1.0, 1.5); }),
-            "length_x = 4, but must be a whole multiple of wavelength = 1.5 m");
-  EXPECT_EQ(message_of([] { wave_2d(grid, 1.0, 4.0); }),
-            "length_y = 2, but must be a whole multiple of wavelength = 4 m");
+  EXPECT_EQ(
+      message_of([] { wave_1d(grid, 1.0, 1.5); }),
+      "length_x = 4, but must be an integer multiple of wavelength = 1.5 m");
+  EXPECT_EQ(
+      message_of([] { wave_2d(grid, 1.0, 4.0); }),
+      "length_y = 2, but must be an integer multiple of wavelength = 4 m");
   EXPECT_EQ(message_of([] { wave_1d(grid, 1.0, 0.25); }),
             "wavelength = 0.25, but must be longer than two node spacings, "
             "0.25 m");

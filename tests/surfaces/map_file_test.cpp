@@ -127,14 +127,14 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
             "map.txt:1: column 2: found '1e999', but must be a finite number");
   EXPECT_EQ(message_of("1 2 3\n4 5\n", scale),
             "map.txt:2: 2 numbers in this row, but 3 in line 1; every row must "
-            "have as many");
+            "have the same number");
   EXPECT_EQ(message_of("1,5\t2,5\n", scale),
-            "map.txt:1: a comma within a column: numbers are written with a "
-            "dot");
+            "map.txt:1: found a comma within a column; use a dot as the "
+            "decimal separator");
   EXPECT_EQ(message_of("1 2 3\n", scale),
-            "map.txt: 3 column(s) and 1 row(s), but a map has two at least of "
-            "each");
-  EXPECT_EQ(message_of("", scale), "map.txt: holds no numbers");
+            "map.txt: 3 column(s) and 1 row(s), but a map must have at least "
+            "two of each");
+  EXPECT_EQ(message_of("", scale), "map.txt: contains no numbers");
 }
 
 TEST(MapFile, SaysWhatIsWrongWithTheHeader) {
@@ -159,17 +159,17 @@ TEST(MapFile, SaysWhatIsWrongWithTheHeader) {
 
 TEST(MapFile, SaysWhichKeyOfTheCaseIsMissingOrTooMuch) {
   EXPECT_EQ(message_of("1 2\n3 4\n"),
-            "surface.length is missing: map.txt is a plain matrix and does not "
-            "say how wide it is");
+            "surface.length is missing: map.txt is a plain matrix, which does "
+            "not give its width");
   EXPECT_EQ(message_of("# Width: 1 um\n# Height: 1 um\n1 2\n3 4\n"),
             "surface.height_unit is missing: map.txt has no line '# Value "
             "units: m'");
   EXPECT_EQ(message_of(gwyddion, {1e-6, {}}),
-            "surface.length = 1e-06 m, but line 2 of map.txt says it: '12.0 "
-            "\xC2\xB5m'");
+            "surface.length = 1e-06 m, but must be left out: line 2 of map.txt "
+            "gives '12.0 \xC2\xB5m'");
   EXPECT_EQ(message_of(gwyddion, {{}, 1e-9}),
-            "surface.height_unit = 1e-09 m, but line 4 of map.txt says it: "
-            "'nm'");
+            "surface.height_unit = 1e-09 m, but must be left out: line 4 of "
+            "map.txt gives 'nm'");
 }
 
 // Claim: a message shows the start of what was found, and no control character

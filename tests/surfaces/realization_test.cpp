@@ -165,8 +165,8 @@ TEST(Realization, RefusesAGridThatIsTooCoarse) {
   EXPECT_EQ(points_needed(20 * unit, length), 42);
   EXPECT_EQ(points_needed(20.5 * unit, length), 42);
   EXPECT_EQ(message_of(spectrum(), square(40), {}),
-            "points_x = 40, but must be >= 42 to carry the shortest wave of "
-            "5e-07 m over 1e-05 m");
+            "points_x = 40, but must be >= 42 to resolve the shortest "
+            "wavelength of 5e-07 m over 1e-05 m");
   EXPECT_EQ(message_of(spectrum(), square(42), {}), "accepted");
 }
 
@@ -178,8 +178,8 @@ TEST(Realization, RefusesWhatItCannotMake) {
   };
 
   EXPECT_EQ(message_of(empty, square(64), {}),
-            "the band from 691150 to 753982 rad/m holds no wave that fits the "
-            "periodic cell of 1e-05 m by 1e-05 m");
+            "the band from 691150 to 753982 rad/m contains no wavevector that "
+            "fits the periodic cell of 1e-05 m by 1e-05 m");
   EXPECT_EQ(message_of(spectrum(), square(64), {1, -1}),
             "realization = -1, but must be finite and >= 0 [1]");
 }

@@ -139,8 +139,8 @@ TEST(SelfAffineSpectrum, RefusesAnImpossibleShapeByName) {
             "wavevector_high = 1.5, but must be between 2 and 1.79769e+308 "
             "[rad/m]");
   EXPECT_EQ(message_of({0.8, 2, 2, 2}, 1.0),
-            "wavevector_high = 2, but must be above wavevector_low: a band "
-            "without width has no power");
+            "wavevector_high = 2, but must be above wavevector_low: a band of "
+            "zero width has no power");
   EXPECT_EQ(message_of({0.8, 1, 2, 8}, -1.0),
             "rms_height = -1, but must be finite and > 0 [m]");
 }

@@ -73,25 +73,25 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(TabulatedSpectrumReader, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(message_of("# only words\n"), "polymer.csv: holds no numbers");
+  EXPECT_EQ(message_of("# only words\n"), "polymer.csv: contains no numbers");
   EXPECT_EQ(message_of("1 2 3\n4 5 6\n"),
             "polymer.csv:1: 3 columns, but must be 2: q [1/m] and C [m^4]");
   EXPECT_EQ(message_of("1 2\n3 4 5\n"),
             "polymer.csv:2: 3 numbers in this row, but 2 in line 1; every row "
-            "must have as many");
+            "must have the same number");
   EXPECT_EQ(message_of("q C\n1 2\n"),
             "polymer.csv:1: column 1: found 'q', but must be a finite number");
   EXPECT_EQ(message_of("2 1\n1 1\n"),
-            "polymer.csv:2: q = 1, but must be > 2 [1/m]: wavevectors ascend "
-            "from row to row");
+            "polymer.csv:2: q = 1, but must be > 2 [1/m]: wavevectors must "
+            "increase from row to row");
   EXPECT_EQ(message_of("#\n0 1\n1 1\n"),
-            "polymer.csv:2: q = 0, but must be > 0 [1/m]: wavevectors ascend "
-            "from row to row");
+            "polymer.csv:2: q = 0, but must be > 0 [1/m]: wavevectors must "
+            "increase from row to row");
   EXPECT_EQ(message_of("1 1\n2 0\n"),
             "polymer.csv:2: C = 0, but must be > 0 [m^4]; leave out rows "
             "without power");
   EXPECT_EQ(message_of("1 1\n"),
-            "polymer.csv:1: one row, but a spectrum needs two at least");
+            "polymer.csv:1: one row, but a spectrum must have at least two");
 }
 
 TEST(TabulatedSpectrumReader, SaysThatAFileIsMissing) {
