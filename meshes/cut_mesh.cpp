@@ -119,8 +119,8 @@ BlockMesh cut_mesh(const BlockMesh& mesh) {
   if (mesh.refine_below.empty())
     return mesh;
   if (mesh.shape != CellShape::hexahedron)
-    throw std::domain_error("mesh: hanging nodes (refine_below) are for "
-                            "hexahedra only, but its cells are tetrahedra");
+    throw std::domain_error("mesh: hanging nodes (refine_below) are supported "
+                            "for hexahedra only, but the cells are tetrahedra");
   Cutter cutter(mesh);
   for (const double depth : mesh.refine_below)
     cutter.cut_above(depth);

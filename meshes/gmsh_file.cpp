@@ -56,9 +56,9 @@ void open_file(const std::filesystem::path& path) {
   if (path.extension() == ".geo" && !has_cells())
     gmsh::model::mesh::generate(3);
   if (!has_cells())
-    throw std::domain_error("mesh: there are no cells; gmsh writes those of "
-                            "physical volumes only, and only when it meshes "
-                            "in three dimensions");
+    throw std::domain_error(
+        "mesh: there are no cells; gmsh writes cells of physical volumes only, "
+        "and only when it meshes in three dimensions (gmsh -3)");
 }
 
 /// Adds the elements of one surface to the group.
@@ -85,8 +85,8 @@ void add_surface(FileMesh& file, int surface, const GroupName& of) {
           file.groups.emplace(facet_key(shape, facet), of.group);
       if (!is_new && found->second != of.group)
         throw std::domain_error(
-            fmt::format("mesh: element {} of the physical surface {} is in "
-                        "another of contact, fixed and sides too",
+            fmt::format("mesh: element {} of the physical surface {} is also "
+                        "in another of the groups contact, fixed and sides",
                         numbers[kind][i], of.name));
     }
 }
@@ -238,7 +238,7 @@ BlockMesh gmsh_file(const std::string& path, double unit,
     if (!std::filesystem::is_regular_file(file_path))
       throw std::domain_error("there is no such file");
     if (file_path.extension() != ".msh" && file_path.extension() != ".geo")
-      throw std::domain_error("a mesh is read from a .msh or a .geo");
+      throw std::domain_error("a mesh must be read from a .msh or a .geo file");
     const FileMesh file = file_mesh(file_path);
     BlockMesh mesh = file.cells.mesh;
     place(mesh, bounds_of_contact(file), unit);

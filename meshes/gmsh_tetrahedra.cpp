@@ -32,7 +32,8 @@ int partner_of(int surface, std::size_t direction, double period) {
       moved[0] - same, moved[1] - same, moved[2] - same, moved[3] + same,
       moved[4] + same, moved[5] + same, found, 2);
   if (found.size() != 1)
-    throw std::domain_error("gmsh: a periodic side has no opposite");
+    throw std::domain_error(
+        "gmsh: a periodic side has no matching opposite side");
   return found.front().second;
 }
 

@@ -82,9 +82,10 @@ std::vector<double> graded_layers(double surface_thickness, double growth,
   if (n_layers == 1)
     return {depth};
   if (ratio < 1.5)
-    refuse_argument("depth", depth,
-                    "either one surface layer or at least 1.5 of them, " +
-                        std::to_string(1.5 * surface_thickness) + " m");
+    refuse_argument(
+        "depth", depth,
+        "either one or at least 1.5 thicknesses of the surface layer, " +
+            std::to_string(1.5 * surface_thickness) + " m");
 
   const double fitted = fitted_growth(growth, n_layers, ratio);
   std::vector<double> thickness(static_cast<std::size_t>(n_layers));
@@ -115,8 +116,8 @@ graded_layers_with_interfaces(double surface_thickness, double growth,
   for (const double bottom : bottoms) {
     if (!(bottom > top && bottom <= depth))
       refuse_argument("interfaces", bottom,
-                      "above 0, deeper than the one before, and less deep "
-                      "than the block, " +
+                      "above 0, deeper than the previous interface and "
+                      "shallower than the block, " +
                           std::to_string(depth) + " m");
     if (top == 0.0 && bottom >= 1.5 * surface_thickness)
       thickness = graded_layers(surface_thickness, growth, bottom);

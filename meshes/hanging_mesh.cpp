@@ -38,7 +38,7 @@ Coarse coarse_mesh(const Grid& face, double depth, int n_levels) {
                     face.length_y};
   const double mean_edge = 0.5 * (coarse.spacing_x() + coarse.spacing_y());
   const double n_layers = std::round(depth / mean_edge);
-  require_between("depth over the cells' edge", n_layers, 0.0, 1e6, "1");
+  require_between("ratio of depth to cell edge", n_layers, 0.0, 1e6, "1");
   return {coarse, std::max(1, static_cast<int>(n_layers)), edge};
 }
 
@@ -60,8 +60,8 @@ void check(const Grid& face, double depth, int cells_a_level) {
   require_between("cells_a_level", cells_a_level, 1, 64, "1");
   for (const int points : {face.points_x, face.points_y})
     if (points < 2 || points % 2 != 0)
-      refuse_argument("cells a side of a mesh with hanging nodes", points,
-                      "even, best a power of two times a small number");
+      refuse_argument("cells per side of a mesh with hanging nodes", points,
+                      "even, preferably a power of two times a small number");
 }
 
 } // namespace

@@ -78,8 +78,8 @@ partners(const BlockMesh& mesh, const Pair& pair, double accuracy) {
     const auto found = vertex_at(mesh, side, along, expected, tolerance);
     if (!found)
       throw std::domain_error(fmt::format(
-          "mesh: periodic faces don't match: vertex {} at {} of "
-          "the face {} has no partner on the face {}",
+          "mesh: periodic faces do not match: vertex {} at {} of the face {} "
+          "has no partner on the face {}",
           vertex, place_text(mesh.vertices[vertex]), name, opposite));
     return *found;
   };
@@ -106,8 +106,8 @@ void require_match(const BlockMesh& mesh, const Pair& pair) {
       moved[i] = partner_of.at(face.vertices[i]);
     if (!faces.contains(facet_key(mesh.shape, moved)))
       throw std::domain_error(fmt::format(
-          "mesh: periodic faces don't match: the face at {} of the face {} has "
-          "no partner on the face {}, though its vertices have",
+          "mesh: periodic faces do not match: the face at {} of the face {} "
+          "has no partner on the face {}, although its vertices have partners",
           place_text(centre_of_facet(mesh, face.vertices)), pair.from.name,
           pair.to.name));
   }

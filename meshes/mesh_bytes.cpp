@@ -40,7 +40,8 @@ public:
   void operator()(Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
     if (left.size() < sizeof(Value))
-      throw std::runtime_error("a mesh from another process is cut off");
+      throw std::runtime_error(
+          "the mesh received from another process is truncated");
     std::memcpy(&value, left.data(), sizeof(Value));
     left.remove_prefix(sizeof(Value));
   }
@@ -50,7 +51,8 @@ public:
     std::uint64_t size = 0;
     (*this)(size);
     if (size > left.size()) // no value is smaller than a byte
-      throw std::runtime_error("a mesh from another process is cut off");
+      throw std::runtime_error(
+          "the mesh received from another process is truncated");
     values.resize(size);
     for (Value& value : values)
       (*this)(value);
@@ -93,7 +95,8 @@ BlockMesh mesh_of_bytes(std::string_view bytes) {
   BlockMesh mesh;
   each_member(mesh, reader);
   if (!reader.left.empty())
-    throw std::runtime_error("a mesh from another process goes on too long");
+    throw std::runtime_error(
+        "the mesh received from another process has trailing bytes");
   return mesh;
 }
 

@@ -31,9 +31,9 @@ fs::path mesh_program() {
     if (fs::exists(program))
       return program;
   }
-  throw std::runtime_error("The program asperity_mesh, which meshes with gmsh, "
-                           "is not beside " +
-                           here.string());
+  throw std::runtime_error(
+      "The program asperity_mesh, which runs gmsh, was not found near " +
+      here.string());
 }
 
 /// A temporary folder that is removed with all of its contents.
@@ -63,13 +63,13 @@ public:
   if (answer.end.exit_code == 2) // the output is a message that begins with the
                                  // path
     throw std::domain_error(answer.output);
-  throw std::domain_error(fmt::format(
-      "{}: gmsh ended without a mesh: {}{}{}. It may take {:.6g} s and {:.6g} "
-      "GiB of memory; a larger mesh can be made beforehand (gmsh -3) and named "
-      "as a .msh",
-      path, answer.end.failure, answer.output.empty() ? "" : ", ",
-      answer.output, limits.wall_time,
-      static_cast<double>(limits.memory) / 1073741824.0));
+  throw std::domain_error(
+      fmt::format("{}: gmsh ended without a mesh: {}{}{}. It may take {:.6g} s "
+                  "and {:.6g} GiB of memory; generate a larger mesh beforehand "
+                  "(gmsh -3) and give its .msh file",
+                  path, answer.end.failure, answer.output.empty() ? "" : ", ",
+                  answer.output, limits.wall_time,
+                  static_cast<double>(limits.memory) / 1073741824.0));
 }
 
 } // namespace

@@ -153,7 +153,7 @@ std::string quality_text(const MeshQuality& quality) {
                 (i + 1 == quality.group_names.size() ? ")" : "");
   return fmt::format(
       "{} {}{}, {} vertices, {} contact faces\n"
-      "edges {:.4g} to {:.4g} m, at the contact face {:.4g} to {:.4g} m\n"
+      "edges {:.4g} to {:.4g} m, at the contact surface {:.4g} to {:.4g} m\n"
       "{}: mean {:.3f}, smallest {:.3f} (cell {} at {})",
       quality.n_cells, is_hexahedron ? "hexahedra" : "tetrahedra", groups,
       quality.n_vertices, quality.n_contact_faces, quality.edges.smallest,

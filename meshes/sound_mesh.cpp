@@ -49,16 +49,16 @@ void require_consistent_lists(const BlockMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     for (std::size_t i = 0; i < vertices_a_cell(mesh.shape); ++i)
       if (mesh.cells[cell][i] >= mesh.vertices.size())
-        refuse("cell {} has vertex {}, but there are {}", cell,
+        refuse("cell {} has vertex {}, but there are {} vertices", cell,
                mesh.cells[cell][i], mesh.vertices.size());
     const int group = mesh.cell_group[cell];
     if (group < 0 || static_cast<std::size_t>(group) >= mesh.group_names.size())
-      refuse("cell {} is of group {}, but there are {}", cell, group,
+      refuse("cell {} is of group {}, but there are {} groups", cell, group,
              mesh.group_names.size());
   }
   if (!mesh.refine_below.empty() && mesh.shape != CellShape::hexahedron)
-    refuse("hanging nodes (refine_below) are for hexahedra only, but its cells "
-           "are tetrahedra");
+    refuse("hanging nodes (refine_below) are supported for hexahedra only, but "
+           "the cells are tetrahedra");
 }
 
 void require_positive_cells(const BlockMesh& mesh) {
@@ -103,7 +103,8 @@ void refuse_coincident(const BlockMesh& mesh, std::span<std::size_t> vertices,
     for (std::size_t i = first + 1; i < next; ++i)
       if (std::abs(coordinate(i, 0) - coordinate(i - 1, 0)) <= tolerance &&
           std::abs(coordinate(i, 1) - coordinate(i - 1, 1)) <= tolerance)
-        refuse("vertices {} and {} are both at {}: the parts are not joined",
+        refuse("vertices {} and {} are both at {}: the parts of the mesh are "
+               "not connected",
                std::min(vertices[i - 1], vertices[i]),
                std::max(vertices[i - 1], vertices[i]),
                place_text(mesh.vertices[vertices[i]]));
@@ -135,14 +136,14 @@ void require_closed(const BlockMesh& mesh) {
   for (const BoundaryFace& face : mesh.faces) {
     for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
       if (face.vertices[i] >= mesh.vertices.size())
-        refuse("a face has vertex {}, but there are {}", face.vertices[i],
-               mesh.vertices.size());
+        refuse("a face has vertex {}, but there are {} vertices",
+               face.vertices[i], mesh.vertices.size());
     const auto found = is_listed.find(facet_key(mesh.shape, face.vertices));
     const auto place = [&] {
       return place_text(centre_of_facet(mesh, face.vertices));
     };
     if (found == is_listed.end())
-      refuse("the face at {} is no facet of the cells' boundary", place());
+      refuse("the face at {} is not a facet of the boundary", place());
     if (found->second)
       refuse("the face at {} is listed twice", place());
     found->second = true;
@@ -157,7 +158,7 @@ void require_group(const BlockMesh& mesh, FaceGroup group, const char* name) {
   if (std::none_of(
           mesh.faces.begin(), mesh.faces.end(),
           [&](const BoundaryFace& face) { return face.group == group; }))
-    refuse("no face is of the group {}", name);
+    refuse("no face is in the group {}", name);
 }
 
 void require_flat_contact(const BlockMesh& mesh) {
@@ -167,14 +168,13 @@ void require_flat_contact(const BlockMesh& mesh) {
       for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i) {
         const Place& place = mesh.vertices[face.vertices[i]];
         if (std::abs(place[2]) > tolerance)
-          refuse(
-              "the contact face is not flat: its vertex {} at {} is {:.3g} m "
-              "off z = 0",
-              face.vertices[i], place_text(place), place[2]);
+          refuse("the contact surface is not flat: its vertex {} at {} is "
+                 "{:.3g} m off z = 0",
+                 face.vertices[i], place_text(place), place[2]);
       }
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (mesh.vertices[i][2] < -tolerance)
-      refuse("vertex {} at {} lies on the wrong side of the contact face", i,
+      refuse("vertex {} at {} lies on the wrong side of the contact surface", i,
              place_text(mesh.vertices[i]));
 }
 
@@ -191,8 +191,8 @@ void require_held_cells(const BlockMesh& mesh) {
       held.insert(pieces.find_set(std::size_t{face.vertices[0]}));
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     if (!held.contains(pieces.find_set(std::size_t{mesh.cells[cell][0]})))
-      refuse("cell {} at {} hangs together with no fixed face", cell,
-             place_text(centre_of_cell(mesh, cell)));
+      refuse("cell {} at {} is not connected to the far boundary (group fixed)",
+             cell, place_text(centre_of_cell(mesh, cell)));
 }
 
 } // namespace

@@ -71,7 +71,7 @@ TEST(GradedLayers, OfOneLayerAreTheDepth) {
 
 TEST(GradedLayers, RefuseImpossibleBlocksInWords) {
   EXPECT_NE(refusal(1.0, 1.2, 0.5).find("depth"), std::string::npos);
-  EXPECT_NE(refusal(1.0, 1.2, 1.2).find("at least 1.5 of them"),
+  EXPECT_NE(refusal(1.0, 1.2, 1.2).find("at least 1.5 thicknesses"),
             std::string::npos);
   EXPECT_NE(refusal(1.0, 0.9, 8.0).find("growth"), std::string::npos);
   EXPECT_NE(refusal(-1.0, 1.2, 8.0).find("surface_thickness"),

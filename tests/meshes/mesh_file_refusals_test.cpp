@@ -142,7 +142,8 @@ TEST(ReadMeshFileRefuses, GroupsThatContradict) {
 
   expect_answer(inside, "the physical surface fixed has a face at (0.333333, "
                         "0.333333, 0.333333) m inside the block");
-  expect_answer(both, "element 5 of the physical surface fixed is in another");
+  expect_answer(both,
+                "element 5 of the physical surface fixed is also in another");
   expect_answer(nowhere, "element 2 of the physical surface fixed touches no");
   expect_answer(half_named, "volume 2 is in no physical volume, but others");
 }
@@ -172,7 +173,7 @@ Physical Surface("fixed") = {6};
 Physical Volume("box") = {1};
 )",
                            BlockSides::periodic)
-                .find("periodic faces don't match: vertex"),
+                .find("periodic faces do not match: vertex"),
             std::string::npos);
 }
 

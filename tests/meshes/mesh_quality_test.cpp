@@ -90,7 +90,7 @@ TEST(MeshQualityOf, ASkewedMeshNamesItsWorstCell) {
   EXPECT_EQ(quality.cells_a_group, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(quality_text(quality),
             "3 hexahedra (soft 1, hard 2), 16 vertices, 3 contact faces\n"
-            "edges 1 to 1.75 m, at the contact face 1 to 1.75 m\n"
+            "edges 1 to 1.75 m, at the contact surface 1 to 1.75 m\n"
             "scaled Jacobian: mean 0.880, smallest 0.640 (cell 2 at (2.59375, "
             "0.5, 0.5) m)");
 }

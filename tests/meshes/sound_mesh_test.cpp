@@ -139,7 +139,7 @@ TEST(RequireSound, NamesFacesThatDontClose) {
 
   expect_answer(open, "boundary facet at (5e-10, 5e-10, 0) m is in no group");
   expect_answer(twice, "the face at (5e-10, 5e-10, 0) m is listed twice");
-  expect_answer(inside, "the face at (5e-10, 5e-10, 1e-09) m is no facet");
+  expect_answer(inside, "the face at (5e-10, 5e-10, 1e-09) m is not a facet");
   expect_answer(nowhere, "a face has vertex 99, but there are 27");
   expect_answer(three, "cells 0, 8 and 9 share one facet");
 }
@@ -153,8 +153,8 @@ TEST(RequireSound, NamesMissingGroups) {
     return mesh;
   };
 
-  expect_answer(without(FaceGroup::contact), "no face is of the group contact");
-  expect_answer(without(FaceGroup::fixed), "no face is of the group fixed");
+  expect_answer(without(FaceGroup::contact), "no face is in the group contact");
+  expect_answer(without(FaceGroup::fixed), "no face is in the group fixed");
   expect_answer(without(FaceGroup::back), "needs the face back (y = length)");
   EXPECT_EQ(answer(without(FaceGroup::back), BlockSides::free), "accepted");
 }
@@ -195,7 +195,8 @@ TEST(RequireSound, NamesLoosePieces) {
     loose.faces.push_back(face);
   }
 
-  expect_answer(loose, "cell 0 at (0.5, 0.5, 0.5) m hangs together with no",
+  expect_answer(loose,
+                "cell 0 at (0.5, 0.5, 0.5) m is not connected to the far",
                 BlockSides::free);
 }
 
@@ -213,7 +214,7 @@ TEST(RequireSound, NamesPeriodicFacesThatDontMatch) {
                        "(y = 0) has no partner on the face back");
   expect_answer(longer, "has no partner on the face right");
   expect_answer(five_tetrahedra(), "of the face left (x = 0) has no partner on "
-                                   "the face right (x = length), though its");
+                                   "the face right (x = length), although its");
   EXPECT_EQ(answer(moved, BlockSides::free), "accepted");
 }
 
