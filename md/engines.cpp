@@ -42,7 +42,7 @@ std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {
   case cases::AtomBulk::explicit_layers:
     return make_explicit_contact(std::move(request));
   }
-  throw std::logic_error("a bulk nobody makes");
+  throw std::logic_error("unknown bulk");
 }
 
 } // namespace asperity::md

@@ -76,7 +76,7 @@ void write_atoms(const std::filesystem::path& path, const Grid& cell,
         group.pressures.size() != group.positions.size())
       refuse_argument("number of pressures",
                       static_cast<double>(group.pressures.size()),
-                      "none, or the number of atoms");
+                      "0 or the number of atoms");
     for (const auto& position : group.positions) {
       lowest = std::min(lowest, position[2]);
       highest = std::max(highest, position[2]);

@@ -23,12 +23,12 @@ using cases::AtomMinimizer;
 void require_explicit_bulk(const cases::MdSettings& settings) {
   if (settings.engine != cases::AtomEngine::asperity ||
       settings.bulk != cases::AtomBulk::explicit_layers)
-    throw cases::CaseError("[md] this block is bulk = \"explicit\" of engine = "
-                           "\"asperity\"");
+    throw cases::CaseError(
+        "[md] this block needs engine = \"asperity\" and bulk = \"explicit\"");
   if (settings.modes != cases::AtomModes::vector)
-    throw cases::CaseError("[md] bulk = \"explicit\" moves its atoms in all "
-                           "three directions, so modes = \"normal\" is only "
-                           "for bulk = \"green\"");
+    throw cases::CaseError(
+        "[md] modes = \"normal\" is available only with bulk = \"green\": the "
+        "atoms of bulk = \"explicit\" move in all three directions");
 }
 
 /// Returns the mass of an atom. Minimisers do not depend on it, so any value
@@ -151,7 +151,7 @@ std::string ExplicitContact::description() const {
   const BlockShape& shape = system_.block().shape();
   return fmt::format(
       "{} lattice, {} x {} atoms, explicit: {} {} of {} layers, {:.4g} m deep, "
-      "{} free atoms; E* shown at q a = 0.1: {:.5g} Pa",
+      "{} free atoms; effective E* at q a = 0.1: {:.5g} Pa",
       lattices[static_cast<std::size_t>(request().settings.lattice)],
       shape.layer.points_x, shape.layer.points_y, shape.levels,
       shape.levels == 1 ? "level" : "levels", shape.layers,

@@ -28,7 +28,8 @@ ExplicitSystem::ExplicitSystem(const Crystal& crystal, const BlockShape& shape,
       threads_(threads) {
   if (!(interface_.layer() == shape.layer))
     refuse_argument("points_x of the interface's layer",
-                    interface_.layer().points_x, "the block's lowest layer");
+                    interface_.layer().points_x,
+                    "that of the block's lowest layer");
 }
 
 std::vector<double> ExplicitSystem::undeformed(double height) const {

@@ -23,13 +23,13 @@ namespace {
 void require_green_bulk(const cases::MdSettings& settings) {
   if (settings.engine != cases::AtomEngine::asperity ||
       settings.bulk != cases::AtomBulk::green)
-    throw cases::CaseError("[md] this block is bulk = \"green\" of engine = "
-                           "\"asperity\"");
+    throw cases::CaseError(
+        "[md] this block needs engine = \"asperity\" and bulk = \"green\"");
   if (settings.minimizer != cases::AtomMinimizer::automatic &&
       settings.minimizer != cases::AtomMinimizer::lbfgs)
-    throw cases::CaseError("[md] bulk = \"green\" has no inside that could "
-                           "move in time: its minimizer is \"auto\" or "
-                           "\"lbfgs\"");
+    throw cases::CaseError(
+        "[md] bulk = \"green\" has no internal degrees of freedom for "
+        "dynamics: minimizer must be \"auto\" or \"lbfgs\"");
 }
 
 int cells_of(const AtomRequest& request) {
@@ -107,11 +107,11 @@ std::string GreenContact::description() const {
   constexpr std::array lattices = {"isotropic", "born", "central"};
   const bool is_normal = request().settings.modes == cases::AtomModes::normal;
   return fmt::format(
-      "{} lattice, {} x {} atoms, green: {} cells deep{}; E* shown at q a = "
-      "0.1: {:.5g} Pa",
+      "{} lattice, {} x {} atoms, green: {} cells deep{}; effective E* at q a "
+      "= 0.1: {:.5g} Pa",
       lattices[static_cast<std::size_t>(request().settings.lattice)],
       request().layer.points_x, request().layer.points_y, cells_,
-      is_normal ? ", normal displacements alone" : "", shown_contact_modulus());
+      is_normal ? ", normal displacements only" : "", shown_contact_modulus());
 }
 
 } // namespace

@@ -38,7 +38,7 @@ GreenSystem::GreenSystem(SurfaceStiffness bulk, Interface interface)
       scratch_(3 * bulk_.layer().size()) {
   if (!(interface_.layer() == bulk_.layer()))
     refuse_argument("points_x of the interface's layer",
-                    interface_.layer().points_x, "the bulk's own layer");
+                    interface_.layer().points_x, "that of the bulk's layer");
 }
 
 std::vector<double> GreenSystem::undeformed(double height) const {

@@ -42,12 +42,13 @@ std::string fault_of(const Inspection& inspection, std::size_t atoms) {
   const double share =
       100.0 * inspection.below_substrate / static_cast<double>(atoms);
   if (inspection.below_substrate > 0)
-    return fmt::format("{:.3g} % of the atoms are below the substrate, and {} "
-                       "pairs are too near: atoms went through",
-                       share, inspection.close_pairs);
+    return fmt::format(
+        "{:.3g} % of the atoms are below the substrate, and {} pairs are too "
+        "close: atoms have penetrated the substrate",
+        share, inspection.close_pairs);
   if (inspection.close_pairs > 0)
-    return fmt::format("{} pairs are too near, the nearest at {:.3g} m: atoms "
-                       "are going through",
+    return fmt::format("{} pairs are too close, the closest at {:.3g} m: atoms "
+                       "are penetrating the substrate",
                        inspection.close_pairs, inspection.shortest_distance);
   return "";
 }

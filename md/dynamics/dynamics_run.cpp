@@ -180,7 +180,7 @@ private:
 
   bool has_ended(Relaxation& result) const {
     if (!std::isfinite(result.energy)) {
-      result.note = "the energy is no longer a number: time_step is too long";
+      result.note = "the energy is not finite: time_step is too large";
       return true;
     }
     const bool is_over = dynamics_.motion().step >= n_steps_;
@@ -190,7 +190,7 @@ private:
     }
     result.converged = result.residual <= settings_.tolerance;
     if (is_over && !result.converged)
-      result.note = "not at rest at the end of duration";
+      result.note = "not in equilibrium after `duration`";
     return is_over || result.converged;
   }
 

@@ -44,7 +44,7 @@ bool is_finite(double x, double y, double z) {
 void require_length(const char* name, std::size_t size, std::size_t expected) {
   if (size != expected)
     refuse_argument(fmt::format("size of {}", name), static_cast<double>(size),
-                    fmt::format("{}, one value a site", expected));
+                    fmt::format("{}, one value per site", expected));
 }
 
 template <class Planes>
@@ -56,10 +56,11 @@ void require_planes(const char* name, const Planes& planes, const Grid& grid) {
 void require_square(const char* name, const Grid& grid) {
   require_positive(name, grid.length_x, "m");
   if (grid.points_x < 1 || !grid.is_square())
-    refuse_argument(name, grid.length_y,
-                    fmt::format("a square lattice: {:.6g} m of {} atoms in "
-                                "both directions",
-                                grid.length_x, grid.points_x));
+    refuse_argument(
+        name, grid.length_y,
+        fmt::format(
+            "a square lattice: {:.6g} m and {} atoms in both directions",
+            grid.length_x, grid.points_x));
 }
 
 } // namespace
@@ -184,8 +185,9 @@ Interface::Interface(const Interaction& interaction, const Grid& layer,
   require_square("layer", layer);
   require_square("substrate", substrate);
   if (!is_same_length(substrate.length_x, layer.length_x))
-    refuse_argument("length of the substrate", substrate.length_x,
-                    fmt::format("{:.6g} m, as of the layer", layer.length_x));
+    refuse_argument(
+        "length of the substrate", substrate.length_x,
+        fmt::format("{:.6g} m, the length of the layer", layer.length_x));
   require_length("heights", heights.size(), substrate.size());
   for (const double height : heights)
     require_between("a height", height, -std::numeric_limits<double>::max(),

@@ -28,8 +28,8 @@ public:
     const auto [end, error] =
         std::from_chars(text_.data(), text_.data() + text_.size(), value);
     if (error != std::errc{})
-      throw std::runtime_error(name_ + " ends early or holds no number where "
-                                       "one must be");
+      throw std::runtime_error(
+          name_ + " ends early or has no number where one is expected");
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return value;
   }
@@ -49,15 +49,17 @@ std::vector<double> read_dump(const std::filesystem::path& path,
   const std::size_t found = text.find(heading);
   const std::size_t begin = text.find('\n', found);
   if (found == std::string::npos || begin == std::string::npos)
-    throw std::runtime_error(path.string() + " is missing or holds no atoms");
+    throw std::runtime_error(path.string() +
+                             " is missing or contains no atoms");
   NumberReader reader(std::string_view(text).substr(begin), path.string());
   std::vector<double> table;
   table.reserve(atoms * units.size());
   for (std::size_t atom = 0; atom < atoms; ++atom) {
     const double number = reader.next();
     if (number != static_cast<double>(atom + 1))
-      throw std::runtime_error(fmt::format("{} has atom {} where {} must be",
-                                           path.string(), number, atom + 1));
+      throw std::runtime_error(
+          fmt::format("{} has atom {} where atom {} is expected", path.string(),
+                      number, atom + 1));
     for (const double unit : units)
       table.push_back(reader.next() * unit);
   }

@@ -20,17 +20,17 @@ void require_supported(const cases::MdSettings& settings,
   if (settings.lattice != cases::AtomLattice::central ||
       std::abs(poisson_ratio - 0.25) > 1e-12)
     refuse("needs lattice = \"central\" and poisson_ratio = 0.25: its harmonic "
-           "bonds are springs between pairs of atoms, which fix Poisson's "
-           "ratio; \"isotropic\" and \"born\" need more than pairs");
+           "bonds are pair springs, which fix Poisson's ratio; \"isotropic\" "
+           "and \"born\" need more than pair interactions");
   if (settings.modes != cases::AtomModes::vector)
-    refuse("moves its atoms in all three directions, so modes = \"normal\" is "
-           "only for engine = \"asperity\"");
+    refuse("moves its atoms in all three directions: modes = \"normal\" is "
+           "available only with engine = \"asperity\"");
   if (settings.bulk != cases::AtomBulk::green)
-    refuse("always has the whole block in one spacing down to `depth`: leave "
-           "out bulk = \"explicit\", levels and layers");
+    refuse("always uses one spacing from the surface down to `depth`: remove "
+           "bulk = \"explicit\", levels and layers");
   if (settings.minimizer == cases::AtomMinimizer::dynamics)
-    refuse("only seeks the balance of forces: minimizer = \"dynamics\" is for "
-           "engine = \"asperity\"");
+    refuse("supports only static equilibrium: minimizer = \"dynamics\" is "
+           "available only with engine = \"asperity\"");
 }
 
 } // namespace
@@ -46,11 +46,12 @@ LammpsBlock lammps_block(const AtomRequest& request) {
   require_positive("youngs_modulus", request.youngs_modulus, "Pa");
   require_positive("length", request.layer.length_x, "m");
   if (!request.layer.is_square() || request.layer.points_x < 3)
-    refuse_argument("layer.points_x", request.layer.points_x,
-                    "at least 3 and the same in y");
+    refuse_argument(
+        "layer.points_x", request.layer.points_x,
+        "at least 3 and equal to layer.points_y, with equal side lengths");
   if (request.heights.size() != request.substrate.size())
     refuse_argument("heights", static_cast<double>(request.heights.size()),
-                    "one for each of the substrate's atoms");
+                    "one per atom of the substrate");
 
   LammpsBlock block;
   block.layer = request.layer;

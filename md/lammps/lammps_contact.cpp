@@ -203,8 +203,8 @@ void LammpsContact::judge(AtomStep& result) const {
 }
 
 std::string LammpsContact::description() const {
-  return fmt::format("central lattice {0} x {0} x {1} by LAMMPS {2}, {3}, E* "
-                     "shown at q a = 0.1: {4:.5g} Pa",
+  return fmt::format("central lattice {0} x {0} x {1} by LAMMPS {2}, {3}, "
+                     "effective E* at q a = 0.1: {4:.5g} Pa",
                      block_.layer.points_x, block_.cells + 1, program_.version,
                      program_.ranks == 1
                          ? "one process"

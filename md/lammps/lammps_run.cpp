@@ -52,10 +52,9 @@ std::string version_of(const std::filesystem::path& lmp,
   const std::string before = "Simulator - ";
   const std::size_t found = text.find(before);
   if (!end.failure.empty() || found == std::string::npos)
-    throw cases::CaseError(fmt::format(
-        "[md] engine = \"lammps\": {} -h does not answer as LAMMPS does; see "
-        "{}",
-        lmp.string(), output.string()));
+    throw cases::CaseError(fmt::format("[md] engine = \"lammps\": {} -h does "
+                                       "not print a LAMMPS version; see {}",
+                                       lmp.string(), output.string()));
   const std::size_t begin = found + before.size();
   return text.substr(begin, text.find('\n', begin) - begin);
 }
@@ -63,7 +62,7 @@ std::string version_of(const std::filesystem::path& lmp,
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \t\r\n");
   if (end == std::string::npos)
-    return "it said nothing";
+    return "no output";
   const std::size_t begin = text.rfind('\n', end);
   const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
   return text.substr(first, end - first + 1);
@@ -116,7 +115,7 @@ LammpsRun run_lammps(const LammpsProgram& program,
   while (!child.has_ended(seconds_between_looks)) {
     if (go_on && !go_on(file_text(log_path))) {
       child.stop();
-      return {false, "stopped while LAMMPS was at work"};
+      return {false, "stopped while LAMMPS was running"};
     }
   }
   const std::string& failure = child.end().failure;

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 const Grid& required(const Crystal& crystal, const Grid& layer) {
   if (!layer.is_square())
     refuse_argument("points_y of the layer", layer.points_y,
-                    "as many and as long as in x");
+                    "equal to points_x, with equal side lengths");
   if (layer.points_x % 2 != 0)
     refuse_argument("points_x of the layer", layer.points_x, "even");
   const double spacing = layer.spacing_x();

@@ -102,7 +102,7 @@ Relaxation relax_by_fire(const System& system, std::vector<double>& state,
   fire.evaluate(state, result);
   while (!(result.residual <= settings.tolerance)) {
     if (!std::isfinite(result.energy) || std::isnan(result.residual)) {
-      result.note = "the energy or a force is no longer a number";
+      result.note = "the energy or a force is not finite";
       return result;
     }
     if (result.evaluations >= settings.max_evaluations) {

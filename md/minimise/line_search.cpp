@@ -92,11 +92,11 @@ std::string stop_reason(const Relaxation& now,
   if (!std::isfinite(now.energy))
     return "the energy is not finite at the start";
   if (now.evaluations >= settings.max_evaluations)
-    return fmt::format("no balance after {} evaluations: residual {:.2g}, "
-                       "{:.2g} asked",
-                       now.evaluations, now.residual, settings.tolerance);
+    return fmt::format(
+        "not converged after {} evaluations: residual {:.2g}, tolerance {:.2g}",
+        now.evaluations, now.residual, settings.tolerance);
   if (watch && !watch({now.evaluations, now.energy, now.residual}))
-    return "stopped from outside";
+    return "stopped by the caller";
   return "";
 }
 
@@ -106,7 +106,7 @@ void require_minimisable(const System& system, std::span<const double> state,
   require_positive("largest_step", settings.largest_step, "m");
   if (state.size() != system.size())
     refuse_argument("state.size()", static_cast<double>(state.size()),
-                    "the system's own");
+                    "the number of the system's unknowns");
 }
 
 } // namespace asperity::md

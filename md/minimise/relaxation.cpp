@@ -84,8 +84,9 @@ Relaxation relax(const System& system, std::vector<double>& state,
       return now;
     now.note = stop_reason(now, settings, watch);
     if (now.note.empty() && !descent.step() && !descent.is_used_up())
-      now.note = fmt::format("no way down at residual {:.2g}, {:.2g} asked",
-                             now.residual, settings.tolerance);
+      now.note =
+          fmt::format("line search failed at residual {:.2g}, tolerance {:.2g}",
+                      now.residual, settings.tolerance);
     if (!now.note.empty())
       return now;
   }

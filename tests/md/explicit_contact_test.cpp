@@ -194,7 +194,7 @@ TEST(ExplicitContact, SaysThatAtomsWentThrough) {
   const AtomStep step = contact->solve(Control::mean_gap, -4.0 * angstrom, 0);
 
   EXPECT_FALSE(step.converged);
-  EXPECT_TRUE(step.note.find("atoms went through") != std::string::npos)
+  EXPECT_TRUE(step.note.find("atoms have penetrated") != std::string::npos)
       << step.note;
 }
 

@@ -238,7 +238,7 @@ TEST(FaultOf, SaysWhatWentThrough) {
   EXPECT_EQ(fault_of({0, 0, 2.9e-10, 7}, 100), "");
   EXPECT_NE(fault_of({3, 0, 2.9e-10, 7}, 100).find("3 % of the atoms"),
             std::string::npos);
-  EXPECT_NE(fault_of({0, 2, 2.1e-10, 7}, 100).find("2 pairs are too near"),
+  EXPECT_NE(fault_of({0, 2, 2.1e-10, 7}, 100).find("2 pairs are too close"),
             std::string::npos);
 }
 

@@ -161,8 +161,8 @@ TEST(InterfaceRefusal, NamesTheArgument) {
   const Interaction law = paper_atoms();
 
   EXPECT_EQ(build(law, layer, lattice(16, 26.1 * angstrom), heights, 1),
-            "length of the substrate = 2.61e-09, but must be 2.6e-09 m, as of "
-            "the layer");
+            "length of the substrate = 2.61e-09, but must be 2.6e-09 m, the "
+            "length of the layer");
   Interaction far = law;
   far.cutoff = 13.1 * angstrom;
   EXPECT_EQ(build(far, layer, substrate, heights, 1),
@@ -172,7 +172,7 @@ TEST(InterfaceRefusal, NamesTheArgument) {
   EXPECT_EQ(build(far, layer, substrate, heights, 1),
             "energy = -1, but must be finite and > 0 [J]");
   EXPECT_EQ(build(law, layer, substrate, std::vector<double>(5), 1),
-            "size of heights = 5, but must be 256, one value a site");
+            "size of heights = 5, but must be 256, one value per site");
   EXPECT_EQ(build(law, layer, substrate, heights, 0),
             "threads = 0, but must be finite and > 0 [1]");
   EXPECT_NE(build(law, {10, 8, 2.6e-9, 2.6e-9}, substrate, heights, 1), "");
@@ -186,7 +186,7 @@ TEST(InterfaceRefusal, NamesTheArgument) {
   Planes forces(100);
   EXPECT_EQ(
       message_of([&] { good.energy_and_forces(few.view(), forces.forces()); }),
-      "size of atoms = 99, but must be 100, one value a site");
+      "size of atoms = 99, but must be 100, one value per site");
   EXPECT_THROW(good.energy_and_forces(forces.view(), few.forces()),
                std::domain_error);
   EXPECT_THROW(good.heights_below(few.view()), std::domain_error);

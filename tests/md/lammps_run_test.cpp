@@ -59,7 +59,7 @@ TEST_F(LammpsRunTest, AMissingProgramIsAskedForByItsPackage) {
   write("lmp", "#!/bin/sh\necho I am another lmp\n");
   std::filesystem::permissions(folder / "lmp", std::filesystem::perms::all);
   EXPECT_NE(refusal(2).find("mpirun"), std::string::npos) << refusal(2);
-  EXPECT_NE(refusal(1).find("does not answer as LAMMPS does"),
+  EXPECT_NE(refusal(1).find("does not print a LAMMPS version"),
             std::string::npos)
       << refusal(1);
 }
@@ -118,7 +118,7 @@ TEST_F(LammpsRunTest, IsStoppedWhenAskedTo) {
                  [&](const std::string&) { return ++questions < 3; });
 
   EXPECT_FALSE(run.finished);
-  EXPECT_EQ(run.note, "stopped while LAMMPS was at work");
+  EXPECT_EQ(run.note, "stopped while LAMMPS was running");
   EXPECT_EQ(questions, 3);
 }
 

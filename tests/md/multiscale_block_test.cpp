@@ -248,7 +248,7 @@ TEST(MultiscaleBlock, RefusesWhatDoesNotDivide) {
   };
 
   EXPECT_EQ(complaint([] { block_of(Lattice::born, 12, 16, 4, 6); }),
-            "atoms a side = 12, but must be a multiple of 2^(levels - 1)");
+            "atoms per side = 12, but must be a multiple of 2^(levels - 1)");
   EXPECT_TRUE(complaint([] {
                 block_of(Lattice::born, 8, 8, 0, 6);
               }).starts_with("levels = 0"));

@@ -150,7 +150,7 @@ TEST_P(EveryHold, KeepsToTheLargestStep) {
   const Relaxation answer = relax_by_newton(system, state, settings);
 
   EXPECT_EQ(answer.evaluations, 2);
-  EXPECT_NE(answer.note.find("no balance after 2 evaluations"),
+  EXPECT_NE(answer.note.find("not converged after 2 evaluations"),
             std::string::npos)
       << answer.note;
   EXPECT_NE(state, from);
@@ -198,7 +198,7 @@ TEST(RelaxByNewton, StopsWhenTheWatchSaysSo) {
       });
 
   EXPECT_FALSE(answer.converged);
-  EXPECT_EQ(answer.note, "stopped from outside");
+  EXPECT_EQ(answer.note, "stopped by the caller");
   ASSERT_EQ(seen.size(), 3U);
   EXPECT_LT(seen[2].energy, seen[0].energy);
   state.pop_back();
