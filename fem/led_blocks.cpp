@@ -171,7 +171,7 @@ void do_as_told(const Order& order, const BlockMaker& make_block,
     return;
   }
   if (!block)
-    throw std::logic_error("an order for a block that was never built");
+    throw std::logic_error("a command for a block that was never built");
   switch (order.kind) {
   case OrderKind::displacement:
     static_cast<void>(block->displacement(order.numbers));

@@ -30,7 +30,7 @@ const FemRoom* open_room() {
     looked += "\n  " + module.string() + ": " + (why != nullptr ? why : "?");
   }
   throw std::runtime_error(
-      "The finite elements could not be loaded; looked for" + looked);
+      "The finite-element module could not be loaded; tried" + looked);
 }
 
 } // namespace

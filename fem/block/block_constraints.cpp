@@ -73,9 +73,9 @@ Point<3> best_place(const std::vector<FaceNode>& nodes, double tolerance,
 void BlockSpace::constrain(const BlockProblem& problem) {
   if (problem.top == cases::TopFace::pressure &&
       problem.sides == cases::BlockSides::free)
-    throw std::domain_error("top = pressure with sides = free: nothing keeps "
-                            "such a block from tilting; hold its top (clamped "
-                            "or sliding)");
+    throw std::domain_error(
+        "top = pressure with sides = free: the block can tilt as a rigid body; "
+        "choose top = clamped or sliding");
   constraints_.reinit(relevant_);
   dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints_);
   hold_far_face(problem);
@@ -87,7 +87,7 @@ void BlockSpace::constrain(const BlockProblem& problem) {
 void BlockSpace::hold_far_face(const BlockProblem& problem) {
   const std::vector<FaceNode> nodes = face_nodes(FaceGroup::fixed);
   if (dealii::Utilities::MPI::sum(nodes.size(), MPI_COMM_WORLD) == 0)
-    throw std::domain_error("the mesh has no face of group fixed");
+    throw std::domain_error("the mesh has no face in the group fixed");
   for (const FaceNode& node : nodes)
     for (unsigned int i = 0; i < 3; ++i)
       if (problem.top == cases::TopFace::clamped ||

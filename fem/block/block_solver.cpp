@@ -142,7 +142,7 @@ std::string BlockSolver::name() const {
 
 std::string BlockSolver::failure() const {
   const std::string own = own_ ? own_->failure() : "";
-  return "the linear solver gave up" + (own.empty() ? "" : ": " + own);
+  return "the linear solver did not converge" + (own.empty() ? "" : ": " + own);
 }
 
 double BlockSolver::memory() const {

@@ -86,7 +86,7 @@ bool ContactNewton::active_set(const BlockLoad& load,
     }
     active = next;
   }
-  answer.note = "the active set did not come to rest";
+  answer.note = "the active set did not converge";
   return false;
 }
 

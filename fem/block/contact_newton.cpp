@@ -161,7 +161,7 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
              refinements++ == most_refinements)
       return true;
   }
-  answer.note = "the contact set did not come to rest";
+  answer.note = "the contact set did not converge";
   return false;
 }
 

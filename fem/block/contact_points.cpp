@@ -191,11 +191,11 @@ void ContactPoints::finish(const Grid& grid) {
   area_ = sum(own_area, MPI_COMM_WORLD);
   const std::size_t n_points = sum(points_.size(), MPI_COMM_WORLD);
   if (n_points == 0)
-    throw std::domain_error("the mesh has no face of group contact");
+    throw std::domain_error("the mesh has no face in the group contact");
   smallest = dealii::Utilities::MPI::min(smallest, MPI_COMM_WORLD);
   if (smallest <= 1e-9 * area_ / static_cast<double>(n_points))
     throw std::domain_error(
-        "contact_at = nodes: a node of the contact face has no area (the "
+        "contact_at = nodes: a node of the contact surface has no area (the "
         "vertices of second-order tetrahedra have none); choose gauss");
   sum(count, MPI_COMM_WORLD, count);
   is_grid_ = is_nodal_ && n_points == grid.size() &&

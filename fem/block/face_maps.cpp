@@ -76,7 +76,7 @@ void FaceMaps::find_samples() {
   }
   faces_a_node_ = summed(std::move(faces_a_node_));
   if (*std::min_element(faces_a_node_.begin(), faces_a_node_.end()) == 0.0)
-    throw std::domain_error("the contact face does not cover the grid");
+    throw std::domain_error("the contact surface does not cover the grid");
 
   std::vector<global_dof_index> unknowns;
   for (const Sample& sample : samples_)

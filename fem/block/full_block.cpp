@@ -55,8 +55,9 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::fourier;
   if (is_asked && !is_lattice(problem))
-    throw std::domain_error("linear_solver = fourier: the block is no periodic "
-                            "lattice of boxes");
+    throw std::domain_error(
+        "linear_solver = fourier: the block is not a periodic regular grid of "
+        "boxes; choose auto, direct or multigrid");
   const bool serves = problem.linear_solver == LinearSolver::automatic &&
                       is_lattice(problem) &&
                       system.n_unknowns() > most_direct_unknowns;
@@ -162,12 +163,13 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
     refuse_argument("mean gap", load.target, "finite [m]");
   require_field("height", heights, "m");
   if (contact.law == cases::ContactLaw::hard && !system_.contact().is_nodal())
-    throw std::domain_error("law = hard with contact_at = gauss: Gauss points "
-                            "cannot be held one by one; choose augmented");
+    throw std::domain_error(
+        "contact = hard with contact_at = gauss: hard contact is not available "
+        "at Gauss points; choose augmented");
   if (contact.law == cases::ContactLaw::hard && system_.has_counter())
     throw std::domain_error(
-        "law = hard with two meshed bodies: a pair of nodes "
-        "cannot be held at one place; choose augmented");
+        "contact = hard with two meshed bodies: hard contact is not available "
+        "between two meshes; choose augmented");
 }
 
 /// @param pressure  the field on the grid

@@ -73,7 +73,7 @@ std::size_t LatticePreconditioner::lattice_index(const Point<3>& place,
   const auto plane = std::lower_bound(
       plane_depths_.begin(), plane_depths_.end(), place[2] - tolerance);
   if (plane == plane_depths_.end() || *plane > place[2] + tolerance)
-    refuse_argument("depth of a node", place[2], "a plane of the lattice");
+    refuse_argument("depth of a node", place[2], "a plane of the node grid");
   const auto round = [](double steps, int points) {
     return static_cast<int>(std::lround(steps)) % points;
   };
@@ -258,12 +258,12 @@ void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
 
 std::string LatticePreconditioner::failure() const {
   return has_converged_ ? ""
-                        : "the contact face of its preconditioner did not "
-                          "converge";
+                        : "the surface problem of the Fourier preconditioner "
+                          "did not converge";
 }
 
 std::string LatticePreconditioner::name() const {
-  return "the condensed block (Fourier)";
+  return "Fourier solver of the laterally uniform block";
 }
 
 } // namespace asperity::fem

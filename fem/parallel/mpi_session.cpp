@@ -28,8 +28,8 @@ void start_mpi() {
   MPI_Query_thread(&level);
   if (level < MPI_THREAD_SERIALIZED)
     throw std::runtime_error(
-        "MPI must be started with MPI_THREAD_SERIALIZED at least: the whole "
-        "block may be solved by another thread than the first");
+        "MPI must be started with at least MPI_THREAD_SERIALIZED: the full 3-D "
+        "block may be solved by a thread other than the first");
 }
 
 } // namespace asperity::fem

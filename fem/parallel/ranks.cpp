@@ -85,7 +85,7 @@ Failure described(const std::exception_ptr& failure) {
   } catch (const std::exception& error) {
     return {error.what()};
   } catch (...) { // Trilinos throws integers
-    return {"a library threw something that is no exception"};
+    return {"a library threw an object that is not a std::exception"};
   }
 }
 
@@ -123,7 +123,7 @@ int mpi_count(std::size_t count, const char* what) {
   if (count > std::numeric_limits<int>::max())
     refuse_argument(fmt::format("number of {}", what),
                     static_cast<double>(count),
-                    "below 2^31, which is all that MPI counts");
+                    "below 2^31, the limit of an MPI count");
   return static_cast<int>(count);
 }
 
@@ -164,8 +164,8 @@ void pass_on(const Order& order) {
     return;
   // Oversized commands are refused before anything is sent.
   Head head{static_cast<std::int64_t>(order.kind), order.block,
-            mpi_count(order.text.size(), "bytes of an order"),
-            mpi_count(order.numbers.size(), "numbers of an order")};
+            mpi_count(order.text.size(), "bytes of a command"),
+            mpi_count(order.numbers.size(), "numbers of a command")};
   broadcast_asleep(head);
   Order sent = order; // MPI_Bcast does not accept a pointer to const
   broadcast_body(sent);

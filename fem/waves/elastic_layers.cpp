@@ -31,7 +31,7 @@ LayeredBlock bonded_block(std::span<const double> thickness,
                           cases::TopFace top) {
   if (moduli.size() != interfaces.size() + 1)
     refuse_argument("moduli.size()", static_cast<double>(moduli.size()),
-                    "one more than there are interfaces");
+                    "one more than the number of interfaces");
   LayeredBlock block;
   block.top = top;
   double depth = 0.0;

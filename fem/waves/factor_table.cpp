@@ -27,12 +27,11 @@ FactorTable read_factor_table(const std::string& path,
   const std::size_t columns = count(table.boxes[0]);
   const std::size_t n_rows = count(table.boxes[1]) * count(table.boxes[2]);
   if (columns == 0 || rows.columns != columns || rows.rows() != n_rows)
-    surfaces::refuse_line(
-        path, rows.lines.front(),
-        "expected a line \"# boxes nx ny nz\" and ny nz rows of nx factors; "
-        "there are " +
-            std::to_string(rows.rows()) + " rows of " +
-            std::to_string(rows.columns));
+    surfaces::refuse_line(path, rows.lines.front(),
+                          "expected a line \"# boxes nx ny nz\" and ny nz rows "
+                          "of nx factors; found " +
+                              std::to_string(rows.rows()) + " rows of " +
+                              std::to_string(rows.columns));
   for (std::size_t row = 0; row < rows.rows(); ++row)
     for (std::size_t column = 0; column < columns; ++column)
       if (rows.number(row, column) <= 0.0)

@@ -20,7 +20,7 @@ LatticeShare::LatticeShare(const KindSpectra& spectra, std::size_t fields,
   n_ranks_ = static_cast<std::size_t>(fem::n_ranks());
   own_rank_ = static_cast<std::size_t>(fem::own_rank());
   mpi_count((fields / n_ranks_ + 1) * spectra.size(),
-            "modes of the lattice on a rank");
+            "Fourier modes on a rank");
 }
 
 std::size_t LatticeShare::owner_of(std::size_t field) const {
@@ -117,7 +117,7 @@ void LatticeShare::rows_to_all(std::span<std::complex<double>> field_modes) {
 void LatticeShare::rows_to_all(std::span<double> values) const {
   if (n_ranks_ == 1)
     return;
-  constexpr const char* of_face = "entries of the face's compliance";
+  constexpr const char* of_face = "entries of the surface compliance";
   const std::size_t row_size = values.size() / spectra_.rows();
   std::vector<int> starts, counts;
   for (std::size_t rank = 0; rank < n_ranks_; ++rank) {
@@ -131,7 +131,7 @@ void LatticeShare::rows_to_all(std::span<double> values) const {
 void LatticeShare::add_up(std::span<double> values) const {
   if (n_ranks_ > 1)
     MPI_Allreduce(MPI_IN_PLACE, values.data(),
-                  mpi_count(values.size(), "values to add up"), MPI_DOUBLE,
+                  mpi_count(values.size(), "values to sum"), MPI_DOUBLE,
                   MPI_SUM, MPI_COMM_WORLD);
 }
 

@@ -242,7 +242,7 @@ void LatticeSolver::solve(std::span<const double> force,
                           std::span<double> displacement) {
   if (force.size() != lattice().size() || displacement.size() != force.size())
     refuse_argument("size", static_cast<double>(force.size()),
-                    "the size of the lattice");
+                    "the number of unknowns of the node grid");
   parts_->transform(force);
   parts_->sweep(Sweep::whole);
   parts_->transform_back(displacement, 0.0);
@@ -251,7 +251,7 @@ void LatticeSolver::solve(std::span<const double> force,
 void LatticeSolver::set_springs(std::span<const double> springs) {
   if (springs.size() != lattice().grid.size())
     refuse_argument("springs.size()", static_cast<double>(springs.size()),
-                    "the size of the grid");
+                    "the number of surface nodes");
   for (const double spring : springs)
     if (!(spring >= 0.0))
       refuse_argument("spring", spring, ">= 0 [N/m]");
@@ -269,7 +269,7 @@ SpringSolve LatticeSolver::solve_with_springs(std::span<const double> force,
   }
   if (force.size() != lattice().size() || displacement.size() != force.size())
     refuse_argument("size", static_cast<double>(force.size()),
-                    "the size of the lattice");
+                    "the number of unknowns of the node grid");
   const double total_force = parts.total_force(force);
   parts.transform(force);
   parts.sweep(Sweep::down_to_face);

@@ -174,7 +174,7 @@ TEST(ContactNewton, SaysWhatWentWrongInThePreconditioner) {
                found);
 
   EXPECT_FALSE(found.converged);
-  EXPECT_EQ(found.note, "the linear solver gave up: it is broken");
+  EXPECT_EQ(found.note, "the linear solver did not converge: it is broken");
 }
 
 } // namespace

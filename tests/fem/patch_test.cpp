@@ -125,7 +125,7 @@ TEST(UniformPressureRefusals, SayWhatIsWrong) {
   BlockProblem tilting = block;
   tilting.sides = BlockSides::free;
   tilting.top = TopFace::pressure;
-  EXPECT_NE(words(tilting).find("tilting"), std::string::npos);
+  EXPECT_NE(words(tilting).find("tilt as a rigid body"), std::string::npos);
 
   BlockProblem unmatched = block;
   for (meshes::Place& place : unmatched.mesh.vertices)
