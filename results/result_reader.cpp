@@ -212,7 +212,7 @@ FileContent read_file_and_journal(const std::filesystem::path& path) {
     if (merge_journal(content, path))
       return content;
   }
-  throw cases::CaseError(path.string() + " changes while it is read");
+  throw cases::CaseError(path.string() + " changed while it was being read");
 }
 
 } // namespace

@@ -97,7 +97,7 @@ void ResultWriter::require_begun(const std::string& method,
   require_index("realization", realization);
   if (!methods_.contains(method))
     throw std::domain_error("method = \"" + method +
-                            "\", but must be one that was begun");
+                            "\", but must be a method that has been started");
 }
 
 void ResultWriter::require_new(const std::string& method, int realization,
@@ -110,7 +110,7 @@ void ResultWriter::require_new(const std::string& method, int realization,
     if (!known.insert(point.step).second)
       refuse_argument(
           "point.step", point.step,
-          fmt::format("new to {} realization {}", method, realization));
+          fmt::format("a new step of {}, realization {}", method, realization));
   }
 }
 

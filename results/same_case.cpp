@@ -41,11 +41,12 @@ std::string short_hash(const Inputs& inputs, const std::string& name) {
 
 std::string input_difference(const Inputs& now, const Inputs& before,
                              const std::string& name) {
-  return fmt::format("{} (SHA-256 {}, but was {})",
-                     name == "program"
-                         ? "the program is built from other sources or tools"
-                         : "the file that " + name + " names has other content",
-                     short_hash(now, name), short_hash(before, name));
+  return fmt::format(
+      "{} (SHA-256 {}, but was {})",
+      name == "program"
+          ? "the program was built from different sources or tools"
+          : "the file given by " + name + " has different content",
+      short_hash(now, name), short_hash(before, name));
 }
 
 } // namespace
@@ -77,9 +78,9 @@ void require_same_case(const Result& old, const CaseInfo& info) {
         info.inputs.at(name) != before.at(name))
       differences.push_back(input_difference(info.inputs, before, name));
   if (!differences.empty())
-    throw cases::CaseError(fmt::format(
-        "{} cannot be resumed: {}; run without --resume, or name another --out",
-        old.path, fmt::join(differences, "; ")));
+    throw cases::CaseError(fmt::format("{} cannot be resumed: {}; run without "
+                                       "--resume, or choose another --out",
+                                       old.path, fmt::join(differences, "; ")));
 }
 
 } // namespace asperity::results

@@ -25,10 +25,9 @@ void require_readable(const std::filesystem::path& path) {
       {.cpu_time = longest_read});
   const ChildEnd& end = child.wait();
   if (!end.failure.empty())
-    throw cases::CaseError(
-        fmt::format("{}: is damaged, or made to do harm: the HDF5 library "
-                    "cannot read it to its end ({})",
-                    path.string(), end.failure));
+    throw cases::CaseError(fmt::format("{}: is damaged or malicious: the HDF5 "
+                                       "library cannot read it to its end ({})",
+                                       path.string(), end.failure));
 }
 
 } // namespace asperity::results

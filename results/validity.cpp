@@ -103,7 +103,7 @@ void check_curve(const std::string& place, const Curve& curve,
   for (const CurvePoint& point : curve.points) {
     if (!steps.insert(point.step).second)
       findings.add(place + "/curve/step",
-                   fmt::format(": step {} stands in two rows", point.step));
+                   fmt::format(": step {} occurs twice", point.step));
     check_point(place + "/curve", point, findings);
   }
   for (const Fields& fields : curve.fields) {

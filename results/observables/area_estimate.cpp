@@ -149,10 +149,10 @@ Observed corrected_area_fraction(const Grid& grid,
   const double counted = static_cast<double>(contact.n_nodes()) / n;
   if (share < least_corrected_share * counted)
     return {Observed::none,
-            fmt::format("the contact's patches are too small for this grid: "
-                        "with their rim placed between nodes {:.2g} of the "
-                        "nodes in contact would be left, but at least {} must",
-                        share / counted, least_corrected_share)};
+            fmt::format(
+                "the contact patches are too small for this grid: the estimate "
+                "is only {:.2g} of the counted area, but must be at least {}",
+                share / counted, least_corrected_share)};
   return std::min(share, 1.0); // (A.5)
 }
 

@@ -171,7 +171,7 @@ PressureFit empty_fit(const ReducedMap& map) {
   } else if (!(map.mean > 0.0)) {
     fit.reason = "the mean pressure is not positive";
   } else if (!(map.mean_square_excess < most_excess)) {
-    fit.reason = "the mean pressure is rounding beside the pressures";
+    fit.reason = "the mean pressure is dominated by roundoff";
   }
   return fit;
 }

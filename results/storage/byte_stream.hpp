@@ -103,7 +103,7 @@ public:
 
 private:
   [[noreturn]] static void refuse() {
-    throw cases::CaseError("a record of the journal has another layout");
+    throw cases::CaseError("a record of the journal has an unknown layout");
   }
 
   std::size_t size_of_items(std::size_t bytes_each) {

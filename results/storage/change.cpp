@@ -66,7 +66,8 @@ Item& named(std::vector<Item>& items, const std::string& name) {
 template <class Item>
 Item& at_index(std::vector<Item>& items, int index) {
   if (index < 0 || index >= layout::most_realizations)
-    throw cases::CaseError("a record of the journal has no good realisation");
+    throw cases::CaseError(
+        "a record of the journal has an invalid realisation index");
   const auto place = static_cast<std::size_t>(index);
   items.resize(std::max(items.size(), place + 1));
   return items[place];

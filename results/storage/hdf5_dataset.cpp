@@ -87,7 +87,8 @@ void Hdf5Group::write_map(const std::string& name, std::span<const double> map,
                           Hdf5Shape shape, Hdf5Number number,
                           const std::string& unit) {
   if (map.size() != shape.rows * shape.columns || map.empty())
-    refuse_hdf5(place(name), "write a map that is not of its grid's size");
+    refuse_hdf5(place(name),
+                "write a map whose size differs from that of its grid");
   const std::array<hsize_t, 2> extents{shape.rows, shape.columns};
   const Hdf5Handle space(H5Screate_simple(2, extents.data(), nullptr),
                          H5Sclose);
@@ -137,7 +138,7 @@ void Hdf5Group::overwrite(const std::string& name,
                           std::span<const double> values) {
   const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   if (extents(name) != std::vector<std::size_t>{values.size()})
-    refuse_hdf5(place(name), "overwrite a column of another length");
+    refuse_hdf5(place(name), "overwrite a column of a different length");
   checked(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
                    H5P_DEFAULT, values.data()),
           place(name), "write this dataset");
@@ -186,7 +187,7 @@ std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
   if (is_variable && H5Sget_simple_extent_npoints(space.id()) <=
                          static_cast<hssize_t>(most_texts))
     checked(H5Dvlen_get_buf_size(dataset.id(), type.id(), space.id(), &bytes),
-            place(name), "measure this dataset");
+            place(name), "determine the size of this dataset");
   if (bytes > largest_text)
     throw Hdf5Error(
         fmt::format("{}: has {} bytes of text, but must have at most {}",

@@ -23,18 +23,18 @@ void forbid_other_files() {
 
 void require_own_storage(std::int64_t dataset, const std::string& place) {
   const Hdf5Handle creation(
-      checked(H5Dget_create_plist(dataset), place, "look at this dataset"),
+      checked(H5Dget_create_plist(dataset), place, "inspect this dataset"),
       H5Pclose);
   if (H5Pget_layout(creation.id()) == H5D_VIRTUAL ||
       H5Pget_external_count(creation.id()) > 0)
-    throw Hdf5Error(place + ": keeps its values in another file, which is not "
-                            "opened");
+    throw Hdf5Error(place +
+                    ": stores its values in another file, which is not opened");
 }
 
 std::size_t element_count(std::int64_t space, std::size_t bytes_each,
                           const std::string& place) {
   const hssize_t count = checked(H5Sget_simple_extent_npoints(space), place,
-                                 "measure this dataset");
+                                 "determine the size of this dataset");
   const double bytes =
       static_cast<double>(count) * static_cast<double>(bytes_each);
   if (const std::string shortage = memory_shortage(bytes); !shortage.empty())
@@ -58,8 +58,8 @@ void require_good_name(const std::string& name, const std::string& place) {
   if (name.empty() || name.size() > longest_name ||
       name.find_first_not_of(good_letters) != name.npos)
     throw Hdf5Error(fmt::format(
-        "{}: the name \"{}\" must have 1 to {} of the letters A-Z and a-z, "
-        "digits, blanks and . _ + -",
+        "{}: the name \"{}\" must have 1 to {} characters, each of them a "
+        "letter A-Z or a-z, a digit, a blank or one of . _ + -",
         place, printable(name), longest_name));
 }
 

@@ -51,7 +51,7 @@ void require_table(const Table& table) {
     require_name("column.name", column.name);
     if (!names.insert(column.name).second)
       throw std::domain_error("column.name = \"" + column.name +
-                              "\", but must be there once");
+                              "\", but must occur only once");
     require_size("column.values", column.values.size(),
                  table.columns.front().values.size());
   }

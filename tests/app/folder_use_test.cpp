@@ -153,9 +153,10 @@ TEST_F(FolderUse, ResumeRefusesAChangedMap) {
   const Ended refused = run("run map.toml --resume --out one");
 
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
-  EXPECT_NE(refused.output.find("the file that surface.file names has other "
-                                "content (SHA-256 "),
-            std::string::npos)
+  EXPECT_NE(
+      refused.output.find(
+          "the file given by surface.file has different content (SHA-256 "),
+      std::string::npos)
       << refused.output;
   expect_same_bits(before, result("one"));
   write_map(0.02);

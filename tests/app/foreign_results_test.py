@@ -192,8 +192,8 @@ def compound_modulus(file, folder):
 HOSTILE = {
     external_link: "/surfaces: ",
     soft_way_to_a_link: "/surfaces: ",
-    external_storage: "mean_gap: keeps its values in another file",
-    virtual_dataset: "mean_gap: keeps its values in another file",
+    external_storage: "mean_gap: stores its values in another file",
+    virtual_dataset: "mean_gap: stores its values in another file",
     huge_column: "mean_gap",
     huge_pressure: "nominal_pressure: has 35184372088832 values and needs 256 "
                    "TiB of memory, but ",
@@ -249,7 +249,7 @@ def check_names(root):
                 "table": lambda file, _: file.create_group("tables/" + name),
                 "column": lambda file, _: file.create_dataset(
                     "tables/t/" + name, data=[1.0])}.items():
-            failures.append(refused(write, "must have 1 to 100 of the letters",
+            failures.append(refused(write, "must have 1 to 100 characters",
                                     root, f"name-{index}-{place}"))
     return failures
 

@@ -256,7 +256,7 @@ TEST(PressureFit, AnswersTheEndsOfADouble) {
     }
     EXPECT_TRUE(std::isnan(fit_of(pulled, {}).area_fraction));
     EXPECT_EQ(fit_of(pulled, {}).reason,
-              "the mean pressure is rounding beside the pressures");
+              "the mean pressure is dominated by roundoff");
   }
 }
 

@@ -90,12 +90,11 @@ TEST_F(ResultResume, SaysWhatDiffersAndChangesNothing) {
     EXPECT_EQ(
         std::string(error.what()),
         (folder_ / "result.h5").string() +
-            " cannot be resumed: line 2 of the case is \"# o\", but was "
-            "\"# ü\"; the program is built from other sources or tools "
-            "(SHA-256 eeeeeeeeeeee, but was bbbbbbbbbbbb); the file that "
-            "surface.file names has other content (SHA-256 dddddddddddd, "
-            "but was aaaaaaaaaaaa); run without --resume, or name another "
-            "--out");
+            " cannot be resumed: line 2 of the case is \"# o\", but was \"# "
+            "ü\"; the program was built from different sources or tools "
+            "(SHA-256 eeeeeeeeeeee, but was bbbbbbbbbbbb); the file given by "
+            "surface.file has different content (SHA-256 dddddddddddd, but was "
+            "aaaaaaaaaaaa); run without --resume, or choose another --out");
   }
   EXPECT_EQ(read_result(folder_).case_hash, "0af3");
   EXPECT_EQ(inputs_of(read_result(folder_)), before.inputs);

@@ -23,7 +23,7 @@ TEST_F(TrialRead, RefusesWhatEndsTheLibrary) {
     FAIL() << "a damaged file was accepted";
   } catch (const cases::CaseError& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("damaged-heap.h5: is damaged, or made to do harm"),
+                  .find("damaged-heap.h5: is damaged or malicious"),
               std::string::npos)
         << error.what();
   }

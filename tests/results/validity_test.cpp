@@ -155,7 +155,7 @@ TEST_F(Validity, ListsWhatIsWrong) {
 
 TEST_F(Validity, RefusesAStepTwice) {
   EXPECT_EQ(complaint_of_column("step", {0.0, 2.0, 2.0}),
-            "/methods/fem/3/curve/step: step 2 stands in two rows");
+            "/methods/fem/3/curve/step: step 2 occurs twice");
 }
 
 TEST_F(Validity, OfMapsAndSurfaces) {
