@@ -108,11 +108,10 @@ std::string truth_words(const BenchTruth& truth, const Bench& bench,
        answered(bench, bench.series[truth.series]).points)
     series += fmt::format("{}{}", series.empty() ? "" : ", ", point->points);
   const bool is_mixed = !words.empty();
-  words +=
-      fmt::format("{}the limit of {} with a hard wall on {} points a side "
-                  "of the same surface{}",
-                  is_mixed ? "; " : "", bench.series[truth.series].method,
-                  series, is_mixed ? " for what that does not answer" : "");
+  words += fmt::format("{}the limit of {} with hard contact on {} points per "
+                       "side of the same surface{}",
+                       is_mixed ? "; " : "", bench.series[truth.series].method,
+                       series, is_mixed ? " for all other quantities" : "");
   return words;
 }
 

@@ -179,16 +179,17 @@ bool is_area(const std::string& quantity) {
 
 std::string error_words(const std::string& quantity) {
   if (quantity == "mean_gap")
-    return "mean gap u(p), root mean square over the loads, in h_rms";
+    return "mean gap u(p): root-mean-square error over the loads, in units of "
+           "h_rms";
   if (quantity == "nominal_pressure")
-    return "pressure p(u), root mean square over the gaps, relative";
+    return "pressure p(u): relative root-mean-square error over the gaps";
   if (quantity == "elastic_energy")
-    return "elastic energy, root mean square over the loads, relative";
+    return "elastic energy: relative root-mean-square error over the loads";
   if (is_area(quantity))
-    return "contact area A(p), root mean square over the loads, relative; "
+    return "contact area A(p): relative root-mean-square error over the loads; "
            "estimator " +
            quantity;
-  return quantity + ", relative";
+  return quantity + ": relative error";
 }
 
 std::string exact_words(const cases::Case& contact_case) {
@@ -196,12 +197,12 @@ std::string exact_words(const cases::Case& contact_case) {
     return "";
   switch (contact_case.surface.kind) {
   case SurfaceKind::sphere:
-    return "Hertz's contact, alone but for the mean displacement of its "
-           "images";
+    return "Hertz's solution of an isolated contact, corrected for the mean "
+           "displacement of its periodic images";
   case SurfaceKind::wave_1d:
     return "Westergaard's exact solution";
   case SurfaceKind::wave_2d:
-    return "the exact limits of light and heavy load";
+    return "the exact asymptotic solutions for light and heavy load";
   default:
     return "";
   }

@@ -50,8 +50,8 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
   figure.name = "front-" + file_word(quantity);
   figure.title = "Cost against error: " + quantity;
   figure.caption = error_words(quantity) +
-                   ". The line joins the settings that no other one beats in "
-                   "both: " +
+                   ". The line is the Pareto front, the settings that no other "
+                   "setting beats in both cost and error: " +
                    front_words(bench, front) + ".";
   const std::vector<std::string> methods = methods_of(bench);
   CsvTable table({"curve", "index", "cpu_time [s]", "error [1]"});
@@ -68,7 +68,7 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
   const std::string file = "'" + figure.name + ".csv' ";
   std::vector<std::string> parts{
       file + of_series(line, "$3:4") +
-      " with steps linecolor rgb '#888888' linewidth 1.5 title 'front'"};
+      " with steps linecolor rgb '#888888' linewidth 1.5 title 'Pareto front'"};
   for (std::size_t m = 0; m < methods.size(); ++m)
     parts.push_back(file + of_series(m, "$3:4") + " with points " + sign_of(m) +
                     " linewidth 1.4 title " + gnuplot_text(methods[m]));
@@ -117,35 +117,37 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
   figure.caption = what.caption + exponents + ".";
   figure.data = table.text();
   figure.script = "set logscale x 2\nset logscale y\nset format y "
-                  "'10^{%T}'\nset xlabel 'points a side'\nset ylabel " +
+                  "'10^{%T}'\nset xlabel 'points per side'\nset ylabel " +
                   gnuplot_text(what.label) + "\n" + plot_of(parts);
   return figure;
 }
 
 Figure convergence_figure(const Bench& bench, const std::string& quantity) {
   return against_points(
-      bench,
-      {"convergence-" + file_word(quantity),
-       "Error against points: " + quantity,
-       error_words(quantity) + ", against the truth. Slopes, in the spacing: ",
-       "error",
-       [&quantity](const BenchPoint& point) {
-         return error_of(point, quantity);
-       },
-       [&quantity](const BenchSeries& series) {
-         const auto order = series.orders.find(quantity);
-         return order == series.orders.end() ? PowerLaw{} : order->second.error;
-       }});
+      bench, {"convergence-" + file_word(quantity),
+              "Error against the number of points: " + quantity,
+              error_words(quantity) +
+                  ". Errors are with respect to the reference solution. Slopes "
+                  "of the error in the node spacing: ",
+              "error",
+              [&quantity](const BenchPoint& point) {
+                return error_of(point, quantity);
+              },
+              [&quantity](const BenchSeries& series) {
+                const auto order = series.orders.find(quantity);
+                return order == series.orders.end() ? PowerLaw{}
+                                                    : order->second.error;
+              }});
 }
 
 Figure phases_figure(const Bench& bench) {
   Figure figure;
   figure.name = "phases";
-  figure.title = "Where the CPU time goes";
-  figure.caption =
-      "Share of the CPU time of a run at the case's own setting. The sign is "
-      "the floor: a real transform there and back for each application of the "
-      "elastic operator or its inverse on the method's grid.";
+  figure.title = "Breakdown of the CPU time";
+  figure.caption = "Shares of the CPU time of a run at the case's own setting. "
+                   "The marker is the floor: the time of one forward and one "
+                   "backward real transform for each application of the "
+                   "elastic operator or its inverse on the method's grid.";
   figure.width = 860;
   figure.height = 360;
   const std::vector<std::pair<const char*, double BenchPhases::*>> phases{
@@ -209,14 +211,14 @@ std::vector<Figure> bench_figures(const Bench& bench) {
         figures.push_back(convergence_figure(bench, quantity));
     figures.push_back(against_points(
         bench,
-        {"growth", "How the cost grows",
-         "CPU time of a whole run, median. Fitted exponents in the points a "
-         "side (2: as the number of nodes): ",
+        {"growth", "Cost against the number of points",
+         "Median CPU time of a whole run. Fitted exponents in the number of "
+         "points per side (2: proportional to the number of nodes): ",
          "CPU time [s]",
          [](const BenchPoint& point) { return point.cpu.median; },
          [](const BenchSeries& series) { return series.cost; }}));
     figures.push_back(against_points(
-        bench, {"memory", "Peak memory", "Largest resident memory of a run.",
+        bench, {"memory", "Peak memory", "Largest resident memory of a run",
                 "peak memory [B]",
                 [](const BenchPoint& point) { return point.peak_memory; },
                 [](const BenchSeries&) { return PowerLaw{}; }}));

@@ -40,10 +40,11 @@ Value target_data(const TargetOutcome& target) {
     return value;
   }
   value.set("banner_class", target.is_kept() ? "" : "bad");
-  value.set("banner", fmt::format("{}: {}",
-                                  target.is_kept() ? "The promise held"
-                                                   : "The promise did not hold",
-                                  target.chosen));
+  value.set("banner",
+            fmt::format("{}: {}",
+                        target.is_kept() ? "The error target is met"
+                                         : "The error target is missed",
+                        target.chosen));
   List earlier;
   for (const std::string& words : target.earlier) {
     Value row;
@@ -52,12 +53,12 @@ Value target_data(const TargetOutcome& target) {
   }
   value.set("earlier", earlier);
   value.set("chosen",
-            fmt::format("Predicted {} s of CPU time, took {} s; the coarse "
-                        "runs that chose it took {} s. Verified against {}.",
-                        short_number(target.predicted_cpu_time, "{:.3g}"),
-                        short_number(target.cpu_time, "{:.3g}"),
-                        short_number(target.search_cpu_time, "{:.3g}"),
-                        target.finer));
+            fmt::format(
+                "The predicted CPU time is {} s and the measured one {} s; the "
+                "coarse runs of the search took {} s. Verified against {}.",
+                short_number(target.predicted_cpu_time, "{:.3g}"),
+                short_number(target.cpu_time, "{:.3g}"),
+                short_number(target.search_cpu_time, "{:.3g}"), target.finer));
   List promises;
   for (const Promise& promise : target.promises) {
     Value row;
@@ -86,10 +87,11 @@ List truth_rows(const Bench& bench) {
     Value row;
     row.set("quantity", quantity);
     row.set("meaning", error_words(quantity));
-    row.set("kind", is_exact               ? "exact"
-                    : std::isfinite(order) ? "Richardson's limit"
-                                           : "the finest grid: its series is "
-                                             "irregular");
+    row.set("kind",
+            is_exact ? "exact"
+            : std::isfinite(order)
+                ? "Richardson limit"
+                : "the finest grid, because the series converges irregularly");
     row.set("order", is_exact ? "–" : short_number(order));
     row.set("uncertainty",
             is_exact ? "–" : per_cent(in(bench.truth.uncertainty, quantity)));
@@ -135,9 +137,9 @@ std::string remark_of(const BenchPoint& point) {
     remark += (remark.empty() ? "" : "; ") + more;
   };
   if (point.is_own)
-    add("the case's own");
+    add("the case's own setting");
   if (point.is_truth)
-    add("for the truth");
+    add("for the reference solution");
   if (!point.is_repeatable)
     add("numbers differ from run to run");
   if (point.failed_steps > 0)
@@ -194,14 +196,15 @@ List method_tables(const Bench& bench) {
       }
     Value table;
     table.set("name", name);
-    table.set("own_note",
-              is_elastic
-                  ? "Errors against the truth; in small letters against the "
-                    "limit of this method's own series."
-                  : "This method is not the elastic continuum: the large "
-                    "figure is its distance from that truth and no error; in "
-                    "small letters is its error against the limit of its own "
-                    "series.");
+    table.set(
+        "own_note",
+        is_elastic
+            ? "Errors are with respect to the reference solution; in small "
+              "print, with respect to the limit of this method's own series."
+            : "This method does not solve the elastic continuum: the large "
+              "figure is its difference from the reference solution, shown, "
+              "not counted as an error; in small print is its error with "
+              "respect to the limit of its own series.");
     std::vector<std::string> heads = bench.quantities;
     for (std::string& head : heads) // allows line breaks
       std::replace(head.begin(), head.end(), '_', ' ');
@@ -245,7 +248,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   page.set("title", bench.case_title);
   page.set("style", shared_style());
   page.set("lead", fmt::format("Case {}, {}: {} settings of its methods, each "
-                               "run as a process of its own on one thread.",
+                               "run as a separate process on one thread.",
                                bench.case_name, bench.case_hash.substr(0, 12),
                                bench.points.size()));
   page.set("remarks", text_list(bench.remarks));
@@ -253,17 +256,18 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   for (const TargetOutcome& target : bench.targets)
     targets.push_back(target_data(target));
   page.set("targets", targets);
-  page.set("truth", bench.truth.words.empty()
-                        ? "No truth is known for this case."
-                        : "Errors are against " + bench.truth.words + ".");
+  page.set("truth",
+           bench.truth.words.empty()
+               ? "No reference solution is known for this case."
+               : "Errors are with respect to " + bench.truth.words + ".");
   page.set("truths", truth_rows(bench));
   page.set("groups", group_data({&figures, 1}));
   page.set("series", series_rows(bench));
   page.set("timing_note",
-           "CPU and wall time are the median of n timed runs, least and "
-           "largest beneath; a run before them warms up and does not count "
-           "unless it is the only one (n = 1). Iterations and transforms are "
-           "of all load steps.");
+           "CPU and wall time are medians of n timed runs, with the smallest "
+           "and the largest below. A preceding warm-up run is not counted "
+           "unless it is the only run (n = 1). Iterations and transforms are "
+           "summed over all load steps.");
   page.set("methods", method_tables(bench));
   List facts;
   for (const auto& [key, fact] : bench.provenance) {

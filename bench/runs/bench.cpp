@@ -95,11 +95,11 @@ void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
   for (std::size_t i = 0; i < bench.points.size(); ++i) {
     BenchPoint& point = bench.points[i];
     if (is_interrupted()) {
-      point.problem = "interrupted before it ran";
+      point.problem = "interrupted before it was run";
       continue;
     }
     if (runner.is_spent() && is_optional(sweep, i)) {
-      point.problem = "left out: the budget of time was spent";
+      point.problem = "skipped: the time budget was used up";
       left_out +=
           (left_out.empty() ? "" : ", ") + point.method + " " + point.label;
       continue;
@@ -110,18 +110,18 @@ void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
   }
   if (is_once)
     bench.remarks.emplace_back(
-        "The budget of time was spent before the end: settings with n = 1 were "
-        "run once, without a warm-up.");
+        "The time budget was used up before the end: settings with n = 1 were "
+        "run once, without a warm-up run.");
   if (!left_out.empty())
-    bench.remarks.push_back("Left out for want of time: " + left_out +
-                            ". --budget gives more.");
+    bench.remarks.push_back("Skipped because the time budget was used up: " +
+                            left_out + ". Increase it with --budget.");
 }
 
 void print_fronts(const Bench& bench) {
   for (const std::string& quantity : bench.quantities) {
     const auto& front = bench.fronts.at(quantity);
     for (const std::size_t i : front)
-      fmt::print("{}: {} in {:.3g} s by {}, {}\n", quantity,
+      fmt::print("{}: error {} in {:.3g} s of CPU time with {}, {}\n", quantity,
                  reports::per_cent(bench.points[i].errors.at(quantity)),
                  bench.points[i].cpu.median, bench.points[i].method,
                  bench.points[i].label);
@@ -139,8 +139,9 @@ double read_target_error(const std::string& text) {
   const double share = unit == "%" ? number / 100.0 : number;
   if (failure != std::errc() || (!unit.empty() && unit != "%") ||
       !(share > 0.0 && share < 1.0))
-    throw cases::CaseError("--target-error " + text +
-                           ", but must be a share such as 1% or 0.01");
+    throw cases::CaseError(
+        "--target-error " + text +
+        ": expected a relative error between 0 and 1, such as 1% or 0.01");
   return share;
 }
 
@@ -165,8 +166,7 @@ ExitCode bench_case(const BenchCommand& command) {
        command.is_quick ? 1 : command.repeats,
        command.is_quick ? std::min(command.budget, 60.0) : command.budget});
   fmt::print("{}: {} settings, each run {} on one thread\n", contact_case.name,
-             sweep.points.size(),
-             command.is_quick ? "twice" : "some times over");
+             sweep.points.size(), command.is_quick ? "twice" : "several times");
   Bench bench = bench_of(subject, sweep);
   run_points(bench, sweep, runner);
   reports::analyse(bench, contact_case);

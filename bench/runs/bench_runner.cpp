@@ -166,7 +166,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   fs::remove_all(folder);
   const results::MethodRecord* method = method_in(result, point.method);
   if (method == nullptr || method->realizations.empty()) {
-    once.problem = "the result has no such method";
+    once.problem = "the result does not contain this method";
     return once;
   }
   for (const results::Curve& curve : method->realizations)

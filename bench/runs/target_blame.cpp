@@ -68,7 +68,7 @@ std::string TargetSearch::depth_words(const Forecast& forecast,
     const double change =
         reports::error_against(deeper.answer, as_it_is.answer, column);
     if (std::isfinite(change))
-      return fmt::format("; twice the {} changes it by {}", key,
+      return fmt::format("; doubling the {} changes it by {}", key,
                          reports::per_cent(change));
   }
   return "";
@@ -76,30 +76,30 @@ std::string TargetSearch::depth_words(const Forecast& forecast,
 
 std::string TargetSearch::why_none(double target) {
   const int last = finest_points();
-  std::string words =
-      fmt::format("no setting up to {} points is predicted to err by less than "
-                  "{} in every quantity",
-                  last, reports::per_cent(target));
+  std::string words = fmt::format("no setting up to {} points per side has a "
+                                  "predicted error below {} in every quantity",
+                                  last, reports::per_cent(target));
   for (const auto& [method, miss] : misses(forecasts_, quantities_, last)) {
     if (miss.error < target)
       continue;
     if (!std::isfinite(miss.error)) {
-      words += fmt::format("; {} has no forecast of {}", method, miss.quantity);
+      words += fmt::format("; {} has no predicted error of {}", method,
+                           miss.quantity);
       continue;
     }
     const std::string column =
         miss.forecast->best_column(miss.quantity, last, finest_growth);
     const ErrorParts parts = miss.forecast->parts(column, last, finest_growth);
-    words += fmt::format("; {} errs by {} in {}", method,
+    words += fmt::format("; {} has an error of {} in {}", method,
                          reports::per_cent(miss.error), miss.quantity);
     if (parts.staying < 0.5 * miss.error)
       continue;
-    words += fmt::format(", of which {} stays on any grid",
+    words += fmt::format(", of which {} is independent of the grid",
                          reports::per_cent(parts.staying));
     if (const std::string exact = reports::exact_words(case_); !exact.empty())
-      words += fmt::format(": the case's block is not that of the exact "
-                           "solution ({}){}",
-                           exact, depth_words(*miss.forecast, column));
+      words += fmt::format(
+          ": the case's block differs from that of the exact solution ({}){}",
+          exact, depth_words(*miss.forecast, column));
   }
   if (!problem_.empty())
     words += fmt::format("; {}", problem_);

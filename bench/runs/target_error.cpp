@@ -104,7 +104,7 @@ Forecast TargetSearch::forecast_of(const std::string& method,
   for (const int points : grids_) {
     coarse.push_back(run_at(method, element, points, 1.0));
     if (!coarse.back().problem.empty()) {
-      problem_ = fmt::format("{} on {} points: {}", method, points,
+      problem_ = fmt::format("{} on {} points per side: {}", method, points,
                              coarse.back().problem);
       return forecast;
     }
@@ -173,7 +173,7 @@ bool TargetSearch::find_choice(double target) {
 void TargetSearch::promise(TargetOutcome& outcome) const {
   outcome.predicted_cpu_time = choice_.cpu_time;
   outcome.overrides = {fmt::format("surface.points={}", choice_.points)};
-  outcome.chosen = fmt::format("{} points a side", choice_.points);
+  outcome.chosen = fmt::format("{} points per side", choice_.points);
   for (const auto& [method, forecast] : choice_.methods) {
     for (std::string& one : overrides_at(*forecast, choice_.growth_share)) {
       outcome.chosen += ", " + one;
@@ -194,7 +194,8 @@ TargetOutcome TargetSearch::choose(double target) {
   TargetOutcome outcome;
   outcome.target = target;
   if (grids_.empty()) {
-    outcome.problem = "the case does not choose its points";
+    outcome.problem =
+        "the case does not set surface.points; an error target needs it";
     return outcome;
   }
   if (forecasts_.empty())

@@ -40,7 +40,7 @@ TargetRun::TargetRun(const cases::Case& contact_case,
           common_overrides(contact_case, contact_case.surface.realizations)),
       search_(contact_case,
               search_options(contact_case, file_, overrides_, folder)) {
-  fmt::print("{}: looking for the cheapest setting with an error of {}\n",
+  fmt::print("{}: searching for the cheapest setting with an error below {}\n",
              contact_case.name, reports::per_cent(target));
   outcome_ = search_.choose(target);
   if (is_chosen())
@@ -50,7 +50,7 @@ TargetRun::TargetRun(const cases::Case& contact_case,
 }
 
 void TargetRun::print_choice() const {
-  fmt::print("chosen: {}; predicted {:.3g} s of CPU time a realisation\n",
+  fmt::print("chosen: {}; predicted {:.3g} s of CPU time per realisation\n",
              outcome_.chosen, outcome_.predicted_cpu_time);
 }
 

@@ -39,7 +39,7 @@ std::string broken_words(const TargetOutcome& outcome) {
   std::string words = fmt::format("{}:", outcome.chosen);
   for (const reports::Promise& promise : outcome.promises)
     if (!promise.is_kept)
-      words += fmt::format("{} {} of {} was {}",
+      words += fmt::format("{} the error of {} with {} was {}",
                            words.ends_with(':') ? "" : ",", promise.quantity,
                            promise.method, reports::per_cent(promise.found));
   return words;
@@ -55,12 +55,13 @@ void TargetSearch::verify_method(TargetOutcome& outcome, Forecast& forecast,
     finer = run_at(forecast.method, forecast.element, 2 * choice_.points,
                    0.5 * choice_.growth_share)
                 .answer;
-    outcome.finer = fmt::format(
-        "{}one run a method on {} points with half the logarithm of the "
-        "layers' growth",
-        exact.values.empty() ? ""
-                             : "the exact solution where it answers, else ",
-        2 * choice_.points);
+    outcome.finer =
+        fmt::format("{}one run per method on {} points per side with half the "
+                    "logarithm of the layers' grading ratio",
+                    exact.values.empty()
+                        ? ""
+                        : "the exact solution where there is one, otherwise ",
+                    2 * choice_.points);
   }
   std::map<std::string, double> found;
   for (const auto& [column, term] : forecast.terms) {
@@ -94,12 +95,13 @@ void TargetSearch::verify(TargetOutcome& outcome,
 bool TargetSearch::choose_again(TargetOutcome& outcome) {
   if (n_tries_ >= most_tries) {
     outcome.earlier.push_back(
-        fmt::format("{} settings were tried and no more are", most_tries));
+        fmt::format("the limit of {} settings is reached", most_tries));
     return false;
   }
   TargetOutcome next = choose(outcome.target);
   if (!next.problem.empty()) {
-    outcome.earlier.push_back("with what this setting showed, " + next.problem);
+    outcome.earlier.push_back(
+        "with this setting's result taken into account, " + next.problem);
     return false;
   }
   next.earlier = std::move(outcome.earlier);

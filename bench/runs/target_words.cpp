@@ -11,7 +11,7 @@ using reports::per_cent;
 
 std::string numbers_of(const reports::TargetOutcome& outcome,
                        const reports::Promise& promise) {
-  return fmt::format("promised {}, predicted {}, found {}",
+  return fmt::format("target {}, predicted {}, found {}",
                      per_cent(outcome.target), per_cent(promise.predicted),
                      per_cent(promise.found));
 }
@@ -24,13 +24,13 @@ void print_outcome(const reports::TargetOutcome& outcome) {
     return;
   }
   for (const std::string& words : outcome.earlier)
-    fmt::print("target error, before: {}\n", words);
+    fmt::print("target error, earlier attempt: {}\n", words);
   fmt::print("target error: {}; predicted {:.3g} s of CPU time\n",
              outcome.chosen, outcome.predicted_cpu_time);
   for (const reports::Promise& promise : outcome.promises)
     fmt::print("{} of {} ({}): {}: {}\n", promise.quantity, promise.method,
                promise.estimator, numbers_of(outcome, promise),
-               promise.is_kept ? "kept" : "NOT kept");
+               promise.is_kept ? "met" : "MISSED");
 }
 
 results::Provenance facts_of(const reports::TargetOutcome& outcome) {
@@ -43,7 +43,7 @@ results::Provenance facts_of(const reports::TargetOutcome& outcome) {
     facts.emplace_back(
         fmt::format("target error, {} of {}", promise.quantity, promise.method),
         fmt::format("{}: {} ({})", numbers_of(outcome, promise),
-                    promise.is_kept ? "kept" : "not kept", promise.estimator));
+                    promise.is_kept ? "met" : "missed", promise.estimator));
   return facts;
 }
 

@@ -54,9 +54,10 @@ void add_theoretical_orders(const cases::Case& contact_case,
   series.theoretical_orders = {
       {"mean_gap", order}, {"elastic_energy", order}, {"area_fraction", 1.0}};
   series.order_source =
-      is_penalized ? "penetration of a penalty ~ 1/h: first order"
-                   : "the grid misplaces the contact edge by a part of h: area "
-                     "first order, energy and gap stationary in it, second";
+      is_penalized ? "penetration under a penalty stiffness ~ 1/h: first order"
+                   : "the grid misplaces the contact boundary by a fraction of "
+                     "h: the area is of first order; energy and gap are "
+                     "stationary in it and of second order";
 }
 
 /// Assembles the sweep; a setting that two series share occurs once.
@@ -127,7 +128,7 @@ void Planner::add_truth() {
     return; // all compared quantities have an exact solution
   BenchSeries series{.method = "halfspace",
                      .axis = points_axis,
-                     .title = "points of the truth"};
+                     .title = "points of the reference series"};
   const std::vector<std::string> overrides = truth_overrides(case_);
   std::vector<int> carried = grids();
   carried.push_back(2 * own_points_);
@@ -149,7 +150,7 @@ void Planner::add_truth() {
 
 void Planner::add_points(const MethodSpec& method) {
   BenchSeries series{
-      .method = method.name, .axis = points_axis, .title = "points a side"};
+      .method = method.name, .axis = points_axis, .title = "points per side"};
   const std::string kind = kind_of_method(method.name);
   std::vector<int> carried = grids();
   if (!varies_with_points(kind) || own_points_ == 0)
@@ -160,7 +161,8 @@ void Planner::add_points(const MethodSpec& method) {
     wanted.kind = kind;
     wanted.is_elastic = varies_with_points(kind);
     wanted.points = points;
-    wanted.label = points == 0 ? "as it is" : fmt::format("{} points", points);
+    wanted.label =
+        points == 0 ? "as set in the case" : fmt::format("{} points", points);
     wanted.is_own = points == own_points_;
     if (!wanted.is_own)
       wanted.overrides = {points_override(points)};
@@ -216,27 +218,29 @@ void Planner::add_axis(const MethodSpec& method, const Axis& axis) {
 Sweep Planner::plan() && {
   sweep_.common = common_overrides(case_, options_.realizations);
   if (case_.surface.realizations > options_.realizations)
-    sweep_.remarks.push_back(fmt::format("{} of the case's {} realisations.",
-                                         options_.realizations,
-                                         case_.surface.realizations));
+    sweep_.remarks.push_back(
+        fmt::format("{} of the case's {} realisations were run.",
+                    options_.realizations, case_.surface.realizations));
   if (own_points_ > 0 && grids().size() < 3)
     sweep_.remarks.push_back(fmt::format(
-        "Grids below {} points a side do not carry all of the roughness.",
+        "Grids below {} points per side do not resolve all of the roughness.",
         least_carrying_points(case_.surface)));
   add_truth();
   for (const MethodSpec& method : case_.methods)
     if (is_chosen(method, options_.methods))
       add_points(method);
   if (options_.is_quick)
-    sweep_.remarks.emplace_back("A quick sweep: points alone.");
+    sweep_.remarks.emplace_back(
+        "Quick sweep: only the number of points is varied.");
   else
     for (const MethodSpec& method : case_.methods)
       if (is_chosen(method, options_.methods))
         add_axes(method);
   if (!options_.is_quick && axis_points() != own_points_)
-    sweep_.remarks.push_back(fmt::format(
-        "Settings other than the points are varied at {} points a side.",
-        axis_points()));
+    sweep_.remarks.push_back(
+        fmt::format("Settings other than the number of points are varied at {} "
+                    "points per side.",
+                    axis_points()));
   return std::move(sweep_);
 }
 

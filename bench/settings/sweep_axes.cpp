@@ -51,31 +51,31 @@ struct Rule {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
-      {"element", "element", {}, not_a_number, "another element, no order"},
+      {"element", "element", {}, not_a_number, "another element: no order"},
       {"growth",
-       "growth of the layers",
+       "grading ratio of the layers",
        {2.0, 1.0, 0.5},
        2.0,
-       "Q1: second order in the logarithm of the growth (docs/fem.md); Q2: "
-       "fourth",
+       "Q1: second order in the logarithm of the grading ratio (docs/fem.md); "
+       "Q2: fourth",
        1.0},
       {"surface_cell_depth",
        "depth of the surface cells",
        {2.0, 1.0, 0.5},
        not_a_number,
-       "changes the cells of the face alone: no limit by itself"},
+       "changes only the cells at the contact surface: no limit of its own"},
       {"depth",
        "depth of the block",
        {0.5, 1.0, 2.0},
        not_a_number,
-       "exponential in the depth over the longest wave: no order",
+       "exponential in the depth over the longest wavelength: no order",
        not_a_number,
        is_not("bulk", "explicit")},
       {"thickness",
        "thickness of the slab",
        {0.5, 1.0, 2.0},
        not_a_number,
-       "exponential in the thickness over the longest wave: no order"},
+       "exponential in the thickness over the longest wavelength: no order"},
       {"penalty",
        "penalty",
        {0.1, 1.0, 10.0},
@@ -87,10 +87,10 @@ const std::vector<Rule>& rules() {
        "tolerance",
        {1e4, 1e2, 1.0},
        1.0,
-       "the residual that is left: at most first order",
+       "remaining residual: at most first order",
        1.0},
       {"layers",
-       "layers of cells a level",
+       "layers of cells per level",
        {0.5, 1.0, 2.0},
        not_a_number,
        "exponential in the depth: no order",
@@ -100,7 +100,7 @@ const std::vector<Rule>& rules() {
        "cut-off of the interaction",
        {0.75, 1.0, 1.5},
        not_a_number,
-       "as the potential fades: no order"}};
+       "by the decay of the potential: no order"}};
   return all;
 }
 
