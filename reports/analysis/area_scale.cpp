@@ -53,9 +53,8 @@ AreaScale fit_area_scale(std::span<const Deviation> rows, LoadRange range) {
   AreaScale scale;
   scale.rows = static_cast<int>(taken.size());
   if (taken.size() < fewest_shared_rows) {
-    scale.factor.reason =
-        fmt::format("fewer than {} of these loads where both areas are known",
-                    fewest_shared_rows);
+    scale.factor.reason = fmt::format(
+        "fewer than {} of these loads have both areas", fewest_shared_rows);
     return scale;
   }
   scale.pressure_low = taken.front().nominal_pressure;

@@ -91,7 +91,7 @@ void add_quantities_at_load(const results::Result& result,
     estimate = mean_over_realizations(values);
     if (!estimate.has_value())
       estimate.remark =
-          fmt::format("no {} at p/E* = {:.4g} in the loading rows",
+          fmt::format("no {} at p/E* = {:.4g} on the loading path",
                       asked.quantity, pressure / result.contact_modulus);
   }
 }

@@ -132,7 +132,7 @@ void add_sum_quantities(const results::Result& result,
     Estimate& estimate = summary.quantities[name];
     estimate.value = value;
     estimate.realizations = 1;
-    estimate.remark = "of both surfaces together";
+    estimate.remark = "from the sum of both surfaces";
   };
   add("sum_rms_height", sum->rms_height);
   if (surface.kind == cases::SurfaceKind::self_affine)
@@ -144,15 +144,17 @@ void add_sum_quantities(const results::Result& result,
 void add_curve_quantities(const MethodRecord& method, MethodSummary& summary) {
   const std::size_t count = method.realizations.size();
   add_mean(summary, "log_linearity", count,
-           "fewer than 4 rows with 1 <= u / h_rms <= 2", [&](std::size_t r) {
+           "fewer than 4 load steps with 1 <= u / h_rms <= 2",
+           [&](std::size_t r) {
              return log_linearity(method.realizations[r].points,
                                   summary.fits[r].scales.rms_height);
            });
   add_mean(summary, "area_linearity", count,
-           "fewer than 2 rows at so light a load", [&](std::size_t r) {
+           "fewer than 2 load steps with a contact fraction up to 10 %",
+           [&](std::size_t r) {
              return area_linearity(method.realizations[r].points);
            });
-  add_mean(summary, "area_at_highest_load", count, "no rows",
+  add_mean(summary, "area_at_highest_load", count, "no load steps",
            [&](std::size_t r) {
              return area_at_highest_load(method.realizations[r].points);
            });
@@ -168,24 +170,25 @@ const std::vector<std::pair<std::string, std::string>>& meanings() {
        "area_scale_corrected over the lighter half of the loads [1]."},
       {"area_scale_corrected_upper_half",
        "area_scale_corrected over the heavier half of the loads [1]."},
-      {"epsilon", "eps of (16) at the case's gamma [1]."},
-      {"log_linearity", "Largest |u - line| / h_rms of the least-squares line "
-                        "of u over ln p where 1 < u / h_rms < 2 [1]."},
+      {"epsilon",
+       "eps of Eq. (16) of Yang and Persson (2008) at the case's gamma [1]."},
+      {"log_linearity", "Largest deviation of u / h_rms from its least-squares "
+                        "line over ln p, where 1 < u / h_rms < 2 [1]."},
       {"gap_deviation_to_2", "Largest |u - u of theory| / h_rms where "
                              "0.2 < u / h_rms < 2 [1]."},
-      {"area_linearity", "Largest |(A/p) / mean - 1| up to 10 % contact [1]."},
+      {"area_linearity",
+       "Largest |(A/p) / mean - 1| for contact fractions up to 10 % [1]."},
       {"area_at_highest_load", "A/A_0 at the highest load of the case [1]."},
-      {"pressure_offset",
-       "Median of ln p / p of theory at equal u, where 0.3 < "
-       "u / h_rms < 1.5 [1]."},
-      {"departure_low",
-       "u / h_rms below which ln p / p of theory at equal u is "
-       "over 0.1 from its median [1]."},
-      {"departure_high", "u / h_rms above which ln p / p of theory at equal u "
-                         "is over 0.1 from its median [1]."},
+      {"pressure_offset", "Median of ln(p / p of theory) at equal u, where 0.3 "
+                          "< u / h_rms < 1.5 [1]."},
+      {"departure_low", "u / h_rms below which ln(p / p of theory) at equal u "
+                        "differs from its median by more than 0.1 [1]."},
+      {"departure_high", "u / h_rms above which ln(p / p of theory) at equal u "
+                         "differs from its median by more than 0.1 [1]."},
       {"gap_shortfall", "(Theory's u - u) / h_rms at the lightest load [1]."},
-      {"asperity_shortfall", "(Theory's u - u) / h_rms at the lightest load, u "
-                             "that of separate asperities without end [1]."},
+      {"asperity_shortfall",
+       "(Theory's u - u) / h_rms at the lightest load, with u of asperities of "
+       "an infinite surface that do not interact [1]."},
       {"highest_asperity", "Largest height / h_rms [1]."},
       {"rms_height", "Root mean square of the heights [m]."},
       {"sum_rms_height", "h_rms of the sum of both surfaces [m]."},
@@ -209,7 +212,8 @@ void add_claim_quantities(const results::Result& result,
     // Eq. (16) of Yang and Persson (2008)
     epsilon.value = theory::persson_epsilon(gamma->second.value);
     epsilon.realizations = 1;
-    epsilon.remark = "(16) at the gamma of the case";
+    epsilon.remark =
+        "Eq. (16) of Yang and Persson (2008) at the gamma of the case";
   }
   add_tail_quantities(result, contact_case, method, summary);
   if (!uses_formula(contact_case, method) &&
@@ -221,13 +225,13 @@ void add_claim_quantities(const results::Result& result,
   if (method.kind == "theory" || reference == nullptr)
     return;
   add_mean(summary, "gap_shortfall", method.realizations.size(),
-           "no load that the theory also has", [&](std::size_t r) {
+           "no load that the theory also covers", [&](std::size_t r) {
              return gap_shortfall(method.realizations[r].points,
                                   CurveFunction(curve_of(*reference, r).points),
                                   summary.fits[r].scales.rms_height);
            });
   add_mean(summary, "gap_deviation_to_2", method.realizations.size(),
-           "no such row that the theory also has", [&](std::size_t r) {
+           "no such load step that the theory also covers", [&](std::size_t r) {
              return largest_gap_deviation(
                  deviations(method.realizations[r].points,
                             CurveFunction(curve_of(*reference, r).points)),
@@ -243,8 +247,10 @@ void add_claim_quantities(const results::Result& result,
                  part;
         });
   };
-  const char* together = "together as far as the rows go, or not at h_rms";
-  departure_part("pressure_offset", "no row in the comparison's range",
+  const char* together =
+      "no departure within the load range, or no agreement at u = h_rms";
+  departure_part("pressure_offset",
+                 "no load step in the range of the comparison",
                  &Departure::offset);
   departure_part("departure_low", together, &Departure::low);
   departure_part("departure_high", together, &Departure::high);

@@ -47,7 +47,7 @@ Estimate largest_estimate(double largest, const char* missing) {
   estimate.value = largest;
   estimate.realizations = estimate.has_value() ? 1 : 0;
   estimate.remark =
-      estimate.has_value() ? "largest of the load steps" : missing;
+      estimate.has_value() ? "largest over the load steps" : missing;
   return estimate;
 }
 
@@ -90,7 +90,7 @@ void add_exact_quantities(const results::Result& result,
       errors.area_fraction, "no load has an exact contact fraction");
   if (surface.kind == SurfaceKind::sphere) {
     quantities["contact_radius_error"] =
-        largest_estimate(errors.contact_radius, "no row in contact");
+        largest_estimate(errors.contact_radius, "no load step in contact");
     quantities["approach_error"] =
         largest_estimate(errors.approach, "the surface is not in the result");
     add_stress_quantities(result, exact_case, method, summary);

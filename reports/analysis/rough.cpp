@@ -87,7 +87,7 @@ RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
   } catch (const std::domain_error& error) { // heights without a theory
     fits.parameter = {};
     fits.parameter.reason =
-        fmt::format("there is no theory of this surface: {}", error.what());
+        fmt::format("there is no theory for this surface: {}", error.what());
   }
   return fits;
 }
@@ -134,7 +134,8 @@ Estimate area_excess_of(const MethodRecord& method,
   }
   Estimate excess = mean_over_realizations(excesses);
   if (!excess.has_value())
-    excess.remark = "no row with A/A_0 <= 15 % that the theory also has";
+    excess.remark =
+        "no load step with A/A_0 <= 15 % that the theory also covers";
   return excess;
 }
 
@@ -148,10 +149,11 @@ Estimate gap_deviation_of(const MethodRecord& method,
         largest_gap_deviation(deviations(method.realizations[r].points, theory),
                               fits[r].scales.rms_height));
   }
-  return largest_of(largest,
-                    fmt::format("no row with {} < u/h_rms < {} that the theory "
-                                "also has",
-                                comparison_gap_low, comparison_gap_high));
+  return largest_of(
+      largest,
+      fmt::format(
+          "no load step with {} < u/h_rms < {} that the theory also covers",
+          comparison_gap_low, comparison_gap_high));
 }
 
 Estimate pressure_difference_to(const MethodRecord& method,
@@ -161,7 +163,7 @@ Estimate pressure_difference_to(const MethodRecord& method,
     largest.push_back(
         largest_pressure_difference(method.realizations[r].points,
                                     CurveFunction(curve_of(base, r).points)));
-  return largest_of(largest, "no load that " + base.name + " also has");
+  return largest_of(largest, "no load that " + base.name + " also covers");
 }
 
 Estimate set_parameter(const cases::Case& rough_case,

@@ -14,7 +14,7 @@ Estimate largest(double value) {
   Estimate estimate;
   estimate.value = value;
   estimate.realizations = 1;
-  estimate.remark = "largest of the maps kept";
+  estimate.remark = "largest of the saved maps";
   return estimate;
 }
 

@@ -30,7 +30,7 @@ Estimate number(double value, const std::string& reason_if_none) {
   Estimate estimate;
   estimate.value = value;
   estimate.realizations = 1;
-  estimate.remark = estimate.has_value() ? "by the formula" : reason_if_none;
+  estimate.remark = estimate.has_value() ? "from the formula" : reason_if_none;
   return estimate;
 }
 
@@ -69,8 +69,8 @@ Estimate at_magnification(const Result& result,
   const Table* rows =
       found == pressures.end() ? nullptr : magnification_table(result, load);
   if (rows == nullptr)
-    return without(
-        fmt::format("p = {:.6g} Pa is no load of [magnification]", pressure));
+    return without(fmt::format("p = {:.6g} Pa is not a load of [magnification]",
+                               pressure));
   const bool is_area = asked.quantity == "area_fraction";
   const double value =
       between_rows(rows->values("magnification"),
@@ -80,8 +80,9 @@ Estimate at_magnification(const Result& result,
                        : asked.quantity == "reduced_mean_gap"
                            ? loads->values("rms_height").at(load)
                            : loads->values("mean_gap").at(load);
-  return number(value / scale, fmt::format("zeta = {:g} lies outside the rows",
-                                           *asked.magnification));
+  return number(value / scale,
+                fmt::format("zeta = {:g} lies outside the computed range",
+                            *asked.magnification));
 }
 
 /// Returns the largest |u/u' - 1| between the rows of two loads, for
@@ -103,7 +104,7 @@ Estimate gap_pressure_dependence(const Result& result) {
                                             ? std::vector<double>{}
                                             : loads->values("nominal_pressure");
   if (pressures.size() < 2)
-    return without("there are no two loads at magnifications");
+    return without("the study of magnifications has fewer than two loads");
   std::vector<std::size_t> order(pressures.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -115,7 +116,7 @@ Estimate gap_pressure_dependence(const Result& result) {
     return without("a table of magnifications is missing");
   const double begin = loads->values("lowest_magnification").at(order[0]);
   return number(largest_difference(*light, *heavy, 2.0 * begin),
-                "no magnification is that high");
+                "no computed magnification is high enough");
 }
 
 Estimate of_flip(const Result& result, const std::string& column,

@@ -70,7 +70,7 @@ Estimate penetration_of(const Result& result, const MethodRecord& method) {
     }
     estimate.realizations += has_map ? 1 : 0;
   }
-  estimate.remark = estimate.has_value() ? "deepest of the kept maps"
+  estimate.remark = estimate.has_value() ? "largest of the saved maps"
                                          : "no gap map is in the result";
   return estimate;
 }

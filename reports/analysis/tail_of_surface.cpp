@@ -68,7 +68,7 @@ void add_tail_quantities(const results::Result& result,
   const double area = surface.length ? *surface.length * *surface.length : 0.0;
   if (theory::peaks_above(moments, std::fmax(area, 1e-300), 1.0) >= 4.0)
     add(summary, "highest_asperity", theory::expected_highest(moments, area),
-        "expected of a Gaussian surface of this size");
+        "expected value for a Gaussian surface of this size");
   const auto rows = loading_rows(method.realizations.front().points);
   if (rows.empty())
     return;
@@ -76,7 +76,7 @@ void add_tail_quantities(const results::Result& result,
                                        rows.front().nominal_pressure);
   add(summary, "asperity_shortfall",
       (rows.front().mean_gap - gap) / std::sqrt(moments.height),
-      "of Bush, Gibson and Thomas at the lightest load");
+      "with u of Bush, Gibson and Thomas at the lightest load");
 }
 
 } // namespace asperity::reports

@@ -31,7 +31,7 @@ Outcome outcome_of(const Estimate& estimate, double low, double high) {
 // Explains why a method lacks a quantity.
 std::string why_missing(const MethodSummary& method) {
   return method.problems.empty()
-             ? "the method does not answer this"
+             ? "the method does not compute this quantity"
              : fmt::format("{}", fmt::join(method.problems, "; "));
 }
 
@@ -153,10 +153,10 @@ std::string check_line(const Verdict& verdict) {
       std::isfinite(verdict.low) && std::isfinite(verdict.high);
   std::string remark = has_value ? "" : "; " + verdict.estimate.remark;
   if (verdict.outcome == Outcome::undecided)
-    remark =
-        verdict.passes_if_undecided
-            ? "; its interval reaches over an end, which the case lets pass"
-            : "; its interval reaches over an end: not passed";
+    remark = verdict.passes_if_undecided
+                 ? "; its interval crosses a limit of the band, which the case "
+                   "counts as passed"
+                 : "; its interval crosses a limit of the band: not passed";
   return fmt::format("{:<9}  {:<14} {:<20} {} {}{}{}",
                      outcome_word(verdict.outcome), verdict.method,
                      verdict.quantity, value_text(verdict.estimate),

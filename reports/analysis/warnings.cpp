@@ -56,7 +56,7 @@ void add_slope(const Result& result, std::vector<Warning>& warnings) {
                    "{:.2g} (limit: {}).",
                    slope, Limits::rms_slope),
        "The elastic methods and the theory are linear: the terms that they "
-       "leave out grow with the square of the slope."});
+       "neglect grow with the square of the slope."});
 }
 
 void add_resolution(const SurfaceRecord& surface,
@@ -68,8 +68,8 @@ void add_resolution(const SurfaceRecord& surface,
   warnings.push_back(
       {"not_resolved",
        fmt::format("The surface is not resolved: {:.0f} % of its mean square "
-                   "slope lies above half the Nyquist wavevector, in waves of "
-                   "fewer than four nodes (limit: {:.0f} %).",
+                   "slope lies above half the Nyquist wavevector, in waves "
+                   "shorter than four node spacings (limit: {:.0f} %).",
                    100.0 * share, 100.0 * Limits::unresolved_slope),
        "Slope, contact area and stiffness are those of this grid, not of the "
        "surface: they change with every refinement of the measurement."});
@@ -83,11 +83,11 @@ void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
     return;
   warnings.push_back(
       {"scan_lines",
-       fmt::format("The map is marked by scan lines or grooves along {}: "
-                   "neighbouring lines differ {:.1f} times as much in height "
-                   "as those of the other direction (limit: {}).",
+       fmt::format("The map shows scan lines or grooves along {}: neighbouring "
+                   "lines differ {:.1f} times as much in height as those of "
+                   "the other direction (limit: {}).",
                    ratio > 1.0 ? "x" : "y", larger, Limits::line_offset),
-       "Artefacts of the scan are pressed as if they were the surface. "
+       "Artefacts of the scan are taken for roughness of the surface. "
        "Persson's theory assumes the same roughness in all directions and does "
        "not describe this map."});
 }
@@ -97,9 +97,10 @@ void add_window(const Result& result, std::vector<Warning>& warnings) {
     if (key == "window")
       warnings.push_back(
           {"windowed",
-           "The map was windowed before it was pressed: " + fact + ".",
-           "What was pressed is not the measured surface; edges = \"mirror\" "
-           "keeps its roughness."});
+           "The map was windowed before the contact was computed: " + fact +
+               ".",
+           "The computed contact is not that of the measured surface; edges = "
+           "\"mirror\" keeps its roughness."});
 }
 
 } // namespace

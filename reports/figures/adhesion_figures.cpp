@@ -65,9 +65,9 @@ Figure branches_figure(const Table& rows) {
        {"area_fraction_partial", "A/A₀, partial contact", area.c_str()}});
   figure.title = "Both branches of adhesive contact";
   figure.caption = "The effective binding energy at the lowest magnification "
-                   "and the true area, against the height of the roughness, at "
-                   "no external pressure. The state is the branch with more "
-                   "binding.";
+                   "and the real contact area against the rms height of the "
+                   "roughness, without external pressure. The equilibrium "
+                   "state is the branch with the larger binding energy.";
   label_axes(figure, ratio_axis, both_axis);
   return figure;
 }
@@ -89,7 +89,7 @@ Figure equilibrium_figure(const Table& rows, const Table* flip) {
                         "h_rms/h_rms0 = {:.4g}.",
                         left.front(), ratio.front())
           : std::string("There is no flip between two ratios of the study.");
-  figure.caption += " Where there is no curve the surfaces part, or the "
+  figure.caption += " Where there is no curve, the surfaces separate or the "
                     "partial contact did not converge. " +
                     rows.title + ".";
   label_axes(figure, ratio_axis, both_axis);
@@ -103,8 +103,9 @@ Figure height_figure(const Table& rows) {
                 {{"binding_complete", "complete contact", blue},
                  {"binding_equilibrium", "equilibrium", red}});
   figure.title = "Binding energy against roughness";
-  figure.caption = "γ_eff/Δγ, what is left of the binding energy of flat "
-                   "faces; the pull-off force of a ball goes with it.";
+  figure.caption =
+      "γ_eff/Δγ, the remaining fraction of the binding energy of flat "
+      "surfaces; the pull-off force of a ball is proportional to it.";
   const std::vector<double> heights = rows.values("rms_height");
   const std::vector<double> forces = rows.values("pull_off_force");
   if (!forces.empty() && forces.size() == heights.size())

@@ -38,15 +38,15 @@ std::string scale_words(const Series& fitted) {
 
 std::string area_caption(const Series* fitted) {
   std::string caption =
-      "Signs: contact counted node by node. Coloured lines: the "
-      "same with the area at the contact's rim corrected.";
+      "Markers: contact area counted node by node. Coloured lines: the same "
+      "with the area at the contact boundary corrected.";
   if (fitted == nullptr)
     return caption;
   if (quantity(*fitted, "area_excess").has_value())
-    caption += fmt::format(
-        " Counted, {} has {:+.0f} % of contact against the theory at light "
-        "load.",
-        fitted->label, 100.0 * quantity(*fitted, "area_excess").value);
+    caption += fmt::format(" The counted area of {} differs by {:+.0f} % from "
+                           "the theory at light load.",
+                           fitted->label,
+                           100.0 * quantity(*fitted, "area_excess").value);
   if (quantity(*fitted, "area_scale").has_value())
     caption += scale_words(*fitted);
   return caption;
@@ -113,7 +113,7 @@ Figure area_figure(std::span<const Series> series) {
 Figure area_coefficient_figure(std::span<const Series> series) {
   Figure figure;
   figure.name = "area-coefficient";
-  figure.title = "The constant of proportionality of area and load";
+  figure.title = "Area-load coefficient κ";
   CsvTable table({"curve", "index", "A/A_0 counted [1]",
                   "A E* h'/(A_0 p) counted [1]", "A/A_0 corrected [1]",
                   "A E* h'/(A_0 p) corrected [1]"});
@@ -138,9 +138,9 @@ Figure area_coefficient_figure(std::span<const Series> series) {
     plots.push_back(file + of_series(i, "$5:6") + " with lines " +
                     line_style(one) + " notitle");
   }
-  figure.caption = "Signs: counted; coloured lines: corrected. κ is where a "
-                   "curve meets the left edge, on a line through "
-                   "its rows with A/A₀ ≤ 15 %.";
+  figure.caption =
+      "Markers: counted; coloured lines: corrected. κ is the value at A/A₀ = 0 "
+      "of the line through the load steps with A/A₀ ≤ 15 %.";
   std::string limits;
   for (const Series& one : series)
     if (quantity(one, "kappa").has_value())
@@ -176,7 +176,7 @@ std::string excess_words(std::span<const Series> series) {
     words += fmt::format("{}{} counted {:+.0f} %", words.empty() ? "" : "; ",
                          one.label, 100.0 * counted.value);
     if (fitted.has_value())
-      words += fmt::format(", by (21) {:+.0f} %", 100.0 * fitted.value);
+      words += fmt::format(", by Eq. (21) {:+.0f} %", 100.0 * fitted.value);
   }
   return words.empty() ? "" : " Above the theory at light load: " + words + ".";
 }
@@ -186,7 +186,7 @@ std::string excess_words(std::span<const Series> series) {
 std::optional<Figure> area_theory_figure(std::span<const Series> series) {
   Figure figure;
   figure.name = "area-theory";
-  figure.title = "Contact area against the theory's";
+  figure.title = "Contact area against that of the theory";
   figure.width = 860;
   CsvTable table({"curve", "index", "A_theory/A_0 [1]", "A/A_0 corrected [1]",
                   "A/A_0 by (21) [1]", "A/A_theory corrected [1]",
@@ -222,11 +222,12 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
       " with lines linewidth 0.8 dashtype 3 linecolor rgb '#777777' notitle";
   areas.push_back("x" + dotted);
   ratios.push_back("1" + dotted);
-  figure.caption = "Each method's area against the theory's at the same load, "
-                   "and over it. Signs: the area (21) of the fitted pressure "
-                   "distribution; lines: the method's best estimate. Dotted: "
-                   "equal areas." +
-                   excess_words(series) + joined_words(series);
+  figure.caption =
+      "Each method's area against the theory's at the same load (left), and "
+      "the ratio of the two (right). Markers: the area by Eq. (21) of Yang and "
+      "Persson (2008), from the fitted pressure distribution; lines: the "
+      "method's best estimate. Dotted: equal areas." +
+      excess_words(series) + joined_words(series);
   figure.script = fmt::format(
       "set multiplot layout 1,2 margins 0.08,0.98,0.24,0.95 spacing 0.1\n"
       "set key at screen 0.5, 0.02 bottom center vertical maxrows 1\nset "

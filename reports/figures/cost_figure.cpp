@@ -8,7 +8,7 @@ namespace asperity::reports {
 std::optional<Figure> cost_figure(std::span<const Series> series) {
   Figure figure;
   figure.name = "cost";
-  figure.title = "What each step cost";
+  figure.title = "Cost of each step";
   figure.width = 860;
   figure.height = 360;
   CsvTable table(
@@ -28,13 +28,13 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
     times.push_back("'cost.csv' " + of_series(i, "$3:5") + ending);
     const Cost& cost = one.method->cost;
     figure.caption +=
-        fmt::format("{}{}: {:.2g} s a step (median), at most {} iterations",
+        fmt::format("{}{}: {:.2g} s per step (median), at most {} iterations",
                     figure.caption.empty() ? "" : "; ", one.label,
                     cost.step_cpu_time, cost.largest_iterations);
   }
   if (iterations.empty())
     return std::nullopt;
-  figure.caption += ". CPU time, mean of the realisations.";
+  figure.caption += ". CPU times, means over the realisations.";
   figure.script = "set multiplot layout 1,2 margins 0.08,0.98,0.27,0.95 "
                   "spacing 0.1\nset key at screen 0.5, 0.02 bottom center "
                   "vertical maxrows 1\nset "
@@ -43,8 +43,8 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
                   gnuplot_markup("p / E*") +
                   "\nset ylabel 'iterations'\nset yrange [0:*]\n" +
                   plot_of(iterations) +
-                  "unset yrange\nset ylabel 'CPU time a step [s]'\nset yrange "
-                  "[0:*]\nunset key\n" +
+                  "unset yrange\nset ylabel 'CPU time per step [s]'\nset "
+                  "yrange [0:*]\nunset key\n" +
                   plot_of(times) + "unset multiplot\n";
   figure.data = table.text();
   return figure;

@@ -88,9 +88,8 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
       plots.push_back(file + of_series(i, "$5:4:6:7") + " with xerrorbars " +
                       point_style(one) + title);
   }
-  figure.caption =
-      "Each sign is a load step, the mean of the realisations; its "
-      "bar spans them.";
+  figure.caption = "Each marker is a load step, the mean over the "
+                   "realisations; its bar spans their range.";
   const Series* fitted = first_numerical(series);
   if (fitted != nullptr && quantity(*fitted, "gamma_slope").has_value() &&
       quantity(*fitted, "beta").has_value()) {
@@ -103,7 +102,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
         gnuplot_text("fit to " + fitted->label));
     figure.caption += fmt::format(
         " The dotted line is p = β E* exp(−u/u₀) with u₀/h_rms = {} from {}; "
-        "the bars at the foot show the window of each method's fit.",
+        "the bars at the bottom axis show the window of each method's fit.",
         number_text(gamma), fitted->label);
   }
   figure.caption += joined_words(series);
@@ -136,7 +135,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
 std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
   Figure figure;
   figure.name = "gap-deviation";
-  figure.title = "How far each method is from the theory";
+  figure.title = "Deviation of each method from the theory";
   CsvTable table({"curve", "index", "u/h_rms [1]", "(u - u_theory)/h_rms [%]"});
   std::vector<std::string> plots{
       "0 with lines linewidth 1.2 linecolor rgb '#222222' title 'theory'"};
@@ -162,8 +161,8 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
     return std::nullopt;
   figure.caption = fmt::format(
       "Separation at equal pressure, minus the theory's, in per cent of h_rms; "
-      "at most {:.2g} % for the mean of the realisations. The shaded range, "
-      "0.3 < u/h_rms < 1.5, is the one that gap_deviation looks at.",
+      "at most {:.2g} % for the mean over the realisations. The shaded range, "
+      "0.3 < u/h_rms < 1.5, is the one that gap_deviation evaluates.",
       largest);
   figure.caption += joined_words(series);
   figure.script =

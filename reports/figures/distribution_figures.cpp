@@ -133,7 +133,7 @@ Figure pressure_figure(const std::string& method,
     plots.push_back(
         curve_plot(figure.name, index,
                    "with lines linewidth 0.9 dashtype 2 " + load_color(i),
-                   i + 1 == maps.size() ? "theory, (1)" : ""));
+                   i + 1 == maps.size() ? "theory, Eq. (1)" : ""));
     add_curve(table, "theory, " + name, static_cast<double>(index++), pressure,
               variance, stress);
     furthest =
@@ -142,16 +142,17 @@ Figure pressure_figure(const std::string& method,
       continue;
     plots.push_back(curve_plot(figure.name, index,
                                "with lines linewidth 1.5 " + load_color(i),
-                               i + 1 == maps.size() ? "fitted, (20)" : ""));
-    top = std::max(top, add_curve(table, "(20), " + name,
+                               i + 1 == maps.size() ? "fitted, Eq. (20)" : ""));
+    top = std::max(top, add_curve(table, "Eq. (20), " + name,
                                   static_cast<double>(index++), pressure,
                                   load.fit.variance, stress));
   }
   figure.caption = fmt::format(
-      "Signs: realisation 0 in bins of an eighth of √(2 G̃); lines: (20) fitted "
-      "to them by least squares, from which A/A₀ follows by (21); dashed: the "
-      "theory's (1) at the same load, G of the slope {:.3g}. r = G̃/G. Each is "
-      "divided by its contact fraction, so that the shapes compare.",
+      "Markers: realisation 0 in bins of an eighth of √(2 G̃); lines: Eq. (20) "
+      "of Yang and Persson (2008) fitted to them by least squares, from which "
+      "A/A₀ follows by Eq. (21); dashed: the theory's Eq. (1) at the same "
+      "load, with G of the slope {:.3g}. r = G̃/G. Each curve is divided by its "
+      "contact fraction, so that the shapes can be compared.",
       scales.rms_slope);
   figure.script = fmt::format(
       "set key top right\nset xlabel {}\nset ylabel {}\nset xrange [0:{:.4g}]\n"
@@ -185,7 +186,7 @@ Figure gap_figure(const std::string& method,
     for (const double density : histogram.density)
       open += density * histogram.bin_width();
     const std::string name =
-        fmt::format("p/E* = {:.3g}, {:.3g} % closed",
+        fmt::format("p/E* = {:.3g}, {:.3g} % in contact",
                     maps[i]->nominal_pressure / scales.contact_modulus,
                     100.0 * std::max(0.0, 1.0 - open));
     for (std::size_t k = 0; k < histogram.density.size(); ++k)
@@ -198,11 +199,12 @@ Figure gap_figure(const std::string& method,
       plots.push_back(
           curve_plot(figure.name, i, "with linespoints " + load_sign(i), name));
   }
-  figure.caption = fmt::format(
-      "P_u of (26) where the faces are apart, realisation 0, in {} bins up to "
-      "the widest gap; the closed part is a peak at zero, or, of a penalty or "
-      "of atoms, below it. h_rms = {:.3g} nm.",
-      gap_bins, scales.rms_height * 1e9);
+  figure.caption =
+      fmt::format("P_u of Eq. (26) of Yang and Persson (2008) where the "
+                  "surfaces are separated, realisation 0, in {} bins up to the "
+                  "widest gap; the part in contact is a peak at zero, or below "
+                  "zero for a penalty and for atoms. h_rms = {:.3g} nm.",
+                  gap_bins, scales.rms_height * 1e9);
   figure.script = fmt::format(
       "set key top right\nset logscale y\nset format y '10^{{%T}}'\nset xlabel "
       "{}\nset ylabel {}\nset xrange [0:*]\n{}",

@@ -118,7 +118,7 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                   : "";
   if (drawn.svg.find("</svg>") == std::string::npos) {
     drawn.svg.clear();
-    drawn.problem = program + " drew nothing";
+    drawn.problem = program + " produced no picture";
     return drawn;
   }
   replace_all(drawn.svg, "font-family=\"Helvetica\"",

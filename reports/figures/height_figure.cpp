@@ -43,9 +43,9 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
     return std::nullopt;
   Figure figure;
   figure.name = "height-distribution";
-  figure.title = "Distribution of its height";
-  figure.caption = "P_h in units of 1/h_rms; line: the Gaussian of the same "
-                   "h_rms.";
+  figure.title = "Distribution of the heights";
+  figure.caption =
+      "P_h in units of 1/h_rms; line: the Gaussian with the same h_rms.";
   CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
   std::vector<std::string> plots;
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,

@@ -58,9 +58,10 @@ Figure separation_figure(const MagnifiedStudy& study) {
     plots.push_back(
         lines(figure.name, load.index, "$3:4", colored(load.index), name));
   }
-  figure.caption = "u(ζ), (23): how far the surfaces are apart on average "
-                   "where they seem to touch at the magnification ζ = q/q_ref, "
-                   "in the rms height of the whole surface.";
+  figure.caption =
+      "u(ζ), Eq. (23) of Yang and Persson (2008): the mean separation in the "
+      "apparent contact at the magnification ζ = q/q_ref, in units of the rms "
+      "height of the whole surface.";
   figure.script = "set xlabel " + gnuplot_markup("log_{10} ζ") +
                   "\nset ylabel " + gnuplot_markup("log_{10} u / h_{rms}") +
                   "\nset yrange [-4:*]\nset offsets 0, 0, graph 0.05, 0\n" +
@@ -99,9 +100,10 @@ Figure parts_figure(const MagnifiedStudy& study) {
                           colored(load.index, "dashtype 2"),
                           "u/h_rms, " + name));
   }
-  figure.caption = "Solid: the area that seems to touch at the magnification "
-                   "ζ, (4) with the roughness up to ζ q_ref; dashed: the "
-                   "separation in it; black: the rms height still hidden.";
+  figure.caption =
+      "Solid: the apparent contact area at the magnification ζ, Eq. (4) of "
+      "Yang and Persson (2008) with the roughness up to ζ q_ref; dashed: the "
+      "separation in it; black: the rms height still unresolved.";
   figure.script =
       "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
       gnuplot_markup("log_{10} A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}") +
@@ -114,7 +116,7 @@ Figure parts_figure(const MagnifiedStudy& study) {
 Figure opening_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-opening";
-  figure.title = "Where the surfaces part";
+  figure.title = "Loss of contact";
   CsvTable table(
       {"load", "index", "log10 zeta [1]", "u [nm]", "u_1 [nm]", "A/A_0 [1]"});
   std::vector<std::string> plots;
@@ -143,9 +145,10 @@ Figure opening_figure(const MagnifiedStudy& study) {
                           "A/A₀" + name));
   }
   figure.caption =
-      "u₁(ζ), (25): the separation of what seems to come into contact as ζ "
-      "falls; it rises without bound at small ζ, where hardly any area "
-      "(dotted, right) is left to open. Drawn to twice the mean gap.";
+      "u₁(ζ), Eq. (25) of Yang and Persson (2008): the separation of the area "
+      "that comes into apparent contact as ζ falls; it rises without bound at "
+      "small ζ, where hardly any area (dotted, right axis) is left to lose "
+      "contact. Drawn up to twice the mean gap.";
   figure.script =
       "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
       gnuplot_markup("u, u_1  [nm]") + "\nset y2label " +
@@ -214,18 +217,19 @@ Figure distribution_figure(const ReportEntry& entry,
     if (reduced > 0.2)
       top = std::max(top, density[i] * study.rms_height);
   }
-  std::vector<std::string> plots{
-      lines(figure.name, 0, "$3:4", "linewidth 1.6 linecolor rgb '#222222'",
-            fmt::format("theory, (27), {:.3g} at u = 0", load.contact_weight))};
+  std::vector<std::string> plots{lines(
+      figure.name, 0, "$3:4", "linewidth 1.6 linecolor rgb '#222222'",
+      fmt::format("theory, Eq. (27), {:.3g} at u = 0", load.contact_weight))};
   add_maps(entry, load, study.rms_height, figure, table, plots);
   figure.caption = fmt::format(
-      "Solid: the theory's density of u₁, a mean over what opens at one "
-      "magnification, so narrower than (26); its delta function at u = 0 has "
-      "the weight A(ζ₁)/A₀ = {:.4g}.{}",
+      "Solid: the theory's density of u₁, Eq. (27) of Yang and Persson (2008), "
+      "a mean over the area that loses contact at one magnification and "
+      "therefore narrower than Eq. (26); its delta function at u = 0 has the "
+      "weight A(ζ₁)/A₀ = {:.4g}.{}",
       load.contact_weight,
-      plots.size() > 1 ? " Dashed: P_u of (26) of the kept map at the nearest "
-                         "load; the rest of it is at u = 0, or below for a "
-                         "penalty and for atoms."
+      plots.size() > 1 ? " Dashed: P_u of Eq. (26) for the saved map at the "
+                         "nearest load; the rest of it is at u = 0, or below "
+                         "zero for a penalty and for atoms."
                        : "");
   figure.script = fmt::format(
       "set xlabel {}\nset ylabel {}\nset xrange [0:{:g}]\nset yrange "
@@ -243,8 +247,8 @@ void add_leaks(const results::Result& result, Figure& figure) {
   const std::vector<double> pressures = leak->values("nominal_pressure");
   const std::vector<double> flows = leak->values("mass_flow");
   const std::vector<double> gaps = leak->values("pore_gap");
-  figure.caption += " Leak through the one pore where the open area "
-                    "percolates:";
+  figure.caption += " Leakage through the critical pore, where the non-contact "
+                    "area percolates:";
   for (std::size_t i = 0; i < pressures.size() && i < flows.size(); ++i)
     figure.caption += (i == 0 ? " " : "; ") + pressure_text(pressures[i]) +
                       (std::isfinite(flows[i])

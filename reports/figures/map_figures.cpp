@@ -113,8 +113,7 @@ Figure map_figure(const std::string& method,
   figure.caption = fmt::format(
       "Realisation 0 at {} loads. Above: pressure over E* h' ({:.3g} MPa), "
       "white where there is none; below: gap over h_rms ({:.3g} nm), dark "
-      "where "
-      "the faces touch. Sides in µm.",
+      "where the surfaces touch. Axes in µm.",
       chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
   figure.script = fmt::format("{}set multiplot layout 2,{} margins "
                               "0.05,0.94,0.05,0.94 spacing 0.09,0.05\n{}{}{}{}"
@@ -182,7 +181,7 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
     return std::nullopt;
   Figure figure;
   figure.name = "two-faces";
-  figure.title = "Both faces and their sum";
+  figure.title = "Both surfaces and their sum";
   figure.width = 1010;
   figure.height = 330;
   figure.script = fmt::format("{}{}set multiplot layout 1,3 margins "
@@ -209,8 +208,8 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   add(*sum, "sum", "sum of both");
   figure.script += "unset multiplot\n";
   figure.caption =
-      "Heights in nm, sides in µm. The sum is what a flat block of the two "
-      "bodies' combined stiffness meets.";
+      "Heights in nm, axes in µm. The sum is the surface in the equivalent "
+      "contact of a flat block with the combined stiffness of the two bodies.";
   figure.data = table.text();
   return figure;
 }

@@ -39,8 +39,8 @@ std::string joined_words(std::span<const Series> series) {
     if (!one.is_drawn)
       names += (names.empty() ? "" : ", ") + one.label;
   return names.empty() ? ""
-                       : fmt::format(" Not drawn because they would lie on the "
-                                     "signs of their method: {}.",
+                       : fmt::format(" Not drawn because they would coincide "
+                                     "with the markers of their method: {}.",
                                      names);
 }
 

@@ -14,7 +14,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   const cases::SurfaceSpec& spec = entry.contact_case->surface;
   Figure figure;
   figure.name = "spectrum";
-  figure.title = "Its spectrum";
+  figure.title = "Power spectrum";
   CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
   std::vector<std::string> plots;
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t index,
@@ -62,8 +62,8 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
           "formula'",
           surfaces.size()));
       figure.caption += fmt::format(
-          " The sum of both faces has C_0 + C_1: their ratio is {:.3f} on "
-          "average between roll-off and cut-off.",
+          " The spectrum of the sum of both surfaces is expected to be C_0 + "
+          "C_1: their ratio is {:.3f} on average between roll-off and cut-off.",
           sum_spectrum_ratio(*entry.result, *sum, spec.wavevector_roll_off,
                              spec.wavevector_high));
     }

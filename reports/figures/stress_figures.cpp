@@ -47,7 +47,7 @@ std::vector<Strength> strengths_of(const results::Table& table,
 Figure strength_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "stress-inside";
-  figure.title = "The strongest stress below the face";
+  figure.title = "Largest subsurface stress";
   const double modulus = entry.result->contact_modulus;
   CsvTable table({"method", "index", "log10 p/E* [1]", "von Mises/E* [1]",
                   "depth [um]", "largest shear/von Mises [1]"});
@@ -84,14 +84,14 @@ Figure strength_figure(const ReportEntry& entry) {
     ++color;
   }
   figure.height = 560;
-  figure.caption =
-      "The largest von Mises stress anywhere in the block under each kept "
-      "pressure map, and how deep below the face it lies (below). Worked out "
-      "from the pressure as in a continuum, a wave at a time.";
+  figure.caption = "The largest von Mises stress anywhere in the block under "
+                   "each saved pressure map, and its depth below the contact "
+                   "surface (lower plot). Computed from the pressure by the "
+                   "continuum solution for each wavevector.";
   if (has_whole)
-    figure.caption += " A whole block shows its own, the largest at a "
-                      "quadrature point of its cells; dashed is what its "
-                      "pressure gives in the continuum.";
+    figure.caption += " A full 3-D model shows its own values, the largest at "
+                      "a quadrature point of its cells; dashed is the "
+                      "continuum solution for its pressure.";
   figure.script =
       "set multiplot layout 2,1 spacing 0.02,0.11\nset logscale y\nset "
       "ylabel " +
@@ -117,7 +117,7 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
     return std::nullopt;
   Figure figure;
   figure.name = "stress-section-" + file_word(method.name);
-  figure.title = "A section below the face, " + method.name;
+  figure.title = "Section below the contact surface, " + method.name;
   const double modulus = entry.result->contact_modulus;
   CsvTable table({"method", "depth [um]", "x [um]", "von Mises/E* [1]"});
   for (std::size_t i = 0; i < strength.size(); ++i)
@@ -130,8 +130,8 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   figure.width = 660;
   figure.height = 330;
   figure.caption = fmt::format(
-      "{}. The plane through the strongest point; at most {:.3g} E*, at a "
-      "depth of {:.3g} µm; the face is the upper edge.",
+      "{}. The plane through the point of the largest stress; at most {:.3g} "
+      "E*, at a depth of {:.3g} µm; the contact surface is the upper edge.",
       section->title, *strongest / modulus, depth[at] * 1e6);
   figure.script = fmt::format(
       "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "

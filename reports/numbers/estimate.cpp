@@ -13,7 +13,7 @@ namespace {
 
 std::string left_out(std::size_t count) {
   return count == 0 ? std::string()
-                    : fmt::format("; {} without an answer left out", count);
+                    : fmt::format("; {} without a value excluded", count);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ Estimate mean_over_realizations(std::span<const FittedValue> fits) {
           return !fit.reason.empty();
         });
     estimate.remark =
-        told == fits.end() ? "no realisation gave an answer" : told->reason;
+        told == fits.end() ? "no realisation has a value" : told->reason;
     return estimate;
   }
   estimate.value = mean(values);
@@ -89,11 +89,10 @@ Estimate mean_over_realizations(std::span<const FittedValue> fits) {
         });
     estimate.half_width = student_half_width(answered->standard_error,
                                              answered->degrees_of_freedom);
-    estimate.remark =
-        estimate.has_interval()
-            ? "one realisation: the interval is the fit's own, not the spread "
-              "between surfaces"
-            : "one realisation: no interval";
+    estimate.remark = estimate.has_interval()
+                          ? "one realisation: the interval is that of the fit, "
+                            "not the spread between surfaces"
+                          : "one realisation: no interval";
     estimate.remark += omitted;
     return estimate;
   }

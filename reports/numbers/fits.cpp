@@ -138,9 +138,9 @@ SlopeFit fit_slope(std::span<const CurvePoint> points,
 
   SlopeFit none;
   none.reason = rows.size() < fewest_rows
-                    ? "fewer than 4 rows below u = 2 h_rms"
-                    : "no straight stretch of 4 rows and 0.5 h_rms below "
-                      "u = 2 h_rms";
+                    ? "fewer than 4 load steps below u = 2 h_rms"
+                    : "no linear range of at least four load steps and 0.5 "
+                      "h_rms below u = 2 h_rms";
   return none;
 }
 
@@ -155,7 +155,7 @@ ParameterFit fit_parameter(std::span<const CurvePoint> points,
   });
   ParameterFit fit;
   if (rows.size() < fewest_parameter_rows) {
-    fit.reason = fmt::format("fewer than {} rows with 0 < u <= 2 h_rms",
+    fit.reason = fmt::format("fewer than {} load steps with 0 < u <= 2 h_rms",
                              fewest_parameter_rows);
     return fit;
   }
@@ -207,8 +207,8 @@ FittedValue kappa_of(std::span<const CurvePoint> rows,
     coefficient.push_back(row.*area_fraction / reduced_pressure);
   }
   if (area.size() < fewest_area_rows)
-    return {.reason = fmt::format("fewer than {} rows whose area is known and "
-                                  "grows with the load",
+    return {.reason = fmt::format("fewer than {} load steps whose area is "
+                                  "known and grows with the load",
                                   fewest_area_rows)};
   const LineFit line = fit_line(area, coefficient);
   return {line.intercept, line.intercept_error, line.points - 2};
@@ -225,9 +225,9 @@ AreaFit fit_area(std::span<const CurvePoint> points,
   });
   AreaFit fit;
   if (rows.size() < fewest_area_rows) {
-    fit.reason =
-        fmt::format("fewer than {} rows in contact with A/A_0 <= {:.0f} %",
-                    fewest_area_rows, 100.0 * light_load_area);
+    fit.reason = fmt::format(
+        "fewer than {} load steps in contact with A/A_0 <= {:.0f} %",
+        fewest_area_rows, 100.0 * light_load_area);
     return fit;
   }
   fit.window = window_of(rows);

@@ -46,8 +46,8 @@ kainjow::mustache::data row_of(const MethodRecord& method) {
   const bool has_block = cost.unknowns > 0.0;
   kainjow::mustache::data row;
   row.set("name", method.name);
-  row.set("unknowns",
-          has_block ? fmt::format("{:.0f}", cost.unknowns) : "face alone");
+  row.set("unknowns", has_block ? fmt::format("{:.0f}", cost.unknowns)
+                                : "contact surface only");
   row.set("setup", fmt::format("{:.2g} s", cost.setup_time));
   row.set("iterations", a_step(cost.iterations, cost.steps));
   row.set("linear_iterations",

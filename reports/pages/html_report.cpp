@@ -26,17 +26,19 @@ struct Column {
 const std::vector<Column>& columns_of(bool is_exact) {
   static const std::vector<Column> rough{
       {"gamma_slope", "u₀/h_rms", "slope of ln p(u)", false},
-      {"gamma_theory", "γ", "parameter of (10)", false},
+      {"gamma_theory", "γ", "parameter of Eq. (10) of Yang and Persson (2008)",
+       false},
       {"kappa", "κ", "of the corrected area", false},
-      {"gap_deviation", "u against theory", "largest, of h_rms", true},
+      {"gap_deviation", "u against theory", "largest, in h_rms", true},
       {"area_excess", "area against theory", "counted, light load", true}};
   static const std::vector<Column> exact{
-      {"mean_gap_error", "mean gap", "largest error, of amplitude", false},
+      {"mean_gap_error", "mean gap", "largest error, in amplitudes", false},
       {"area_error", "contact fraction", "largest error", false},
       {"contact_radius_error", "contact radius", "largest relative", false},
       {"approach_error", "approach", "largest relative", false},
       {"von_mises_error", "von Mises", "largest relative", false},
-      {"von_mises_depth_error", "its depth", "largest relative", false}};
+      {"von_mises_depth_error", "depth of von Mises maximum",
+       "largest relative", false}};
   return is_exact ? exact : rough;
 }
 
@@ -57,7 +59,7 @@ std::string remark_of(const Estimate& estimate) {
       estimate.has_interval())
     return fmt::format("{} realisations", estimate.realizations);
   if (estimate.has_value() && estimate.has_interval())
-    return "± of the one fit";
+    return "± of the single fit";
   return estimate.remark;
 }
 
@@ -89,8 +91,9 @@ Value method_row(const MethodSummary& method, const char* color,
                            remark_of(found->second)));
   }
   const Cost& cost = method.cost;
-  cells.push_back(cell(seconds_text(cost.step_cpu_time),
-                       fmt::format("{} in all", seconds_text(cost.cpu_time))));
+  cells.push_back(
+      cell(seconds_text(cost.step_cpu_time),
+           fmt::format("{} in total", seconds_text(cost.cpu_time))));
   cells.push_back(
       cell(fmt::format("{} of {}", cost.steps - cost.failed_steps, cost.steps),
            cost.largest_iterations > 0
@@ -110,7 +113,7 @@ List heads_of(const std::vector<Column>& columns) {
   };
   for (const Column& column : columns)
     add(column.head, column.unit);
-  add("CPU time a step", "median");
+  add("CPU time per step", "median");
   add("steps", "converged");
   return heads;
 }
@@ -161,21 +164,20 @@ List notices_of(const ReportEntry& entry) {
   for (const Warning& warning : warnings_of(*entry.result, *entry.contact_case))
     add(warning.headline + " " + warning.consequence);
   if (summary.status != "complete")
-    add(fmt::format("The run is not complete (status: {}); this is what was "
-                    "done.",
+    add(fmt::format("The run is not complete (status: {}); the report shows "
+                    "the completed part.",
                     summary.status));
   for (const MethodSummary& method : summary.methods)
     if (method.cost.failed_steps > 0)
       add(fmt::format("{}: {} of {} steps did not converge; they are listed "
-                      "below and in no fit.",
+                      "below and excluded from all fits.",
                       method.name, method.cost.failed_steps,
                       method.cost.steps));
   for (const std::string& sentence : theory_disagreements(entry))
     add(sentence);
   for (const MethodSummary& method : summary.methods)
     for (const std::string& problem : method.problems)
-      add(fmt::format("{}: what could not be worked out: {}.", method.name,
-                      problem));
+      add(fmt::format("{}: an analysis failed: {}.", method.name, problem));
   for (const auto& [key, fact] : summary.provenance)
     if (key.find("dirty") != std::string::npos &&
         (fact == "yes" || fact == "true" || fact == "1"))
@@ -225,10 +227,10 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
         methods.push_back(method_row(method, series_color(one), columns));
   page.set("methods", methods);
   page.set("method_note",
-           is_exact ? "Errors are the largest over the load steps, against the "
-                      "exact solution."
-                    : "± is the 95 % interval over realisations, or of the one "
-                      "fit where there is one realisation.");
+           is_exact ? "Errors are the largest over the load steps, with "
+                      "respect to the exact solution."
+                    : "± is the 95 % interval over realisations, or that of "
+                      "the fit where there is a single realisation.");
   page.set("has_verdicts", !summary.verdicts.empty());
   page.set("verdicts", verdict_rows(summary));
   page.set("has_published", !summary.published.empty());

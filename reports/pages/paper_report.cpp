@@ -51,7 +51,7 @@ DrawnFigure already_drawn(const Figure& figure, const fs::path& folder) {
   DrawnFigure drawn{figure.name, figure.title, figure.caption,
                     text_of_picture(folder / (figure.name + ".svg")), ""};
   if (drawn.svg.empty())
-    drawn.problem = "the part's own report has no such picture";
+    drawn.problem = "the report of the part does not contain this figure";
   return drawn;
 }
 
@@ -148,10 +148,9 @@ List notices_of(std::span<const PaperPart> parts) {
         return part.entry.summary.case_title.ends_with(quick_mark);
       });
   if (is_quick)
-    notices.push_back(
-        text_item("A quick run: fewer points, loads or realisations than the "
-                  "cases ask for. It shows that everything works; quote the "
-                  "full run."));
+    notices.push_back(text_item(
+        "A quick run, with fewer points, loads or realisations than the cases "
+        "specify. It only shows that everything works; quote the full run."));
   return notices;
 }
 

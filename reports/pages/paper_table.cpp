@@ -37,7 +37,7 @@ PaperTable paper_table(std::span<const PaperPart> parts) {
           std::nullopt, {}};
       if (published.ours.empty()) {
         Estimate none;
-        none.remark = "no method here answers this";
+        none.remark = "no method of the case computes this";
         row.judgement = judge_published(published.reference, none);
         table.rows.push_back(row);
       }
@@ -85,11 +85,11 @@ PaperCounts PaperTable::counts() const {
 std::string PaperTable::banner() const {
   const PaperCounts n = counts();
   return fmt::format(
-      "Of {} published numbers and claims, each taken by the method that comes "
-      "nearest: reproduced {}, inconclusive because our own interval is wide "
-      "{}, missed by the distance stated {}, not reproducible for the reason "
-      "stated {}, set by the case or fitted to it {}, without a number of ours "
-      "{}.",
+      "Of {} published numbers and claims, each compared with the method that "
+      "comes nearest: reproduced {}, inconclusive because our own interval is "
+      "too wide {}, different by the amount stated {}, not reproducible for "
+      "the reason stated {}, set by the case or fitted to it {}, without a "
+      "computed value {}.",
       n.numbers, n.reproduced, n.inconclusive, n.differs, n.not_reproducible,
       n.input, n.missing);
 }

@@ -77,11 +77,12 @@ std::vector<std::string> theory_disagreements(const ReportEntry& entry) {
                                      scale));
     const double apart = value_of(summary, "gap_deviation");
     if (apart > largest_gap_difference)
-      sentences.push_back(fmt::format(
-          "The theory does not describe the separation on this surface: that "
-          "of {} is up to {:.2g} h_rms from the theory's at the same load "
-          "(where 0.3 < u/h_rms < 1.5; more than {:g} is said here).",
-          method.name, apart, largest_gap_difference));
+      sentences.push_back(
+          fmt::format("The theory does not describe the separation on this "
+                      "surface: that of {} is up to {:.2g} h_rms from the "
+                      "theory's at the same load (where 0.3 < u/h_rms < 1.5; "
+                      "differences above {:g} are reported here).",
+                      method.name, apart, largest_gap_difference));
   }
   return sentences;
 }

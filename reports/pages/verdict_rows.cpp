@@ -23,8 +23,8 @@ std::string with_typographic_signs(std::string band) {
 }
 
 std::string undecided_words(const Verdict& verdict) {
-  return fmt::format("the interval reaches over an end of the band; the case "
-                     "takes that as {}. {}",
+  return fmt::format("the interval crosses a limit of the band; the case "
+                     "counts this as {}. {}",
                      verdict.passes_if_undecided ? "passed" : "not passed",
                      verdict.estimate.remark);
 }
@@ -76,7 +76,7 @@ std::string banner_words(const Summary& summary) {
       : all == 1  ? std::string("The one expectation is met.")
                   : fmt::format("All {} expectations are met.", all);
   if (passed > met)
-    words += fmt::format(" {} {} undecided, which the case lets pass.",
+    words += fmt::format(" {} {} undecided, which the case counts as passed.",
                          passed - met, passed - met == 1 ? "is" : "are");
   return words;
 }

@@ -10,14 +10,14 @@ using cases::SurfaceKind;
 std::string surface_words(const cases::SurfaceSpec& surface) {
   switch (surface.kind) {
   case SurfaceKind::self_affine:
-    return fmt::format(
-        "self-affine surface, H = {:.3g}, roll-off at {:.3g} µm, waves of "
-        "{:.3g} to {:.3g} µm",
-        surface.hurst, 6.283185307179586e6 / surface.wavevector_roll_off,
-        6.283185307179586e6 / surface.wavevector_high,
-        6.283185307179586e6 / surface.wavevector_low);
+    return fmt::format("self-affine surface, H = {:.3g}, roll-off at {:.3g} "
+                       "µm, wavelengths from {:.3g} to {:.3g} µm",
+                       surface.hurst,
+                       6.283185307179586e6 / surface.wavevector_roll_off,
+                       6.283185307179586e6 / surface.wavevector_high,
+                       6.283185307179586e6 / surface.wavevector_low);
   case SurfaceKind::spectrum:
-    return "surface of a tabulated spectrum";
+    return "surface with a tabulated spectrum";
   case SurfaceKind::measured:
     return "measured surface";
   case SurfaceKind::sphere:
@@ -70,13 +70,13 @@ std::string load_words(const results::Result& result) {
 } // namespace
 
 std::string case_sentence(const ReportEntry& entry) {
-  return fmt::format("An elastic block, E* = {:.4g} GPa, pressed on a rigid {}"
-                     "{}{}.",
-                     entry.result->contact_modulus * 1e-9,
-                     entry.result->case_text.empty()
-                         ? "surface"
-                         : surface_words(entry.contact_case->surface),
-                     grid_words(*entry.result), load_words(*entry.result));
+  return fmt::format(
+      "An elastic block, E* = {:.4g} GPa, pressed against a rigid {}{}{}.",
+      entry.result->contact_modulus * 1e-9,
+      entry.result->case_text.empty()
+          ? "surface"
+          : surface_words(entry.contact_case->surface),
+      grid_words(*entry.result), load_words(*entry.result));
 }
 
 } // namespace asperity::reports

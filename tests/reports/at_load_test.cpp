@@ -91,9 +91,9 @@ TEST_F(AtLoad, SaysWhyThereIsNoNumber) {
   const Estimate beyond = at("area_fraction@p=0.2 E*", 1);
   EXPECT_FALSE(beyond.has_value());
   EXPECT_EQ(beyond.remark,
-            "no area_fraction at p/E* = 0.2 in the loading rows");
+            "no area_fraction at p/E* = 0.2 on the loading path");
   EXPECT_EQ(at("area_fraction_moment@p=1 MPa", 1).remark,
-            "no area_fraction_moment at p/E* = 0.0005 in the loading rows");
+            "no area_fraction_moment at p/E* = 0.0005 on the loading path");
 }
 
 // Claim: an expectation at a load is judged like any other.

@@ -30,7 +30,7 @@ TEST_F(BlockCost, StandsOnThePageOfAWholeBlock) {
 
   const std::string html = text_of(folder / "report.html");
 
-  EXPECT_NE(html.find("What the whole block cost"), std::string::npos);
+  EXPECT_NE(html.find("Cost of the full 3-D model"), std::string::npos);
   for (const char* number : {">197568<", ">250 MB<", ">26<", ">3<"})
     EXPECT_NE(html.find(number), std::string::npos) << number;
 }
@@ -38,7 +38,7 @@ TEST_F(BlockCost, StandsOnThePageOfAWholeBlock) {
 /// The cells of the table's row of that name.
 std::vector<std::string> row_of(const std::string& html,
                                 const std::string& name) {
-  std::size_t place = html.find("What the whole block cost");
+  std::size_t place = html.find("Cost of the full 3-D model");
   place = html.find("<tr><td>" + name + "</td>", place);
   const std::size_t end = html.find("</tr>", place);
   std::vector<std::string> cells;
@@ -80,7 +80,7 @@ TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
   for (const char* name : {"fem", "halfspace"}) {
     const std::vector<std::string> row = row_of(html, name);
     ASSERT_EQ(row.size(), expected.size()) << name;
-    EXPECT_EQ(row[1], "face alone");
+    EXPECT_EQ(row[1], "contact surface only");
     EXPECT_EQ(row[4], "–");
   }
 }
@@ -88,7 +88,7 @@ TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
 TEST_F(BlockCost, IsNotThereWithoutOne) {
   write(synthetic::rough_result(rough, 1));
 
-  EXPECT_EQ(text_of(folder / "report.html").find("What the whole block cost"),
+  EXPECT_EQ(text_of(folder / "report.html").find("Cost of the full 3-D model"),
             std::string::npos);
 }
 

@@ -77,7 +77,7 @@ TEST_F(Claims, FindNoPartingWhereThereIsNone) {
   EXPECT_NEAR(of("fem", "pressure_offset").value, std::log(0.7), 1e-12);
   EXPECT_FALSE(of("fem", "departure_high").has_value());
   EXPECT_EQ(of("fem", "departure_low").remark,
-            "together as far as the rows go, or not at h_rms");
+            "no departure within the load range, or no agreement at u = h_rms");
 }
 
 // Claim: at the lightest load the shortfall is what was taken off the gap.

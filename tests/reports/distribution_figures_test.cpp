@@ -118,7 +118,7 @@ TEST_F(Distributions, OfGapsAreOfWhatIsApart) {
   const std::vector<Figure> figures = gap_distribution_figures(made);
 
   ASSERT_EQ(figures.size(), 1U);
-  EXPECT_NE(figures[0].script.find("40 % closed"), std::string::npos);
+  EXPECT_NE(figures[0].script.find("40 % in contact"), std::string::npos);
   for (const auto& [name, rows] : curves_of(figures[0]))
     for (const auto& row : rows)
       if (row[1] > 1.1) {
@@ -164,7 +164,7 @@ TEST_F(Distributions, OfAreasStandAgainstTheTheory) {
   const auto figure = area_theory_figure(series_of(std::span(&made, 1)));
 
   ASSERT_TRUE(figure.has_value());
-  EXPECT_NE(figure->caption.find("fem counted +25 %, by (21) +50 %"),
+  EXPECT_NE(figure->caption.find("fem counted +25 %, by Eq. (21) +50 %"),
             std::string::npos);
   const auto curves = curves_of(*figure);
   ASSERT_EQ(curves.size(), 1U);

@@ -152,8 +152,8 @@ TEST(FitSlope, SaysWhyThereIsNoFit) {
     staircase.push_back(row(std::exp(-8.0 + i), 1.9 - 0.3 * (i + i % 2)));
 
   EXPECT_EQ(fit_slope(short_curve, scales).reason,
-            "fewer than 4 rows below u = 2 h_rms");
-  EXPECT_NE(fit_slope(staircase, scales).reason.find("no straight stretch"),
+            "fewer than 4 load steps below u = 2 h_rms");
+  EXPECT_NE(fit_slope(staircase, scales).reason.find("no linear range"),
             std::string::npos);
   EXPECT_TRUE(std::isnan(fit_slope(staircase, scales).gamma_slope.value));
 }
@@ -214,7 +214,7 @@ TEST(FitParameter, SaysWhyThereIsNoFit) {
   const std::vector<CurvePoint> points = exponential(2e-3, 0.1, 3);
 
   EXPECT_EQ(fit_parameter({points.data(), 2}, scales, theory).reason,
-            "fewer than 3 rows with 0 < u <= 2 h_rms");
+            "fewer than 3 load steps with 0 < u <= 2 h_rms");
   EXPECT_EQ(fit_parameter(points, scales, theory).reason, "");
   EXPECT_NE(fit_parameter(points, scales, blind).reason, "");
   EXPECT_TRUE(
@@ -234,8 +234,9 @@ TEST(FitArea, LeavesOutAnAreaOfZero) {
 
   EXPECT_NEAR(fit_area(points, scales).kappa.value, 2.2, 1e-12);
   points.resize(3);
-  EXPECT_EQ(fit_area(points, scales).kappa.reason,
-            "fewer than 3 rows whose area is known and grows with the load");
+  EXPECT_EQ(
+      fit_area(points, scales).kappa.reason,
+      "fewer than 3 load steps whose area is known and grows with the load");
 }
 
 // Claim: for Persson's own area, erf(sqrt2 x), the limit is sqrt(8/pi), to the

@@ -46,7 +46,8 @@ TEST(Judgement, RoundsTheDistanceUp) {
 TEST(Judgement, IsInconclusiveWithinAWideInterval) {
   EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
   EXPECT_EQ(words(printed, ours(0.5, 0.081)),
-            "inconclusive: our interval, +- 0.081, would agree with much else");
+            "inconclusive: our interval, +- 0.081, is so wide that many other "
+            "values would agree");
   EXPECT_EQ(judge_published(printed, ours(0.4, 0.3)).reproduction,
             Reproduction::inconclusive);
   EXPECT_EQ(judge_published(printed, ours(0.9, 0.3)).reproduction,

@@ -66,7 +66,7 @@ TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
   EXPECT_NE(strength.data.find("\"halfspace\",2,-2,0.375,4,0.5\n"),
             std::string::npos)
       << strength.data;
-  EXPECT_NE(strength.caption.find("whole block"), std::string::npos);
+  EXPECT_NE(strength.caption.find("full 3-D model"), std::string::npos);
 }
 
 TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
@@ -75,7 +75,7 @@ TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
   const Figure strength = figures().front();
 
   EXPECT_EQ(strength.data.find("from its pressure"), std::string::npos);
-  EXPECT_EQ(strength.caption.find("whole block"), std::string::npos);
+  EXPECT_EQ(strength.caption.find("full 3-D model"), std::string::npos);
 }
 
 // Claim: a place without stress is not the strongest, and the section says

@@ -112,8 +112,9 @@ TEST(StudyQuantities, SayWhyThereIsNone) {
 
   EXPECT_FALSE(quantities.at(load).has_value());
   EXPECT_EQ(quantities.at(load).remark,
-            "p = 2e+06 Pa is no load of [magnification]");
-  EXPECT_EQ(quantities.at(beyond).remark, "zeta = 9 lies outside the rows");
+            "p = 2e+06 Pa is not a load of [magnification]");
+  EXPECT_EQ(quantities.at(beyond).remark,
+            "zeta = 9 lies outside the computed range");
   EXPECT_EQ(quantities.at("adhesion_flip_area").remark,
             "no flip between two ratios of the study");
   results::Result bare = studied_result();

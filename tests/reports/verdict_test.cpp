@@ -83,7 +83,7 @@ TEST(Judge, PassesTheUndecidedOnlyWhereTheCaseDoes) {
   EXPECT_NE(junit_xml({&summary, 1}).find("failures=\"1\""), std::string::npos);
   EXPECT_EQ(check_line(summary.verdicts[0]),
             "undecided  fem            gamma_slope          0.44 +- 0.02 in "
-            "0.35..0.45; its interval reaches over an end: not passed");
+            "0.35..0.45; its interval crosses a limit of the band: not passed");
 
   summary.verdicts = {verdict_on(lenient, 0.44)};
   EXPECT_TRUE(summary.all_ok());
@@ -141,7 +141,8 @@ TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
   for (const Verdict& verdict : verdicts)
     EXPECT_EQ(verdict.outcome, Outcome::missing);
   EXPECT_EQ(verdicts[0].estimate.remark, "the heights are not in the result");
-  EXPECT_EQ(verdicts[1].estimate.remark, "the method does not answer this");
+  EXPECT_EQ(verdicts[1].estimate.remark,
+            "the method does not compute this quantity");
   EXPECT_EQ(verdicts[2].estimate.remark, "the method is not in the result");
 }
 

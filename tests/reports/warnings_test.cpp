@@ -107,9 +107,9 @@ TEST_F(Warnings, StandAtTheTopOfThePageAndInTheSummary) {
   write(result, "no-such-gnuplot");
 
   const std::string html = text_of(folder / "report.html");
-  const std::size_t window = html.find(
-      "The map was windowed before it was pressed: rms height 8 nm became 3 "
-      "nm.");
+  const std::size_t window =
+      html.find("The map was windowed before the contact was computed: rms "
+                "height 8 nm became 3 nm.");
   const std::size_t moments = html.find("The surface is not Gaussian");
   EXPECT_LT(window, moments);
   EXPECT_LT(moments, html.find("expectations are"));
