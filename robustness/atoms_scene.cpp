@@ -62,11 +62,14 @@ std::optional<Failure> verify_forces(const md::AtomStep& step, double asked) {
   const double mean = sum / static_cast<double>(step.pressure.size());
   // The mean of the residual is bounded by its root mean square.
   if (std::abs(mean - asked) > 2.0 * force_tolerance * asked)
-    return Failure{"balance", "the atoms do not carry the load"};
+    return Failure{"balance",
+                   "the mean pressure of the atoms differs from the load"};
   const double lowest =
       *std::min_element(step.pressure.begin(), step.pressure.end());
   if (lowest < 0.0)
-    return Failure{"pressure sign", "a repulsive atom pulls"};
+    return Failure{
+        "pressure sign",
+        "an atom with a repulsive interaction carries a tensile force"};
   return {};
 }
 

@@ -131,9 +131,11 @@ void compare(const Scene& scene, const Pass& first, const Pass& second,
     }
   }
   if (scene.twin == Twin::binary_units && !report.has_same_bits)
-    fail(report, {"twin", "other bits in units larger by powers of two"});
+    fail(
+        report,
+        {"twin", "the bits differ when the units are scaled by powers of two"});
   if (scene.twin == Twin::threads && !report.has_same_bits)
-    fail(report, {"twin", "other bits on several threads"});
+    fail(report, {"twin", "the bits differ on several threads"});
 }
 
 void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
@@ -152,7 +154,7 @@ void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
   const Pass second =
       run_pass(twin, scene.twin == Twin::threads ? scene.threads : 1, report);
   if (second.solutions.empty()) {
-    report.reason = "the twin: " + report.reason;
+    report.reason = "second run of the pair: " + report.reason;
     return;
   }
   compare(scene, first, second, length_ratio, pressure_ratio, report);

@@ -43,7 +43,8 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   const Displace displace = [&](auto pressure, auto displacement) {
     const std::vector<double> answer = block->displacement(pressure);
     if (answer.size() != displacement.size())
-      throw std::runtime_error("the block's linear solver gave up");
+      throw std::runtime_error(
+          "the linear solver of the block did not converge");
     std::copy(answer.begin(), answer.end(), displacement.begin());
   };
   const ComplianceRange range = compliance_range(grid, displace);

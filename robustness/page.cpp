@@ -141,7 +141,8 @@ std::string outcome_table(const Matrix& matrix) {
 
 std::string scene_list(const std::vector<SceneResult>& results,
                        const RunWords& run) {
-  std::string html = "<table><tr><th>scene</th><th>how it ended</th></tr>\n";
+  std::string html =
+      "<table><tr><th>problem instance</th><th>outcome</th></tr>\n";
   for (const auto& [scene, report] : results)
     html += fmt::format(
         "<tr><td><code>{} --scene {}</code></td><td><b>{}{}</b> {} "
@@ -154,9 +155,9 @@ std::string scene_list(const std::vector<SceneResult>& results,
 
 std::string twin_table(const Matrix& matrix) {
   std::string html =
-      "<table><tr><th>run again with</th><th class=\"n\">pairs</th><th "
-      "class=\"n\">same bits</th><th class=\"n\">largest difference of mean "
-      "gaps, over the tolerance</th></tr>\n";
+      "<table><tr><th>metamorphic relation</th><th class=\"n\">pairs</th><th "
+      "class=\"n\">same bits</th><th class=\"n\">largest difference of the "
+      "mean gaps, in units of the tolerance</th></tr>\n";
   for (const auto& [twin, counts] : matrix.twins())
     html += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td "
                         "class=\"n\">{}</td><td class=\"n\">{:.3g}</td></tr>\n",
@@ -166,9 +167,10 @@ std::string twin_table(const Matrix& matrix) {
 }
 
 std::string locking_html(const std::vector<LockingRow>& locking) {
-  std::string html = "<table><tr><th class=\"n\">thickness [lengths]</th><th "
-                     "class=\"n\">nodes a wave</th><th class=\"n\">nu</th><th "
-                     "class=\"n\">Q1</th><th class=\"n\">Q2</th></tr>\n";
+  std::string html =
+      "<table><tr><th class=\"n\">thickness [lengths]</th><th "
+      "class=\"n\">nodes per wavelength</th><th class=\"n\">nu</th><th "
+      "class=\"n\">Q1</th><th class=\"n\">Q2</th></tr>\n";
   for (const LockingRow& row : locking)
     html +=
         fmt::format("<tr><td class=\"n\">{:g}</td><td class=\"n\">{}</td><td "
@@ -182,8 +184,8 @@ std::string locking_html(const std::vector<LockingRow>& locking) {
 std::string verdict(const Matrix& matrix) {
   const Counts& total = matrix.total();
   return fmt::format(
-      "<p class=\"banner{}\">{} scenes: {} converged and verified, {} refused "
-      "with a reason, {} anything else.</p>\n",
+      "<p class=\"banner{}\">{} problem instances: {} converged and verified, "
+      "{} refused with a reason, {} with any other outcome.</p>\n",
       total.others() > 0 ? " bad" : "", total.all(),
       total.of(Outcome::verified), total.of(Outcome::refused), total.others());
 }
@@ -195,29 +197,32 @@ std::string page_of(const Matrix& matrix, const RunWords& run,
   std::string html = head;
   html += "<h1>Numerical stability</h1>\n" + verdict(matrix);
   html += fmt::format(
-      "<p class=\"soft\"><code>{}</code>, commit {}, {}; {:.0f} s, {:.0f} s of "
-      "CPU time in scenes. Of the refused, {} are sound but for a wave shorter "
-      "than their grid carries; all others have a flaw put into them.</p>\n",
+      "<p class=\"soft\"><code>{}</code>, commit {}, {}; {:.0f} s of wall "
+      "time, {:.0f} s of CPU time in problem instances. Of the refused "
+      "instances, {} are valid but for a wave that is shorter than their grid "
+      "resolves; all others contain a deliberate flaw.</p>\n",
       escaped(run.rerun), escaped(run.commit), escaped(run.machine),
       run.wall_seconds, matrix.seconds(), matrix.sound_but_refused());
-  html += "<h2>How scenes ended</h2>\n" + outcome_table(matrix);
+  html += "<h2>Outcomes</h2>\n" + outcome_table(matrix);
   html += "<h2>Neither verified nor refused</h2>\n";
   html += matrix.others().empty() ? "<p>None.</p>\n"
                                   : scene_list(matrix.others(), run);
-  html += "<h2>The matrix</h2>\n<p>Every two values of axes that met in a "
-          "scene; on the diagonal each value alone. Green: all verified or "
-          "refused, darker with more scenes. Grey: all refused. Red: some were "
-          "neither. Numbers show under the pointer.</p>\n" +
-          heat_map(matrix);
-  html += "<h2>The same scene twice</h2>\n<p>Units of length and pressure "
-          "times powers of two must give the same bits; times powers of ten, "
-          "and with transforms on three threads, the same answer to the "
-          "solver's tolerance.</p>\n" +
-          twin_table(matrix);
   html +=
-      "<h2>Locking</h2>\n<p>Compliance of a wave on the finite-element "
-      "block, relative to the exact slab's: below zero is too stiff.</p>\n" +
-      locking_html(locking);
+      "<h2>The matrix</h2>\n<p>Each cell stands for two axis values that occur "
+      "in the same problem instance, the diagonal for a single value. Green: "
+      "all verified or refused, darker with more instances. Grey: all refused. "
+      "Red: some were neither. The counts are shown as tooltips.</p>\n" +
+      heat_map(matrix);
+  html +=
+      "<h2>Metamorphic pairs</h2>\n<p>Units of length and pressure that are "
+      "scaled by powers of two, and transforms on several threads, must give "
+      "the same bits; units that are scaled by powers of ten must give the "
+      "same solution within the tolerance of the solver.</p>\n" +
+      twin_table(matrix);
+  html += "<h2>Locking</h2>\n<p>Compliance of the finite-element block under a "
+          "sinusoidal pressure, relative to that of the exact slab: negative "
+          "values are too stiff.</p>\n" +
+          locking_html(locking);
   html += "<h2>Verified with the most iterations</h2>\n" +
           scene_list(matrix.slowest(), run);
   return html + "</body></html>\n";

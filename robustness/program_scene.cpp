@@ -26,7 +26,8 @@ public:
     std::string name =
         (fs::temp_directory_path() / "asperity-robustness-XXXXXX");
     if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("robustness: no folder for a case in " + name);
+      throw std::runtime_error(
+          "robustness: cannot create the folder of a case: " + name);
     path_ = name;
   }
 
@@ -88,22 +89,24 @@ std::optional<Failure> verify_result(const Scene& scene,
                                      const SceneReport& report) {
   if (result.status != "complete" || result.methods.size() != 1 ||
       result.methods[0].realizations.size() != 1)
-    return Failure{"program", "the result is not one complete curve"};
+    return Failure{"program",
+                   "the result does not consist of one complete curve"};
   const auto& rows = result.methods[0].realizations[0].points;
   const SceneSurface surface = surface_of(scene, grid_of(scene));
   if (rows.size() != targets_of(scene, surface.height_scale).size())
-    return Failure{"program", fmt::format("{} rows", rows.size())};
+    return Failure{"program",
+                   fmt::format("the curve has {} rows", rows.size())};
   for (const results::CurvePoint& row : rows)
     if (auto failure = verify_row(row))
       return failure;
   const double gap = rows[load_step(scene)].mean_gap / surface.height_scale;
   if (std::abs(gap - report.reduced_gap) <= 2.0 * report.reduced_tolerance)
     return {};
-  return Failure{"program",
-                 fmt::format("mean gap {:.17g} h_rms, but {:.17g} +- {:.2g} by "
-                             "the library",
-                             gap, report.reduced_gap,
-                             2.0 * report.reduced_tolerance)};
+  return Failure{
+      "program",
+      fmt::format(
+          "mean gap {:.17g} h_rms, but the library gives {:.17g} +- {:.2g}",
+          gap, report.reduced_gap, 2.0 * report.reduced_tolerance)};
 }
 
 /// Verifies that the parts of a report exist and are complete.
@@ -112,7 +115,7 @@ std::optional<Failure> verify_report(const fs::path& folder,
   if (output.find("not drawn") != std::string::npos)
     return Failure{"report", output};
   if (text_of(folder / "report.html").find("</html>") == std::string::npos)
-    return Failure{"report", "report.html is not whole"};
+    return Failure{"report", "report.html is incomplete"};
   for (const char* name : {"curves.csv", "summary.json"})
     if (text_of(folder / name).empty())
       return Failure{"report", std::string(name) + " is empty"};

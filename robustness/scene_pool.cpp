@@ -34,7 +34,8 @@ void write_all(int pipe, const std::string& text) {
   while (written < text.size()) {
     const ssize_t n = write(pipe, text.data() + written, text.size() - written);
     if (n <= 0)
-      throw std::runtime_error("the reports of the scenes cannot be written");
+      throw std::runtime_error(
+          "the reports of the problem instances cannot be written");
     written += static_cast<std::size_t>(n);
   }
 }
@@ -97,7 +98,7 @@ private:
         read_from(worker);
       else if (is_overdue(worker))
         report_and_restart(worker, Outcome::timed_out,
-                           fmt::format("longer than {:g} s of CPU time",
+                           fmt::format("more than {:g} s of CPU time",
                                        settings_.scene_seconds));
     }
   }

@@ -84,10 +84,10 @@ std::string name_of(Path path) {
 
 std::string in_words(const Scene& scene) {
   std::string words = fmt::format(
-      "seed {} scene {}: {}, {} at {}^2, length {:.17g} m, H {:.17g}, roll-off "
-      "at {:.17g} waves, shortest wave {:g} spacings, rms slope {:.17g}, E* "
-      "{:.17g} Pa, nu {:g}, thickness {:.17g} lengths on a {} top, growth "
-      "{:.17g}, ",
+      "seed {}, problem instance {}: {}, {} on {}^2 points, length {:.17g} m, "
+      "H {:.17g}, roll-off at {:.17g} waves per side, shortest wave {:g} "
+      "spacings, rms slope {:.17g}, E* {:.17g} Pa, nu {:g}, thickness {:.17g} "
+      "lengths with the far boundary {}, grading ratio {:.17g}, ",
       scene.seed, scene.index, name_of(scene.family), name_of(scene.shape),
       scene.points, scene.length, scene.hurst, scene.roll_off,
       scene.shortest_wave, scene.rms_slope, scene.contact_modulus,
@@ -95,8 +95,9 @@ std::string in_words(const Scene& scene) {
   if (scene.family == Family::full_block)
     words += fmt::format("Q{}, ", scene.degree);
   if (scene.coating_stiffness != 1.0)
-    words += fmt::format("a coating of {:.17g} thicknesses and {:.17g} E, ",
-                         scene.coating_thickness, scene.coating_stiffness);
+    words +=
+        fmt::format("a coating of {:.17g} block thicknesses and {:.17g} E, ",
+                    scene.coating_thickness, scene.coating_stiffness);
   words += name_of(scene.law);
   if (scene.law != cases::ContactLaw::hard)
     words += fmt::format(" of {:.17g} E*/h", scene.penalty);
@@ -111,8 +112,8 @@ std::string in_words(const Scene& scene) {
     words += ", flaw " + name_of(scene.flaw);
   if (scene.path != Path::library)
     words += ", path " + name_of(scene.path);
-  return words + fmt::format(", twin {}, {} threads", name_of(scene.twin),
-                             scene.threads);
+  return words + fmt::format(", metamorphic pair {}, {} threads",
+                             name_of(scene.twin), scene.threads);
 }
 
 } // namespace asperity::robustness

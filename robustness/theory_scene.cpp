@@ -40,7 +40,7 @@ std::optional<Failure> verify_values(const theory::PerssonContact& contact,
   // The stored energy is the work int p du from u on, for gamma = 0 and 1; it
   // cannot exceed that of full contact.
   if (step.energy > contact.full_contact_energy() * (1.0 + relative_accuracy))
-    return Failure{"energy", "more than full contact stores"};
+    return Failure{"energy", "the energy exceeds that of full contact"};
   return {};
 }
 
@@ -53,8 +53,10 @@ std::optional<Failure> verify_area(const theory::PerssonContact& contact,
   const double expected = std::erf(std::numbers::sqrt2 * step.nominal_pressure /
                                    (scene.contact_modulus * slope));
   if (std::abs(step.area - expected) > relative_accuracy * expected)
-    return Failure{"area", fmt::format("{:.17g}, but erf says {:.17g}",
-                                       step.area, expected)};
+    return Failure{
+        "area",
+        fmt::format("A/A_0 = {:.17g}, but the error function gives {:.17g}",
+                    step.area, expected)};
   return {};
 }
 

@@ -56,14 +56,16 @@ std::optional<Failure> verify_balance(const AskedContact& asked,
       by_pressure ? target.amount : solution.nominal_pressure;
   const double off = std::abs(mean - asked_pressure);
   if (off > asked.load_tolerance * std::abs(asked_pressure))
-    return Failure{"balance", fmt::format("mean pressure {:.17g} Pa, asked or "
-                                          "said {:.17g} Pa",
-                                          mean, asked_pressure)};
+    return Failure{
+        "balance",
+        fmt::format(
+            "mean pressure {:.17g} Pa, prescribed or reported {:.17g} Pa", mean,
+            asked_pressure)};
   const double gap_off = std::abs(solution.mean_gap - target.amount);
   const double allowed = asked.gap_tolerance + gap_rounding(asked, solution);
   if (!by_pressure && gap_off > allowed)
     return Failure{"balance",
-                   fmt::format("mean gap off by {:.3g} m, allowed {:.3g} m",
+                   fmt::format("mean gap differs by {:.3g} m, allowed {:.3g} m",
                                gap_off, allowed)};
   return {};
 }
@@ -80,8 +82,9 @@ std::optional<Failure> verify_gap_field(const AskedContact& asked,
                                  solution.gap[i]));
   const double allowed = asked.gap_tolerance + gap_rounding(asked, solution);
   if (off > allowed)
-    return Failure{"gap field", fmt::format("off by {:.3g} m, allowed {:.3g} m",
-                                            off, allowed)};
+    return Failure{
+        "gap field",
+        fmt::format("differs by {:.3g} m, allowed {:.3g} m", off, allowed)};
   return {};
 }
 
@@ -203,13 +206,13 @@ std::optional<Failure> verify_pair(const StepSummary& first,
   const double closing = a.mean_gap - b.mean_gap;
   if (closing < -tolerance)
     return Failure{"monotone gap",
-                   fmt::format("the gap opens by {:.3g} m under more load, "
-                               "allowed {:.3g} m",
+                   fmt::format("the gap increases by {:.3g} m under increasing "
+                               "load, allowed {:.3g} m",
                                -closing, tolerance)};
   if (b.area < a.area - 2.0 * a.marginal - rounding_of_a_field)
     return Failure{"monotone area",
-                   fmt::format("the area falls by {:.3g} under more load, "
-                               "allowed {:.3g}",
+                   fmt::format("the area decreases by {:.3g} under increasing "
+                               "load, allowed {:.3g}",
                                a.area - b.area, 2.0 * a.marginal)};
   const double gained = b.energy - a.energy;
   const double allowed =
@@ -218,8 +221,8 @@ std::optional<Failure> verify_pair(const StepSummary& first,
   if (gained < a.nominal_pressure * closing - allowed ||
       gained > b.nominal_pressure * closing + allowed)
     return Failure{"energy",
-                   fmt::format("U gains {:.6g} J/m^2, but p du is {:.6g} to "
-                               "{:.6g} J/m^2, allowed {:.3g} J/m^2",
+                   fmt::format("U increases by {:.6g} J/m^2, but p du is "
+                               "{:.6g} to {:.6g} J/m^2, allowed {:.3g} J/m^2",
                                gained, a.nominal_pressure * closing,
                                b.nominal_pressure * closing, allowed)};
   return {};

@@ -220,7 +220,7 @@ std::string case_text_of(const Scene& scene) {
   for (const double load : numbers.loads)
     loads.push_back(number(load));
   return fmt::format(
-      "schema = 1\ntitle = \"scene {}\"\n\n"
+      "schema = 1\ntitle = \"problem instance {}\"\n\n"
       "[surface]\nkind = \"measured\"\nfile = \"map.txt\"\n"
       "format = \"plain\"\nlevel = \"none\"\nedges = \"periodic\"\n"
       "height_unit = 1.0\nlength = {}\n\n"

@@ -32,8 +32,8 @@ const RunWords words{"asperity robustness --seed 2", "abc", "a machine", 1.0,
 TEST(Page, NamesTheSceneThatEndedOtherwise) {
   const std::string page = page_of(small_matrix(), words, {});
 
-  EXPECT_NE(page.find("50 scenes: 49 converged and verified, 0 refused with a "
-                      "reason, 1 anything else."),
+  EXPECT_NE(page.find("50 problem instances: 49 converged and verified, 0 "
+                      "refused with a reason, 1 with any other outcome."),
             std::string::npos);
   EXPECT_NE(page.find("asperity robustness --seed 2 --scene 20"),
             std::string::npos);
