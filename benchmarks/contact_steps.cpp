@@ -100,7 +100,7 @@ void run(int points, int threads, double thickness, int n_steps) {
   const Clock clock;
   scene.elasticity = std::make_unique<FourierOperator>(halfspace_operator(
       grid,
-      {1.0, 0.3, thickness > 0.0 ? thickness : infinity, FarFace::pressure},
+      {1.0, 0.3, thickness > 0.0 ? thickness : infinity, FarBoundary::pressure},
       threads));
   std::printf("%d^2, %d threads; set-up CPU %.3f s\n", points, threads,
               clock.cpu_seconds());

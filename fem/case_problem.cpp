@@ -8,7 +8,7 @@
 #include "meshes/layered_mesh.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/mesh_quality.hpp"
-#include "meshes/sound_mesh.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -51,11 +51,11 @@ LinearSolver linear_solver_of(cases::LinearSolverChoice choice) {
   return LinearSolver::automatic;
 }
 
-meshes::GmshBlock gmsh_parameters(const cases::Case& rough_case,
+meshes::GmshBlock gmsh_parameters(const cases::Case& contact_case,
                                   const cases::FemSettings& settings,
                                   const Grid& grid,
                                   const cases::Scales& scales) {
-  const cases::MeshSpec& spec = rough_case.mesh;
+  const cases::MeshSpec& spec = contact_case.mesh;
   meshes::GmshBlock block;
   block.geometry = spec.geometry;
   block.cells = spec.cells;
@@ -67,18 +67,18 @@ meshes::GmshBlock gmsh_parameters(const cases::Case& rough_case,
   block.is_periodic = settings.sides == cases::BlockSides::periodic;
   block.fine_radius = spec.fine_radius.in_si(scales);
   if (spec.geometry == cases::MeshGeometry::layered)
-    block.interfaces = interfaces_of(rough_case.material.layers, scales);
-  if (const auto& inclusion = rough_case.material.inclusion) {
+    block.interfaces = interfaces_of(contact_case.material.layers, scales);
+  if (const auto& inclusion = contact_case.material.inclusion) {
     block.inclusion_radius = inclusion->radius.in_si(scales);
     block.inclusion_depth = inclusion->depth.in_si(scales);
   }
   return block;
 }
 
-meshes::BlockMesh mesh_of(const cases::Case& rough_case,
+meshes::BlockMesh mesh_of(const cases::Case& contact_case,
                           const cases::FemSettings& settings, const Grid& grid,
                           const cases::Scales& scales) {
-  const cases::MeshSpec& spec = rough_case.mesh;
+  const cases::MeshSpec& spec = contact_case.mesh;
   if (spec.kind == cases::MeshKind::hanging)
     return meshes::hanging_mesh(cells_of(grid, degree_of(settings)),
                                 settings.depth.in_si(scales),
@@ -86,7 +86,7 @@ meshes::BlockMesh mesh_of(const cases::Case& rough_case,
   if (spec.geometry == cases::MeshGeometry::file)
     return meshes::read_mesh_file(spec.file, spec.file_unit, settings.sides);
   return meshes::gmsh_block(
-      gmsh_parameters(rough_case, settings, grid, scales));
+      gmsh_parameters(contact_case, settings, grid, scales));
 }
 
 std::vector<double> thicknesses_of(const LayeredBlock& block) {
@@ -128,28 +128,28 @@ LayeredBlock layered_block(const cases::FemSettings& settings,
 
 BlockProblem problem_of_case(const FullRequest& request,
                              std::optional<meshes::BlockMesh> mesh) {
-  const cases::Case rough_case =
+  const cases::Case contact_case =
       cases::read_case_text(request.case_text, request.case_path);
-  const auto method = std::ranges::find(rough_case.methods, request.method,
+  const auto method = std::ranges::find(contact_case.methods, request.method,
                                         &cases::MethodSpec::name);
-  if (method == rough_case.methods.end())
+  if (method == contact_case.methods.end())
     throw std::domain_error("the case has no method " + request.method);
   const auto& settings = std::get<cases::FemSettings>(method->settings);
   const Grid& grid = request.grid;
   const cases::BodyModuli own =
-      own_moduli(rough_case.material, settings.bodies);
+      own_moduli(contact_case.material, settings.bodies);
   const bool is_layered = !settings.uses_case_mesh ||
-                          rough_case.mesh.kind == cases::MeshKind::layers;
+                          contact_case.mesh.kind == cases::MeshKind::layers;
 
   // The moduli are computed before the aggregate that they are moved into: if
   // the initialiser of a later member throws, GCC 12 destroys earlier members
   // that were never constructed.
-  ModuliField moduli = moduli_field(rough_case.material, request.scales, own,
+  ModuliField moduli = moduli_field(contact_case.material, request.scales, own,
                                     grid, settings.depth.in_si(request.scales));
   BlockProblem problem{grid, {}, degree_of(settings), std::move(moduli)};
   if (is_layered) {
     const LayeredBlock layers = layered_block(
-        settings, rough_case.material.layers, own, grid, request.scales);
+        settings, contact_case.material.layers, own, grid, request.scales);
     if (!mesh)
       mesh = meshes::layered_mesh(cells_of(grid, problem.degree),
                                   thicknesses_of(layers));
@@ -157,16 +157,16 @@ BlockProblem problem_of_case(const FullRequest& request,
       problem.lattice = layers;
   }
   if (!mesh)
-    mesh = mesh_of(rough_case, settings, grid, request.scales);
+    mesh = mesh_of(contact_case, settings, grid, request.scales);
   problem.mesh = std::move(*mesh);
-  meshes::require_sound(problem.mesh, settings.sides);
+  meshes::require_valid_mesh(problem.mesh, settings.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
   problem.top = settings.top;
   problem.sides = settings.sides;
   problem.contact_at = settings.contact_at;
   problem.linear_solver = linear_solver_of(settings.linear_solver);
   if (settings.bodies == 2)
-    problem.counter = rough_case.material.counter;
+    problem.counter = contact_case.material.counter;
   return problem;
 }
 

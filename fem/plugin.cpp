@@ -1,7 +1,7 @@
 #include "fem/plugin.hpp"
 
 #include "contact/operators/fourier_operator.hpp"
-#include "fem/led_blocks.hpp"
+#include "fem/block_proxy.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
@@ -59,7 +59,7 @@ std::unique_ptr<FullBlock> make_block(const BlockProblem& problem) {
   return make_full_block(problem);
 }
 
-class DealiiRoom final : public FemRoom {
+class DealiiModule final : public FemModule {
 public:
   std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const override {
@@ -74,7 +74,7 @@ public:
   }
 
   std::unique_ptr<FullBlock> full(const FullRequest& request) const override {
-    return lead_full_block(request, make_block);
+    return make_distributed_block(request, make_block);
   }
 
   std::unique_ptr<FullBlock>
@@ -87,7 +87,7 @@ public:
       end_followers_at_exit();
       return false;
     }
-    follow_rank_0(make_block);
+    serve_rank_0(make_block);
     return true;
   }
 
@@ -103,7 +103,7 @@ public:
 } // namespace asperity::fem
 
 /// The only symbol that the plugin exports.
-extern "C" const asperity::fem::FemRoom* asperity_fem_room() {
-  static const asperity::fem::DealiiRoom room;
+extern "C" const asperity::fem::FemModule* asperity_fem_room() {
+  static const asperity::fem::DealiiModule room;
   return &room;
 }

@@ -43,9 +43,9 @@ struct BlockRequest {
 /// The services of the finite-element module. Each call throws
 /// std::domain_error with a description if a block cannot be built (for example
 /// if layers do not fit, or for an odd grid with Q2).
-class FemRoom {
+class FemModule {
 public:
-  virtual ~FemRoom() = default;
+  virtual ~FemModule() = default;
 
   /// The condensed method: settings.solver is automatic or condensed. The
   /// compliance blocks of Q2 cost more to build than to read, so they are
@@ -88,6 +88,6 @@ BlockContact block_contact(const cases::ContactSettings& settings,
 /// to it (an installation).
 /// @throws std::runtime_error  no plugin could be loaded; the message lists the
 ///                             places searched and the loader's errors
-const FemRoom& load_fem_room();
+const FemModule& load_fem_module();
 
 } // namespace asperity::fem

@@ -7,10 +7,10 @@
 namespace asperity::fem {
 namespace {
 
-using RoomEntry = const FemRoom* (*)();
+using RoomEntry = const FemModule* (*)();
 
 /// The plugin is never closed, because its libraries do not support unloading.
-const FemRoom* open_room() {
+const FemModule* open_room() {
   const std::filesystem::path here =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   std::string looked;
@@ -41,8 +41,8 @@ BlockContact block_contact(const cases::ContactSettings& settings,
           settings.max_iterations};
 }
 
-const FemRoom& load_fem_room() {
-  static const FemRoom& room = *open_room();
+const FemModule& load_fem_module() {
+  static const FemModule& room = *open_room();
   return room;
 }
 

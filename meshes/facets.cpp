@@ -37,7 +37,7 @@ std::vector<KeyedFacet> all_facets(const BlockMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (const Corners& corners : of_a_cell) {
       Facet facet{{}, cell};
-      for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
         facet.vertices[i] = mesh.cells[cell][corners[i]];
       facets.push_back({facet_key(mesh.shape, facet.vertices), facet});
     }
@@ -56,11 +56,11 @@ Place mean_place(const BlockMesh& mesh, const Vertices& vertices,
 
 } // namespace
 
-std::size_t vertices_a_facet(CellShape shape) {
+std::size_t vertices_per_facet(CellShape shape) {
   return shape == CellShape::hexahedron ? 4 : 3;
 }
 
-std::size_t vertices_a_cell(CellShape shape) {
+std::size_t vertices_per_cell(CellShape shape) {
   return shape == CellShape::hexahedron ? 8 : 4;
 }
 
@@ -68,7 +68,7 @@ std::array<unsigned int, 4> facet_key(CellShape shape,
                                       std::array<unsigned int, 4> vertices) {
   // The unused fourth entry of a triangle is sorted to the end and then set to
   // zero.
-  const bool is_triangle = vertices_a_facet(shape) == 3;
+  const bool is_triangle = vertices_per_facet(shape) == 3;
   if (is_triangle)
     vertices.back() = std::numeric_limits<unsigned int>::max();
   std::sort(vertices.begin(), vertices.end());
@@ -105,17 +105,17 @@ std::vector<Facet> boundary_facets(const BlockMesh& mesh) {
 }
 
 Place centre_of_cell(const BlockMesh& mesh, std::size_t cell) {
-  return mean_place(mesh, mesh.cells[cell], vertices_a_cell(mesh.shape));
+  return mean_place(mesh, mesh.cells[cell], vertices_per_cell(mesh.shape));
 }
 
 Place centre_of_facet(const BlockMesh& mesh,
                       const std::array<unsigned int, 4>& vertices) {
-  return mean_place(mesh, vertices, vertices_a_facet(mesh.shape));
+  return mean_place(mesh, vertices, vertices_per_facet(mesh.shape));
 }
 
 bool lies_on_plane(const BlockMesh& mesh, const Facet& facet,
                    std::size_t direction, double coordinate, double tolerance) {
-  for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+  for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
     if (!(std::abs(mesh.vertices[facet.vertices[i]][direction] - coordinate) <=
           tolerance))
       return false;

@@ -19,10 +19,10 @@ struct Facet {
 };
 
 /// Number of vertices of a facet: 3 for a tetrahedron, 4 for a hexahedron.
-std::size_t vertices_a_facet(CellShape shape);
+std::size_t vertices_per_facet(CellShape shape);
 
 /// Number of vertices of a cell: 4 for a tetrahedron, 8 for a hexahedron.
-std::size_t vertices_a_cell(CellShape shape);
+std::size_t vertices_per_cell(CellShape shape);
 
 /// A key that is equal for every order of the same vertices.
 std::array<unsigned int, 4> facet_key(CellShape shape,

@@ -5,7 +5,7 @@
 #include "meshes/gmsh_cells.hpp"
 #include "meshes/gmsh_geometries.hpp"
 #include "meshes/gmsh_session.hpp"
-#include "meshes/sound_mesh.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -149,8 +149,8 @@ BlockMesh gmsh_block(const GmshBlock& block) {
   scale(mesh, block, unit);
   for (const Facet& facet : boundary_facets(mesh))
     mesh.faces.push_back({facet.vertices, side_of(mesh, facet)});
-  require_sound(mesh, block.is_periodic ? cases::BlockSides::periodic
-                                        : cases::BlockSides::free);
+  require_valid_mesh(mesh, block.is_periodic ? cases::BlockSides::periodic
+                                             : cases::BlockSides::free);
   return mesh;
 }
 

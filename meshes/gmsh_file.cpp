@@ -5,7 +5,7 @@
 #include "meshes/gmsh_cells.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/matching_sides.hpp"
-#include "meshes/sound_mesh.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -68,7 +68,7 @@ void add_surface(FileMesh& file, int surface, const GroupName& of) {
   std::vector<std::vector<std::size_t>> nodes;
   gmsh::model::mesh::getElements(types, numbers, nodes, 2, surface);
   const CellShape shape = file.cells.mesh.shape;
-  const std::size_t n_corners = vertices_a_facet(shape);
+  const std::size_t n_corners = vertices_per_facet(shape);
   for (std::size_t kind = 0; kind < types.size(); ++kind)
     for (std::size_t i = 0; i < numbers[kind].size(); ++i) {
       FacetKey facet{};
@@ -146,7 +146,7 @@ Bounds bounds_of_contact(const FileMesh& file) {
   const BlockMesh& mesh = file.cells.mesh;
   for (const auto& [key, group] : file.groups)
     if (group == FaceGroup::contact)
-      for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
         widen(bounds, mesh.vertices[key[i]]);
   return bounds;
 }
@@ -246,7 +246,7 @@ BlockMesh gmsh_file(const std::string& path, double unit,
     require_named_on_boundary(mesh, file.groups);
     if (sides == cases::BlockSides::periodic)
       align_sides(mesh);
-    require_sound(mesh, sides);
+    require_valid_mesh(mesh, sides);
     return mesh;
   } catch (const std::domain_error& error) {
     throw std::domain_error(path + ": " + error.what());

@@ -34,7 +34,7 @@ VertexByPlace vertices_of(const BlockMesh& mesh, const Pair& pair,
   std::set<unsigned int> vertices;
   for (const BoundaryFace& face : mesh.faces)
     if (face.group == side.group)
-      for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
         vertices.insert(face.vertices[i]);
   if (vertices.empty())
     throw std::domain_error(fmt::format(
@@ -102,7 +102,7 @@ void require_match(const BlockMesh& mesh, const Pair& pair) {
     if (face.group != pair.from.group)
       continue;
     auto moved = face.vertices;
-    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+    for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
       moved[i] = partner_of.at(face.vertices[i]);
     if (!faces.contains(facet_key(mesh.shape, moved)))
       throw std::domain_error(fmt::format(

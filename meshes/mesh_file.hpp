@@ -48,8 +48,8 @@ struct MeshFileLimits {
 ///                            by gmsh (with its own message); a group is
 ///                            missing (with the names that exist); the contact
 ///                            surface is not flat (with the vertex);
-///                            require_sound refuses the mesh; or gmsh exceeds
-///                            a limit
+///                            require_valid_mesh refuses the mesh; or gmsh
+///                            exceeds a limit
 /// @throws std::runtime_error  asperity_mesh does not exist or cannot be
 ///                             started
 BlockMesh read_mesh_file(const std::string& path, double unit,

@@ -99,7 +99,7 @@ void measure_cells(MeshQuality& quality, const BlockMesh& mesh) {
       widen(quality.edges, mesh, mesh.cells[cell], hexahedron_edges);
     else
       widen(quality.edges, mesh, mesh.cells[cell], tetrahedron_edges);
-    ++quality.cells_a_group[static_cast<std::size_t>(mesh.cell_group[cell])];
+    ++quality.cells_per_group[static_cast<std::size_t>(mesh.cell_group[cell])];
   }
   quality.worst_place = centre_of_cell(mesh, quality.worst_cell);
 }
@@ -136,7 +136,7 @@ MeshQuality mesh_quality(const BlockMesh& mesh) {
                       .edges = nothing,
                       .contact_edges = nothing,
                       .group_names = mesh.group_names,
-                      .cells_a_group =
+                      .cells_per_group =
                           std::vector<std::size_t>(mesh.group_names.size())};
   measure_cells(quality, mesh);
   measure_contact_faces(quality, mesh);
@@ -148,9 +148,10 @@ std::string quality_text(const MeshQuality& quality) {
   std::string groups;
   if (quality.group_names.size() > 1)
     for (std::size_t i = 0; i < quality.group_names.size(); ++i)
-      groups += fmt::format("{}{} {}", i == 0 ? " (" : ", ",
-                            quality.group_names[i], quality.cells_a_group[i]) +
-                (i + 1 == quality.group_names.size() ? ")" : "");
+      groups +=
+          fmt::format("{}{} {}", i == 0 ? " (" : ", ", quality.group_names[i],
+                      quality.cells_per_group[i]) +
+          (i + 1 == quality.group_names.size() ? ")" : "");
   return fmt::format(
       "{} {}{}, {} vertices, {} contact faces\n"
       "edges {:.4g} to {:.4g} m, at the contact surface {:.4g} to {:.4g} m\n"

@@ -30,7 +30,7 @@ struct MeshQuality {
   std::size_t worst_cell = 0;      ///< its number after refinement
   Place worst_place{};             ///< mean of its vertices [m]
   std::vector<std::string> group_names;
-  std::vector<std::size_t> cells_a_group;
+  std::vector<std::size_t> cells_per_group;
 };
 
 /// Shape quality of a cell: 1 for a cube or a regular tetrahedron, 0 for a flat

@@ -68,19 +68,19 @@ void take_method(const cases::MdSettings& /*atoms*/,
 
 } // namespace
 
-Scene scene_of_case(const cases::Case& rough_case) {
+Scene scene_of_case(const cases::Case& contact_case) {
   Scene scene;
-  take_surface(rough_case.surface, scene);
-  scene.contact_modulus = rough_case.material.contact_modulus;
-  scene.poisson_ratio = rough_case.material.poisson_ratio.value_or(0.3);
-  const int points = rough_case.surface.points.value_or(scene.points);
+  take_surface(contact_case.surface, scene);
+  scene.contact_modulus = contact_case.material.contact_modulus;
+  scene.poisson_ratio = contact_case.material.poisson_ratio.value_or(0.3);
+  const int points = contact_case.surface.points.value_or(scene.points);
   const cases::Scales scales{scene.contact_modulus, scene.length,
                              scene.length / points,
                              scene.rms_slope * scene.length / points};
   // From last to first, so that the settings of the first method take
   // precedence.
-  for (auto method = rough_case.methods.rbegin();
-       method != rough_case.methods.rend(); ++method)
+  for (auto method = contact_case.methods.rbegin();
+       method != contact_case.methods.rend(); ++method)
     std::visit(
         [&](const auto& settings) { take_method(settings, scales, scene); },
         method->settings);

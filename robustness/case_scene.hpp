@@ -15,6 +15,6 @@ namespace asperity::robustness {
 /// is represented by its statistics: by its slope, and by waves down to eight
 /// node spacings.
 /// @throws cases::CaseError  the surface cannot be built
-Scene scene_of_case(const cases::Case& rough_case);
+Scene scene_of_case(const cases::Case& contact_case);
 
 } // namespace asperity::robustness

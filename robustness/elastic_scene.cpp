@@ -27,16 +27,16 @@ struct Pass {
   std::vector<StepSummary> summaries;
 };
 
-contact::FarFace far_face_of(cases::TopFace top) {
+contact::FarBoundary far_face_of(cases::TopFace top) {
   switch (top) {
   case cases::TopFace::sliding:
-    return contact::FarFace::sliding;
+    return contact::FarBoundary::sliding;
   case cases::TopFace::pressure:
-    return contact::FarFace::pressure;
+    return contact::FarBoundary::pressure;
   case cases::TopFace::clamped:
     break;
   }
-  return contact::FarFace::clamped;
+  return contact::FarBoundary::clamped;
 }
 
 contact::Interface interface_of(const Scene& scene, const Grid& grid) {
@@ -171,7 +171,7 @@ fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
   request.settings.surface_cell_depth =
       std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
   request.settings.growth = scene.growth;
-  request.settings.depth = {scene.thickness, cases::Yardstick::length};
+  request.settings.depth = {scene.thickness, cases::ReferenceUnit::length};
   request.settings.top = scene.top;
   request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
                     scene.rms_slope * grid.spacing_x()};
@@ -180,10 +180,10 @@ fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
   request.poisson_ratio = scene.poisson_ratio;
   request.threads = threads;
   if (scene.coating_stiffness != 1.0)
-    request.layers = {
-        {{scene.coating_thickness * scene.thickness, cases::Yardstick::length},
-         {scene.coating_stiffness * request.youngs_modulus,
-          scene.poisson_ratio}}};
+    request.layers = {{{scene.coating_thickness * scene.thickness,
+                        cases::ReferenceUnit::length},
+                       {scene.coating_stiffness * request.youngs_modulus,
+                        scene.poisson_ratio}}};
   return request;
 }
 
@@ -191,7 +191,7 @@ std::unique_ptr<contact::SurfaceOperator>
 operator_of(const Scene& scene, const Grid& grid, int threads) {
   if (scene.family == Family::condensed_q1 ||
       scene.family == Family::condensed_q2)
-    return fem::load_fem_room().condensed(block_request(
+    return fem::load_fem_module().condensed(block_request(
         scene, grid, scene.family == Family::condensed_q1 ? 1 : 2, threads));
   contact::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
                               std::numeric_limits<double>::infinity(),

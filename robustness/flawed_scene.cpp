@@ -63,7 +63,7 @@ void solve_spoilt(Scene scene) {
   case Flaw::infinite_load:
     target.amount = infinity;
     break;
-  case Flaw::closed_wall_gap:
+  case Flaw::closed_contact_gap:
     interface.law = contact::Law::hard;
     target = {contact::LoadTarget::Kind::mean_gap, 0.0};
     break;
@@ -111,8 +111,8 @@ void build_spoilt_block(Scene scene) {
   if (scene.flaw == Flaw::shrinking_layers)
     request.settings.growth = 0.5;
   if (scene.flaw == Flaw::sliver)
-    request.settings.depth = {1.25 * degree, cases::Yardstick::spacing};
-  fem::load_fem_room().condensed(request);
+    request.settings.depth = {1.25 * degree, cases::ReferenceUnit::spacing};
+  fem::load_fem_module().condensed(request);
 }
 
 void read_spoilt_map(Flaw flaw) {

@@ -38,7 +38,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   const Grid grid = grid_of(scene);
   const SceneSurface surface = surface_of(scene, grid);
   const std::unique_ptr<fem::FullBlock> block =
-      fem::load_fem_room().uncondensed(
+      fem::load_fem_module().uncondensed(
           block_request(scene, grid, scene.degree, 1));
   const Displace displace = [&](auto pressure, auto displacement) {
     const std::vector<double> answer = block->displacement(pressure);

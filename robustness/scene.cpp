@@ -51,7 +51,8 @@ constexpr double atom_spacing = 2.6e-10;
 class Draw {
 public:
   Draw(std::uint64_t seed, int index)
-      : key_{seed, 0, surfaces::RandomStream::stress_scenes}, index_(index) {}
+      : key_{seed, 0, surfaces::RandomStream::robustness_instances},
+        index_(index) {}
 
   double uniform(Stream axis, double low, double high) const {
     return low + (high - low) * pair(axis).first;

@@ -71,7 +71,7 @@ enum class Flaw {
   zero_load,
   negative_load,
   infinite_load,
-  closed_wall_gap, ///< a mean gap of zero with hard contact
+  closed_contact_gap, ///< a mean gap of zero with hard contact
   zero_penalty,
   infinite_penalty, ///< as a penalty; hard contact is a separate law
   zero_modulus,

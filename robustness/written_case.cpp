@@ -64,7 +64,7 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
   case Flaw::nan_load:
     numbers.loads[0] = not_a_number;
     break;
-  case Flaw::closed_wall_gap:
+  case Flaw::closed_contact_gap:
     numbers.law = cases::ContactLaw::hard;
     numbers.by_pressure = false;
     numbers.loads = {0.0};

@@ -34,10 +34,10 @@ std::string canonical(const Node& node) {
 }
 
 /// Returns the parsed text of the case with its overrides applied.
-Node parsed(const cases::Case& rough_case) {
-  Node file = cases::parse_toml(rough_case.text, rough_case.path);
+Node parsed(const cases::Case& contact_case) {
+  Node file = cases::parse_toml(contact_case.text, contact_case.path);
   cases::Mistakes none;
-  for (const std::string& entry : cases::overrides_in(rough_case.text))
+  for (const std::string& entry : cases::overrides_in(contact_case.text))
     cases::apply_override(file, entry, none);
   return file;
 }
@@ -71,7 +71,7 @@ std::string surface_text(const Node& file) {
   return canonical(table);
 }
 
-std::string load_text(const cases::LoadProgram& load, std::size_t step) {
+std::string load_text(const cases::LoadingPath& load, std::size_t step) {
   const cases::Quantity& target = load.targets[step];
   return fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
                      static_cast<int>(target.yardstick));
@@ -79,11 +79,11 @@ std::string load_text(const cases::LoadProgram& load, std::size_t step) {
 
 } // namespace
 
-CaseKeys::CaseKeys(const cases::Case& rough_case, std::string program)
-    : case_(rough_case),
+CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program)
+    : case_(contact_case),
       program_(std::move(program)),
-      file_(parsed(rough_case)),
-      inputs_(input_hashes(rough_case)),
+      file_(parsed(contact_case)),
+      inputs_(input_hashes(contact_case)),
       scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
                          hash_in(inputs_, surface_file),
                          text_of(file_, "material"),
@@ -135,17 +135,18 @@ std::string CaseKeys::face(const std::string& face) const {
   return content_hash(program_ + "\n" + face);
 }
 
-std::map<std::string, std::string> input_hashes(const cases::Case& rough_case) {
+std::map<std::string, std::string>
+input_hashes(const cases::Case& contact_case) {
   std::map<std::string, std::string> inputs;
   const auto add = [&](const char* key, const std::string& path) {
     if (!path.empty())
       inputs[key] = content_hash(
           cases::read_input_file(path, cases::largest_number_file));
   };
-  add(surface_file, rough_case.surface.file);
-  if (rough_case.material.variation)
-    add(variation_file, rough_case.material.variation->file);
-  add(mesh_file, rough_case.mesh.file);
+  add(surface_file, contact_case.surface.file);
+  if (contact_case.material.variation)
+    add(variation_file, contact_case.material.variation->file);
+  add(mesh_file, contact_case.mesh.file);
   return inputs;
 }
 

@@ -20,10 +20,10 @@ namespace asperity::app {
 /// comments and the tables of other methods are excluded.
 class CaseKeys {
 public:
-  /// @param rough_case  the case; it must outlive this object
+  /// @param contact_case  the case; it must outlive this object
   /// @param program     everything besides the case that determines the
   ///                    results: program_identity()
-  CaseKeys(const cases::Case& rough_case, std::string program);
+  CaseKeys(const cases::Case& contact_case, std::string program);
 
   /// Returns one key per step of the loading path. It covers the surface, the
   /// realisation, the material, the method and all loads up to that step.
@@ -54,7 +54,8 @@ private:
 /// case is part of the text of the case.
 ///
 /// @throws cases::CaseError  a file cannot be read
-std::map<std::string, std::string> input_hashes(const cases::Case& rough_case);
+std::map<std::string, std::string>
+input_hashes(const cases::Case& contact_case);
 
 /// Identifies build and processor: equal identities compute identical bits.
 std::string program_identity();

@@ -33,9 +33,9 @@ ReadCase read_with_reference(const FoundCase& found,
     overrides.insert(overrides.begin(), quick.begin(), quick.end());
   }
   ReadCase read{found, cases::read_case(file, overrides), "", overrides};
-  read.reference = reference_text_of(read.rough_case);
+  read.reference = reference_text_of(read.contact_case);
   if (read.found.name.empty())
-    read.found.name = read.rough_case.name;
+    read.found.name = read.contact_case.name;
   return read;
 }
 

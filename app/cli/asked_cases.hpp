@@ -14,7 +14,7 @@ namespace asperity::app {
 /// A case together with the contents of the files beside its case file.
 struct ReadCase {
   FoundCase found;
-  cases::Case rough_case;
+  cases::Case contact_case;
   std::string reference; ///< text of reference.csv
   std::vector<std::string> overrides = {};
 };

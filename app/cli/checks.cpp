@@ -35,7 +35,7 @@ ExitCode exit_code_of(const reports::Summary& summary) {
       summary.methods.begin(), summary.methods.end(),
       [](const auto& method) { return method.cost.failed_steps > 0; });
   if (has_failed_steps)
-    return exit_numerics_gave_up;
+    return exit_not_converged;
   return summary.all_ok() ? exit_good : exit_expectation_failed;
 }
 

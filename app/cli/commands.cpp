@@ -36,20 +36,20 @@ namespace {
 namespace fs = std::filesystem;
 
 reports::Summary summary_of(const results::Result& result) {
-  const cases::Case rough_case = reports::case_of(result);
-  fmt::print("{}", reports::warning_lines(result, rough_case));
-  return reports::summarize(result, rough_case);
+  const cases::Case contact_case = reports::case_of(result);
+  fmt::print("{}", reports::warning_lines(result, contact_case));
+  return reports::summarize(result, contact_case);
 }
 
 /// Writes all output files besides result.h5: table, summary and report.
 reports::Summary write_outputs(const fs::path& folder) {
   const results::Result result = results::read_result(folder);
-  const cases::Case rough_case = reports::case_of(result);
-  reports::ReportEntry entry = reports::entry_of(result, rough_case);
+  const cases::Case contact_case = reports::case_of(result);
+  reports::ReportEntry entry = reports::entry_of(result, contact_case);
   results::write_curves_csv(result, folder / "curves.csv");
   for (const std::string& failure : reports::write_report({&entry, 1}, folder))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
-  fmt::print("{}", reports::warning_lines(result, rough_case));
+  fmt::print("{}", reports::warning_lines(result, contact_case));
   return entry.summary;
 }
 
@@ -61,18 +61,17 @@ ExitCode report_on(const fs::path& folder) {
   return exit_code_of(summary);
 }
 
-ExitCode run_one(const cases::Case& rough_case, const RunOptions& options,
+ExitCode run_one(const cases::Case& contact_case, const RunOptions& options,
                  bool no_report = false) {
-  fmt::print("{}: {}\n", rough_case.name, rough_case.title);
-  const RunOutcome outcome = run_case(rough_case, options);
+  fmt::print("{}: {}\n", contact_case.name, contact_case.title);
+  const RunOutcome outcome = run_case(contact_case, options);
   const ExitCode reported = no_report ? exit_good : report_on(options.folder);
   if (outcome.is_interrupted) {
     if (!no_report)
       fmt::print("interrupted; continue with --resume\n");
     return exit_interrupted;
   }
-  return no_report && outcome.failed_steps > 0 ? exit_numerics_gave_up
-                                               : reported;
+  return no_report && outcome.failed_steps > 0 ? exit_not_converged : reported;
 }
 
 /// Returns the output folder of a case or collection of that name.
@@ -100,12 +99,12 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
 /// error.
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
-  cases::Case asked = read.rough_case;
+  cases::Case asked = read.contact_case;
   asked.methods = chosen_methods(asked, options.methods, options.is_exact);
   TargetRun target(asked, read.found.file, read.overrides, options.folder,
                    read_target_error(command.target_error));
   if (!target.is_chosen())
-    return exit_numerics_gave_up;
+    return exit_not_converged;
   ExitCode end = exit_good;
   do {
     const cases::Case chosen = target.chosen_case();
@@ -122,9 +121,9 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
 
 void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {
   for (const ReadCase& read : asked.cases)
-    fmt::print("{}", plan_text(make_plan(read.rough_case,
+    fmt::print("{}", plan_text(make_plan(read.contact_case,
                                          options_of(read, {}, command, cache)),
-                               read.rough_case));
+                               read.contact_case));
 }
 
 ExitCode run_asked(const Asked& asked, const RunCommand& command,
@@ -145,9 +144,10 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
                                 : folder_of(read.found.name, command);
     const FolderLock lock(folder, "run " + read.found.name);
     const RunOptions options = options_of(read, folder, command, cache);
-    end = worse(end, command.target_error.empty()
-                         ? run_one(read.rough_case, options, command.no_report)
-                         : run_to_target(read, command, options));
+    end =
+        worse(end, command.target_error.empty()
+                       ? run_one(read.contact_case, options, command.no_report)
+                       : run_to_target(read, command, options));
     parts.push_back({read.found, folder});
     if (is_interrupted())
       break;
@@ -202,10 +202,10 @@ namespace {
 
 void check_cases(const Asked& asked, Cache& cache, Checks& checks) {
   catch_interrupts();
-  for (const auto& [found, rough_case, reference, overrides] : asked.cases) {
+  for (const auto& [found, contact_case, reference, overrides] : asked.cases) {
     const fs::path folder = fs::path("out") / found.name;
     const FolderLock lock(folder, "check " + found.name);
-    if (run_case(rough_case, {folder, {}, false, 0, reference, &cache})
+    if (run_case(contact_case, {folder, {}, false, 0, reference, &cache})
             .is_interrupted) {
       checks.add_problem(found.name, "interrupted", exit_interrupted);
       return;

@@ -149,7 +149,7 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command) {
              total.of(robustness::Outcome::verified),
              total.of(robustness::Outcome::refused), total.others(),
              (folder / "stress.html").string());
-  return total.others() > 0 ? exit_numerics_gave_up : exit_good;
+  return total.others() > 0 ? exit_not_converged : exit_good;
 }
 
 /// Runs a single instance in this process, for use with a debugger, and prints
@@ -169,7 +169,7 @@ ExitCode run_one(const Source& source, const RobustnessCommand& command) {
         "metamorphic pair ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
         name_of(scene.twin), report.has_same_bits ? "identical" : "different",
         report.twin_difference);
-  return is_good(report.outcome) ? exit_good : exit_numerics_gave_up;
+  return is_good(report.outcome) ? exit_good : exit_not_converged;
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct RobustnessCommand {
 /// Writes stress.html, stress.json and stress.csv into `out`; for a case, into
 /// the sub-folder with the name of the case.
 ///
-/// @return  exit_numerics_gave_up if any instance is neither verified nor
+/// @return  exit_not_converged if any instance is neither verified nor
 ///          refused
 ExitCode run_robustness(const RobustnessCommand& command);
 

@@ -19,36 +19,36 @@ Grid square(int points, double length) {
   return {points, points, length, length};
 }
 
-double square_length(const AtomicScene& scene) {
+double square_length(const AtomisticInput& scene) {
   const Grid& grid = scene.surface.record.grid;
   if (grid.length_x != grid.length_y)
     throw cases::CaseError(fmt::format(
         "{}: [{}] needs a square surface, but this one is {:g} m by {:g} m",
-        scene.rough_case.path, scene.method.name, grid.length_x,
+        scene.contact_case.path, scene.method.name, grid.length_x,
         grid.length_y));
   return grid.length_x;
 }
 
 /// Returns the heights of the rigid atoms. They sample the same surface that
 /// the other methods use, at the lattice sites of the substrate.
-std::vector<double> substrate_heights(const AtomicScene& scene,
+std::vector<double> substrate_heights(const AtomisticInput& scene,
                                       const Grid& substrate) {
   if (substrate == scene.surface.record.grid)
     return scene.surface.record.heights;
   return surfaces::build_surface_on(
-             scene.rough_case.surface, scene.realization, substrate,
-             highest_wavevector(scene.rough_case, scene.method))
+             scene.contact_case.surface, scene.realization, substrate,
+             highest_wavevector(scene.contact_case, scene.method))
       .heights;
 }
 
-md::AtomRequest request_of(const AtomicScene& scene) {
+md::AtomRequest request_of(const AtomisticInput& scene) {
   const auto& settings = std::get<MdSettings>(scene.method.settings);
   const double length = square_length(scene);
   md::AtomRequest request;
   request.settings = settings;
   request.scales = scene.surface.scales;
-  request.youngs_modulus = scene.rough_case.material.block_youngs_modulus();
-  request.poisson_ratio = *scene.rough_case.material.poisson_ratio;
+  request.youngs_modulus = scene.contact_case.material.block_youngs_modulus();
+  request.poisson_ratio = *scene.contact_case.material.poisson_ratio;
   request.layer = square(
       settings.atoms.value_or(scene.surface.record.grid.points_x), length);
   request.substrate =
@@ -86,7 +86,7 @@ results::CurvePoint row_of(const md::AtomStep& step) {
 
 class AtomicSolver final : public StepSolver {
 public:
-  explicit AtomicSolver(const AtomicScene& scene)
+  explicit AtomicSolver(const AtomisticInput& scene)
       : watch_(scene.watch),
         request_(request_of(scene)),
         layer_(request_.layer),
@@ -128,7 +128,7 @@ MethodDescription describe(const MdSettings& settings) {
           true};
 }
 
-std::unique_ptr<StepSolver> make_atomic_solver(const AtomicScene& scene) {
+std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& scene) {
   return std::make_unique<AtomicSolver>(scene);
 }
 

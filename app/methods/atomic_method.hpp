@@ -15,8 +15,8 @@ namespace asperity::app {
 MethodDescription describe(const cases::MdSettings& settings);
 
 /// The input of an atomistic method besides its settings.
-struct AtomicScene {
-  const cases::Case& rough_case;
+struct AtomisticInput {
+  const cases::Case& contact_case;
   const cases::MethodSpec& method;
   const SurfaceOfCase& surface; ///< must outlive the solver
   int realization = 0;
@@ -30,6 +30,6 @@ struct AtomicScene {
 /// @throws cases::CaseError   the surface is not square, settings contradict
 ///                            each other, or a required program is missing
 /// @throws std::domain_error  the md module rejects the block
-std::unique_ptr<StepSolver> make_atomic_solver(const AtomicScene& scene);
+std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& scene);
 
 } // namespace asperity::app

@@ -16,22 +16,22 @@ std::string kind_of(const std::string& method_name) {
 
 } // namespace
 
-std::vector<MethodSpec> chosen_methods(const cases::Case& rough_case,
+std::vector<MethodSpec> chosen_methods(const cases::Case& contact_case,
                                        const std::vector<std::string>& names,
                                        bool is_exact) {
   std::set<std::string> known;
-  for (const MethodSpec& method : rough_case.methods) {
+  for (const MethodSpec& method : contact_case.methods) {
     known.insert(method.name);
     known.insert(kind_of(method.name));
   }
   for (const std::string& name : names)
     if (!known.contains(name))
       throw cases::CaseError(
-          "--methods " + name + ": " + rough_case.path +
+          "--methods " + name + ": " + contact_case.path +
           " has no such method; nearest: " +
           cases::nearest(name, {known.begin(), known.end()}));
   std::vector<MethodSpec> chosen;
-  for (const MethodSpec& method : rough_case.methods)
+  for (const MethodSpec& method : contact_case.methods)
     if (names.empty() ||
         std::find(names.begin(), names.end(), method.name) != names.end() ||
         (!is_exact && std::find(names.begin(), names.end(),
@@ -46,14 +46,15 @@ bool takes_formula(const MethodSpec& method) {
          theory->spectrum == cases::TheorySpectrum::formula;
 }
 
-int n_realizations(const cases::Case& rough_case, const MethodSpec& method) {
-  return takes_formula(method) ? 1 : rough_case.surface.realizations;
+int n_realizations(const cases::Case& contact_case, const MethodSpec& method) {
+  return takes_formula(method) ? 1 : contact_case.surface.realizations;
 }
 
-std::set<std::size_t> steps_with_fields(const cases::Case& rough_case) {
-  const std::size_t n_steps = rough_case.load.targets.size();
+std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
+  const std::size_t n_steps = contact_case.load.targets.size();
   const std::size_t wanted = std::min(
-      n_steps, static_cast<std::size_t>(std::max(rough_case.report.fields, 0)));
+      n_steps,
+      static_cast<std::size_t>(std::max(contact_case.report.fields, 0)));
   std::set<std::size_t> steps;
   for (std::size_t k = 0; k < wanted; ++k)
     steps.insert((2 * k + 1) * n_steps / (2 * wanted));
@@ -65,14 +66,14 @@ bool is_whole_block(const MethodSpec& method) {
   return fem != nullptr && fem->solver == cases::FemSolver::full;
 }
 
-std::optional<std::size_t> step_with_section(const cases::Case& rough_case,
+std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const MethodSpec& method,
                                              const cases::Scales& scales) {
-  const std::set<std::size_t> steps = steps_with_fields(rough_case);
-  if (!rough_case.report.stress_inside || !is_whole_block(method) ||
+  const std::set<std::size_t> steps = steps_with_fields(contact_case);
+  if (!contact_case.report.stress_inside || !is_whole_block(method) ||
       steps.empty())
     return std::nullopt;
-  const cases::LoadProgram& load = rough_case.load;
+  const cases::LoadingPath& load = contact_case.load;
   const double sign =
       load.control == cases::Control::nominal_pressure ? 1.0 : -1.0;
   const auto weight = [&](std::size_t step) {

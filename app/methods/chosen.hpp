@@ -21,7 +21,7 @@ namespace asperity::app {
 /// @throws cases::CaseError  the case has no such method; the message gives the
 ///                           nearest name
 std::vector<cases::MethodSpec>
-chosen_methods(const cases::Case& rough_case,
+chosen_methods(const cases::Case& contact_case,
                const std::vector<std::string>& names, bool is_exact = false);
 
 /// Returns true for a theory that takes the spectrum from the formula and needs
@@ -30,12 +30,12 @@ bool takes_formula(const cases::MethodSpec& method);
 
 /// Returns the number of realisations for a method: one for a theory that uses
 /// the formula, because all realisations are identical.
-int n_realizations(const cases::Case& rough_case,
+int n_realizations(const cases::Case& contact_case,
                    const cases::MethodSpec& method);
 
 /// Returns the load steps whose fields are saved, spread evenly over the
 /// loading path.
-std::set<std::size_t> steps_with_fields(const cases::Case& rough_case);
+std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);
 
 /// Returns true for [fem] with solver = "full".
 bool is_whole_block(const cases::MethodSpec& method);
@@ -45,7 +45,7 @@ bool is_whole_block(const cases::MethodSpec& method);
 /// methods, or if the case does not request the subsurface stress.
 ///
 /// @param scales  scales of the surface of the method
-std::optional<std::size_t> step_with_section(const cases::Case& rough_case,
+std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const cases::MethodSpec& method,
                                              const cases::Scales& scales);
 

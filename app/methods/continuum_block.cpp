@@ -8,16 +8,16 @@
 namespace asperity::app {
 namespace {
 
-contact::FarFace far_face_of(cases::TopFace top) {
+contact::FarBoundary far_face_of(cases::TopFace top) {
   switch (top) {
   case cases::TopFace::sliding:
-    return contact::FarFace::sliding;
+    return contact::FarBoundary::sliding;
   case cases::TopFace::pressure:
-    return contact::FarFace::pressure;
+    return contact::FarBoundary::pressure;
   case cases::TopFace::clamped:
     break;
   }
-  return contact::FarFace::clamped;
+  return contact::FarBoundary::clamped;
 }
 
 /// Returns E* of the block without its counterface [Pa].
@@ -39,11 +39,11 @@ contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
           std::get_if<cases::HalfspaceSettings>(&method.settings)) {
     if (half->thickness)
       block.thickness = half->thickness->in_si(scales);
-    block.far_face = far_face_of(half->top);
+    block.far_boundary = far_face_of(half->top);
   } else if (const auto* fem =
                  std::get_if<cases::FemSettings>(&method.settings)) {
     block.thickness = fem->depth.in_si(scales);
-    block.far_face = far_face_of(fem->top);
+    block.far_boundary = far_face_of(fem->top);
   } else {
     return block; // the atomistic block has no layers
   }

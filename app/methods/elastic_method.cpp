@@ -1,8 +1,8 @@
 #include "app/methods/elastic_method.hpp"
 
+#include "app/methods/cached_operator.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
-#include "app/methods/kept_face.hpp"
 #include "app/methods/timed_operator.hpp"
 #include "base/cpu_clock.hpp"
 #include "results/observables/area_estimate.hpp"
@@ -188,7 +188,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                 threads),
             0.0};
   // Loading is not part of the cached set-up time.
-  const fem::FemRoom& room = fem::load_fem_room();
+  const fem::FemModule& room = fem::load_fem_module();
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);

@@ -12,7 +12,7 @@ using cases::HalfspaceSettings;
 std::string in_words(const ContactSettings& settings) {
   const auto penalty = [&] {
     const char* unit = settings.penalty.yardstick ==
-                               cases::Yardstick::contact_modulus_per_spacing
+                               cases::ReferenceUnit::contact_modulus_per_spacing
                            ? "E*/h"
                            : "Pa/m";
     return fmt::format("{:g} {}", settings.penalty.value, unit);

@@ -1,8 +1,8 @@
 #include "app/methods/methods.hpp"
 
 #include "app/methods/chosen.hpp"
+#include "app/methods/full_block_method.hpp"
 #include "app/methods/theory_method.hpp"
-#include "app/methods/whole_block_method.hpp"
 #include "cases/reader/locking.hpp"
 
 namespace asperity::app {
@@ -20,9 +20,9 @@ MethodDescription describe(const cases::MethodSpec& method,
   return description;
 }
 
-MethodFactory::MethodFactory(const cases::Case& rough_case, Cache& cache,
+MethodFactory::MethodFactory(const cases::Case& contact_case, Cache& cache,
                              const CaseKeys& keys)
-    : case_(rough_case), elastic_(rough_case.material, cache, keys) {}
+    : case_(contact_case), elastic_(contact_case.material, cache, keys) {}
 
 std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,

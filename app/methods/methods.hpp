@@ -26,10 +26,10 @@ struct Resources {
 /// Creates the solvers of all methods. The class is thread-safe.
 class MethodFactory {
 public:
-  /// @param rough_case  the case; must outlive the factory
+  /// @param contact_case  the case; must outlive the factory
   /// @param cache       cache of operators; must outlive the factory
   /// @param keys        cache keys; must outlive the factory
-  MethodFactory(const cases::Case& rough_case, Cache& cache,
+  MethodFactory(const cases::Case& contact_case, Cache& cache,
                 const CaseKeys& keys);
 
   /// Creates the solver of any method except a theory.

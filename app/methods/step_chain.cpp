@@ -6,13 +6,13 @@ bool StepChain::has(std::size_t step) const {
   return cache_.has(keys_.at(step), entry_kind::step);
 }
 
-std::optional<KeptStep> StepChain::read(std::size_t step, bool needs_maps,
-                                        bool needs_section) {
+std::optional<CachedStep> StepChain::read(std::size_t step, bool needs_maps,
+                                          bool needs_section) {
   const std::string& key = keys_.at(step);
   const std::optional<std::string> bytes = cache_.read(key, entry_kind::step);
   if (!bytes)
     return std::nullopt;
-  std::optional<KeptStep> kept = kept_step(*bytes);
+  std::optional<CachedStep> kept = cached_step(*bytes);
   if (!kept)
     cache_.remove(key, entry_kind::step);
   if (kept && ((needs_maps && !kept->has_maps()) ||
@@ -21,7 +21,7 @@ std::optional<KeptStep> StepChain::read(std::size_t step, bool needs_maps,
   return kept;
 }
 
-void StepChain::keep(std::size_t step, const KeptStep& kept,
+void StepChain::keep(std::size_t step, const CachedStep& kept,
                      const std::vector<double>& state) {
   if (!cache_.is_on())
     return;

@@ -3,7 +3,7 @@
 // The cached load steps of one method on one realisation.
 
 #include "app/cache/cache.hpp"
-#include "app/methods/kept_step.hpp"
+#include "app/methods/cached_step.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -24,15 +24,15 @@ public:
 
   /// Reads a cached step. Returns nothing if the entry lacks fields or a
   /// section that are needed.
-  std::optional<KeptStep> read(std::size_t step, bool needs_maps,
-                               bool needs_section);
+  std::optional<CachedStep> read(std::size_t step, bool needs_maps,
+                                 bool needs_section);
 
   /// Caches a step.
   ///
   /// @param state  StepSolver::state() after the step. The state after the
   ///               previous step is removed, because a run continues only from
   ///               the last one.
-  void keep(std::size_t step, const KeptStep& kept,
+  void keep(std::size_t step, const CachedStep& kept,
             const std::vector<double>& state = {});
 
   /// Returns the solver state after a step; empty if there is none.

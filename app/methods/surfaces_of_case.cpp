@@ -28,15 +28,15 @@ results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
   return record;
 }
 
-SurfaceOfCase as_taken(const cases::Case& rough_case,
+SurfaceOfCase as_taken(const cases::Case& contact_case,
                        const surfaces::HeightMap& map) {
   SurfaceOfCase surface;
   surface.record = record_of(map);
   if (!(surface.record.rms_height > 0.0))
-    throw cases::CaseError(rough_case.path +
+    throw cases::CaseError(contact_case.path +
                            ": the surface is flat; there is no roughness "
                            "to press on");
-  surface.scales = {rough_case.material.contact_modulus,
+  surface.scales = {contact_case.material.contact_modulus,
                     surface.record.grid.length_x,
                     surface.record.grid.spacing_x(), surface.record.rms_height};
   return surface;
@@ -48,32 +48,32 @@ bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
   return !std::all_of(methods.begin(), methods.end(), takes_formula);
 }
 
-std::optional<double> highest_wavevector(const cases::Case& rough_case,
+std::optional<double> highest_wavevector(const cases::Case& contact_case,
                                          const cases::MethodSpec& method) {
   if (!method.magnification)
     return std::nullopt;
-  return *method.magnification * rough_case.surface.wavevector_roll_off;
+  return *method.magnification * contact_case.surface.wavevector_roll_off;
 }
 
-CaseSurfaces::CaseSurfaces(const cases::Case& rough_case,
+CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
                            const std::vector<cases::MethodSpec>& methods)
-    : case_(rough_case) {
+    : case_(contact_case) {
   if (!needs_surfaces(methods))
     return;
-  for (int r = 0; r < rough_case.surface.realizations; ++r)
-    whole_.push_back(
-        as_taken(rough_case, surfaces::build_surface(rough_case.surface, r)));
+  for (int r = 0; r < contact_case.surface.realizations; ++r)
+    whole_.push_back(as_taken(
+        contact_case, surfaces::build_surface(contact_case.surface, r)));
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || takes_formula(method) ||
         magnified_.contains(*method.magnification))
       continue;
     std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
-    for (int r = 0; r < rough_case.surface.realizations; ++r)
+    for (int r = 0; r < contact_case.surface.realizations; ++r)
       shown.push_back(as_taken(
-          rough_case, surfaces::build_surface_on(
-                          rough_case.surface, r,
-                          whole_[static_cast<std::size_t>(r)].record.grid,
-                          highest_wavevector(rough_case, method))));
+          contact_case, surfaces::build_surface_on(
+                            contact_case.surface, r,
+                            whole_[static_cast<std::size_t>(r)].record.grid,
+                            highest_wavevector(contact_case, method))));
   }
 }
 
@@ -99,13 +99,14 @@ results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,
   return record;
 }
 
-theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
+theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
                                        const cases::MethodSpec& method) {
   const surfaces::IsotropicSpectrum formula =
-      surfaces::formula_spectrum(rough_case.surface);
+      surfaces::formula_spectrum(contact_case.surface);
   theory::HeightSpectrum spectrum(
       theory::SpectrumFormula{formula.density, formula.kinks});
-  const std::optional<double> highest = highest_wavevector(rough_case, method);
+  const std::optional<double> highest =
+      highest_wavevector(contact_case, method);
   return highest ? spectrum.between(0.0, *highest) : spectrum;
 }
 
@@ -117,11 +118,11 @@ theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
   return theory::HeightSpectrum(std::move(shells));
 }
 
-cases::Scales formula_scales(const cases::Case& rough_case,
+cases::Scales formula_scales(const cases::Case& contact_case,
                              const theory::HeightSpectrum& spectrum) {
-  const double length = rough_case.surface.length.value_or(0.0);
-  const int points = rough_case.surface.points.value_or(0);
-  return {rough_case.material.contact_modulus, length,
+  const double length = contact_case.surface.length.value_or(0.0);
+  const int points = contact_case.surface.points.value_or(0);
+  return {contact_case.material.contact_modulus, length,
           points > 0 ? length / points : 0.0, spectrum.rms_height()};
 }
 

@@ -25,7 +25,7 @@ bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
 
 /// Returns zeta q_0 [rad/m], above which the surface of the method has no
 /// roughness; empty if the method has no magnification.
-std::optional<double> highest_wavevector(const cases::Case& rough_case,
+std::optional<double> highest_wavevector(const cases::Case& contact_case,
                                          const cases::MethodSpec& method);
 
 /// The surfaces of a case: one per realisation, and one more per realisation
@@ -37,7 +37,7 @@ public:
   ///
   /// @throws cases::CaseError, std::domain_error  the surfaces module rejects
   ///                           the surface
-  CaseSurfaces(const cases::Case& rough_case,
+  CaseSurfaces(const cases::Case& contact_case,
                const std::vector<cases::MethodSpec>& methods);
 
   /// Returns the surfaces with full roughness.
@@ -59,14 +59,14 @@ private:
 
 /// Return the height spectrum for a theory: the formula up to the magnification
 /// of the method, or the measured spectrum of a surface.
-theory::HeightSpectrum formula_of_case(const cases::Case& rough_case,
+theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
                                        const cases::MethodSpec& method);
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
 
 /// Returns the scales of a case that builds no surface. The rms height follows
 /// from the formula; the spacing is 0 if the case does not give the number of
 /// points.
-cases::Scales formula_scales(const cases::Case& rough_case,
+cases::Scales formula_scales(const cases::Case& contact_case,
                              const theory::HeightSpectrum& spectrum);
 
 } // namespace asperity::app

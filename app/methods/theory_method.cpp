@@ -70,7 +70,7 @@ MethodDescription describe(const cases::TheorySettings& settings) {
 }
 
 std::vector<results::CurvePoint> theory_rows(
-    const cases::TheorySettings& settings, const cases::LoadProgram& load,
+    const cases::TheorySettings& settings, const cases::LoadingPath& load,
     const theory::HeightSpectrum& spectrum, const cases::Scales& scales) {
   const theory::PerssonContact contact(spectrum, scales.contact_modulus,
                                        settings.gamma);

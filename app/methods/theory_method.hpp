@@ -15,7 +15,7 @@ MethodDescription describe(const cases::TheorySettings& settings);
 ///
 /// @param spectrum  from the formula or measured
 std::vector<results::CurvePoint> theory_rows(
-    const cases::TheorySettings& settings, const cases::LoadProgram& load,
+    const cases::TheorySettings& settings, const cases::LoadingPath& load,
     const theory::HeightSpectrum& spectrum, const cases::Scales& scales);
 
 } // namespace asperity::app

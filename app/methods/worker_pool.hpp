@@ -18,7 +18,7 @@ public:
 
   /// Returns the number of threads that each job of the last run() may use: all
   /// of them for a single job, otherwise one.
-  int threads_a_job() const { return threads_a_job_; }
+  int threads_per_job() const { return threads_a_job_; }
 
   /// Runs all jobs, in their order as workers become free, and waits for them.
   ///

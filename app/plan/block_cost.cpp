@@ -52,7 +52,7 @@ constexpr double multigrid_memory[] = {3.2 * kilobyte, 5.8 * kilobyte};
 /// In addition to multigrid_memory.
 constexpr double direct_memory = 5.5 * kilobyte;
 
-LinearSolverChoice solver_of(const cases::Case& rough_case,
+LinearSolverChoice solver_of(const cases::Case& contact_case,
                              const cases::FemSettings& settings,
                              double unknowns) {
   if (settings.linear_solver != LinearSolverChoice::automatic)
@@ -60,7 +60,7 @@ LinearSolverChoice solver_of(const cases::Case& rough_case,
   if (unknowns <= fem::most_direct_unknowns)
     return LinearSolverChoice::direct;
   const bool is_layered = !settings.uses_case_mesh ||
-                          rough_case.mesh.kind == cases::MeshKind::layers;
+                          contact_case.mesh.kind == cases::MeshKind::layers;
   return is_layered && settings.bodies == 1 &&
                  settings.sides == cases::BlockSides::periodic
              ? LinearSolverChoice::fourier
@@ -73,14 +73,14 @@ bool is_rough(const cases::SurfaceSpec& surface) {
 }
 
 /// Returns the CPU time of multigrid per unknown and Newton step [s].
-double multigrid_time(const cases::Case& rough_case,
-                      const cases::FemSettings& settings, double nodes_a_side,
+double multigrid_time(const cases::Case& contact_case,
+                      const cases::FemSettings& settings, double nodes_per_side,
                       std::size_t order) {
   const bool has_two = settings.bodies == 2;
   const double iterations =
       iterations_at_32 *
-      std::pow(nodes_a_side / 32.0, block_iterations_exponent) *
-      (is_rough(rough_case.surface) ? 1.0 : block_smooth_factor) *
+      std::pow(nodes_per_side / 32.0, block_iterations_exponent) *
+      (is_rough(contact_case.surface) ? 1.0 : block_smooth_factor) *
       (has_two ? two_bodies_factor : 1.0) *
       (order == 0 ? 1.0 : block_q2_factor);
   return iterations * multigrid_iteration_time[order] +
@@ -90,18 +90,18 @@ double multigrid_time(const cases::Case& rough_case,
 
 } // namespace
 
-MethodCost cost_of_full_block(const cases::Case& rough_case,
+MethodCost cost_of_full_block(const cases::Case& contact_case,
                               const cases::FemSettings& settings,
                               const Grid& grid, MachineRates& rates) {
-  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
-  const BlockSize size = block_size(rough_case, settings, scales, grid);
+  const cases::Scales scales{contact_case.material.contact_modulus,
+                             grid.length_x, grid.spacing_x(), 0.0};
+  const BlockSize size = block_size(contact_case, settings, scales, grid);
   const std::size_t order = settings.element == cases::Element::q1 ? 0 : 1;
-  const bool is_uneven = rough_case.material.inclusion.has_value() ||
-                         rough_case.material.variation.has_value();
+  const bool is_uneven = contact_case.material.inclusion.has_value() ||
+                         contact_case.material.variation.has_value();
   double unknown_time = 0.0; // per Newton step
   double unknown_memory = multigrid_memory[order];
-  switch (solver_of(rough_case, settings, size.unknowns)) {
+  switch (solver_of(contact_case, settings, size.unknowns)) {
   case LinearSolverChoice::direct:
     unknown_time = direct_time * size.unknowns;
     unknown_memory += direct_memory;
@@ -112,13 +112,13 @@ MethodCost cost_of_full_block(const cases::Case& rough_case,
     break;
   default:
     unknown_time =
-        multigrid_time(rough_case, settings, size.nodes_a_side, order);
+        multigrid_time(contact_case, settings, size.nodes_per_side, order);
   }
   MethodCost cost;
   cost.unknowns = size.unknowns;
-  cost.step_time =
-      rates.slowness() * size.unknowns * unknown_time *
-      (is_rough(rough_case.surface) ? rough_newton_steps : smooth_newton_steps);
+  cost.step_time = rates.slowness() * size.unknowns * unknown_time *
+                   (is_rough(contact_case.surface) ? rough_newton_steps
+                                                   : smooth_newton_steps);
   cost.setup_time =
       rates.slowness() * (fem_load_time + assembly_time * size.unknowns);
   cost.memory = unknown_memory * size.unknowns;

@@ -20,7 +20,7 @@ inline constexpr double block_factor = 3.0;
 /// Predicts the cost of a method with solver = "full". A condensed method is
 /// treated as if it used the full block. The prediction is NaN if the mesh is
 /// read from a file.
-MethodCost cost_of_full_block(const cases::Case& rough_case,
+MethodCost cost_of_full_block(const cases::Case& contact_case,
                               const cases::FemSettings& settings,
                               const Grid& grid, MachineRates& rates);
 

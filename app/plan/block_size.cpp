@@ -18,11 +18,11 @@ double degree_of(const cases::FemSettings& settings) {
   return settings.element == cases::Element::q1 ? 1.0 : 2.0;
 }
 
-std::vector<double> interfaces_of(const cases::Case& rough_case,
+std::vector<double> interfaces_of(const cases::Case& contact_case,
                                   const cases::Scales& scales) {
   std::vector<double> interfaces;
   double depth = 0.0;
-  for (const cases::MaterialLayer& layer : rough_case.material.layers)
+  for (const cases::MaterialLayer& layer : contact_case.material.layers)
     interfaces.push_back(depth += layer.thickness.in_si(scales));
   return interfaces;
 }
@@ -51,7 +51,7 @@ BlockSize hanging(const Grid& cells, double depth, int cells_a_level,
                                static_cast<double>(cells.size()) * coarsest *
                                coarsest;
   BlockSize size;
-  size.nodes_a_side = degree * std::sqrt(static_cast<double>(cells.size()));
+  size.nodes_per_side = degree * std::sqrt(static_cast<double>(cells.size()));
   double top = 0.0;
   for (std::size_t level = 0; level <= n_levels; ++level) {
     const double edge = std::ldexp(1.0, static_cast<int>(level));
@@ -94,7 +94,7 @@ BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
   BlockSize size;
   size.cells =
       across * across * (down + out + below) + 4.0 * across * down * out;
-  size.nodes_a_side = degree * (across + 2.0 * out);
+  size.nodes_per_side = degree * (across + 2.0 * out);
   const double side = degree * across;
   size.unknowns = 3.0 * ((side + 1.0) * (side + 1.0) *
                              (degree * (down + out + below) + 1.0) +
@@ -105,11 +105,12 @@ BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
 /// The mesh consists of columns and layers around a cubic box, which contains a
 /// ball with a cube inside. Each block between them has as many cells across as
 /// the box.
-BlockSize inclusion(const cases::Case& rough_case, const cases::Scales& scales,
-                    const Grid& grid, double depth, double degree) {
-  const double size = rough_case.mesh.size_at_contact.in_si(scales);
-  const double far = rough_case.mesh.size_far.in_si(scales);
-  const cases::MaterialInclusion& ball = *rough_case.material.inclusion;
+BlockSize inclusion(const cases::Case& contact_case,
+                    const cases::Scales& scales, const Grid& grid, double depth,
+                    double degree) {
+  const double size = contact_case.mesh.size_at_contact.in_si(scales);
+  const double far = contact_case.mesh.size_far.in_si(scales);
+  const cases::MaterialInclusion& ball = *contact_case.material.inclusion;
   const double radius = ball.radius.in_si(scales);
   const double centre = ball.depth.in_si(scales);
   const double room = std::min(
@@ -155,13 +156,14 @@ BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
   size.cells = volume * inverse_cube * 6.0 * std::numbers::sqrt2;
   const double vertices = size.cells / 6.0;
   size.unknowns = 3.0 * vertices * (degree == 1.0 ? 1.0 : 8.0);
-  size.nodes_a_side = degree * std::sqrt(grid.length_x * grid.length_y) / near;
+  size.nodes_per_side =
+      degree * std::sqrt(grid.length_x * grid.length_y) / near;
   return size;
 }
 
-BlockSize by_gmsh(const cases::Case& rough_case, const cases::Scales& scales,
+BlockSize by_gmsh(const cases::Case& contact_case, const cases::Scales& scales,
                   const Grid& grid, double depth, double degree) {
-  const cases::MeshSpec& mesh = rough_case.mesh;
+  const cases::MeshSpec& mesh = contact_case.mesh;
   if (mesh.geometry == MeshGeometry::file)
     return {not_a_number, not_a_number, not_a_number};
   if (mesh.cells == cases::MeshCells::tetrahedra)
@@ -169,12 +171,12 @@ BlockSize by_gmsh(const cases::Case& rough_case, const cases::Scales& scales,
   if (mesh.geometry == MeshGeometry::indentation)
     return indentation(mesh, scales, grid, depth, degree);
   if (mesh.geometry == MeshGeometry::inclusion)
-    return inclusion(rough_case, scales, grid, depth, degree);
+    return inclusion(contact_case, scales, grid, depth, degree);
   const double near = mesh.size_at_contact.in_si(scales);
   const double far = mesh.size_far.in_si(scales);
   std::vector<double> ends{0.0};
   if (mesh.geometry == MeshGeometry::layered)
-    for (const double interface : interfaces_of(rough_case, scales))
+    for (const double interface : interfaces_of(contact_case, scales))
       ends.push_back(interface);
   ends.push_back(depth);
   double layers = 0.0;
@@ -188,17 +190,18 @@ BlockSize by_gmsh(const cases::Case& rough_case, const cases::Scales& scales,
 
 } // namespace
 
-int n_layers(const cases::Case& rough_case, const cases::FemSettings& settings,
-             const cases::Scales& scales, const Grid& grid) {
+int n_layers(const cases::Case& contact_case,
+             const cases::FemSettings& settings, const cases::Scales& scales,
+             const Grid& grid) {
   return static_cast<int>(
       meshes::graded_layers_with_interfaces(
           settings.surface_cell_depth * degree_of(settings) * grid.spacing_x(),
-          settings.growth, interfaces_of(rough_case, scales),
+          settings.growth, interfaces_of(contact_case, scales),
           settings.depth.in_si(scales))
           .size());
 }
 
-BlockSize block_size(const cases::Case& rough_case,
+BlockSize block_size(const cases::Case& contact_case,
                      const cases::FemSettings& settings,
                      const cases::Scales& scales, const Grid& grid) {
   const double degree = degree_of(settings);
@@ -208,13 +211,13 @@ BlockSize block_size(const cases::Case& rough_case,
                    grid.length_y};
   BlockSize size;
   if (settings.solver != cases::FemSolver::full || !settings.uses_case_mesh ||
-      rough_case.mesh.kind == cases::MeshKind::layers)
+      contact_case.mesh.kind == cases::MeshKind::layers)
     size = boxes(cells.points_x, cells.points_y,
-                 n_layers(rough_case, settings, scales, grid), degree);
-  else if (rough_case.mesh.kind == cases::MeshKind::hanging)
-    size = hanging(cells, depth, rough_case.mesh.cells_a_level, degree);
+                 n_layers(contact_case, settings, scales, grid), degree);
+  else if (contact_case.mesh.kind == cases::MeshKind::hanging)
+    size = hanging(cells, depth, contact_case.mesh.cells_a_level, degree);
   else
-    size = by_gmsh(rough_case, scales, grid, depth, degree);
+    size = by_gmsh(contact_case, scales, grid, depth, degree);
   size.cells *= settings.bodies;
   size.unknowns *= settings.bodies;
   return size;

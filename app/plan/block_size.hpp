@@ -15,7 +15,7 @@ struct BlockSize {
   double cells = 0.0;
   double unknowns = 0.0; ///< displacements, including constrained and hanging
                          ///< ones
-  double nodes_a_side = 0.0; ///< per side of the contact surface
+  double nodes_per_side = 0.0; ///< per side of the contact surface
 };
 
 /// Returns the size of the problem of `solver = "full"`. The count is exact for
@@ -23,14 +23,15 @@ struct BlockSize {
 /// direction for hexahedra and within a factor of two for tetrahedra.
 ///
 /// @throws std::domain_error  the mesh itself would be rejected
-BlockSize block_size(const cases::Case& rough_case,
+BlockSize block_size(const cases::Case& contact_case,
                      const cases::FemSettings& settings,
                      const cases::Scales& scales, const Grid& grid);
 
 /// Returns the number of cell layers over the depth. The first layer is
 /// surface_cell_depth node spacings thick, and the cell faces match the
 /// material interfaces.
-int n_layers(const cases::Case& rough_case, const cases::FemSettings& settings,
-             const cases::Scales& scales, const Grid& grid);
+int n_layers(const cases::Case& contact_case,
+             const cases::FemSettings& settings, const cases::Scales& scales,
+             const Grid& grid);
 
 } // namespace asperity::app

@@ -49,22 +49,23 @@ constexpr double adhesion_time = 0.45e-6; ///< per ratio and step squared [s]
 /// Number of planes in the search of the strongest point of a map, at 512^2 in
 /// `hertz`, and number of planes of a section. A plane costs six transforms and
 /// as much again for the Fourier coefficients and the stress.
-constexpr double planes_a_map = 35.0;
-constexpr double planes_a_section = 49.0;
-constexpr double transform_pairs_a_plane = 6.0;
+constexpr double planes_per_map = 35.0;
+constexpr double planes_per_section = 49.0;
+constexpr double transform_pairs_per_plane = 6.0;
 
 constexpr double bytes_per_mebibyte = 1024.0 * 1024.0;
 constexpr double program_memory = 24.0 * bytes_per_mebibyte;
 constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
-constexpr double arrays_a_job = 19.0; ///< of doubles, on the grid
-constexpr double doubles_an_atom = 60.0;
+constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
+constexpr double doubles_per_atom = 60.0;
 constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
 double nodes(const Grid& grid) {
   return static_cast<double>(grid.size());
 }
 
-double iterations_a_step(const cases::SurfaceSpec& surface, const Grid& grid) {
+double iterations_per_step(const cases::SurfaceSpec& surface,
+                           const Grid& grid) {
   const bool is_rough = surfaces::is_random(surface.kind) ||
                         surface.kind == cases::SurfaceKind::measured;
   return (is_rough ? 1.0 : smooth_factor) * iterations_at_512 *
@@ -80,21 +81,21 @@ MethodCost cost_on_face(const cases::SurfaceSpec& surface,
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
   cost.step_time =
-      law * iterations_a_step(surface, grid) * rates.iteration_time(grid);
-  cost.memory = arrays_a_job * sizeof(double) * nodes(grid);
+      law * iterations_per_step(surface, grid) * rates.iteration_time(grid);
+  cost.memory = arrays_per_job * sizeof(double) * nodes(grid);
   return cost;
 }
 
-MethodCost cost_of_fem(const cases::Case& rough_case,
+MethodCost cost_of_fem(const cases::Case& contact_case,
                        const cases::FemSettings& settings, const Grid& grid,
                        MachineRates& rates) {
   if (settings.solver == cases::FemSolver::full)
-    return cost_of_full_block(rough_case, settings, grid, rates);
-  const cases::Scales scales{rough_case.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
+    return cost_of_full_block(contact_case, settings, grid, rates);
+  const cases::Scales scales{contact_case.material.contact_modulus,
+                             grid.length_x, grid.spacing_x(), 0.0};
   MethodCost cost =
-      cost_on_face(rough_case.surface, settings.contact, grid, rates);
-  const double layers = n_layers(rough_case, settings, scales, grid);
+      cost_on_face(contact_case.surface, settings.contact, grid, rates);
+  const double layers = n_layers(contact_case, settings, scales, grid);
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
   if (settings.element == Element::q1) {
     cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
@@ -127,7 +128,7 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
         (inner_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
     cost.setup_time = cost.step_time / explicit_evaluations;
   }
-  cost.memory = doubles_an_atom * sizeof(double) * cost.unknowns / 3.0;
+  cost.memory = doubles_per_atom * sizeof(double) * cost.unknowns / 3.0;
   const bool is_unknown = settings.engine == cases::AtomEngine::lammps ||
                           settings.minimizer == cases::AtomMinimizer::dynamics;
   if (is_unknown)
@@ -137,7 +138,7 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
 
 } // namespace
 
-MethodCost cost_of(const cases::Case& rough_case,
+MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates) {
   if (std::holds_alternative<cases::TheorySettings>(method.settings))
@@ -145,28 +146,29 @@ MethodCost cost_of(const cases::Case& rough_case,
             rates.slowness() * theory_step_time, 0.0};
   if (const auto* half =
           std::get_if<cases::HalfspaceSettings>(&method.settings))
-    return cost_on_face(rough_case.surface, half->contact, grid, rates);
+    return cost_on_face(contact_case.surface, half->contact, grid, rates);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
-    return cost_of_fem(rough_case, *fem, grid, rates);
+    return cost_of_fem(contact_case, *fem, grid, rates);
   return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
                        rates);
 }
 
-double study_time(const cases::Case& rough_case, MachineRates& rates) {
+double study_time(const cases::Case& contact_case, MachineRates& rates) {
   double time = 0.0;
-  if (const auto& study = rough_case.magnification_study)
+  if (const auto& study = contact_case.magnification_study)
     time += magnification_time *
             static_cast<double>(study->nominal_pressures.size()) *
             study->points;
-  if (const auto& study = rough_case.adhesion_study)
+  if (const auto& study = contact_case.adhesion_study)
     time += adhesion_time * study->points * study->steps * study->steps;
   return rates.slowness() * time;
 }
 
 double stress_time(int n_maps, const Grid& grid, MachineRates& rates) {
-  return n_maps == 0 ? 0.0
-                     : (n_maps * planes_a_map + planes_a_section) *
-                           transform_pairs_a_plane * rates.transform_time(grid);
+  return n_maps == 0
+             ? 0.0
+             : (n_maps * planes_per_map + planes_per_section) *
+                   transform_pairs_per_plane * rates.transform_time(grid);
 }
 
 double base_time(MachineRates& rates) {

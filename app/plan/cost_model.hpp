@@ -19,12 +19,12 @@ struct MethodCost {
 /// Predicts the cost of one method on a surface with this grid. The constants
 /// in cost_model.cpp name the runs they come from; docs/skip.md compares
 /// predictions with measured costs.
-MethodCost cost_of(const cases::Case& rough_case,
+MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates);
 
 /// Predicts the CPU time of the tables of [magnification] and [adhesion] [s].
-double study_time(const cases::Case& rough_case, MachineRates& rates);
+double study_time(const cases::Case& contact_case, MachineRates& rates);
 
 /// Predicts the CPU time of the subsurface stress for one method: `n_maps`
 /// saved maps on the grid and one section [s].

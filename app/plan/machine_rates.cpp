@@ -57,7 +57,7 @@ double transform_time(const Grid& grid) {
 double iteration_time(const Grid& grid) {
   contact::FourierOperator elasticity = contact::halfspace_operator(
       grid, {1.0, 0.3, std::numeric_limits<double>::infinity(),
-             contact::FarFace::clamped});
+             contact::FarBoundary::clamped});
   const std::vector<double> heights = heights_of(grid);
   const contact::ContactProblem problem{heights, 0.0, 1e-14, n_iterations};
   const CpuClock clock;

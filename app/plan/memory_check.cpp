@@ -20,15 +20,17 @@ std::string refusal_of(const Plan& plan) {
                    "; reduce surface.points, surface.realizations or --threads";
 }
 
-void require_memory(const cases::Case& rough_case, const RunOptions& options) {
-  if (!rough_case.surface.points)
+void require_memory(const cases::Case& contact_case,
+                    const RunOptions& options) {
+  if (!contact_case.surface.points)
     return;
   const std::string refusal =
-      refusal_of(make_plan(rough_case, options, memory_probe_points));
+      refusal_of(make_plan(contact_case, options, memory_probe_points));
   if (!refusal.empty())
-    throw cases::CaseError(fmt::format(
-        "{}: surface.points = {} with {} realisation(s) {}", rough_case.path,
-        *rough_case.surface.points, rough_case.surface.realizations, refusal));
+    throw cases::CaseError(
+        fmt::format("{}: surface.points = {} with {} realisation(s) {}",
+                    contact_case.path, *contact_case.surface.points,
+                    contact_case.surface.realizations, refusal));
 }
 
 } // namespace asperity::app

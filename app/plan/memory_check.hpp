@@ -15,6 +15,6 @@ std::string refusal_of(const Plan& plan);
 /// grid is not checked, because its file limits the size.
 ///
 /// @throws cases::CaseError  the run does not fit
-void require_memory(const cases::Case& rough_case, const RunOptions& options);
+void require_memory(const cases::Case& contact_case, const RunOptions& options);
 
 } // namespace asperity::app

@@ -23,30 +23,30 @@ constexpr int most_lookups = 20000;
 
 /// Counts the cached steps of a method. If there are too many steps to look up,
 /// only the first realisations are counted.
-int kept_steps(const cases::Case& rough_case, const MethodSpec& method,
+int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
                const CaseKeys& keys, Cache& cache) {
   if (!cache.is_on())
     return 0;
-  const int n_steps = static_cast<int>(rough_case.load.targets.size());
-  const int realizations = std::min(n_realizations(rough_case, method),
+  const int n_steps = static_cast<int>(contact_case.load.targets.size());
+  const int realizations = std::min(n_realizations(contact_case, method),
                                     std::max(1, most_lookups / n_steps));
   int kept = 0;
   for (int r = 0; r < realizations; ++r) {
     const StepChain chain(cache, keys.steps(method, r));
-    for (std::size_t step = 0; step < rough_case.load.targets.size(); ++step)
+    for (std::size_t step = 0; step < contact_case.load.targets.size(); ++step)
       kept += chain.has(step) ? 1 : 0;
   }
   return kept;
 }
 
 /// Returns true if the last table of each study is cached.
-bool has_tables(const cases::Case& rough_case, const MethodSpec& theory,
+bool has_tables(const cases::Case& contact_case, const MethodSpec& theory,
                 const CaseKeys& keys, const Cache& cache) {
   const auto has = [&](const char* name) {
     return cache.has(keys.table(theory, name), entry_kind::table);
   };
-  return (!rough_case.magnification_study || has("magnification")) &&
-         (!rough_case.adhesion_study || has("adhesion-flip"));
+  return (!contact_case.magnification_study || has("magnification")) &&
+         (!contact_case.adhesion_study || has("adhesion-flip"));
 }
 
 /// Predicts the wall time. Jobs run in parallel on the threads, those marked
@@ -68,7 +68,7 @@ double wall_time(const Plan& plan) {
   return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
-double peak_memory(const Plan& plan, const cases::Case& rough_case,
+double peak_memory(const Plan& plan, const cases::Case& contact_case,
                    const Grid& grid, double program) {
   std::vector<double> jobs;
   double alone = 0.0;
@@ -87,19 +87,19 @@ double peak_memory(const Plan& plan, const cases::Case& rough_case,
     if (i < static_cast<std::size_t>(plan.threads))
       beside += jobs[i];
   const double surfaces = sizeof(double) * static_cast<double>(grid.size()) *
-                          rough_case.surface.realizations;
+                          contact_case.surface.realizations;
   return program + surfaces + std::max(beside, alone);
 }
 
-double result_bytes(const cases::Case& rough_case,
+double result_bytes(const cases::Case& contact_case,
                     const std::vector<MethodSpec>& methods, const Grid& grid) {
   if (!needs_surfaces(methods))
     return 0.0;
   double bytes = sizeof(double) * static_cast<double>(grid.size()) *
-                 rough_case.surface.realizations;
+                 contact_case.surface.realizations;
   for (const MethodSpec& method : methods)
     if (!std::holds_alternative<cases::TheorySettings>(method.settings))
-      bytes += static_cast<double>(steps_with_fields(rough_case).size()) *
+      bytes += static_cast<double>(steps_with_fields(contact_case).size()) *
                map_bytes(grid);
   return bytes;
 }
@@ -113,36 +113,36 @@ void add_up_times(Plan& plan) {
   plan.wall_time = wall_time(plan);
 }
 
-Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                int largest_probe) {
   const std::vector<MethodSpec> methods =
-      chosen_methods(rough_case, options.methods, options.is_exact);
-  const Grid grid = grid_of_case(rough_case, methods);
-  if (const auto& variation = rough_case.material.variation;
+      chosen_methods(contact_case, options.methods, options.is_exact);
+  const Grid grid = grid_of_case(contact_case, methods);
+  if (const auto& variation = contact_case.material.variation;
       variation && variation->kind == cases::VariationKind::table)
     fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
   MachineRates rates(largest_probe);
-  const CaseKeys keys(rough_case, program_identity());
+  const CaseKeys keys(contact_case, program_identity());
   Cache none;
   Cache& cache = options.cache != nullptr ? *options.cache : none;
   Plan plan;
-  plan.warnings = cases::locking_warnings(rough_case.material, methods);
+  plan.warnings = cases::locking_warnings(contact_case.material, methods);
   plan.threads = WorkerPool(options.threads).threads();
   bool uses_fem = false;
   bool uses_block = false;
   for (const MethodSpec& method : methods) {
-    const MethodCost cost = cost_of(rough_case, method, grid, rates);
+    const MethodCost cost = cost_of(contact_case, method, grid, rates);
     PlannedMethod planned{.name = method.name, .grid = grid};
-    planned.realizations = n_realizations(rough_case, method);
-    planned.steps =
-        planned.realizations * static_cast<int>(rough_case.load.targets.size());
-    planned.kept_steps = kept_steps(rough_case, method, keys, cache);
+    planned.realizations = n_realizations(contact_case, method);
+    planned.steps = planned.realizations *
+                    static_cast<int>(contact_case.load.targets.size());
+    planned.kept_steps = kept_steps(contact_case, method, keys, cache);
     const int left = planned.steps - planned.kept_steps;
     planned.unknowns = cost.unknowns;
     planned.setup_time = left > 0 ? cost.setup_time : 0.0;
     planned.step_time = left > 0 ? left * cost.step_time : 0.0;
     planned.memory = cost.memory;
-    planned.runs_alone = describe(method, rough_case.material).runs_alone;
+    planned.runs_alone = describe(method, contact_case.material).runs_alone;
     if (takes_formula(method))
       planned.grid = {};
     uses_fem |=
@@ -151,22 +151,22 @@ Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
     plan.methods.push_back(std::move(planned));
   }
   if (const MethodSpec* theory = cases::study_theory(methods);
-      theory != nullptr && !has_tables(rough_case, *theory, keys, cache))
-    plan.study_time = study_time(rough_case, rates);
-  if (rough_case.report.stress_inside)
+      theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
+    plan.study_time = study_time(contact_case, rates);
+  if (contact_case.report.stress_inside)
     for (const MethodSpec& method : methods)
       if (!std::holds_alternative<cases::TheorySettings>(method.settings))
-        plan.study_time +=
-            stress_time(static_cast<int>(steps_with_fields(rough_case).size()),
-                        grid, rates);
+        plan.study_time += stress_time(
+            static_cast<int>(steps_with_fields(contact_case).size()), grid,
+            rates);
   plan.base_time = base_time(rates);
   add_up_times(plan);
-  plan.memory = peak_memory(plan, rough_case, grid,
+  plan.memory = peak_memory(plan, contact_case, grid,
                             base_memory(uses_fem) +
                                 (uses_block ? full_block_memory() : 0.0));
   plan.factor = uses_block ? block_factor : plan.factor;
-  plan.disk = result_bytes(rough_case, methods, grid);
-  plan.skipped = skipped_by_scene({rough_case, methods, grid}, rates);
+  plan.disk = result_bytes(contact_case, methods, grid);
+  plan.skipped = skipped_by_scene({contact_case, methods, grid}, rates);
   return plan;
 }
 

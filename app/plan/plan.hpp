@@ -46,7 +46,7 @@ struct Plan {
 /// @param largest_probe  see MachineRates
 /// @throws cases::CaseError  an unknown method name, or a map or a table of
 ///                           factors that cannot be read
-Plan make_plan(const cases::Case& rough_case, const RunOptions& options,
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                int largest_probe = 1024);
 
 /// Computes cpu_time and wall_time from the times of the parts and the number
@@ -56,6 +56,6 @@ void add_up_times(Plan& plan);
 
 /// Formats the plan as a readable table, followed by the skipped work and the
 /// warnings.
-std::string plan_text(const Plan& plan, const cases::Case& rough_case);
+std::string plan_text(const Plan& plan, const cases::Case& contact_case);
 
 } // namespace asperity::app

@@ -33,9 +33,9 @@ std::string grid_text(const Grid& grid) {
 
 } // namespace
 
-std::string plan_text(const Plan& plan, const cases::Case& rough_case) {
+std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
   std::string text =
-      fmt::format("{}: {}\n", rough_case.name, rough_case.title) +
+      fmt::format("{}: {}\n", contact_case.name, contact_case.title) +
       fmt::format("{:<18} {:>6} {:>6} {:>7} {:>13} {:>9} {:>8} {:>8} {:>8}\n",
                   "method", "realis", "steps", "cached", "grid", "unknowns",
                   "set-up", "CPU", "memory");

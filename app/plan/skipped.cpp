@@ -21,7 +21,7 @@ using results::Skipped;
 /// Collects the skipped work of all kinds in one list.
 class Skips {
 public:
-  Skips(const AskedScene& scene, MachineRates& rates)
+  Skips(const SelectedCase& scene, MachineRates& rates)
       : scene_(scene), rates_(rates) {}
 
   void add_methods_left_out();
@@ -33,14 +33,14 @@ public:
 
 private:
   double n_steps() const {
-    return static_cast<double>(scene_.rough_case.load.targets.size());
+    return static_cast<double>(scene_.contact_case.load.targets.size());
   }
 
   double nodes() const { return static_cast<double>(scene_.grid.size()); }
 
   /// Returns the number of steps of a method on all its realisations.
   double all_steps(const MethodSpec& method) const {
-    return n_steps() * n_realizations(scene_.rough_case, method);
+    return n_steps() * n_realizations(scene_.contact_case, method);
   }
 
   void add_of_theory(const MethodSpec& method);
@@ -50,14 +50,14 @@ private:
   void add_of_atoms(const MethodSpec& method,
                     const cases::MdSettings& settings);
 
-  const AskedScene& scene_;
+  const SelectedCase& scene_;
   MachineRates& rates_;
   bool has_operator_ = false; ///< listed once, because the methods share the
                               ///< operator
 };
 
 void Skips::add_methods_left_out() {
-  for (const MethodSpec& method : scene_.rough_case.methods) {
+  for (const MethodSpec& method : scene_.contact_case.methods) {
     const auto is_same = [&](const MethodSpec& chosen) {
       return chosen.name == method.name;
     };
@@ -65,7 +65,7 @@ void Skips::add_methods_left_out() {
       continue;
     MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
     if (nodes() > 0.0)
-      cost = cost_of(scene_.rough_case, method, scene_.grid, rates_);
+      cost = cost_of(scene_.contact_case, method, scene_.grid, rates_);
     list.push_back({method.name, "not selected by --methods",
                     cost.setup_time + all_steps(method) * cost.step_time,
                     cost.memory});
@@ -75,7 +75,7 @@ void Skips::add_methods_left_out() {
 void Skips::add_surfaces() {
   if (needs_surfaces(scene_.methods) || nodes() == 0.0)
     return;
-  const int realizations = scene_.rough_case.surface.realizations;
+  const int realizations = scene_.contact_case.surface.realizations;
   list.push_back(
       {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
        "the theory uses the formula of the spectrum",
@@ -85,7 +85,7 @@ void Skips::add_surfaces() {
 
 void Skips::add_maps() {
   const double kept =
-      static_cast<double>(steps_with_fields(scene_.rough_case).size());
+      static_cast<double>(steps_with_fields(scene_.contact_case).size());
   double left_out = 0.0;
   for (const MethodSpec& method : scene_.methods)
     if (!std::holds_alternative<cases::TheorySettings>(method.settings))
@@ -114,11 +114,11 @@ void Skips::add_of(const MethodSpec& method) {
 }
 
 void Skips::add_of_theory(const MethodSpec& method) {
-  const int others = scene_.rough_case.surface.realizations - 1;
+  const int others = scene_.contact_case.surface.realizations - 1;
   if (!takes_formula(method) || others == 0)
     return;
   const MethodCost cost =
-      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+      cost_of(scene_.contact_case, method, scene_.grid, rates_);
   list.push_back({fmt::format("{} on {} realisation{}", method.name, others,
                               others == 1 ? "" : "s"),
                   "the formula of the spectrum holds for every realisation",
@@ -129,7 +129,7 @@ void Skips::add_of_theory(const MethodSpec& method) {
 void Skips::add_of_halfspace(const MethodSpec& method,
                              const cases::HalfspaceSettings& settings) {
   const MethodCost cost =
-      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+      cost_of(scene_.contact_case, method, scene_.grid, rates_);
   list.push_back(
       {fmt::format("{}: two tangential displacements per node", method.name),
        "the contact surface is frictionless and has no shear traction",
@@ -148,7 +148,7 @@ void Skips::add_of_fem(const MethodSpec& method,
   if (settings.solver == cases::FemSolver::full)
     return;
   const MethodCost full =
-      cost_of_full_block(scene_.rough_case, settings, scene_.grid, rates_);
+      cost_of_full_block(scene_.contact_case, settings, scene_.grid, rates_);
   list.push_back({fmt::format("{}: {} of {} displacements of the block",
                               method.name, count_text(full.unknowns - nodes()),
                               count_text(full.unknowns)),
@@ -156,7 +156,7 @@ void Skips::add_of_fem(const MethodSpec& method,
                   "the contact surface",
                   all_steps(method) * full.step_time, full.memory});
   const MethodCost cost =
-      cost_of(scene_.rough_case, method, scene_.grid, rates_);
+      cost_of(scene_.contact_case, method, scene_.grid, rates_);
   if (scene_.grid.is_square() && !std::exchange(has_operator_, true))
     list.push_back(
         {fmt::format("{}: {} of {} wavevectors of the operator", method.name,
@@ -179,7 +179,7 @@ void Skips::add_of_atoms(const MethodSpec& method,
                                              scene_.grid.spacing_x(), 0.0}) /
                        scene_.grid.length_x * side);
   const MethodCost cost =
-      cost_of(scene_.rough_case, whole, scene_.grid, rates_);
+      cost_of(scene_.contact_case, whole, scene_.grid, rates_);
   list.push_back({fmt::format("{}: {} atoms inside the block", method.name,
                               count_text(cost.unknowns / 3.0 - side * side)),
                   "bulk = \"green\": condensed exactly to the lowest layer",
@@ -188,7 +188,7 @@ void Skips::add_of_atoms(const MethodSpec& method,
 
 } // namespace
 
-std::vector<Skipped> skipped_by_scene(const AskedScene& scene,
+std::vector<Skipped> skipped_by_scene(const SelectedCase& scene,
                                       MachineRates& rates) {
   Skips skips(scene, rates);
   skips.add_methods_left_out();
@@ -199,9 +199,9 @@ std::vector<Skipped> skipped_by_scene(const AskedScene& scene,
   return skips.list;
 }
 
-Grid grid_of_case(const cases::Case& rough_case,
+Grid grid_of_case(const cases::Case& contact_case,
                   const std::vector<MethodSpec>& methods) {
-  const cases::SurfaceSpec& surface = rough_case.surface;
+  const cases::SurfaceSpec& surface = contact_case.surface;
   if (surface.length && surface.points)
     return {*surface.points, *surface.points, *surface.length, *surface.length};
   return needs_surfaces(methods) ? surfaces::build_surface(surface, 0).grid

@@ -12,8 +12,8 @@
 namespace asperity::app {
 
 /// A case and those of its methods that are run.
-struct AskedScene {
-  const cases::Case& rough_case;
+struct SelectedCase {
+  const cases::Case& contact_case;
   const std::vector<cases::MethodSpec>& methods;
   Grid grid; ///< grid of the surfaces; without points if no surface is built
              ///< and the case does not give the grid
@@ -23,13 +23,13 @@ struct AskedScene {
 /// closed formula, maps that are not saved, unknowns and wavevectors that
 /// symmetry makes redundant, and bulk material that a closed form replaces.
 /// Costs are predictions of cost_model.hpp.
-std::vector<results::Skipped> skipped_by_scene(const AskedScene& scene,
+std::vector<results::Skipped> skipped_by_scene(const SelectedCase& scene,
                                                MachineRates& rates);
 
 /// Returns the grid of the surfaces of a case. If the case does not give it,
 /// the height map is read when surfaces are needed; otherwise the grid has no
 /// points.
-Grid grid_of_case(const cases::Case& rough_case,
+Grid grid_of_case(const cases::Case& contact_case,
                   const std::vector<cases::MethodSpec>& methods);
 
 /// Formats a count with three digits, such as "786k" or "1.18e+09".

@@ -8,7 +8,7 @@ enum ExitCode : int {
   exit_good = 0,
   exit_expectation_failed = 1,
   exit_bad_input = 2,
-  exit_numerics_gave_up = 3,
+  exit_not_converged = 3,
   exit_internal = 4,      ///< disk full, out of memory, library failure
   exit_interrupted = 130, ///< shell convention for Ctrl-C
 };

@@ -16,7 +16,7 @@ namespace {
 
 using results::CurvePoint;
 
-StepTarget target_of(const cases::LoadProgram& load, std::size_t step,
+StepTarget target_of(const cases::LoadingPath& load, std::size_t step,
                      const cases::Scales& scales) {
   return {load.control, load.targets[step].in_si(scales),
           static_cast<int>(step)};
@@ -73,8 +73,8 @@ MethodJob::MethodJob(const RunScene& scene, const cases::MethodSpec& method,
     : scene_(scene),
       method_(method),
       realization_(realization),
-      chain_(leaves_files(method, scene.rough_case.report) ? no_cache_
-                                                           : scene.cache,
+      chain_(leaves_files(method, scene.contact_case.report) ? no_cache_
+                                                             : scene.cache,
              scene.keys.steps(method, realization)) {}
 
 void MethodJob::run() {
@@ -97,7 +97,7 @@ bool MethodJob::needs_maps(std::size_t step) const {
 bool MethodJob::needs_section(std::size_t step) const {
   return realization_ == 0 && is_whole_block(method_) &&
          step == step_with_section(
-                     scene_.rough_case, method_,
+                     scene_.contact_case, method_,
                      scene_.surfaces.of(method_, realization_).scales);
 }
 
@@ -108,13 +108,13 @@ std::vector<std::size_t> MethodJob::take_kept() {
   std::vector<std::size_t> missing;
   std::vector<CurvePoint> rows;
   KeptWork work;
-  KeptStep last;
-  for (std::size_t step = 0; step < scene_.rough_case.load.targets.size();
+  CachedStep last;
+  for (std::size_t step = 0; step < scene_.contact_case.load.targets.size();
        ++step) {
     if (scene_.writer.has_step(method_.name, realization_,
                                static_cast<int>(step)))
       continue;
-    std::optional<KeptStep> kept =
+    std::optional<CachedStep> kept =
         chain_.read(step, needs_maps(step), needs_section(step));
     if (!kept) {
       missing.push_back(step);
@@ -141,11 +141,11 @@ std::vector<std::size_t> MethodJob::take_kept() {
 
 /// Takes over a cached step: with its fields it is written at once, without
 /// fields it is appended to `rows`.
-void MethodJob::take(std::size_t step, KeptStep& kept,
+void MethodJob::take(std::size_t step, CachedStep& kept,
                      std::vector<CurvePoint>& rows) {
   CurvePoint& row = kept.answer.row;
   row.step = static_cast<int>(step);
-  row.is_unloading = scene_.rough_case.load.is_unloading[step];
+  row.is_unloading = scene_.contact_case.load.is_unloading[step];
   scene_.tally.failed_steps += has_failed(row);
   if (needs_maps(step))
     record(row, kept.answer, step);
@@ -171,24 +171,24 @@ void MethodJob::describe_found(const std::string& found) {
   if (found.empty())
     return;
   const MethodDescription description =
-      describe(method_, scene_.rough_case.material);
+      describe(method_, scene_.contact_case.material);
   scene_.writer.begin_method(method_.name, description.kind,
                              description.text + "; " + found);
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
-  const cases::Case& rough_case = scene_.rough_case;
+  const cases::Case& contact_case = scene_.contact_case;
   const bool by_formula = takes_formula(method_);
   const CpuClock clock;
   const theory::HeightSpectrum spectrum =
-      by_formula ? formula_of_case(rough_case, method_)
+      by_formula ? formula_of_case(contact_case, method_)
                  : spectrum_of(scene_.surfaces.of(method_, realization_));
   const cases::Scales scales =
-      by_formula ? formula_scales(rough_case, spectrum)
+      by_formula ? formula_scales(contact_case, spectrum)
                  : scene_.surfaces.of(method_, realization_).scales;
   std::vector<CurvePoint> rows =
       theory_rows(std::get<cases::TheorySettings>(method_.settings),
-                  rough_case.load, spectrum, scales);
+                  contact_case.load, spectrum, scales);
   const double setup_time = clock.seconds();
   std::erase_if(rows, [&](const CurvePoint& row) {
     return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
@@ -207,7 +207,7 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
 }
 
 void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
-  const CpuClock clock(scene_.pool.threads_a_job());
+  const CpuClock clock(scene_.pool.threads_per_job());
   const std::unique_ptr<StepSolver> solver =
       scene_.solvers.make(method_, scene_.surfaces.of(method_, realization_),
                           realization_, resources());
@@ -247,7 +247,7 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   const cases::Scales& scales =
       scene_.surfaces.of(method_, realization_).scales;
   for (; next < step && !is_interrupted(); ++next) {
-    solver.solve(target_of(scene_.rough_case.load, next, scales));
+    solver.solve(target_of(scene_.contact_case.load, next, scales));
     ++scene_.tally.repeated_steps;
   }
   return !is_interrupted();
@@ -259,22 +259,22 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
 bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
                              double setup_time) {
   const SurfaceOfCase& surface = scene_.surfaces.of(method_, realization_);
-  const CpuClock clock(scene_.pool.threads_a_job());
+  const CpuClock clock(scene_.pool.threads_per_job());
   StepAnswer answer =
-      solver.solve(target_of(scene_.rough_case.load, step, surface.scales));
+      solver.solve(target_of(scene_.contact_case.load, step, surface.scales));
   distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_interrupted())
     return false;
   row.step = static_cast<int>(step);
-  row.is_unloading = scene_.rough_case.load.is_unloading[step];
+  row.is_unloading = scene_.contact_case.load.is_unloading[step];
   row.cpu_time = clock.seconds();
   ++scene_.tally.computed_steps;
   scene_.tally.failed_steps += has_failed(row);
   answer.row = row;
   if (!needs_maps(step))
     answer.pressure = answer.gap = {};
-  KeptStep kept{std::move(answer), setup_time, solver.found_at_setup()};
+  CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
   chain_.keep(step, kept, solver.state());
   record(row, kept.answer, step);
   scene_.progress.step_done(method_.name, realization_, row,
@@ -283,7 +283,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
 }
 
 Resources MethodJob::resources() const {
-  return {scene_.pool.threads_a_job(),
+  return {scene_.pool.threads_per_job(),
           scene_.folder / fmt::format("{}-{}", method_.name, realization_),
           [this](const md::Progress& work) {
             scene_.progress.at_work(method_.name, realization_,

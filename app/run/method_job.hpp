@@ -69,7 +69,7 @@ private:
 
 /// The objects that the jobs of one run share.
 struct RunScene {
-  const cases::Case& rough_case;
+  const cases::Case& contact_case;
   std::filesystem::path folder;
   Cache& cache;
   const CaseKeys& keys;
@@ -95,7 +95,7 @@ private:
   bool needs_maps(std::size_t step) const;
   bool needs_section(std::size_t step) const;
   std::vector<std::size_t> take_kept();
-  void take(std::size_t step, KeptStep& kept,
+  void take(std::size_t step, CachedStep& kept,
             std::vector<results::CurvePoint>& rows);
   void record(results::CurvePoint& row, StepAnswer& answer, std::size_t step);
   void describe_found(const std::string& found);

@@ -20,7 +20,7 @@ bool is_one_of_several() {
 } // namespace
 
 bool has_followed_rank_0() {
-  return is_one_of_several() && fem::load_fem_room().has_followed();
+  return is_one_of_several() && fem::load_fem_module().has_followed();
 }
 
 } // namespace asperity::app

@@ -24,22 +24,22 @@ std::string effect_of_window(const cases::SurfaceSpec& surface) {
 
 } // namespace
 
-results::Provenance provenance_at_start(const cases::Case& rough_case,
+results::Provenance provenance_at_start(const cases::Case& contact_case,
                                         int threads) {
   results::Provenance facts = results::program_facts();
   facts.emplace_back("threads", std::to_string(threads));
-  facts.emplace_back("seed", std::to_string(rough_case.surface.seed));
+  facts.emplace_back("seed", std::to_string(contact_case.surface.seed));
   facts.emplace_back("realizations",
-                     std::to_string(rough_case.surface.realizations));
+                     std::to_string(contact_case.surface.realizations));
   facts.emplace_back("started", results::utc_now());
-  if (rough_case.surface.kind == cases::SurfaceKind::measured &&
-      rough_case.surface.edges == cases::Edges::window)
-    facts.emplace_back("window", effect_of_window(rough_case.surface));
+  if (contact_case.surface.kind == cases::SurfaceKind::measured &&
+      contact_case.surface.edges == cases::Edges::window)
+    facts.emplace_back("window", effect_of_window(contact_case.surface));
   return facts;
 }
 
 results::Provenance provenance_of_fem() {
-  return {{"deal.II", fem::load_fem_room().versions()}};
+  return {{"deal.II", fem::load_fem_module().versions()}};
 }
 
 } // namespace asperity::app

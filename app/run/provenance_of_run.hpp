@@ -9,7 +9,7 @@ namespace asperity::app {
 
 using results::RunClock;
 
-results::Provenance provenance_at_start(const cases::Case& rough_case,
+results::Provenance provenance_at_start(const cases::Case& contact_case,
                                         int threads);
 
 /// Returns the versions of the finite-element libraries. The call loads them,

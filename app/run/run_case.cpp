@@ -26,8 +26,8 @@ using cases::MethodSpec;
 constexpr int rate_probe_points = 256;
 
 /// Returns the inputs that the text of the case does not determine.
-results::Inputs inputs_of(const cases::Case& rough_case) {
-  results::Inputs inputs = input_hashes(rough_case);
+results::Inputs inputs_of(const cases::Case& contact_case) {
+  results::Inputs inputs = input_hashes(contact_case);
   inputs["program"] = results::build_stamp();
   return inputs;
 }
@@ -43,9 +43,9 @@ const fs::path& prepared(const RunOptions& options) {
 /// One run of a case, from the surfaces to the completed result file.
 class Run {
 public:
-  Run(const cases::Case& rough_case, const RunOptions& options,
+  Run(const cases::Case& contact_case, const RunOptions& options,
       std::vector<MethodSpec> methods)
-      : case_(rough_case),
+      : case_(contact_case),
         methods_(std::move(methods)),
         pool_(options.threads),
         surfaces_(case_, methods_),
@@ -179,14 +179,15 @@ RunOutcome Run::execute() {
 
 } // namespace
 
-RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options) {
+RunOutcome run_case(const cases::Case& contact_case,
+                    const RunOptions& options) {
   std::vector<MethodSpec> methods =
-      chosen_methods(rough_case, options.methods, options.is_exact);
+      chosen_methods(contact_case, options.methods, options.is_exact);
   for (const MethodSpec& method : methods)
     if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
       md::require_engine(*md);
-  require_memory(rough_case, options);
-  return Run(rough_case, options, std::move(methods)).execute();
+  require_memory(contact_case, options);
+  return Run(contact_case, options, std::move(methods)).execute();
 }
 
 } // namespace asperity::app

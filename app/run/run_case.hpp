@@ -30,6 +30,6 @@ struct RunOutcome {
 ///
 /// @throws cases::CaseError  an unknown method name, or a module rejects the
 ///                           case
-RunOutcome run_case(const cases::Case& rough_case, const RunOptions& options);
+RunOutcome run_case(const cases::Case& contact_case, const RunOptions& options);
 
 } // namespace asperity::app

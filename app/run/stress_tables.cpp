@@ -100,11 +100,11 @@ results::Table own_stress_table(const results::Table& of_pressure,
   return table;
 }
 
-void record_stress_inside(const cases::Case& rough_case,
+void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
                           const cases::Scales& scales, int threads,
                           results::ResultWriter& writer, Tally& tally) {
-  if (!rough_case.report.stress_inside)
+  if (!contact_case.report.stress_inside)
     return;
   const results::Result result = results::read_result(writer.path());
   for (const results::MethodRecord& record : result.methods) {
@@ -119,7 +119,7 @@ void record_stress_inside(const cases::Case& rough_case,
     if (maps.empty())
       continue;
     const contact::ElasticBlock block =
-        continuum_of(*method, rough_case.material, scales);
+        continuum_of(*method, contact_case.material, scales);
     const auto table = tally.attempt("subsurface stress, " + method->name, [&] {
       return stress_table(method->name, block, maps, threads);
     });

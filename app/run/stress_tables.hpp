@@ -35,7 +35,7 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// the half-space). A full block stores its own strongest points in its rows,
 /// and its own section was written to the file when its step was solved. What
 /// cannot be computed is recorded in `tally` and does not end the run.
-void record_stress_inside(const cases::Case& rough_case,
+void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
                           const cases::Scales& scales, int threads,
                           results::ResultWriter& writer, Tally& tally);

@@ -131,18 +131,19 @@ void run_adhesion(const cases::AdhesionStudy& study,
 } // namespace
 
 void run_studies(const RunScene& scene, const cases::MethodSpec& theory) {
-  const cases::Case& rough_case = scene.rough_case;
-  if (!rough_case.magnification_study && !rough_case.adhesion_study)
+  const cases::Case& contact_case = scene.contact_case;
+  if (!contact_case.magnification_study && !contact_case.adhesion_study)
     return;
   const theory::PerssonContact contact(
-      formula_of_case(rough_case, theory), rough_case.material.contact_modulus,
+      formula_of_case(contact_case, theory),
+      contact_case.material.contact_modulus,
       std::get<cases::TheorySettings>(theory.settings).gamma);
   StudyTables tables(scene, theory);
-  if (rough_case.magnification_study)
-    run_magnification(*rough_case.magnification_study, contact, scene.tally,
+  if (contact_case.magnification_study)
+    run_magnification(*contact_case.magnification_study, contact, scene.tally,
                       tables);
-  if (rough_case.adhesion_study)
-    run_adhesion(*rough_case.adhesion_study, contact, scene.tally, tables);
+  if (contact_case.adhesion_study)
+    run_adhesion(*contact_case.adhesion_study, contact, scene.tally, tables);
 }
 
 } // namespace asperity::app

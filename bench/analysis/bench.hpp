@@ -59,7 +59,7 @@ struct BenchPoint {
   /// is not an error (atoms, theory).
   bool is_elastic = true;
   /// Belongs to the series that defines the reference solution.
-  bool is_truth = false;
+  bool is_reference = false;
 
   int repeats = 0;           ///< number of timed runs
   bool has_warm_up = false;  ///< an untimed run came first
@@ -109,7 +109,7 @@ struct BenchSeries {
   PowerLaw step_cost = {}; ///< the same for the steps alone
 };
 
-struct BenchTruth {
+struct ReferenceSolution {
   std::string words;
   BenchAnswer answer;
   std::map<std::string, double> uncertainty; ///< in the norm of the errors
@@ -159,7 +159,7 @@ struct Bench {
   results::Provenance provenance;
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
-  BenchTruth truth;
+  ReferenceSolution truth;
   /// For each quantity, the Pareto front: the points for which no cheaper point
   /// has a smaller error.
   std::map<std::string, std::vector<std::size_t>> fronts;

@@ -73,7 +73,7 @@ std::vector<std::string> quantities_of(const Bench& bench) {
 }
 
 void overlay_exact(const cases::Case& contact_case, const Bench& bench,
-                   BenchTruth& truth) {
+                   ReferenceSolution& truth) {
   for (const BenchPoint& point : bench.points) {
     if (!point.problem.empty() || point.kind == "theory")
       continue;
@@ -95,7 +95,7 @@ void overlay_exact(const cases::Case& contact_case, const Bench& bench,
 
 /// Describes which quantities of the reference solution are exact and which are
 /// limits.
-std::string truth_words(const BenchTruth& truth, const Bench& bench,
+std::string truth_words(const ReferenceSolution& truth, const Bench& bench,
                         const cases::Case& contact_case) {
   std::string words;
   if (std::any_of(truth.is_exact.begin(), truth.is_exact.end(),
@@ -116,7 +116,7 @@ std::string truth_words(const BenchTruth& truth, const Bench& bench,
 }
 
 void fill_errors(Bench& bench) {
-  std::map<std::string, BenchTruth> own;
+  std::map<std::string, ReferenceSolution> own;
   for (const BenchSeries& series : bench.series)
     if (!series.coordinates.empty() && !own.contains(series.method))
       own[series.method] = limit_of(bench, series);
@@ -178,8 +178,8 @@ void fill_series(Bench& bench, BenchSeries& series) {
 
 } // namespace
 
-BenchTruth limit_of(const Bench& bench, const BenchSeries& series) {
-  BenchTruth truth;
+ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series) {
+  ReferenceSolution truth;
   const Answered kept = answered(bench, series);
   if (kept.points.empty())
     return truth;
@@ -228,7 +228,7 @@ std::vector<std::size_t> front_of(const Bench& bench,
   for (const BenchPoint& point : bench.points) {
     const auto found = point.errors.find(quantity);
     const bool counts =
-        point.is_elastic && !point.is_truth && found != point.errors.end();
+        point.is_elastic && !point.is_reference && found != point.errors.end();
     costs.push_back(point.cpu.median);
     errors.push_back(counts ? found->second : not_a_number);
   }

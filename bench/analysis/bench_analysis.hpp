@@ -19,7 +19,7 @@ void analyse(Bench& bench, const cases::Case& contact_case);
 
 /// Returns the limit of a series, with its uncertainty, for every quantity that
 /// all its last settings provide. Each estimator of the area has its own limit.
-BenchTruth limit_of(const Bench& bench, const BenchSeries& series);
+ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series);
 
 /// Returns the points of the bench on the Pareto front of a quantity, in
 /// ascending cost. Only settings of elastic methods with a result are included,

@@ -17,8 +17,8 @@ constexpr const char* points_axis = "surface.points";
 std::vector<std::string> methods_of(const Bench& bench) {
   std::vector<std::string> methods;
   for (const BenchPoint& point : bench.points)
-    if (!point.is_truth && std::find(methods.begin(), methods.end(),
-                                     point.method) == methods.end())
+    if (!point.is_reference && std::find(methods.begin(), methods.end(),
+                                         point.method) == methods.end())
       methods.push_back(point.method);
   return methods;
 }
@@ -57,7 +57,7 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
   CsvTable table({"curve", "index", "cpu_time [s]", "error [1]"});
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (const BenchPoint& point : bench.points)
-      if (point.method == methods[m] && !point.is_truth &&
+      if (point.method == methods[m] && !point.is_reference &&
           error_of(point, quantity) > 0.0)
         table.add(point.method, {static_cast<double>(m), point.cpu.median,
                                  error_of(point, quantity)});

@@ -68,7 +68,7 @@ Json to_json(const BenchPoint& point) {
           {"points", point.points},
           {"is_own", point.is_own},
           {"is_elastic", point.is_elastic},
-          {"is_truth", point.is_truth},
+          {"is_truth", point.is_reference},
           {"problem", point.problem},
           {"repeats", point.repeats},
           {"has_warm_up", point.has_warm_up},
@@ -192,7 +192,7 @@ std::string bench_csv(const Bench& bench) {
     text += fmt::format(
         "{},{},{},{},{},{},{},{},{}\r\n", point.method, point.kind,
         quoted(point.label), point.points, int{point.is_own},
-        int{point.is_truth}, point.repeats,
+        int{point.is_reference}, point.repeats,
         fmt::join(
             std::vector<double>{
                 point.wall.median, point.wall.least, point.wall.largest,

@@ -138,7 +138,7 @@ std::string remark_of(const BenchPoint& point) {
   };
   if (point.is_own)
     add("the case's own setting");
-  if (point.is_truth)
+  if (point.is_reference)
     add("for the reference solution");
   if (!point.is_repeatable)
     add("numbers differ from run to run");
@@ -151,7 +151,7 @@ std::string remark_of(const BenchPoint& point) {
 Value setting_row(const Bench& bench, const BenchPoint& point) {
   const double floor = point.transform_floor();
   Value row;
-  row.set("class", point.is_own ? "own" : point.is_truth ? "truth" : "");
+  row.set("class", point.is_own ? "own" : point.is_reference ? "truth" : "");
   row.set("label", point.label);
   row.set("remark", remark_of(point));
   row.set("cpu", short_number(point.cpu.median, "{:.3g}"));

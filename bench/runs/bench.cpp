@@ -104,7 +104,7 @@ void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
           (left_out.empty() ? "" : ", ") + point.method + " " + point.label;
       continue;
     }
-    is_once = is_once || (runner.is_spent() && !point.is_truth);
+    is_once = is_once || (runner.is_spent() && !point.is_reference);
     runner.run(point);
     print_point(i, bench.points.size(), point);
   }

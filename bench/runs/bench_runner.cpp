@@ -154,7 +154,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   Once once;
   once.end = run_self(words, log);
   const bool has_result = once.end.exit_code == exit_good ||
-                          once.end.exit_code == exit_numerics_gave_up;
+                          once.end.exit_code == exit_not_converged;
   if (!has_result) {
     once.problem =
         fmt::format("ended with exit code {}: {}", once.end.exit_code,
@@ -212,7 +212,7 @@ void BenchRunner::run(BenchPoint& point) {
     point.problem = problem;
     return;
   }
-  const bool is_once = point.is_truth || is_spent();
+  const bool is_once = point.is_reference || is_spent();
   for (int i = 0; i < options_.repeats && !is_once && !is_interrupted(); ++i) {
     Once again = run_once(point);
     if (!again.problem.empty())

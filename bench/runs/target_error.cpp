@@ -83,7 +83,7 @@ BenchPoint TargetSearch::run_at(const std::string& method,
   point.method = method;
   point.kind = kind_of_method(method);
   point.points = points;
-  point.is_truth = true; // one run is sufficient
+  point.is_reference = true; // one run is sufficient
   point.overrides = overrides_at({.method = method,
                                   .element = element,
                                   .growth = growth_of(case_, method)},

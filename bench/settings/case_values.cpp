@@ -62,10 +62,11 @@ void add_without_spacings(const Node& table, const std::string& path,
         (key->dimension != cases::Dimension::length &&
          key->dimension != cases::Dimension::wavevector))
       continue;
-    const cases::QuantityReading reading = cases::read_quantity(
-        entry.node.text, cases::Dimension::length, {cases::Yardstick::spacing});
+    const cases::QuantityReading reading =
+        cases::read_quantity(entry.node.text, cases::Dimension::length,
+                             {cases::ReferenceUnit::spacing});
     if (reading.quantity &&
-        reading.quantity->yardstick == cases::Yardstick::spacing)
+        reading.quantity->yardstick == cases::ReferenceUnit::spacing)
       overrides.push_back(
           fmt::format("{}.{}={}", path, entry.key,
                       cases::write_quantity({reading.quantity->value * spacing},

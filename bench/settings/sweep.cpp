@@ -93,7 +93,7 @@ std::size_t Planner::point(BenchPoint wanted) {
     BenchPoint& known = sweep_.points[i];
     if (known.method != wanted.method || known.overrides != wanted.overrides)
       continue;
-    known.is_truth = known.is_truth && wanted.is_truth;
+    known.is_reference = known.is_reference && wanted.is_reference;
     known.is_own = known.is_own || wanted.is_own;
     return i;
   }
@@ -140,7 +140,7 @@ void Planner::add_truth() {
     wanted.overrides = overrides;
     if (points != own_points_)
       wanted.overrides.push_back(points_override(points));
-    wanted.is_truth = true;
+    wanted.is_reference = true;
     series.points.push_back(point(std::move(wanted)));
     series.coordinates.push_back(1.0 / points);
   }

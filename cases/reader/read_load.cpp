@@ -7,7 +7,7 @@ namespace {
 
 enum class Cycle { load, load_unload };
 
-void append_way_back(LoadProgram& program) {
+void append_way_back(LoadingPath& program) {
   for (std::size_t step = program.targets.size(); step-- > 1;) {
     program.targets.push_back(program.targets[step - 1]);
     program.is_unloading.push_back(true);
@@ -16,10 +16,10 @@ void append_way_back(LoadProgram& program) {
 
 } // namespace
 
-LoadProgram read_load(const Node& table, Mistakes& mistakes) {
+LoadingPath read_load(const Node& table, Mistakes& mistakes) {
   TableReader load(table, vocabulary_table("load"), mistakes);
   load.refuse_unknown();
-  LoadProgram program;
+  LoadingPath program;
   if (load.has("nominal_pressure") && load.has("mean_gap"))
     load.refuse_both("nominal_pressure", "mean_gap");
   if (load.has("mean_gap")) {

@@ -37,7 +37,7 @@ void read_block(TableReader& material, const std::string& folder,
 /// @param read  the case with its material already read
 MeshSpec read_mesh(const Node& node, const std::string& folder,
                    const Case& read, Mistakes& mistakes);
-LoadProgram read_load(const Node& table, Mistakes& mistakes);
+LoadingPath read_load(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its surface and methods already read
 MagnificationStudy read_magnification_study(const Node& table, const Case& read,
                                             Mistakes& mistakes);

@@ -23,7 +23,7 @@ void check_ends(TableReader& table, double from, double to) {
 double wavevector_of(TableReader& table, const std::string& key,
                      const SurfaceSpec& surface) {
   const Quantity wavelength = table.quantity(key);
-  if (wavelength.yardstick == Yardstick::length && !surface.length) {
+  if (wavelength.yardstick == ReferenceUnit::length && !surface.length) {
     table.refuse(*table.node().find(key),
                  "surface.length is missing, which its unit needs");
     return 0.0;

@@ -82,9 +82,9 @@ void SurfaceReader::read_grid() {
 // converted here.
 double SurfaceReader::length_of(const std::string& key) {
   const Quantity quantity = table.quantity(key);
-  if (quantity.yardstick == Yardstick::si)
+  if (quantity.yardstick == ReferenceUnit::si)
     return quantity.value;
-  const bool is_by_spacing = quantity.yardstick == Yardstick::spacing;
+  const bool is_by_spacing = quantity.yardstick == ReferenceUnit::spacing;
   if (!table.has("length") || (is_by_spacing && !table.has("points")))
     table.refuse(*table.node().find(key), is_by_spacing
                                               ? "h needs surface.length and "

@@ -80,7 +80,7 @@ Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     return {};
   }
   if (!key.range.contains(quantity.value)) {
-    const bool is_si = quantity.yardstick == Yardstick::si;
+    const bool is_si = quantity.yardstick == ReferenceUnit::si;
     refuse(node,
            key.range.sentence(is_si ? si_unit(key.dimension)
                                     : yardstick_symbol(quantity.yardstick)));

@@ -30,7 +30,7 @@ Key length_key(std::string name, std::string example, std::string description) {
   return {.name = std::move(name),
           .dimension = Dimension::length,
           .range = positive(),
-          .yardsticks = {Yardstick::length, Yardstick::spacing},
+          .yardsticks = {ReferenceUnit::length, ReferenceUnit::spacing},
           .need = Need::always,
           .example = std::move(example),
           .show = Show::no,

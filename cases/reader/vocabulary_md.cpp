@@ -54,7 +54,7 @@ std::vector<Key> lattice_keys() {
       {.name = "depth",
        .dimension = Dimension::length,
        .range = positive(),
-       .yardsticks = {Yardstick::length, Yardstick::spacing},
+       .yardsticks = {ReferenceUnit::length, ReferenceUnit::spacing},
        .fallback = "\"1 length\"",
        .example = "\"1 length\"",
        .description = "Depth of the block, for green and LAMMPS, rounded to "

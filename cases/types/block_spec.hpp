@@ -57,12 +57,12 @@ struct MeshSpec {
   MeshGeometry geometry = MeshGeometry::block; ///< for gmsh
   MeshCells cells = MeshCells::hexahedra;      ///< for gmsh
   /// Edge length of a cell [m].
-  Quantity size_at_contact{1.0, Yardstick::spacing};
-  Quantity size_far{0.1, Yardstick::length}; ///< far from the contact surface
-                                             ///< [m]
-  Quantity fine_radius{0.1, Yardstick::length}; ///< for indentation [m]
-  std::string file;                             ///< as in MaterialVariation
-  double file_unit = 1.0;                       ///< metres per unit of the file
+  Quantity size_at_contact{1.0, ReferenceUnit::spacing};
+  Quantity size_far{0.1, ReferenceUnit::length}; ///< far from the contact
+                                                 ///< surface [m]
+  Quantity fine_radius{0.1, ReferenceUnit::length}; ///< for indentation [m]
+  std::string file;                                 ///< as in MaterialVariation
+  double file_unit = 1.0; ///< metres per unit of the file
 };
 
 enum class BlockSides { periodic, free };

@@ -16,17 +16,17 @@ double known(const char* name, double scale, const char* unit) {
 
 double Quantity::in_si(const Scales& scales) const {
   switch (yardstick) {
-  case Yardstick::si:
+  case ReferenceUnit::si:
     return value;
-  case Yardstick::contact_modulus:
+  case ReferenceUnit::contact_modulus:
     return value * known("contact_modulus", scales.contact_modulus, "Pa");
-  case Yardstick::length:
+  case ReferenceUnit::length:
     return value * known("length", scales.length, "m");
-  case Yardstick::spacing:
+  case ReferenceUnit::spacing:
     return value * known("spacing", scales.spacing, "m");
-  case Yardstick::rms_height:
+  case ReferenceUnit::rms_height:
     return value * known("rms_height", scales.rms_height, "m");
-  case Yardstick::contact_modulus_per_spacing:
+  case ReferenceUnit::contact_modulus_per_spacing:
     return value * known("contact_modulus", scales.contact_modulus, "Pa") /
            known("spacing", scales.spacing, "m");
   }

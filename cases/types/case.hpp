@@ -90,7 +90,7 @@ enum class Control { nominal_pressure, mean_gap };
 
 /// [load]: the loading path as steps in the order in which they run. A cycle
 /// "load-unload" is expanded; is_unloading[i] marks the unloading steps.
-struct LoadProgram {
+struct LoadingPath {
   Control control = Control::nominal_pressure;
   std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] per step
   std::vector<bool> is_unloading;
@@ -105,7 +105,8 @@ enum class TheorySpectrum { formula, surface };
 /// The contact law and its solver settings for an elastic method.
 struct ContactSettings {
   ContactLaw law = ContactLaw::hard;
-  Quantity penalty{100.0, Yardstick::contact_modulus_per_spacing}; ///< [Pa/m]
+  Quantity penalty{100.0,
+                   ReferenceUnit::contact_modulus_per_spacing}; ///< [Pa/m]
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 };
@@ -128,7 +129,7 @@ struct FemSettings {
   Element element = Element::q2;
   double surface_cell_depth = 1.0; ///< in node spacings
   double growth = 1.2;             ///< grading ratio of successive layers
-  Quantity depth{1.0, Yardstick::length};
+  Quantity depth{1.0, ReferenceUnit::length};
   TopFace top = TopFace::clamped;
   FemSolver solver = FemSolver::automatic;
   BlockSides sides = BlockSides::periodic;
@@ -163,7 +164,7 @@ struct MdSettings {
   double cutoff = 0.0;               ///< [m]
   double contact_distance = 0.0;     ///< d_c [m] > 0: u = d - d_c
 
-  Quantity depth{1.0, Yardstick::length}; ///< of the block, for green
+  Quantity depth{1.0, ReferenceUnit::length}; ///< of the block, for green
   int levels = 1; ///< of the explicit block; the spacing doubles from each to
                   ///< the next
   int layers = 6; ///< cell layers per level
@@ -229,7 +230,7 @@ struct Case {
   SurfaceSpec surface;
   MaterialSpec material;
   MeshSpec mesh;
-  LoadProgram load;
+  LoadingPath load;
   std::vector<MethodSpec> methods; ///< theory, halfspace, fem, md, then
                                    ///< variants
   std::optional<MagnificationStudy> magnification_study;

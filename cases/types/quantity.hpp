@@ -5,7 +5,7 @@
 namespace asperity::cases {
 
 /// The reference units of a problem that a case may use besides SI.
-enum class Yardstick {
+enum class ReferenceUnit {
   si,                          ///< already in SI
   contact_modulus,             ///< "E*" [Pa]
   length,                      ///< "length", side of the periodic square [m]
@@ -27,7 +27,7 @@ struct Scales {
 /// the surface is read.
 struct Quantity {
   double value = 0.0;
-  Yardstick yardstick = Yardstick::si;
+  ReferenceUnit yardstick = ReferenceUnit::si;
 
   double in_si(const Scales& scales) const;
 };

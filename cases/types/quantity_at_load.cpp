@@ -124,8 +124,8 @@ QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
       has_magnification ? quantities_at_magnification() : quantities_at_load());
   if (!mistake.empty())
     return refused_at_load(mistake);
-  const QuantityReading pressure =
-      read_quantity(*load, Dimension::pressure, {Yardstick::contact_modulus});
+  const QuantityReading pressure = read_quantity(
+      *load, Dimension::pressure, {ReferenceUnit::contact_modulus});
   if (!pressure.quantity)
     return refused_at_load("has a p that " + pressure.mistake);
   if (!(pressure.quantity->value > 0.0))

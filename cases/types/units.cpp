@@ -43,8 +43,8 @@ const std::vector<Unit>& units() {
       {"m", length},
       {"mm", length, 1.0, 1e3},
       {"um", length, 1.0, 1e6},
-      {"\u00b5m", length, 1.0, 1e6, Yardstick::si, true}, // micro sign
-      {"\u03bcm", length, 1.0, 1e6, Yardstick::si, true}, // Greek mu
+      {"\u00b5m", length, 1.0, 1e6, ReferenceUnit::si, true}, // micro sign
+      {"\u03bcm", length, 1.0, 1e6, ReferenceUnit::si, true}, // Greek mu
       {"nm", length, 1.0, 1e9},
       {"angstrom", length, 1.0, 1e10},
       {"Pa", pressure},
@@ -69,11 +69,11 @@ const std::vector<Unit>& units() {
       {"mPa s", viscosity, 1.0, 1e3},
       {"1/m", wavevector},
       {"Pa/m", stiffness},
-      {"E*", pressure, 1.0, 1.0, Yardstick::contact_modulus},
-      {"length", length, 1.0, 1.0, Yardstick::length},
-      {"h", length, 1.0, 1.0, Yardstick::spacing},
-      {"h_rms", length, 1.0, 1.0, Yardstick::rms_height},
-      {"E*/h", stiffness, 1.0, 1.0, Yardstick::contact_modulus_per_spacing},
+      {"E*", pressure, 1.0, 1.0, ReferenceUnit::contact_modulus},
+      {"length", length, 1.0, 1.0, ReferenceUnit::length},
+      {"h", length, 1.0, 1.0, ReferenceUnit::spacing},
+      {"h_rms", length, 1.0, 1.0, ReferenceUnit::rms_height},
+      {"E*/h", stiffness, 1.0, 1.0, ReferenceUnit::contact_modulus_per_spacing},
   };
   return table;
 }
@@ -120,23 +120,24 @@ std::string si_unit(Dimension dimension) {
   return found == units().end() ? "1" : found->symbol;
 }
 
-std::string yardstick_symbol(Yardstick yardstick) {
+std::string yardstick_symbol(ReferenceUnit yardstick) {
   for (const Unit& unit : units())
-    if (unit.yardstick == yardstick && yardstick != Yardstick::si)
+    if (unit.yardstick == yardstick && yardstick != ReferenceUnit::si)
       return unit.symbol;
   return "";
 }
 
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<Yardstick>& yardsticks) {
+                const std::vector<ReferenceUnit>& yardsticks) {
   return unit.dimension == dimension &&
-         (unit.yardstick == Yardstick::si ||
+         (unit.yardstick == ReferenceUnit::si ||
           std::find(yardsticks.begin(), yardsticks.end(), unit.yardstick) !=
               yardsticks.end());
 }
 
 std::vector<std::string>
-unit_symbols(Dimension dimension, const std::vector<Yardstick>& yardsticks) {
+unit_symbols(Dimension dimension,
+             const std::vector<ReferenceUnit>& yardsticks) {
   std::vector<std::string> symbols;
   for (const Unit& unit : units())
     if (is_allowed(unit, dimension, yardsticks) && !unit.is_alias)
@@ -145,7 +146,7 @@ unit_symbols(Dimension dimension, const std::vector<Yardstick>& yardsticks) {
 }
 
 QuantityReading read_quantity(const std::string& text, Dimension dimension,
-                              const std::vector<Yardstick>& yardsticks) {
+                              const std::vector<ReferenceUnit>& yardsticks) {
   const std::string written = trimmed(text);
   const char* const end = written.data() + written.size();
   double number = 0.0;
@@ -174,7 +175,7 @@ QuantityReading read_quantity(const std::string& text, Dimension dimension,
 }
 
 std::string write_quantity(const Quantity& quantity, Dimension dimension) {
-  const std::string symbol = quantity.yardstick == Yardstick::si
+  const std::string symbol = quantity.yardstick == ReferenceUnit::si
                                  ? si_unit(dimension)
                                  : yardstick_symbol(quantity.yardstick);
   return fmt::format("{} {}", quantity.value, symbol);

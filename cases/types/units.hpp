@@ -37,7 +37,7 @@ struct Unit {
   Dimension dimension = Dimension::none;
   double multiplier = 1.0;
   double divisor = 1.0;
-  Yardstick yardstick = Yardstick::si;
+  ReferenceUnit yardstick = ReferenceUnit::si;
   bool is_alias = false; ///< alternative spelling, accepted but not listed in
                          ///< messages
 };
@@ -53,16 +53,16 @@ std::string si_unit(Dimension dimension);
 
 /// Returns the symbol of a reference unit: "E*", "length", "h", "h_rms",
 /// "E*/h"; "" for si.
-std::string yardstick_symbol(Yardstick yardstick);
+std::string yardstick_symbol(ReferenceUnit yardstick);
 
 /// Returns true if the unit may follow a number of that dimension, given the
 /// allowed reference units.
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<Yardstick>& yardsticks);
+                const std::vector<ReferenceUnit>& yardsticks);
 
 /// Returns the symbols of the allowed units without aliases.
-std::vector<std::string> unit_symbols(Dimension dimension,
-                                      const std::vector<Yardstick>& yardsticks);
+std::vector<std::string>
+unit_symbols(Dimension dimension, const std::vector<ReferenceUnit>& yardsticks);
 
 /// The result of reading a quantity: the quantity or the mistake.
 struct QuantityReading {
@@ -74,7 +74,7 @@ struct QuantityReading {
 /// number but no unit is a mistake, because a number in SI is written without
 /// quotes. The number is finite; the caller checks its range.
 QuantityReading read_quantity(const std::string& text, Dimension dimension,
-                              const std::vector<Yardstick>& yardsticks);
+                              const std::vector<ReferenceUnit>& yardsticks);
 
 /// Writes the quantity such that read_quantity() restores it to the last bit:
 /// "2e-07 m".

@@ -52,16 +52,16 @@ double pressure_factor(double x) {
 
 } // namespace
 
-double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
-                              double poisson_ratio) {
+double slab_compliance_factor(double reduced_wavevector,
+                              FarBoundary far_boundary, double poisson_ratio) {
   require_positive("reduced_wavevector", reduced_wavevector, "1");
   require_between("poisson_ratio", poisson_ratio, -1.0, 0.5, "1");
-  switch (far_face) {
-  case FarFace::clamped:
+  switch (far_boundary) {
+  case FarBoundary::clamped:
     return clamped_factor(reduced_wavevector, poisson_ratio);
-  case FarFace::sliding:
+  case FarBoundary::sliding:
     return sliding_factor(reduced_wavevector);
-  case FarFace::pressure:
+  case FarBoundary::pressure:
     return pressure_factor(reduced_wavevector);
   }
   return 1.0;
@@ -74,8 +74,8 @@ double uniform_compliance(double wavevector, const ElasticBlock& block) {
   const double factor =
       std::isinf(block.thickness)
           ? 1.0
-          : slab_compliance_factor(wavevector * block.thickness, block.far_face,
-                                   block.poisson_ratio);
+          : slab_compliance_factor(wavevector * block.thickness,
+                                   block.far_boundary, block.poisson_ratio);
   return 2.0 * factor / (block.contact_modulus * wavevector);
 }
 

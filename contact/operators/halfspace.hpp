@@ -14,7 +14,7 @@ namespace asperity::contact {
 /// Boundary condition on the far boundary of a slab, for q > 0: `clamped` has
 /// no displacement, `sliding` no normal displacement and no shear traction,
 /// `pressure` no traction.
-enum class FarFace { clamped, sliding, pressure };
+enum class FarBoundary { clamped, sliding, pressure };
 
 /// Compliance of a slab of thickness d relative to the half-space, with
 /// x = q d:
@@ -33,8 +33,8 @@ enum class FarFace { clamped, sliding, pressure };
 ///            and `sliding` forms are evaluated by series, to 1e-12.
 /// @see  K. L. Johnson, Contact Mechanics (1985), ch. 5; G. Carbone et al.,
 ///       J. Mech. Phys. Solids 56, 684 (2008)
-double slab_compliance_factor(double reduced_wavevector, FarFace far_face,
-                              double poisson_ratio);
+double slab_compliance_factor(double reduced_wavevector,
+                              FarBoundary far_boundary, double poisson_ratio);
 
 /// A homogeneous, isotropic layer, bonded to the material below it.
 struct BondedLayer {
@@ -50,7 +50,7 @@ struct ElasticBlock {
   /// clamped.
   double poisson_ratio = 0.0;
   double thickness = 0.0; ///< with layers [m] > 0; infinite for a half-space
-  FarFace far_face = FarFace::clamped;
+  FarBoundary far_boundary = FarBoundary::clamped;
   std::vector<BondedLayer> layers = {}; ///< from the contact surface downwards
 };
 

@@ -138,13 +138,13 @@ Crossing across(const StackLayer& layer, double wavevector,
 }
 
 /// (U, T) on the far boundary.
-Answer far_answer(FarFace far_face) {
-  switch (far_face) {
-  case FarFace::sliding:
+Answer far_answer(FarBoundary far_boundary) {
+  switch (far_boundary) {
+  case FarBoundary::sliding:
     return {matrix(1.0, 0.0, 0.0, 0.0), matrix(0.0, 0.0, 0.0, 1.0)};
-  case FarFace::pressure:
+  case FarBoundary::pressure:
     return {Matrix2d::Identity(), Matrix2d::Zero()};
-  case FarFace::clamped:
+  case FarBoundary::clamped:
     break;
   }
   return {Matrix2d::Zero(), Matrix2d::Identity()};
@@ -154,13 +154,13 @@ Answer far_answer(FarFace far_face) {
 /// (U, T) at the bottom of each. Returns what visit() returned for the first
 /// layer.
 template <class Visit>
-Answer climb(std::span<const StackLayer> layers, FarFace far_face,
+Answer climb(std::span<const StackLayer> layers, FarBoundary far_boundary,
              double wavevector, const Visit& visit) {
   const auto deep_layer =
       std::find_if(layers.begin(), layers.end(), [&](const StackLayer& layer) {
         return wavevector * layer.thickness > deep;
       });
-  Answer answer = far_answer(far_face);
+  Answer answer = far_answer(far_boundary);
   std::size_t above = layers.size();
   if (deep_layer != layers.end()) {
     // This layer acts as a half-space: no mode is reflected from its bottom,
@@ -194,7 +194,7 @@ void require_layer(double thickness, double modulus, double poisson_ratio) {
 } // namespace
 
 LayerStack::LayerStack(const ElasticBlock& block)
-    : thickness_(block.thickness), far_face_(block.far_face) {
+    : thickness_(block.thickness), far_face_(block.far_boundary) {
   double depth = 0.0;
   const auto add = [&](double thickness, double contact_modulus, double nu) {
     require_layer(thickness, contact_modulus, nu);

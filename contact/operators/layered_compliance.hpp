@@ -115,7 +115,7 @@ public:
 private:
   std::vector<StackLayer> layers_;
   double thickness_;
-  FarFace far_face_;
+  FarBoundary far_face_;
 };
 
 /// C(q) of a block at one wavevector [m/Pa], see LayerStack::compliance.

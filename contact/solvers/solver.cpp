@@ -3,8 +3,8 @@
 #include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/node_weights.hpp"
 #include "contact/solvers/active_set.hpp"
+#include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
-#include "contact/solvers/rim_extension.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,15 @@ namespace {
 constexpr int patience = 150;
 
 /// Fraction of a residual that the next ring of nodes takes over, see
-/// RimExtension.
-constexpr double rim_reach = 0.65;
+/// BoundaryExtension.
+constexpr double extension_decay = 0.65;
 
 /// The rings are rebuilt when this many nodes, relative to the number at the
 /// contact boundary, have changed between active and inactive.
 constexpr double rim_change = 0.05;
 
 /// Stagnation criterion: tells when an error has stopped falling.
-class StallWatch {
+class StagnationCriterion {
 public:
   bool is_stalled(double error, int iteration) {
     if (error <= 0.5 * best_ || iteration == 0) {
@@ -84,7 +84,7 @@ private:
     }
     // A soft penalty acts locally and does not couple neighbouring nodes.
     const double short_wave = state.elasticity.short_wave_compliance();
-    const double reach = rim_reach * short_wave / (short_wave + c);
+    const double reach = extension_decay * short_wave / (short_wave + c);
     rim_.extend(reach, state.freedom, state.residual);
     state.elasticity.pressure_estimate(state.residual, c, preconditioned_);
     rim_.clear(state.freedom, state.residual);
@@ -188,7 +188,7 @@ private:
         });
   }
 
-  RimExtension rim_;
+  BoundaryExtension rim_;
   double freed_at_build_ = 0.0;
   std::vector<float> preconditioned_;
   std::vector<float> direction_;
@@ -232,7 +232,7 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
                               std::span<const double> initial_pressure) {
   ContactState state(elasticity, problem, target, initial_pressure);
   Directions directions(state);
-  StallWatch watch;
+  StagnationCriterion watch;
   for (;; ++state.iterations) {
     state.update_residual();
     if (state.is_at_end())

@@ -51,11 +51,11 @@ struct ContactSolution {
 /// Projected preconditioned conjugate gradients on the active nodes, which are
 /// those in contact and those that overlap. Each iteration takes the residual
 /// gap r on the active nodes, extends it across the contact boundary
-/// (RimExtension), applies (C + c)^-1, restricts the result to the active nodes
-/// by the transpose of the extension, conjugates it (Polak-Ribiere), makes an
-/// exact line search and sets negative pressures to 0. Overlapping nodes enter
-/// with the value of the search direction, so no scale for their pressure has
-/// to be guessed.
+/// (BoundaryExtension), applies (C + c)^-1, restricts the result to the active
+/// nodes by the transpose of the extension, conjugates it (Polak-Ribiere),
+/// makes an exact line search and sets negative pressures to 0. Overlapping
+/// nodes enter with the value of the search direction, so no scale for their
+/// pressure has to be guessed.
 ///
 /// If the residual has not halved within 150 iterations, or if there is no
 /// descent direction, the problem is passed with its current pressure to

@@ -78,13 +78,13 @@ void BlockSpace::constrain(const BlockProblem& problem) {
         "choose top = clamped or sliding");
   constraints_.reinit(relevant_);
   dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints_);
-  hold_far_face(problem);
+  hold_far_boundary(problem);
   if (problem.sides == cases::BlockSides::periodic)
     identify_sides();
   constraints_.close();
 }
 
-void BlockSpace::hold_far_face(const BlockProblem& problem) {
+void BlockSpace::hold_far_boundary(const BlockProblem& problem) {
   const std::vector<FaceNode> nodes = face_nodes(FaceGroup::fixed);
   if (dealii::Utilities::MPI::sum(nodes.size(), MPI_COMM_WORLD) == 0)
     throw std::domain_error("the mesh has no face in the group fixed");

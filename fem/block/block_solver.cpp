@@ -223,7 +223,7 @@ void BlockSolver::refresh_multigrid() {
   factors_->multigrid.initialize(matrix_, factors_->settings);
   is_stale_ = false;
   is_new_ = true;
-  steps_a_decade_ = 0.0;
+  steps_per_decade_ = 0.0;
   lost_steps_ = 0.0;
   ++setups_;
 }
@@ -236,9 +236,9 @@ void BlockSolver::judge(int steps, double decades) {
   if (own_ || steps < fewest_steps || !(decades > 1.0))
     return;
   if (is_new_) {
-    steps_a_decade_ = std::max(steps_a_decade_, steps / decades);
+    steps_per_decade_ = std::max(steps_per_decade_, steps / decades);
   } else {
-    lost_steps_ += std::max(0.0, steps - steps_a_decade_ * decades);
+    lost_steps_ += std::max(0.0, steps - steps_per_decade_ * decades);
     is_stale_ = lost_steps_ > setup_steps;
   }
 }

@@ -126,11 +126,11 @@ private:
   std::vector<double> springs_;
   std::vector<bool> holds_; ///< whether each point is held
   std::vector<dealii::types::global_dof_index> held_;
-  bool has_springs_ = false;    ///< on any rank
-  bool is_stale_ = true;        ///< multigrid hierarchy must be set up again
-  bool is_new_ = false;         ///< hierarchy is that of the current contact
-  double steps_a_decade_ = 0.0; ///< CG steps per decade with a new hierarchy
-  double lost_steps_ = 0.0;     ///< steps in excess of these, accumulated
+  bool has_springs_ = false;      ///< on any rank
+  bool is_stale_ = true;          ///< multigrid hierarchy must be set up again
+  bool is_new_ = false;           ///< hierarchy is that of the current contact
+  double steps_per_decade_ = 0.0; ///< CG steps per decade with a new hierarchy
+  double lost_steps_ = 0.0;       ///< steps in excess of these, accumulated
   int iterations_ = 0;
   int setups_ = 0;
 };

@@ -86,7 +86,7 @@ public:
 private:
   void choose_element(int degree);
   void constrain(const BlockProblem& problem);
-  void hold_far_face(const BlockProblem& problem);
+  void hold_far_boundary(const BlockProblem& problem);
   void pin(const BlockProblem& problem, const std::vector<FaceNode>& nodes,
            bool is_counter);
   void identify_sides();

@@ -2,7 +2,7 @@
 
 // The processes of one mpirun: rank 0 broadcasts commands and the other ranks
 // execute them. This file defines how a command is broadcast and how a failure
-// on any rank terminates all of them; led_blocks defines what a command means.
+// on any rank terminates all of them; block_proxy defines what a command means.
 
 #include <cstddef>
 #include <exception>

@@ -23,12 +23,12 @@ struct CellStiffness {
   int degree = 1;
   std::vector<double> entries; ///< row-major, size() * size() [N/m]
 
-  std::size_t nodes_a_side() const {
+  std::size_t nodes_per_side() const {
     return static_cast<std::size_t>(degree) + 1;
   }
 
   std::size_t size() const {
-    return 3 * nodes_a_side() * nodes_a_side() * nodes_a_side();
+    return 3 * nodes_per_side() * nodes_per_side() * nodes_per_side();
   }
 
   double at(std::size_t row, std::size_t column) const {
@@ -38,7 +38,7 @@ struct CellStiffness {
   /// The row of a component of a node.
   std::size_t row(std::size_t a, std::size_t b, std::size_t k,
                   std::size_t component) const {
-    return ((k * nodes_a_side() + b) * nodes_a_side() + a) * 3 + component;
+    return ((k * nodes_per_side() + b) * nodes_per_side() + a) * 3 + component;
   }
 };
 

@@ -27,7 +27,7 @@ void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
                  const Q2Compliance& compliance,
                  std::array<KindBlock, lanes>& blocks) {
   const Grid& grid = compliance.grid;
-  Pack theta_x{}, theta_y{}, on_uniform_mode{};
+  SimdBatch theta_x{}, theta_y{}, on_uniform_mode{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int mode_x =
         std::min(first + static_cast<int>(lane), compliance.columns() - 1);
@@ -36,7 +36,7 @@ void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
   }
   if (first == 0 && mode_y == 0)
     on_uniform_mode[0] = spring;
-  std::array<Pack, node_kinds * node_kinds> packs;
+  std::array<SimdBatch, node_kinds * node_kinds> packs;
   layers.face_compliance(theta_x, theta_y, on_uniform_mode, packs.data());
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t i = 0; i < packs.size(); ++i)

@@ -80,7 +80,7 @@ void KindSpectra::backward(std::span<std::complex<double>> spectra,
 
 void KindSpectra::load(std::span<const std::complex<double>> spectra,
                        const WaveBatch& batch, std::size_t stride,
-                       Pack* values) const {
+                       SimdBatch* values) const {
   const std::size_t columns = cells_x_ / 2 + 1;
   const std::size_t half = fourier_.grid().half_spectrum_size();
   for (std::size_t kind = 0; kind < kinds(); ++kind)
@@ -88,20 +88,20 @@ void KindSpectra::load(std::span<const std::complex<double>> spectra,
       const std::size_t row = side == 0 ? batch.row : batch.opposite;
       const std::complex<double>* const from =
           &spectra[kind * half + row * columns + batch.first];
-      Pack real{}, imaginary{};
+      SimdBatch real{}, imaginary{};
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         real[lane] = from[lane].real();
         imaginary[lane] = from[lane].imag();
       }
-      const Pack& cosine = batch.cosine[side][kind];
-      const Pack& sine = batch.sine[side][kind];
-      Pack* const to = values + kind * stride * wave_columns + 2 * side;
+      const SimdBatch& cosine = batch.cosine[side][kind];
+      const SimdBatch& sine = batch.sine[side][kind];
+      SimdBatch* const to = values + kind * stride * wave_columns + 2 * side;
       to[0] = real * cosine + imaginary * sine;
       to[1] = imaginary * cosine - real * sine;
     }
 }
 
-void KindSpectra::store(const Pack* values, const WaveBatch& batch,
+void KindSpectra::store(const SimdBatch* values, const WaveBatch& batch,
                         std::size_t stride,
                         std::span<std::complex<double>> spectra) const {
   const std::size_t columns = cells_x_ / 2 + 1;
@@ -111,11 +111,12 @@ void KindSpectra::store(const Pack* values, const WaveBatch& batch,
       const std::size_t row = side == 0 ? batch.row : batch.opposite;
       if (side == 1 && row == batch.row)
         continue;
-      const Pack& cosine = batch.cosine[side][kind];
-      const Pack& sine = batch.sine[side][kind];
-      const Pack* const from = values + kind * stride * wave_columns + 2 * side;
-      const Pack real = from[0] * cosine - from[1] * sine;
-      const Pack imaginary = from[1] * cosine + from[0] * sine;
+      const SimdBatch& cosine = batch.cosine[side][kind];
+      const SimdBatch& sine = batch.sine[side][kind];
+      const SimdBatch* const from =
+          values + kind * stride * wave_columns + 2 * side;
+      const SimdBatch real = from[0] * cosine - from[1] * sine;
+      const SimdBatch imaginary = from[1] * cosine + from[0] * sine;
       std::complex<double>* const to =
           &spectra[kind * half + row * columns + batch.first];
       for (std::size_t lane = 0; lane < batch.count; ++lane)

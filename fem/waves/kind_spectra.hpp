@@ -20,9 +20,9 @@ struct WaveBatch {
   std::size_t row, first, count; ///< |jy|, jx of lane 0, number of lanes in use
   std::size_t opposite;          ///< row of -jy; equal to `row` if -jy and jy
                                  ///< coincide
-  Pack theta_x, theta_y;         ///< q times the node spacing, jy > 0 [1]
+  SimdBatch theta_x, theta_y;    ///< q times the node spacing, jy > 0 [1]
   /// Cosine and sine of q.x for each node class, for jy and for -jy.
-  std::array<std::array<Pack, 4>, 2> cosine, sine;
+  std::array<std::array<SimdBatch, 4>, 2> cosine, sine;
 };
 
 /// Number of columns of values: real and imaginary part for jy, then for -jy.
@@ -83,9 +83,10 @@ public:
   /// Loads the columns of each class:
   /// values[kind * stride * wave_columns + column].
   void load(std::span<const std::complex<double>> spectra,
-            const WaveBatch& batch, std::size_t stride, Pack* values) const;
-  void store(const Pack* values, const WaveBatch& batch, std::size_t stride,
-             std::span<std::complex<double>> spectra) const;
+            const WaveBatch& batch, std::size_t stride,
+            SimdBatch* values) const;
+  void store(const SimdBatch* values, const WaveBatch& batch,
+             std::size_t stride, std::span<std::complex<double>> spectra) const;
 
 private:
   Grid grid_;

@@ -28,12 +28,14 @@ public:
   Factors(const KindSpectra& spectra, const LayeredBlock& block, Range rows,
           int threads);
 
-  std::size_t bytes() const override { return packs_.size() * sizeof(Pack); }
+  std::size_t bytes() const override {
+    return packs_.size() * sizeof(SimdBatch);
+  }
 
-  void go_down(const WaveBatch& batch, Pack* values) const override;
-  void solve_face(const WaveBatch& batch, Pack* values) const override;
-  void go_up(const WaveBatch& batch, Pack* values) const override;
-  void face_compliance(const WaveBatch& batch, Pack* block) const override;
+  void go_down(const WaveBatch& batch, SimdBatch* values) const override;
+  void solve_face(const WaveBatch& batch, SimdBatch* values) const override;
+  void go_up(const WaveBatch& batch, SimdBatch* values) const override;
+  void face_compliance(const WaveBatch& batch, SimdBatch* block) const override;
 
 private:
   static constexpr std::size_t kinds = kinds_of(degree);
@@ -44,12 +46,12 @@ private:
   void factorise_batch(const std::vector<LayerSymbol>& layers,
                        const LayeredBlock& block, double spring,
                        const WaveBatch& batch);
-  static void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
-                       Pack* to_lower);
+  static void hold_top(cases::TopFace top, const SimdBatch& spring,
+                       SimdBatch* matrix, SimdBatch* to_lower);
 
   /// The factors of a batch: L, 1/D and R of the layers from the contact
   /// surface upwards, then L and 1/D of T_0.
-  const Pack* of_batch(const WaveBatch& batch) const {
+  const SimdBatch* of_batch(const WaveBatch& batch) const {
     return &packs_[((batch.row - rows_.begin) * batches_ +
                     batch.first / lanes) *
                    (n_layers_ * layer_packs + triangle(plane))];
@@ -57,7 +59,7 @@ private:
 
   Range rows_;
   std::size_t batches_, n_layers_;
-  std::vector<Pack> packs_;
+  std::vector<SimdBatch> packs_;
 };
 
 template <std::size_t degree>
@@ -90,14 +92,14 @@ void Factors<degree>::factorise_batch(const std::vector<LayerSymbol>& layers,
                                       const LayeredBlock& block, double spring,
                                       const WaveBatch& batch) {
   const WaveProducts products(batch.theta_x, batch.theta_y);
-  Pack* const first = const_cast<Pack*>(of_batch(batch));
-  std::array<Pack, triangle(plane) + layer_packs> symbol;
-  std::array<Pack, triangle(plane)> upper{};
-  Pack uniform_mode{};
+  SimdBatch* const first = const_cast<SimdBatch*>(of_batch(batch));
+  std::array<SimdBatch, triangle(plane) + layer_packs> symbol;
+  std::array<SimdBatch, triangle(plane)> upper{};
+  SimdBatch uniform_mode{};
   if (batch.row == 0 && batch.first == 0)
     uniform_mode[0] = spring;
-  Pack* const matrix = &symbol[triangle(plane)];
-  Pack* const to_lower = matrix + triangle(group);
+  SimdBatch* const matrix = &symbol[triangle(plane)];
+  SimdBatch* const to_lower = matrix + triangle(group);
   for (std::size_t l = n_layers_; l-- > 0;) {
     layers[l].evaluate(products, symbol.data());
     constexpr std::size_t top_plane = group - plane;
@@ -118,16 +120,17 @@ void Factors<degree>::factorise_batch(const std::vector<LayerSymbol>& layers,
 }
 
 template <std::size_t degree>
-void Factors<degree>::hold_top(cases::TopFace top, const Pack& spring,
-                               Pack* matrix, Pack* to_lower) {
+void Factors<degree>::hold_top(cases::TopFace top, const SimdBatch& spring,
+                               SimdBatch* matrix, SimdBatch* to_lower) {
   constexpr std::size_t top_plane = group - plane;
   for (std::size_t row = top_plane; row < group; ++row) {
     const std::size_t component = row % 3;
     if (holds(top, component)) {
       for (std::size_t j = 0; j < group; ++j)
-        matrix[in_triangle(group, std::max(row, j), std::min(row, j))] = Pack{};
+        matrix[in_triangle(group, std::max(row, j), std::min(row, j))] =
+            SimdBatch{};
       matrix[in_triangle(group, row, row)] += 1.0;
-      std::fill_n(to_lower + row * plane, plane, Pack{});
+      std::fill_n(to_lower + row * plane, plane, SimdBatch{});
       continue;
     }
     for (std::size_t column = top_plane + component; column <= row; column += 3)
@@ -136,17 +139,17 @@ void Factors<degree>::hold_top(cases::TopFace top, const Pack& spring,
 }
 
 template <std::size_t degree>
-void Factors<degree>::go_down(const WaveBatch& batch, Pack* values) const {
-  const Pack* const factors = of_batch(batch);
+void Factors<degree>::go_down(const WaveBatch& batch, SimdBatch* values) const {
+  const SimdBatch* const factors = of_batch(batch);
   for (std::size_t l = n_layers_; l-- > 0;) {
-    const Pack* const factor = factors + l * layer_packs;
-    const Pack* const to_lower = factor + triangle(group);
-    Pack* const below = values + l * group * wave_columns;
-    Pack* const above = below + plane * wave_columns;
+    const SimdBatch* const factor = factors + l * layer_packs;
+    const SimdBatch* const to_lower = factor + triangle(group);
+    SimdBatch* const below = values + l * group * wave_columns;
+    SimdBatch* const above = below + plane * wave_columns;
     solve_lower<group, wave_columns>(factor, above);
     for (std::size_t k = 0; k < group; ++k) {
-      const Pack& inverse = factor[in_triangle(group, k, k)];
-      std::array<Pack, wave_columns> scaled;
+      const SimdBatch& inverse = factor[in_triangle(group, k, k)];
+      std::array<SimdBatch, wave_columns> scaled;
       for (std::size_t j = 0; j < wave_columns; ++j)
         scaled[j] = above[k * wave_columns + j] * inverse;
       for (std::size_t i = 0; i < plane; ++i)
@@ -157,21 +160,22 @@ void Factors<degree>::go_down(const WaveBatch& batch, Pack* values) const {
 }
 
 template <std::size_t degree>
-void Factors<degree>::solve_face(const WaveBatch& batch, Pack* values) const {
-  const Pack* const factor = of_batch(batch) + n_layers_ * layer_packs;
+void Factors<degree>::solve_face(const WaveBatch& batch,
+                                 SimdBatch* values) const {
+  const SimdBatch* const factor = of_batch(batch) + n_layers_ * layer_packs;
   solve_lower<plane, wave_columns>(factor, values);
   solve_diagonal<plane, wave_columns>(factor, values);
   solve_upper<plane, wave_columns>(factor, values);
 }
 
 template <std::size_t degree>
-void Factors<degree>::go_up(const WaveBatch& batch, Pack* values) const {
-  const Pack* const factors = of_batch(batch);
+void Factors<degree>::go_up(const WaveBatch& batch, SimdBatch* values) const {
+  const SimdBatch* const factors = of_batch(batch);
   for (std::size_t l = 0; l < n_layers_; ++l) {
-    const Pack* const factor = factors + l * layer_packs;
-    const Pack* const to_lower = factor + triangle(group);
-    const Pack* const below = values + l * group * wave_columns;
-    Pack* const above = values + (l * group + plane) * wave_columns;
+    const SimdBatch* const factor = factors + l * layer_packs;
+    const SimdBatch* const to_lower = factor + triangle(group);
+    const SimdBatch* const below = values + l * group * wave_columns;
+    SimdBatch* const above = values + (l * group + plane) * wave_columns;
     for (std::size_t k = 0; k < group; ++k)
       for (std::size_t i = 0; i < plane; ++i)
         for (std::size_t j = 0; j < wave_columns; ++j)
@@ -184,15 +188,15 @@ void Factors<degree>::go_up(const WaveBatch& batch, Pack* values) const {
 
 template <std::size_t degree>
 void Factors<degree>::face_compliance(const WaveBatch& batch,
-                                      Pack* block) const {
-  const Pack* const factor = of_batch(batch) + n_layers_ * layer_packs;
-  std::array<Pack, plane * kinds> load{};
+                                      SimdBatch* block) const {
+  const SimdBatch* const factor = of_batch(batch) + n_layers_ * layer_packs;
+  std::array<SimdBatch, plane * kinds> load{};
   for (std::size_t kind = 0; kind < kinds; ++kind)
     load[(3 * kind + 2) * kinds + kind] += 1.0;
   solve_lower<plane, kinds>(factor, load.data());
   for (std::size_t i = 0; i < kinds; ++i)
     for (std::size_t j = 0; j < kinds; ++j) {
-      block[i * kinds + j] = Pack{};
+      block[i * kinds + j] = SimdBatch{};
       for (std::size_t k = 0; k < plane; ++k)
         block[i * kinds + j] += load[k * kinds + i] * load[k * kinds + j] *
                                 factor[in_triangle(plane, k, k)];

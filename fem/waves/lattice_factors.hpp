@@ -37,16 +37,17 @@ public:
   virtual std::size_t bytes() const = 0;
 
   /// Applies (L.2) to all layers.
-  virtual void go_down(const WaveBatch& batch, Pack* values) const = 0;
+  virtual void go_down(const WaveBatch& batch, SimdBatch* values) const = 0;
   /// Computes w = T_0^-1 g in the rows of the contact surface only.
-  virtual void solve_face(const WaveBatch& batch, Pack* values) const = 0;
+  virtual void solve_face(const WaveBatch& batch, SimdBatch* values) const = 0;
   /// Applies (L.3) to all layers; the rows of the contact surface must already
   /// hold w.
-  virtual void go_up(const WaveBatch& batch, Pack* values) const = 0;
+  virtual void go_up(const WaveBatch& batch, SimdBatch* values) const = 0;
 
   /// Computes (T_0^-1)_zz over the node classes, all entries [m/N]; kinds^2
   /// packs.
-  virtual void face_compliance(const WaveBatch& batch, Pack* block) const = 0;
+  virtual void face_compliance(const WaveBatch& batch,
+                               SimdBatch* block) const = 0;
 };
 
 /// Whether the far boundary fixes component 0..2 of the displacement to 0.

@@ -17,13 +17,13 @@ using Modes = std::span<std::complex<double>>;
 
 /// Converts the columns of u_x and u_y to those of w, with u = i w, or back.
 /// w_y changes its sign with jy.
-void turn(std::size_t component, bool is_back, Pack* column) {
+void turn(std::size_t component, bool is_back, SimdBatch* column) {
   if (component == 2)
     return;
   for (std::size_t side = 0; side < 2; ++side) {
     const double sign = (is_back != (component == 1 && side == 1)) ? -1.0 : 1.0;
-    Pack* const value = column + 2 * side;
-    const Pack real = value[0];
+    SimdBatch* const value = column + 2 * side;
+    const SimdBatch real = value[0];
     value[0] = sign * value[1];
     value[1] = -sign * real;
   }
@@ -45,8 +45,8 @@ struct LatticeSolver::Parts {
   std::vector<std::complex<double>> modes;      ///< of every field
   std::vector<std::complex<double>> face_modes; ///< of one field
   std::vector<double> face_field, forces;
-  std::vector<std::vector<double>> scratch; ///< one per thread
-  std::vector<std::vector<Pack>> values;    ///< a batch per thread
+  std::vector<std::vector<double>> scratch;   ///< one per thread
+  std::vector<std::vector<SimdBatch>> values; ///< a batch per thread
 
   Parts(const Grid& grid, int degree, const LayeredBlock& block, int n_threads,
         Among among)
@@ -66,7 +66,7 @@ struct LatticeSolver::Parts {
         forces(grid.size()),
         scratch(static_cast<std::size_t>(n_threads)),
         values(static_cast<std::size_t>(n_threads)) {
-    for (std::vector<Pack>& batch : values)
+    for (std::vector<SimdBatch>& batch : values)
       batch.resize(lattice.planes * 3 * spectra.kinds() * wave_columns);
   }
 
@@ -89,10 +89,10 @@ struct LatticeSolver::Parts {
   double total_force(std::span<const double> force) const; ///< in z [N]
   void transform(std::span<const double> force);
   void transform_back(std::span<double> displacement, double shift);
-  void load(const WaveBatch& batch, Pack* batch_values);
-  void store(const WaveBatch& batch, Pack* batch_values);
+  void load(const WaveBatch& batch, SimdBatch* batch_values);
+  void store(const WaveBatch& batch, SimdBatch* batch_values);
   void sweep(Sweep part);
-  void sweep_batch(Sweep part, const WaveBatch& batch, Pack* batch_values);
+  void sweep_batch(Sweep part, const WaveBatch& batch, SimdBatch* batch_values);
 };
 
 template <class DoField>
@@ -146,25 +146,27 @@ void LatticeSolver::Parts::transform_back(std::span<double> displacement,
   });
 }
 
-void LatticeSolver::Parts::load(const WaveBatch& batch, Pack* batch_values) {
+void LatticeSolver::Parts::load(const WaveBatch& batch,
+                                SimdBatch* batch_values) {
   for (std::size_t field = 0; field < 3 * lattice.planes; ++field) {
-    Pack* const first = batch_values + first_value(field);
+    SimdBatch* const first = batch_values + first_value(field);
     if (!is_held(field))
       spectra.load(field_modes(field), batch, 3, first);
     for (std::size_t kind = 0; kind < spectra.kinds(); ++kind) {
-      Pack* const column = first + 3 * kind * wave_columns;
+      SimdBatch* const column = first + 3 * kind * wave_columns;
       if (is_held(field))
-        std::fill_n(column, wave_columns, Pack{});
+        std::fill_n(column, wave_columns, SimdBatch{});
       turn(field % 3, false, column);
     }
   }
 }
 
-void LatticeSolver::Parts::store(const WaveBatch& batch, Pack* batch_values) {
+void LatticeSolver::Parts::store(const WaveBatch& batch,
+                                 SimdBatch* batch_values) {
   for (std::size_t field = 0; field < 3 * lattice.planes; ++field) {
     if (is_held(field))
       continue;
-    Pack* const first = batch_values + first_value(field);
+    SimdBatch* const first = batch_values + first_value(field);
     for (std::size_t kind = 0; kind < spectra.kinds(); ++kind)
       turn(field % 3, true, first + 3 * kind * wave_columns);
     spectra.store(first, batch, 3, field_modes(field));
@@ -183,7 +185,7 @@ void LatticeSolver::Parts::sweep(Sweep part) {
 }
 
 void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
-                                       Pack* batch_values) {
+                                       SimdBatch* batch_values) {
   const std::size_t kinds = spectra.kinds();
   const std::size_t face_packs = 3 * kinds * wave_columns;
   constexpr std::size_t u_z = 2 * wave_columns;
@@ -191,13 +193,13 @@ void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
   if (part != Sweep::up_from_face)
     factors->go_down(batch, batch_values);
   if (part == Sweep::down_to_face) {
-    std::array<Pack, 12 * wave_columns> face_values;
+    std::array<SimdBatch, 12 * wave_columns> face_values;
     std::copy_n(batch_values, face_packs, face_values.data());
     factors->solve_face(batch, face_values.data());
     spectra.store(&face_values[u_z], batch, 3, face_modes);
   }
   if (part == Sweep::up_from_face) { // subtracts the forces of the springs
-    std::array<Pack, 4 * wave_columns> borne;
+    std::array<SimdBatch, 4 * wave_columns> borne;
     spectra.load(face_modes, batch, 1, borne.data());
     for (std::size_t kind = 0; kind < kinds; ++kind)
       for (std::size_t j = 0; j < wave_columns; ++j)

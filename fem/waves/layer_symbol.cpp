@@ -90,9 +90,9 @@ void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
 
 } // namespace
 
-WaveProducts::WaveProducts(const Pack& theta_x, const Pack& theta_y) {
-  const auto functions = [](const Pack& theta) {
-    std::array<Pack, 5> at{};
+WaveProducts::WaveProducts(const SimdBatch& theta_x, const SimdBatch& theta_y) {
+  const auto functions = [](const SimdBatch& theta) {
+    std::array<SimdBatch, 5> at{};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       at[0][lane] = 1.0;
       at[1][lane] = std::cos(theta[lane]);
@@ -102,8 +102,8 @@ WaveProducts::WaveProducts(const Pack& theta_x, const Pack& theta_y) {
     }
     return at;
   };
-  const std::array<Pack, 5> in_x = functions(theta_x);
-  const std::array<Pack, 5> in_y = functions(theta_y);
+  const std::array<SimdBatch, 5> in_x = functions(theta_x);
+  const std::array<SimdBatch, 5> in_y = functions(theta_y);
   for (std::size_t i = 0; i < 25; ++i)
     values[i] = in_x[i / 5] * in_y[i % 5];
 }
@@ -126,8 +126,9 @@ LayerSymbol::LayerSymbol(const CellStiffness& cell, std::size_t size,
                         static_cast<std::uint16_t>(place.second)});
 }
 
-void LayerSymbol::evaluate(const WaveProducts& products, Pack* blocks) const {
-  std::fill_n(blocks, size_, Pack{});
+void LayerSymbol::evaluate(const WaveProducts& products,
+                           SimdBatch* blocks) const {
+  std::fill_n(blocks, size_, SimdBatch{});
   for (const Term& term : terms_)
     blocks[term.target] += term.amount * products.values[term.product];
 }

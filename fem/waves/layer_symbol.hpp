@@ -4,7 +4,7 @@
 // with the phases of four lateral wavevectors at a time.
 
 #include "fem/waves/cell_stiffness.hpp"
-#include "fem/waves/pack.hpp"
+#include "fem/waves/simd_batch.hpp"
 
 #include <array>
 #include <cstdint>
@@ -32,10 +32,10 @@ constexpr std::size_t layer_unknowns(std::size_t degree) {
 /// Products f(theta_x) g(theta_y) of 1, cos, cos 2, sin and sin 2, with f the
 /// slower index; theta is q times the node spacing.
 struct WaveProducts {
-  std::array<Pack, 25> values;
+  std::array<SimdBatch, 25> values;
 
   /// Each lane holds one wavevector.
-  WaveProducts(const Pack& theta_x, const Pack& theta_y);
+  WaveProducts(const SimdBatch& theta_x, const SimdBatch& theta_y);
 };
 
 /// Entries of S(q), made real by multiplying u_x and u_y by i, in a layout that
@@ -59,7 +59,7 @@ public:
   LayerSymbol(const CellStiffness& cell, std::size_t size, Layout layout);
 
   /// @param blocks  size() packs, overwritten [N/m]
-  void evaluate(const WaveProducts& products, Pack* blocks) const;
+  void evaluate(const WaveProducts& products, SimdBatch* blocks) const;
 
 private:
   struct Term {

@@ -23,7 +23,7 @@ constexpr std::size_t x_rows = middle_upright + triangle(upright);
 constexpr std::size_t y_rows = x_rows + flat * plane;
 constexpr std::size_t layer_packs = y_rows + upright * plane;
 
-using LayerBlocks = std::array<Pack, layer_packs>;
+using LayerBlocks = std::array<SimdBatch, layer_packs>;
 
 LayerSymbol::Target mirrored_blocks(std::size_t row, std::size_t column) {
   const auto place = [](std::size_t unknown) { // index in its plane: p, then v
@@ -93,7 +93,7 @@ struct MaterialBlocks {
 
 /// Applies (Q2.4): F and H overwrite S_tt and S_tb P.
 [[gnu::always_inline]] inline void eliminate_middle(LayerBlocks& layer) {
-  std::array<Pack, triangle(plane)> even{}, odd{};
+  std::array<SimdBatch, triangle(plane)> even{}, odd{};
   factorise<flat>(&layer[middle_flat]);
   solve_lower<flat, plane>(&layer[middle_flat], &layer[x_rows]);
   take_schur<flat, plane>(&layer[middle_flat], &layer[x_rows], even.data());
@@ -109,8 +109,8 @@ struct MaterialBlocks {
 
 /// Writes the identity into the rows of held components and adds springs to the
 /// uniform modes of the others.
-inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
-                     Pack* rows) {
+inline void hold_top(cases::TopFace top, const SimdBatch& spring,
+                     SimdBatch* matrix, SimdBatch* rows) {
   const auto component = [](std::size_t i) {
     return i < flat ? i % 2 : std::size_t{2};
   };
@@ -122,19 +122,19 @@ inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
       continue;
     }
     for (std::size_t j = 0; j < plane; ++j)
-      matrix[in_triangle(plane, std::max(i, j), std::min(i, j))] = Pack{};
+      matrix[in_triangle(plane, std::max(i, j), std::min(i, j))] = SimdBatch{};
     matrix[in_triangle(plane, i, i)] += 1.0;
-    std::fill_n(rows + i * plane, plane, Pack{});
+    std::fill_n(rows + i * plane, plane, SimdBatch{});
   }
 }
 
 /// Applies (Q2.5): T_(l+1) in `stiffness` becomes T_l.
 [[gnu::always_inline]] inline void take_layer(const LayerBlocks& layer,
                                               const cases::TopFace* top,
-                                              const Pack& spring,
-                                              Pack* stiffness) {
-  std::array<Pack, triangle(plane)> matrix;
-  std::array<Pack, plane * plane> rows;
+                                              const SimdBatch& spring,
+                                              SimdBatch* stiffness) {
+  std::array<SimdBatch, triangle(plane)> matrix;
+  std::array<SimdBatch, plane * plane> rows;
   for (std::size_t i = 0; i < triangle(plane); ++i)
     matrix[i] = layer[own + i] + stiffness[i];
   for (std::size_t i = 0; i < plane; ++i)
@@ -154,16 +154,16 @@ inline void hold_top(cases::TopFace top, const Pack& spring, Pack* matrix,
 }
 
 /// Computes (T_0^-1)_zz; T_0 is overwritten.
-[[gnu::always_inline]] inline void upright_compliance(Pack* stiffness,
-                                                      Pack* block) {
-  std::array<Pack, plane * upright> load{};
+[[gnu::always_inline]] inline void upright_compliance(SimdBatch* stiffness,
+                                                      SimdBatch* block) {
+  std::array<SimdBatch, plane * upright> load{};
   for (std::size_t kind = 0; kind < upright; ++kind)
     load[(flat + kind) * upright + kind] += 1.0;
   factorise<plane>(stiffness);
   solve_lower<plane, upright>(stiffness, load.data());
   for (std::size_t i = 0; i < upright; ++i)
     for (std::size_t j = 0; j < upright; ++j) {
-      Pack sum{};
+      SimdBatch sum{};
       for (std::size_t k = flat; k < plane; ++k) // the rows above are zero
         sum += load[k * upright + i] * load[k * upright + j] *
                stiffness[in_triangle(plane, k, k)];
@@ -176,11 +176,12 @@ struct Waves {
   cases::TopFace top;
   std::span<const MirroredQ2::Layer> layers;
   const std::vector<MaterialBlocks>& materials;
-  Pack spring;
+  SimdBatch spring;
 };
 
-[[gnu::always_inline]] inline void eliminate(const Waves& waves, Pack* block) {
-  std::array<Pack, triangle(plane)> stiffness{};
+[[gnu::always_inline]] inline void eliminate(const Waves& waves,
+                                             SimdBatch* block) {
+  std::array<SimdBatch, triangle(plane)> stiffness{};
   LayerBlocks layer;
   for (std::size_t l = waves.layers.size(); l-- > 0;) {
     waves.materials[waves.layers[l].material].stretched(waves.layers[l].stretch,
@@ -192,7 +193,7 @@ struct Waves {
   upright_compliance(stiffness.data(), block);
 }
 
-void eliminate_on_any(const Waves& waves, Pack* block) {
+void eliminate_on_any(const Waves& waves, SimdBatch* block) {
   eliminate(waves, block);
 }
 
@@ -200,7 +201,7 @@ void eliminate_on_any(const Waves& waves, Pack* block) {
 /// Compiled for four numbers per instruction, but without fused multiply-add,
 /// so that the result is bitwise the same.
 [[gnu::target("avx2")]] void eliminate_on_avx2(const Waves& waves,
-                                               Pack* block) {
+                                               SimdBatch* block) {
   eliminate(waves, block);
 }
 #endif
@@ -239,8 +240,10 @@ MirroredQ2::MirroredQ2(const Grid& grid, const LayeredBlock& block)
   }
 }
 
-void MirroredQ2::face_compliance(const Pack& theta_x, const Pack& theta_y,
-                                 const Pack& spring, Pack* block) const {
+void MirroredQ2::face_compliance(const SimdBatch& theta_x,
+                                 const SimdBatch& theta_y,
+                                 const SimdBatch& spring,
+                                 SimdBatch* block) const {
   static const auto eliminate_waves = eliminate_here();
   const WaveProducts products(theta_x, theta_y);
   std::vector<MaterialBlocks> materials;

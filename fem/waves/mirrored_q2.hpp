@@ -34,8 +34,8 @@ public:
   /// @param spring            spring on the uniform mode of the free components
   ///                          of the far boundary [N/m]
   /// @param block             node_kinds^2 packs, with all entries stored
-  void face_compliance(const Pack& theta_x, const Pack& theta_y,
-                       const Pack& spring, Pack* block) const;
+  void face_compliance(const SimdBatch& theta_x, const SimdBatch& theta_y,
+                       const SimdBatch& spring, SimdBatch* block) const;
 
   struct Layer {
     std::size_t material;

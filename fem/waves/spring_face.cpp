@@ -13,15 +13,16 @@ constexpr int most_iterations = 500;
 
 /// Computes (block + diag(added))^-1, with all entries stored.
 template <std::size_t kinds>
-void invert_block(const Pack* block, const double* added, Pack* inverse) {
-  std::array<Pack, triangle(kinds)> factor;
+void invert_block(const SimdBatch* block, const double* added,
+                  SimdBatch* inverse) {
+  std::array<SimdBatch, triangle(kinds)> factor;
   for (std::size_t j = 0; j < kinds; ++j) {
     for (std::size_t i = j; i < kinds; ++i)
       factor[in_triangle(kinds, i, j)] = block[i * kinds + j];
     factor[in_triangle(kinds, j, j)] += added[j];
   }
   factorise<kinds>(factor.data());
-  std::fill_n(inverse, kinds * kinds, Pack{});
+  std::fill_n(inverse, kinds * kinds, SimdBatch{});
   for (std::size_t j = 0; j < kinds; ++j)
     inverse[j * kinds + j] += 1.0;
   solve_lower<kinds, kinds>(factor.data(), inverse);
@@ -42,7 +43,7 @@ SpringFace::SpringFace(const KindSpectra& spectra,
       modes_(spectra.size()) {
   const std::size_t block_size = spectra.kinds() * spectra.kinds();
   const Range rows = share.rows();
-  Pack* block = &compliance_[rows.begin * spectra.batches() * block_size];
+  SimdBatch* block = &compliance_[rows.begin * spectra.batches() * block_size];
   for (std::size_t row = rows.begin; row < rows.end; ++row)
     for (std::size_t number = 0; number < spectra.batches(); ++number) {
       factors.face_compliance(spectra.batch(row, number), block);
@@ -52,7 +53,7 @@ SpringFace::SpringFace(const KindSpectra& spectra,
 }
 
 std::size_t SpringFace::bytes() const {
-  return (compliance_.size() + inverse_.size()) * sizeof(Pack) +
+  return (compliance_.size() + inverse_.size()) * sizeof(SimdBatch) +
          modes_.size() * sizeof(modes_[0]) +
          (nodes_.size() + local_.size() + of_ones_.size() + whole_.size() +
           r_.size() + z_.size() + d_.size() + cd_.size()) *
@@ -114,13 +115,13 @@ void SpringFace::apply(const Symbol& symbol, std::span<const double> field,
   spectra_.forward(field, modes_, scratch_);
   parallel_rows(static_cast<int>(spectra_.rows()), threads_, [&](int turn) {
     const auto row = static_cast<std::size_t>(turn);
-    std::array<Pack, 4 * wave_columns> values, answer;
+    std::array<SimdBatch, 4 * wave_columns> values, answer;
     for (std::size_t number = 0; number < spectra_.batches(); ++number) {
       const WaveBatch batch = spectra_.batch(row, number);
-      const Pack* const block =
+      const SimdBatch* const block =
           &symbol[(row * spectra_.batches() + number) * kinds * kinds];
       spectra_.load(modes_, batch, 1, values.data());
-      answer.fill(Pack{});
+      answer.fill(SimdBatch{});
       for (std::size_t i = 0; i < kinds; ++i)
         for (std::size_t k = 0; k < kinds; ++k)
           for (std::size_t j = 0; j < wave_columns; ++j)

@@ -43,7 +43,7 @@ public:
                     std::span<double> forces, double& shift);
 
 private:
-  using Symbol = std::vector<Pack>; ///< kinds^2 packs per batch
+  using Symbol = std::vector<SimdBatch>; ///< kinds^2 packs per batch
 
   void invert(std::span<const double> local_compliance);
   void apply(const Symbol& symbol, std::span<const double> field,

@@ -81,7 +81,7 @@ public:
   virtual std::string description() const = 0;
 
   /// Returns the effective contact modulus E* at q a = 0.1 [Pa].
-  virtual double shown_contact_modulus() const = 0;
+  virtual double effective_contact_modulus() const = 0;
 };
 
 } // namespace asperity::md

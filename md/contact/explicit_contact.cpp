@@ -7,7 +7,7 @@
 #include "md/contact/request_parts.hpp"
 #include "md/dynamics/checkpoint.hpp"
 #include "md/dynamics/dynamics_run.hpp"
-#include "md/lattice/shown_modulus.hpp"
+#include "md/lattice/effective_modulus.hpp"
 #include "md/minimise/fire.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ public:
 
   std::string description() const override;
 
-  double shown_contact_modulus() const override { return shown_modulus_; }
+  double effective_contact_modulus() const override { return shown_modulus_; }
 
 private:
   System& system() override { return system_; }
@@ -89,9 +89,9 @@ ExplicitContact::ExplicitContact(AtomRequest given)
                         request().threads),
               mass_of(request().settings), request().threads),
       label_(label_of(request())),
-      shown_modulus_(md::shown_contact_modulus(crystal_of(request()),
-                                               request().settings.levels,
-                                               request().settings.layers)) {
+      shown_modulus_(md::effective_contact_modulus(crystal_of(request()),
+                                                   request().settings.levels,
+                                                   request().settings.layers)) {
   start();
 }
 

@@ -86,7 +86,7 @@ void ExplicitSystem::precondition(std::span<const double> forces,
   if (!solver_ || solver_->footing().contact_stiffness != contact_stiffness ||
       solver_->footing().is_height_held != is_held)
     solver_ = std::make_unique<BlockSolver>(
-        block_, BlockFooting{contact_stiffness, is_held}, threads_);
+        block_, BlockSupport{contact_stiffness, is_held}, threads_);
   solver_->solve(forces, step);
   hold(step); // exactly, without roundoff
 }

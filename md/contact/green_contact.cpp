@@ -45,7 +45,7 @@ public:
 
   std::string description() const override;
 
-  double shown_contact_modulus() const override {
+  double effective_contact_modulus() const override {
     return SlabSymbol(crystal_of(request())).contact_modulus(0.1, 0.0, cells_);
   }
 
@@ -111,7 +111,8 @@ std::string GreenContact::description() const {
       "= 0.1: {:.5g} Pa",
       lattices[static_cast<std::size_t>(request().settings.lattice)],
       request().layer.points_x, request().layer.points_y, cells_,
-      is_normal ? ", normal displacements only" : "", shown_contact_modulus());
+      is_normal ? ", normal displacements only" : "",
+      effective_contact_modulus());
 }
 
 } // namespace

@@ -132,8 +132,8 @@ void GreenSystem::linearise(std::span<const double> state) {
   curvature_.take(interface_, layer_of(*this, state));
 }
 
-void GreenSystem::limit_softness(double share) {
-  curvature_.limit_softness(share);
+void GreenSystem::limit_negative_curvature(double share) {
+  curvature_.limit_negative_curvature(share);
 }
 
 void GreenSystem::curvature_times(std::span<const double> step,

@@ -35,7 +35,7 @@ public:
   void precondition(std::span<const double> forces, double contact_stiffness,
                     std::span<double> step) const override;
   void linearise(std::span<const double> state) override;
-  void limit_softness(double share) override;
+  void limit_negative_curvature(double share) override;
   void curvature_times(std::span<const double> step,
                        std::span<double> forces) const override;
   void precondition_curved(std::span<const double> forces,

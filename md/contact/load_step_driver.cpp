@@ -134,7 +134,8 @@ AtomStep LoadStepDriver::solve(Control control, double amount, int step,
       is_average ? average.normal_forces : normal_forces(system(), state_),
       {request_.settings.contact_distance, close_distance(request_.settings)},
       result);
-  const std::string fault = fault_of(result.inspection, request_.layer.size());
+  const std::string fault =
+      invalidity_reason(result.inspection, request_.layer.size());
   result.note = fault.empty() ? relaxation.note : fault;
   result.converged = relaxation.converged && fault.empty();
   if (is_average)

@@ -38,7 +38,7 @@ void read_step(const System& system, std::span<const double> state,
                           layer.area();
 }
 
-std::string fault_of(const Inspection& inspection, std::size_t atoms) {
+std::string invalidity_reason(const Inspection& inspection, std::size_t atoms) {
   const double share =
       100.0 * inspection.below_substrate / static_cast<double>(atoms);
   if (inspection.below_substrate > 0)

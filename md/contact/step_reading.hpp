@@ -29,6 +29,6 @@ void read_step(const System& system, std::span<const double> state,
 /// Returns why an equilibrium is not valid in spite of its residual, e.g.
 /// "3.1 % of the atoms are below the substrate ..."; empty if no atom has
 /// penetrated.
-std::string fault_of(const Inspection& inspection, std::size_t atoms);
+std::string invalidity_reason(const Inspection& inspection, std::size_t atoms);
 
 } // namespace asperity::md

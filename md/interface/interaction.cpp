@@ -9,7 +9,7 @@
 
 namespace asperity::md {
 
-void require_sound(const Interaction& interaction) {
+void require_valid_mesh(const Interaction& interaction) {
   require_positive("energy", interaction.energy, "J");
   require_positive("distance", interaction.distance, "m");
   require_positive("taper_begin", interaction.taper_begin, "m");
@@ -22,7 +22,7 @@ void require_sound(const Interaction& interaction) {
 }
 
 PairTerm pair_term(const Interaction& interaction, double distance) {
-  require_sound(interaction);
+  require_valid_mesh(interaction);
   require_positive("distance", distance, "m");
   const auto sixth_power = [&](double r) {
     return std::pow(interaction.distance / r, 6);
@@ -50,9 +50,10 @@ PairTerm pair_term(const Interaction& interaction, double distance) {
           12.0 * interaction.energy * y * steepness / (distance * distance)};
 }
 
-double wall_pressure(const Interaction& interaction, double atom_area,
-                     double substrate_area, double height) {
-  require_sound(interaction);
+double plane_repulsion_pressure(const Interaction& interaction,
+                                double atom_area, double substrate_area,
+                                double height) {
+  require_valid_mesh(interaction);
   require_positive("atom_area", atom_area, "m^2");
   require_positive("substrate_area", substrate_area, "m^2");
   require_positive("height", height, "m");

@@ -34,7 +34,7 @@ struct Interaction {
 
 /// Checks that the parameters are valid.
 /// @throws std::domain_error  a member is outside its range
-void require_sound(const Interaction& interaction);
+void require_valid_mesh(const Interaction& interaction);
 
 /// Energy U and -U'(r)/r of one pair.
 struct PairTerm {
@@ -58,7 +58,8 @@ PairTerm pair_term(const Interaction& interaction, double distance);
 /// for the effects of the cutoff, which removes a fraction (d/cutoff)^12, and
 /// of the taper.
 /// @throws std::domain_error  an argument is not > 0
-double wall_pressure(const Interaction& interaction, double atom_area,
-                     double substrate_area, double height);
+double plane_repulsion_pressure(const Interaction& interaction,
+                                double atom_area, double substrate_area,
+                                double height);
 
 } // namespace asperity::md

@@ -104,7 +104,7 @@ void InterfaceCurvature::take(const Interface& interface,
   }
 }
 
-void InterfaceCurvature::limit_softness(double share) {
+void InterfaceCurvature::limit_negative_curvature(double share) {
   if (!(share >= 0.0)) // infinity is valid
     require_not_negative("share", share, "1");
   const double lowest = -share * bulk_stiffness_;

@@ -29,7 +29,7 @@ public:
 
   /// Raises eigenvalues below -share k to this value. Each call starts from the
   /// blocks as computed by take().
-  void limit_softness(double share);
+  void limit_negative_curvature(double share);
 
   /// Returns k_c, the mean over all atoms of the positive part of the normal
   /// stiffness [N/m].
@@ -55,7 +55,7 @@ private:
   bool is_normal_;
   double mean_stiffness_ = 0.0;
   std::vector<SymmetricBlock> taken_;
-  std::vector<SymmetricBlock> blocks_; ///< after limit_softness()
+  std::vector<SymmetricBlock> blocks_; ///< after limit_negative_curvature()
   std::vector<SymmetricBlock> scales_;
   std::vector<Axes> axes_;
 };

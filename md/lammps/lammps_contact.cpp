@@ -63,7 +63,7 @@ public:
   AtomStep solve(Control control, double amount, int step,
                  const Watch& watch) override;
   std::string description() const override;
-  double shown_contact_modulus() const override;
+  double effective_contact_modulus() const override;
 
 private:
   void write_inputs(Control control, double amount) const;
@@ -114,7 +114,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
     LammpsAnswer answer = read_answer(block_, folder_);
     fill(answer, control, result);
     judge(result);
-    if (fault_of(result.inspection, block_.layer.size()).empty())
+    if (invalidity_reason(result.inspection, block_.layer.size()).empty())
       start_ = std::move(answer.positions);
     if (request_.settings.dump)
       std::filesystem::rename(folder_ / lammps_file::answer,
@@ -194,7 +194,7 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
 
 void LammpsContact::judge(AtomStep& result) const {
   const double tolerance = request_.settings.tolerance;
-  result.note = fault_of(result.inspection, block_.layer.size());
+  result.note = invalidity_reason(result.inspection, block_.layer.size());
   if (result.note.empty() && !(result.residual <= tolerance))
     result.note = fmt::format("residual {:.3g} after {} evaluations, but must "
                               "be at most {:.3g}",
@@ -209,10 +209,10 @@ std::string LammpsContact::description() const {
                      program_.ranks == 1
                          ? "one process"
                          : fmt::format("{} processes", program_.ranks),
-                     shown_contact_modulus());
+                     effective_contact_modulus());
 }
 
-double LammpsContact::shown_contact_modulus() const {
+double LammpsContact::effective_contact_modulus() const {
   constexpr double angle = 0.1;
   return SlabSymbol(block_.crystal).contact_modulus(angle, 0.0, block_.cells);
 }

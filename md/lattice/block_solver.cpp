@@ -21,7 +21,7 @@ double angle(int wavenumber, int points) {
 } // namespace
 
 BlockSolver::BlockSolver(const MultiscaleBlock& block,
-                         const BlockFooting& footing, int threads)
+                         const BlockSupport& footing, int threads)
     : block_(&block), footing_(footing), threads_(threads) {
   require_not_negative("contact_stiffness", footing.contact_stiffness, "N/m");
   if (!footing.is_height_held)

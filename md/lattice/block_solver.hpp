@@ -16,7 +16,7 @@
 namespace asperity::md {
 
 /// Support conditions that a BlockSolver adds to the stiffness of the block.
-struct BlockFooting {
+struct BlockSupport {
   double contact_stiffness = 0.0; ///< stiffness on every atom of the lowest
                                   ///< layer, in each direction [N/m], >= 0
   bool is_height_held = false;    ///< whether the mean z of the lowest layer is
@@ -37,10 +37,10 @@ public:
   /// @throws std::domain_error  the contact stiffness is zero and the mean
   ///                            height is not held, so that the rigid
   ///                            translation in z is not determined
-  BlockSolver(const MultiscaleBlock& block, const BlockFooting& footing,
+  BlockSolver(const MultiscaleBlock& block, const BlockSupport& footing,
               int threads = 1);
 
-  const BlockFooting& footing() const { return footing_; }
+  const BlockSupport& footing() const { return footing_; }
 
   /// @param forces  block.size() values [N]
   /// @param answer  block.size() values [m], overwritten; the held means are 0
@@ -75,7 +75,7 @@ private:
                   std::vector<Complex>& layers) const;
 
   const MultiscaleBlock* block_;
-  BlockFooting footing_;
+  BlockSupport footing_;
   int threads_;
   std::vector<Level> levels_;
   double plate_stiffness_ = 0.0; ///< all layers below eliminated [N/m]

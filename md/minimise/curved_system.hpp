@@ -21,7 +21,7 @@ public:
   /// unchanged; with 0 those of the interface are positive semidefinite. Each
   /// call starts from the result of linearise().
   /// @param share  >= 0 [1]
-  virtual void limit_softness(double share) = 0;
+  virtual void limit_negative_curvature(double share) = 0;
 
   /// Computes forces = second derivatives times step [N], which is the decrease
   /// of the forces for a small `step`, with the constrained components removed.

@@ -67,7 +67,7 @@ double LineSearch::search(const std::vector<double>& direction,
     return 0.0;
   double length =
       std::min(1.0, settings_.largest_step / largest_magnitude(direction));
-  for (int i = 0; i < most_trials && !is_used_up(); ++i) {
+  for (int i = 0; i < most_trials && !is_budget_exhausted(); ++i) {
     for (std::size_t k = 0; k < state_.size(); ++k)
       trial_[k] = state_[k] + length * direction[k];
     const Evaluation after = evaluate(trial_, trial_forces_);

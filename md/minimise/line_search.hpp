@@ -25,7 +25,9 @@ public:
 
   int evaluations() const { return evaluations_; }
 
-  bool is_used_up() const { return evaluations_ >= settings_.max_evaluations; }
+  bool is_budget_exhausted() const {
+    return evaluations_ >= settings_.max_evaluations;
+  }
 
   /// Returns the number of evaluations, the energy and the residuals of the
   /// present state.

@@ -46,19 +46,19 @@ public:
     system_.linearise(state_);
     ++linearisations_;
     for (;;) {
-      system_.limit_softness(softness_);
+      system_.limit_negative_curvature(softness_);
       if (solve() && search()) {
         softness_ =
             std::clamp(softening * softness_, least_softness, most_softness);
         return true;
       }
-      if (softness_ == 0.0 || is_used_up())
+      if (softness_ == 0.0 || is_budget_exhausted())
         return false;
       softness_ = softness_ > least_softness ? stiffening * softness_ : 0.0;
     }
   }
 
-  bool is_used_up() const { return search_.is_used_up(); }
+  bool is_budget_exhausted() const { return search_.is_budget_exhausted(); }
 
 private:
   /// Returns the relative tolerance of the linear solution (the forcing term):
@@ -149,7 +149,7 @@ Relaxation relax_by_newton(CurvedSystem& system, std::vector<double>& state,
     if (now.converged)
       return now;
     now.note = stop_reason(now, settings, watch);
-    if (now.note.empty() && !newton.step() && !newton.is_used_up())
+    if (now.note.empty() && !newton.step() && !newton.is_budget_exhausted())
       return taken_over(system, state, settings, watch, newton.report());
     if (!now.note.empty())
       return now;

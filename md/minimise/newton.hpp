@@ -15,10 +15,11 @@ namespace asperity::md {
 /// are the second derivatives of the bulk and of the interface, followed by a
 /// line search as in relax(). If conjugate gradients encounter negative
 /// curvature, or if the line search fails, the negative curvature of H is
-/// reduced (CurvedSystem::limit_softness) and the system is solved again; each
-/// accepted step relaxes this limit. No atom moves by more than largest_step
-/// per step. The displacement of each atom is limited separately, so that a
-/// single atom sliding down a slope does not shorten the step of the others.
+/// reduced (CurvedSystem::limit_negative_curvature) and the system is solved
+/// again; each accepted step relaxes this limit. No atom moves by more than
+/// largest_step per step. The displacement of each atom is limited separately,
+/// so that a single atom sliding down a slope does not shorten the step of the
+/// others.
 ///
 /// The convergence criterion is that of relax(), which takes over if no step
 /// can be found. `memory` and `contact_stiffness` are used only in that case.

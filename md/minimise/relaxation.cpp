@@ -27,13 +27,13 @@ public:
 
   Relaxation report() const { return search_.report(); }
 
-  bool is_used_up() const { return search_.is_used_up(); }
+  bool is_budget_exhausted() const { return search_.is_budget_exhausted(); }
 
   /// Performs one step and returns whether an acceptable one was found.
   bool step() {
     if (step_by_memory())
       return true;
-    if (memory_.size() == 0 || is_used_up())
+    if (memory_.size() == 0 || is_budget_exhausted())
       return false;
     memory_.clear(); // the stored pairs do not apply here
     return step_by_memory();
@@ -83,7 +83,7 @@ Relaxation relax(const System& system, std::vector<double>& state,
     if (now.converged)
       return now;
     now.note = stop_reason(now, settings, watch);
-    if (now.note.empty() && !descent.step() && !descent.is_used_up())
+    if (now.note.empty() && !descent.step() && !descent.is_budget_exhausted())
       now.note =
           fmt::format("line search failed at residual {:.2g}, tolerance {:.2g}",
                       now.residual, settings.tolerance);

@@ -4,7 +4,7 @@
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/analysis/tail_of_surface.hpp"
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 #include "reports/numbers/determined.hpp"
 #include "theory/persson/persson.hpp"
 
@@ -125,7 +125,7 @@ void add_surface_quantities(const results::Result& result,
 void add_sum_quantities(const results::Result& result,
                         const cases::SurfaceSpec& surface,
                         MethodSummary& summary) {
-  const auto sum = sum_of_two_faces(result);
+  const auto sum = sum_of_two_surfaces(result);
   if (!sum)
     return;
   const auto add = [&](const char* name, double value) {

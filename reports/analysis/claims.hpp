@@ -43,7 +43,7 @@ inline constexpr double log_linear_to = 2.0;
 ///  - highest_asperity, asperity_shortfall for a theory: see
 ///    add_tail_quantities()
 ///  - sum_rms_height [m], sum_spectrum_ratio: of two contact surfaces, see
-///    two_faces.hpp
+///    two_surfaces.hpp
 /// Each quantity is the mean over the realisations that provide it.
 void add_claim_quantities(const results::Result& result,
                           const cases::Case& contact_case,

@@ -78,12 +78,12 @@ LargestErrors errors_of(const results::Result& result,
 } // namespace
 
 void add_exact_quantities(const results::Result& result,
-                          const cases::Case& exact_case,
+                          const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           MethodSummary& summary) {
   if (method.kind == "theory" || method.realizations.empty())
     return; // Persson's theory does not apply to a single shape
-  const cases::SurfaceSpec& surface = exact_case.surface;
+  const cases::SurfaceSpec& surface = contact_case.surface;
   const LargestErrors errors = errors_of(result, surface, method);
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
@@ -93,7 +93,7 @@ void add_exact_quantities(const results::Result& result,
         largest_estimate(errors.contact_radius, "no load step in contact");
     quantities["approach_error"] =
         largest_estimate(errors.approach, "the surface is not in the result");
-    add_stress_quantities(result, exact_case, method, summary);
+    add_stress_quantities(result, contact_case, method, summary);
     return;
   }
   quantities["mean_gap_error"] = largest_estimate(

@@ -34,7 +34,7 @@ double periodic_approach(double load, double length, double contact_modulus);
 /// Each is the largest error over the converged loading rows; areas are
 /// corrected areas.
 void add_exact_quantities(const results::Result& result,
-                          const cases::Case& exact_case,
+                          const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
 

@@ -17,22 +17,22 @@ namespace {
 using results::MethodRecord;
 using results::Result;
 
-double set_gamma(const cases::Case& rough_case, const MethodRecord& method) {
-  for (const cases::MethodSpec& spec : rough_case.methods)
+double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
+  for (const cases::MethodSpec& spec : contact_case.methods)
     if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
         theory != nullptr && spec.name == method.name)
       return theory->gamma;
   return not_a_number;
 }
 
-SurfaceTheory theory_for(const Result& result, const cases::Case& rough_case,
+SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
                          const MethodRecord& method, std::size_t realization) {
-  if (uses_formula(rough_case, method)) {
-    const auto magnification = magnification_of(rough_case, method);
+  if (uses_formula(contact_case, method)) {
+    const auto magnification = magnification_of(contact_case, method);
     std::optional<double> highest;
     if (magnification)
-      highest = *magnification * rough_case.surface.wavevector_roll_off;
-    return theory_of_formula(rough_case.surface, result.contact_modulus,
+      highest = *magnification * contact_case.surface.wavevector_roll_off;
+    return theory_of_formula(contact_case.surface, result.contact_modulus,
                              highest);
   }
   if (!method.realizations[realization].own_surface &&
@@ -47,15 +47,15 @@ bool is_positive(double number) {
 }
 
 // Adds the fits that compare the curve with the theory of its own surface.
-void add_theory_fits(const Result& result, const cases::Case& rough_case,
+void add_theory_fits(const Result& result, const cases::Case& contact_case,
                      const MethodRecord& method, std::size_t realization,
                      RealizationFits& fits) {
   const double height = fits.scales.rms_height;
   const SurfaceTheory theory =
-      theory_for(result, rough_case, method, realization);
+      theory_for(result, contact_case, method, realization);
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
-        set_gamma(rough_case, method) * theory.decay_length / height;
+        set_gamma(contact_case, method) * theory.decay_length / height;
     return;
   }
   if (!theory.gap) {
@@ -69,10 +69,10 @@ void add_theory_fits(const Result& result, const cases::Case& rough_case,
     fits.asymptotic_slope = gamma.value * theory.decay_length / height;
 }
 
-RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
+RealizationFits fits_of(const Result& result, const cases::Case& contact_case,
                         const MethodRecord& method, std::size_t realization) {
   RealizationFits fits;
-  fits.scales = scales_of(result, rough_case, method, realization);
+  fits.scales = scales_of(result, contact_case, method, realization);
   if (!is_positive(fits.scales.rms_height) ||
       !is_positive(fits.scales.rms_slope)) {
     fits.slope.reason = fits.parameter.reason = fits.area.reason =
@@ -83,7 +83,7 @@ RealizationFits fits_of(const Result& result, const cases::Case& rough_case,
   fits.slope = fit_slope(points, fits.scales);
   fits.area = fit_area(points, fits.scales);
   try {
-    add_theory_fits(result, rough_case, method, realization, fits);
+    add_theory_fits(result, contact_case, method, realization, fits);
   } catch (const std::domain_error& error) { // heights without a theory
     fits.parameter = {};
     fits.parameter.reason =
@@ -166,10 +166,10 @@ Estimate pressure_difference_to(const MethodRecord& method,
   return largest_of(largest, "no load that " + base.name + " also covers");
 }
 
-Estimate set_parameter(const cases::Case& rough_case,
+Estimate set_parameter(const cases::Case& contact_case,
                        const MethodRecord& method) {
   Estimate estimate;
-  estimate.value = set_gamma(rough_case, method);
+  estimate.value = set_gamma(contact_case, method);
   estimate.remark =
       estimate.has_value() ? "set in the case" : "not set in the case";
   estimate.is_input = estimate.has_value();
@@ -184,12 +184,12 @@ const results::Curve& curve_of(const MethodRecord& method,
       .realizations[std::min(realization, method.realizations.size() - 1)];
 }
 
-void add_rough_quantities(const Result& result, const cases::Case& rough_case,
+void add_rough_quantities(const Result& result, const cases::Case& contact_case,
                           const MethodRecord& method,
                           const MethodRecord* reference,
                           MethodSummary& summary) {
   for (std::size_t r = 0; r < method.realizations.size(); ++r)
-    summary.fits.push_back(fits_of(result, rough_case, method, r));
+    summary.fits.push_back(fits_of(result, contact_case, method, r));
   auto& quantities = summary.quantities;
   quantities["gamma_slope"] = mean_of(summary.fits, &RealizationFits::slope,
                                       &SlopeFit::gamma_slope, gamma_range);
@@ -201,7 +201,7 @@ void add_rough_quantities(const Result& result, const cases::Case& rough_case,
       mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted,
               positive_range);
   if (method.kind == "theory") {
-    quantities["gamma_theory"] = set_parameter(rough_case, method);
+    quantities["gamma_theory"] = set_parameter(contact_case, method);
     return;
   }
   quantities["gamma_theory"] =

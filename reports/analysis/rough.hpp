@@ -11,7 +11,7 @@ namespace asperity::reports {
 /// Fills `summary.fits` and the rough quantities of `summary.quantities`.
 /// @param reference  the theory to compare with, or null
 void add_rough_quantities(const results::Result& result,
-                          const cases::Case& rough_case,
+                          const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           const results::MethodRecord* reference,
                           MethodSummary& summary);

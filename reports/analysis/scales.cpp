@@ -23,11 +23,11 @@ SurfaceScales formula_scales(const SurfaceSpec& surface) {
 
 } // namespace
 
-bool uses_formula(const cases::Case& rough_case,
+bool uses_formula(const cases::Case& contact_case,
                   const results::MethodRecord& method) {
   if (method.kind != "theory")
     return false;
-  for (const cases::MethodSpec& spec : rough_case.methods)
+  for (const cases::MethodSpec& spec : contact_case.methods)
     if (spec.name == method.name)
       if (const auto* theory =
               std::get_if<cases::TheorySettings>(&spec.settings))
@@ -54,17 +54,17 @@ const results::SurfaceRecord* surface_of(const results::Result& result,
 }
 
 SurfaceScales scales_of(const results::Result& result,
-                        const cases::Case& rough_case,
+                        const cases::Case& contact_case,
                         const results::MethodRecord& method,
                         std::size_t realization) {
-  SurfaceScales scales = formula_scales(rough_case.surface);
+  SurfaceScales scales = formula_scales(contact_case.surface);
   const bool formula_is_known = std::isfinite(scales.rms_height);
   const results::SurfaceRecord* surface =
       surface_of(result, method, realization);
   const bool is_own = realization < method.realizations.size() &&
                       method.realizations[realization].own_surface;
   if (surface != nullptr &&
-      (is_own || !(uses_formula(rough_case, method) && formula_is_known))) {
+      (is_own || !(uses_formula(contact_case, method) && formula_is_known))) {
     scales.rms_height = surface->rms_height;
     scales.rms_slope = surface->rms_slope;
   }
@@ -72,22 +72,22 @@ SurfaceScales scales_of(const results::Result& result,
   return scales;
 }
 
-std::optional<double> magnification_of(const cases::Case& rough_case,
+std::optional<double> magnification_of(const cases::Case& contact_case,
                                        const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : rough_case.methods)
+  for (const cases::MethodSpec& spec : contact_case.methods)
     if (spec.name == method.name)
       return spec.magnification;
   return std::nullopt;
 }
 
 const results::MethodRecord*
-reference_theory(const results::Result& result, const cases::Case& rough_case,
+reference_theory(const results::Result& result, const cases::Case& contact_case,
                  const results::MethodRecord& method) {
-  const std::optional<double> seen = magnification_of(rough_case, method);
+  const std::optional<double> seen = magnification_of(contact_case, method);
   const results::MethodRecord* first = nullptr;
   for (const results::MethodRecord& theory : result.methods) {
     if (theory.kind != "theory" || theory.realizations.empty() ||
-        magnification_of(rough_case, theory) != seen)
+        magnification_of(contact_case, theory) != seen)
       continue;
     if (theory.name == "theory")
       return &theory;

@@ -42,17 +42,17 @@ HertzStrength hertz_strength(double poisson_ratio) {
 }
 
 void add_stress_quantities(const results::Result& result,
-                           const cases::Case& exact_case,
+                           const cases::Case& contact_case,
                            const results::MethodRecord& method,
                            MethodSummary& summary) {
   const results::Table* table = result.table(stress_table_name(method.name));
-  const cases::SurfaceSpec& surface = exact_case.surface;
+  const cases::SurfaceSpec& surface = contact_case.surface;
   if (table == nullptr || surface.kind != cases::SurfaceKind::sphere ||
-      !exact_case.material.poisson_ratio)
+      !contact_case.material.poisson_ratio)
     return;
   const double side = surface.length.value_or(not_a_number);
   const HertzStrength exact =
-      hertz_strength(*exact_case.material.poisson_ratio);
+      hertz_strength(*contact_case.material.poisson_ratio);
   const std::vector<double> pressures = table->values("nominal_pressure");
   const std::vector<double> strengths = table->values("von_mises");
   const std::vector<double> depths = table->values("depth");

@@ -26,7 +26,7 @@ HertzStrength hertz_strength(double poisson_ratio);
 /// relative errors over the saved maps. Nothing is added if the result has no
 /// such table.
 void add_stress_quantities(const results::Result& result,
-                           const cases::Case& exact_case,
+                           const cases::Case& contact_case,
                            const results::MethodRecord& method,
                            MethodSummary& summary);
 

@@ -89,7 +89,7 @@ void attempt(MethodSummary& summary, const char* what, const Work& work) {
 }
 
 MethodSummary summarize_method(const Result& result,
-                               const cases::Case& rough_case,
+                               const cases::Case& contact_case,
                                const MethodRecord& method,
                                const MethodRecord* reference) {
   MethodSummary summary;
@@ -97,16 +97,17 @@ MethodSummary summarize_method(const Result& result,
   summary.kind = method.kind;
   summary.description = method.description;
   summary.cost = cost_of(method);
-  if (is_exact_shape(rough_case))
-    attempt(summary, "exact solution",
-            [&] { add_exact_quantities(result, rough_case, method, summary); });
+  if (is_exact_shape(contact_case))
+    attempt(summary, "exact solution", [&] {
+      add_exact_quantities(result, contact_case, method, summary);
+    });
   else {
     attempt(summary, "fits", [&] {
-      add_rough_quantities(result, rough_case, method, reference, summary);
+      add_rough_quantities(result, contact_case, method, reference, summary);
     });
     summary.fits.resize(method.realizations.size());
     attempt(summary, "claims", [&] {
-      add_claim_quantities(result, rough_case, method, reference, summary);
+      add_claim_quantities(result, contact_case, method, reference, summary);
     });
   }
   if (method.kind != "theory") {
@@ -122,14 +123,14 @@ MethodSummary summarize_method(const Result& result,
 
 } // namespace
 
-Summary summarize(const Result& result, const cases::Case& rough_case) {
+Summary summarize(const Result& result, const cases::Case& contact_case) {
   Summary summary;
   summary.case_name = result.case_name;
   summary.case_title = result.case_title;
   summary.case_hash = result.case_hash;
   summary.status = result.status;
   summary.provenance = result.provenance;
-  const MethodRecord* whole = reference_theory(result, rough_case, {});
+  const MethodRecord* whole = reference_theory(result, contact_case, {});
   if (whole != nullptr)
     summary.reference_method = whole->name;
   std::vector<cases::ReferenceValue> references;
@@ -137,22 +138,22 @@ Summary summarize(const Result& result, const cases::Case& rough_case) {
     references = cases::read_reference_text(result.reference,
                                             result.path + ": reference");
   const std::vector<std::string> at_load =
-      names_at_load(rough_case.expectations, references);
+      names_at_load(contact_case.expectations, references);
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* reference =
-        reference_theory(result, rough_case, method);
+        reference_theory(result, contact_case, method);
     summary.methods.push_back(
-        summarize_method(result, rough_case, method, reference));
+        summarize_method(result, contact_case, method, reference));
     MethodSummary& mine = summary.methods.back();
     attempt(mine, "quantities at a load", [&] {
-      add_quantities_at_load(result, rough_case, method, reference, at_load,
+      add_quantities_at_load(result, contact_case, method, reference, at_load,
                              mine);
     });
     attempt(mine, "studies", [&] {
-      add_study_quantities(result, rough_case, method, at_load, mine);
+      add_study_quantities(result, contact_case, method, at_load, mine);
     });
   }
-  summary.verdicts = judge(rough_case.expectations, summary.methods,
+  summary.verdicts = judge(contact_case.expectations, summary.methods,
                            result.status == "complete");
   summary.published = beside_ours(references, summary.methods);
   return summary;

@@ -112,7 +112,7 @@ bool is_exact_shape(const cases::Case& contact_case);
 
 /// True if the method is a theory that used the analytical spectrum of the
 /// case.
-bool uses_formula(const cases::Case& rough_case,
+bool uses_formula(const cases::Case& contact_case,
                   const results::MethodRecord& method);
 
 /// Returns the surface on which a method's realisation ran: its own if it has
@@ -125,20 +125,20 @@ const results::SurfaceRecord* surface_of(const results::Result& result,
 /// those of the surface on which it ran, or of the analytical spectrum if the
 /// theory used it. Fields are NaN where neither is known.
 SurfaceScales scales_of(const results::Result& result,
-                        const cases::Case& rough_case,
+                        const cases::Case& contact_case,
                         const results::MethodRecord& method,
                         std::size_t realization);
 
 /// Returns the magnification at which a method of the case resolves the
 /// surface; empty if it resolves all of the roughness.
-std::optional<double> magnification_of(const cases::Case& rough_case,
+std::optional<double> magnification_of(const cases::Case& contact_case,
                                        const results::MethodRecord& method);
 
 /// Returns the theory record with which a method is compared: of those that
 /// resolve the surface at the magnification of the method, the one called
 /// "theory", otherwise the first; null if there is none.
 const results::MethodRecord*
-reference_theory(const results::Result& result, const cases::Case& rough_case,
+reference_theory(const results::Result& result, const cases::Case& contact_case,
                  const results::MethodRecord& method);
 
 /// Returns the method of which this is a variant, "md" for "md.explicit"; null
@@ -147,6 +147,7 @@ const results::MethodRecord* base_method(const results::Result& result,
                                          const results::MethodRecord& method);
 
 /// @throws cases::CaseError  the reference data in the result contain mistakes
-Summary summarize(const results::Result& result, const cases::Case& rough_case);
+Summary summarize(const results::Result& result,
+                  const cases::Case& contact_case);
 
 } // namespace asperity::reports

@@ -51,7 +51,7 @@ std::optional<Figure> surface_figure(const ReportEntry& entry);
 std::optional<Figure> spectrum_figure(const ReportEntry& entry);
 
 /// Shows the height maps of two surfaces and their sum, for a result that
-/// sum_of_two_faces() accepts.
+/// sum_of_two_surfaces() accepts.
 std::optional<Figure> two_faces_figure(const ReportEntry& entry);
 
 /// Shows the pressure and gap maps at the saved loads, one figure per method. A

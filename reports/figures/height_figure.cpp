@@ -1,6 +1,6 @@
 #include "reports/figures/height_figure.hpp"
 
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
   const auto& surfaces = entry.result->surfaces;
   for (std::size_t r = 0; r < surfaces.size(); ++r)
     add(surfaces[r], r, fmt::format("realisation {}", r));
-  if (const auto sum = sum_of_two_faces(*entry.result))
+  if (const auto sum = sum_of_two_surfaces(*entry.result))
     add(*sum, surfaces.size(), "sum of both");
   if (plots.empty())
     return std::nullopt;

@@ -1,4 +1,4 @@
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 
@@ -176,7 +176,7 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
 }
 
 std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
-  const auto sum = sum_of_two_faces(*entry.result);
+  const auto sum = sum_of_two_surfaces(*entry.result);
   if (!sum)
     return std::nullopt;
   Figure figure;

@@ -1,4 +1,4 @@
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "surfaces/build.hpp"
@@ -32,7 +32,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   };
   for (std::size_t r = 0; r < surfaces.size(); ++r)
     add(surfaces[r], r, fmt::format("realisation {}", r), r);
-  const auto sum = sum_of_two_faces(*entry.result);
+  const auto sum = sum_of_two_surfaces(*entry.result);
   if (sum)
     add(*sum, surfaces.size() + 1, "sum of both", surfaces.size());
   if (plots.empty())

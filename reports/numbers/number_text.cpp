@@ -40,7 +40,9 @@ std::string percent_text(const Estimate& estimate) {
   if (!estimate.has_value())
     return undetermined_word;
   if (!estimate.has_interval())
-    return fmt::format("{:.2g} %", 100.0 * estimate.value);
+    return std::abs(estimate.value) < 1.0
+               ? fmt::format("{:.2g} %", 100.0 * estimate.value)
+               : fmt::format("{:.0f} %", 100.0 * estimate.value);
   const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));
   return fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * estimate.value, decimals,
                      100.0 * estimate.half_width, decimals);

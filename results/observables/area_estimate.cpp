@@ -54,9 +54,9 @@ public:
         return;
       const std::size_t inside = holds(a) ? a : b;
       const std::size_t outside = holds(a) ? b : a;
-      rim.excess +=
-          rim_share(pressure_[inside], gap[outside], spacing, contact_modulus) -
-          0.5;
+      rim.excess += boundary_share(pressure_[inside], gap[outside], spacing,
+                                   contact_modulus) -
+                    0.5;
       ++rim.pairs;
     };
     for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
@@ -79,8 +79,8 @@ double line_share(const Contact& contact, const Rim& rim, double n) {
 
 } // namespace
 
-double rim_share(double pressure_inside, double gap_outside, double spacing,
-                 double contact_modulus) {
+double boundary_share(double pressure_inside, double gap_outside,
+                      double spacing, double contact_modulus) {
   require_positive("pressure_inside", pressure_inside, "Pa");
   require_positive("spacing", spacing, "m");
   require_positive("contact_modulus", contact_modulus, "Pa");
@@ -108,7 +108,8 @@ double line_area_fraction(const Grid& grid, std::span<const double> pressure,
   return std::clamp(share, 0.0, 1.0);
 }
 
-double euler_number(const Grid& grid, std::span<const double> pressure) {
+double euler_characteristic(const Grid& grid,
+                            std::span<const double> pressure) {
   const Contact contact(grid, pressure);
   long twists = 0; // n_1 - n_3
   contact.for_each_square([&](std::size_t node, std::size_t right,
@@ -145,7 +146,7 @@ Observed corrected_area_fraction(const Grid& grid,
   const double share =
       line_share(contact, rim, n) -
       coefficients.perimeter * static_cast<double>(rim.pairs) / n +
-      coefficients.euler * euler_number(grid, pressure) / n;
+      coefficients.euler * euler_characteristic(grid, pressure) / n;
   const double counted = static_cast<double>(contact.n_nodes()) / n;
   if (share < least_corrected_share * counted)
     return {Observed::none,

@@ -40,8 +40,8 @@ namespace asperity::results {
 /// @par Accuracy  Roundoff where (A.1) holds. The straight boundary of any
 ///                smooth contact satisfies (A.1) to first order in d.
 /// @see  K. L. Johnson, Contact Mechanics (1985), Sec. 5.1
-double rim_share(double pressure_inside, double gap_outside, double spacing,
-                 double contact_modulus);
+double boundary_share(double pressure_inside, double gap_outside,
+                      double spacing, double contact_modulus);
 
 /// Returns the mean fraction of the grid lines in x and y that is in contact. A
 /// node in contact counts 1, and each of its intervals to an open neighbour
@@ -51,7 +51,7 @@ double rim_share(double pressure_inside, double gap_outside, double spacing,
 ///     A_l/A_0 = (1/n) [n_contact + 1/2 sum_pairs (t - 1/2)],             (A.3)
 ///
 /// Here n is the total number of nodes, and t of each pair is given by
-/// rim_share(). By Cavalieri's principle, the area is the integral of the
+/// boundary_share(). By Cavalieri's principle, the area is the integral of the
 /// chords. All nodes have equal weights, whatever the weights of a quadrature
 /// rule.
 /// @param gap  [m], used at open nodes next to the contact boundary
@@ -69,7 +69,7 @@ double line_area_fraction(const Grid& grid, std::span<const double> pressure,
 /// in contact. Two nodes that touch only across a corner count as half
 /// connected.
 /// @return  0 without contact and in full contact
-double euler_number(const Grid& grid, std::span<const double> pressure);
+double euler_characteristic(const Grid& grid, std::span<const double> pressure);
 
 /// Coefficients of an operator in (A.5), which correct the line area to first
 /// order (per pair at the contact boundary) and second order (per patch) in the

@@ -18,8 +18,8 @@ namespace asperity::results {
 namespace {
 
 constexpr int fewest_nodes = 20;
-constexpr double bins_a_spread = 8.0; // bins per s = sqrt(2G)
-constexpr double reach = 6.0;         // of the bins on either side of p, in s
+constexpr double bins_per_deviation = 8.0; // bins per s = sqrt(2G)
+constexpr double reach = 6.0; // of the bins on either side of p, in s
 constexpr int n_passes = 2;
 
 // Above this value of <sigma^2>/p^2 - 1, of the order 1/eps^2, the mean p of
@@ -107,7 +107,7 @@ struct Bins {
 Bins histogram(const ReducedMap& map, double variance) {
   const double spread = std::sqrt(2.0 * variance);
   Bins bins;
-  bins.width = spread / bins_a_spread;
+  bins.width = spread / bins_per_deviation;
   bins.start = std::max(bins.width, 1.0 - reach * spread);
   bins.share.assign(static_cast<std::size_t>(std::ceil(
                         (1.0 + reach * spread - bins.start) / bins.width)),

@@ -12,8 +12,8 @@ namespace asperity::surfaces {
 /// generator, so they must never change.
 enum class RandomStream : std::uint64_t {
   surface_modes = 1,
-  thermal_noise = 2, ///< drawn in md/dynamics/thermal_noise.hpp
-  stress_scenes = 3, ///< drawn in robustness/scene.hpp
+  thermal_noise = 2,        ///< drawn in md/dynamics/thermal_noise.hpp
+  robustness_instances = 3, ///< drawn in robustness/scene.hpp
 };
 
 /// Two independent numbers, uniform in the open interval (0, 1).

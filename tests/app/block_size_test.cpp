@@ -48,7 +48,7 @@ Counted unknowns_with(const Overrides& overrides) {
                   *sphere.surface.length};
   const cases::Scales scales{sphere.material.contact_modulus, grid.length_x,
                              grid.spacing_x(), 0.0};
-  const auto block = fem::load_fem_room().full(
+  const auto block = fem::load_fem_module().full(
       {sphere.text, sphere.path, "fem", grid, scales});
   return {block_size(sphere,
                      std::get<cases::FemSettings>(sphere.methods[0].settings),

@@ -58,9 +58,9 @@ class CachedRun : public FolderTest {
 protected:
   RunOutcome run(const Overrides& overrides, Cache& beside,
                  const std::string& out = "out") const {
-    const cases::Case rough_case = cases::read_case_text(
+    const cases::Case contact_case = cases::read_case_text(
         text, (folder / "pressed.toml").string(), overrides);
-    return run_case(rough_case, {folder / out, {}, false, 1, "", &beside});
+    return run_case(contact_case, {folder / out, {}, false, 1, "", &beside});
   }
 
   /// The steps that are computed beside the cache of this test.
@@ -256,11 +256,11 @@ TEST(InputHashes, CoverEveryFileOfTheVocabulary) {
 // Another build or another processor has another identity, which is in every
 // key.
 TEST_F(CachedRun, AnotherBuildHasOtherKeys) {
-  const cases::Case rough_case = cases::read_case_text(text, "pressed.toml");
-  const CaseKeys ours(rough_case, program_identity());
-  const CaseKeys again(rough_case, program_identity());
-  const CaseKeys theirs(rough_case, program_identity() + " changed");
-  for (const cases::MethodSpec& method : rough_case.methods) {
+  const cases::Case contact_case = cases::read_case_text(text, "pressed.toml");
+  const CaseKeys ours(contact_case, program_identity());
+  const CaseKeys again(contact_case, program_identity());
+  const CaseKeys theirs(contact_case, program_identity() + " changed");
+  for (const cases::MethodSpec& method : contact_case.methods) {
     EXPECT_EQ(ours.steps(method, 0), again.steps(method, 0));
     EXPECT_NE(ours.steps(method, 0)[0], ours.steps(method, 1)[0]);
     for (const std::size_t step : {0u, 3u})

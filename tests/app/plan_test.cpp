@@ -170,15 +170,15 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
 // The plan prints what the block would have without its elimination: three
 // displacements a node, (N + 1)^2 of them on every plane that meshes/ makes.
 TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
-  const cases::Case rough_case = read();
-  auto fem = std::get<cases::FemSettings>(rough_case.methods.at(2).settings);
+  const cases::Case contact_case = read();
+  auto fem = std::get<cases::FemSettings>(contact_case.methods.at(2).settings);
   fem.element = cases::Element::q1;
-  const Grid grid = grid_of_case(rough_case, rough_case.methods);
+  const Grid grid = grid_of_case(contact_case, contact_case.methods);
   MachineRates rates(32);
   const std::size_t layers =
       meshes::graded_layers(grid.spacing_x(), fem.growth, grid.length_x).size();
 
-  const MethodCost cost = cost_of_full_block(rough_case, fem, grid, rates);
+  const MethodCost cost = cost_of_full_block(contact_case, fem, grid, rates);
 
   EXPECT_EQ(cost.unknowns, 3.0 * 33 * 33 * (static_cast<double>(layers) + 1.0));
 }
@@ -217,15 +217,15 @@ TEST_F(PlannedRun, SaysHowGoodItIs) {
 // Claim: the model counts. With the same rates, twice the points a side are
 // four times the unknowns and the memory.
 TEST_F(PlannedRun, MemoryGoesWithTheNodes) {
-  const cases::Case rough_case = read();
+  const cases::Case contact_case = read();
   MachineRates rates(32);
   const Grid small{32, 32, 1e-6, 1e-6};
   const Grid large{64, 64, 1e-6, 1e-6};
   for (const std::size_t method : {1u, 2u}) {
     const MethodCost one =
-        cost_of(rough_case, rough_case.methods[method], small, rates);
+        cost_of(contact_case, contact_case.methods[method], small, rates);
     const MethodCost four =
-        cost_of(rough_case, rough_case.methods[method], large, rates);
+        cost_of(contact_case, contact_case.methods[method], large, rates);
 
     EXPECT_EQ(four.unknowns, 4.0 * one.unknowns);
     EXPECT_NEAR(four.memory / one.memory, 4.0, 1e-14);

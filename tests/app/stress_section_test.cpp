@@ -52,7 +52,7 @@ private:
 
 const contact::ElasticBlock halfspace{1e9, 0.3,
                                       std::numeric_limits<double>::infinity(),
-                                      contact::FarFace::clamped};
+                                      contact::FarBoundary::clamped};
 
 OwnSection at(double x, double depth, bool is_periodic) {
   return {

@@ -17,7 +17,7 @@ constexpr double modulus = 70e9;
 
 contact::ElasticBlock halfspace() {
   return {modulus, 0.3, std::numeric_limits<double>::infinity(),
-          contact::FarFace::clamped};
+          contact::FarBoundary::clamped};
 }
 
 /// Hertz's pressure about node (20, 40) of a cell sixteen radii wide.

@@ -76,7 +76,7 @@ Bench made_up() {
       series.coordinates.push_back(1.0 / points);
       bench.points.push_back(point_on(method, points, is_fem ? stiff : 0.0));
       bench.points.back().is_own = points == 256;
-      bench.points.back().is_truth = points == 512;
+      bench.points.back().is_reference = points == 512;
     }
     bench.series.push_back(series);
   }

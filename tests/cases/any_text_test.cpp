@@ -81,7 +81,7 @@ RC_GTEST_PROP(AnyText, IsReadOrRefusedWithAPlace, ()) {
                         *rc::gen::elementOf(values));
 
   try {
-    const Case read = read_case_text(rough_case, "case.toml", overrides);
+    const Case read = read_case_text(contact_case, "case.toml", overrides);
     RC_ASSERT(!read.methods.empty());
     RC_ASSERT(read.load.targets.size() == read.load.is_unloading.size());
     RC_ASSERT(!read.load.targets.empty());

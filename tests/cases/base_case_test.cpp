@@ -23,7 +23,7 @@ protected:
     std::string pattern = (fs::temp_directory_path() / "base-XXXXXX").string();
     folder = mkdtemp(pattern.data());
     fs::create_directories(folder / "deep/er");
-    write("block.toml", rough_case);
+    write("block.toml", contact_case);
   }
 
   ~BaseCase() override { fs::remove_all(folder); }
@@ -90,7 +90,7 @@ TEST_F(BaseCase, HasATextThatStandsAlone) {
   const Case again = read_case_text(mine.text, "no/such/folder/case.toml");
 
   EXPECT_EQ(mine.text.find("base ="), std::string::npos);
-  EXPECT_EQ(mine.text.rfind(rough_case, 0), 0U) << "the base byte for byte";
+  EXPECT_EQ(mine.text.rfind(contact_case, 0), 0U) << "the base byte for byte";
   EXPECT_EQ(again.text, mine.text);
   EXPECT_EQ(again.surface.points, 128);
   ASSERT_EQ(again.load.targets.size(), 3U);
@@ -101,9 +101,9 @@ TEST_F(BaseCase, HasATextThatStandsAlone) {
 
 TEST_F(BaseCase, KeepsPathsInsideTheBasesSubTablesToo) {
   write("factors.txt", "1 1 1 2\n");
-  write("block.toml", rough_case + "[fem.whole]\nsolver = \"full\"\n"
-                                   "[material.variation]\nkind = \"table\"\n"
-                                   "file = \"factors.txt\"\n");
+  write("block.toml", contact_case + "[fem.whole]\nsolver = \"full\"\n"
+                                     "[material.variation]\nkind = \"table\"\n"
+                                     "file = \"factors.txt\"\n");
   write("deep/top.toml", "base = \"../block.toml\"\nfem.solver = \"full\"\n");
 
   const Case mine = read("deep/top.toml");
@@ -129,7 +129,7 @@ TEST_F(BaseCase, KeepsTheBasesPathsWithTheBase) {
 
 // Claim: each mistake is said of the file it was written in.
 TEST_F(BaseCase, NamesTheFileAMistakeIsIn) {
-  std::string spoilt = rough_case;
+  std::string spoilt = contact_case;
   spoilt.replace(spoilt.find("hurst = 0.95"), 12, "hurst = 1.95");
   write("block.toml", spoilt);
   write("deep/er/case.toml", on_block + "[surface]\npoints = 513\n");
@@ -158,9 +158,10 @@ TEST_F(BaseCase, SaysWhatABaseMustBe) {
             "  number.toml:1: base = 3, but must be the path of a file\n");
   EXPECT_EQ(mistakes_of("circle.toml"),
             "  circle.toml:1: base refers back to itself in a cycle\n");
-  EXPECT_NE(asperity::cases::mistakes_of("base = \"block.toml\"\n" + rough_case)
-                .find("only a case file can have a base case"),
-            std::string::npos);
+  EXPECT_NE(
+      asperity::cases::mistakes_of("base = \"block.toml\"\n" + contact_case)
+          .find("only a case file can have a base case"),
+      std::string::npos);
 }
 
 } // namespace

@@ -16,12 +16,12 @@ namespace {
 
 Case block(const std::string& keys,
            const std::vector<std::string>& overrides = {}) {
-  return read_case_text(rough_case + keys, "some/case.toml", overrides);
+  return read_case_text(contact_case + keys, "some/case.toml", overrides);
 }
 
 std::string refusal(const std::string& keys,
                     const std::vector<std::string>& overrides = {}) {
-  return mistakes_of(rough_case + keys, overrides);
+  return mistakes_of(contact_case + keys, overrides);
 }
 
 const FemSettings& fem_of(const Case& read) {
@@ -47,7 +47,7 @@ TEST(Block, HasLayersFromTheFaceUp) {
            "youngs_modulus = 3e9, poisson_ratio = 0.4 }]"});
 
   ASSERT_EQ(read.material.layers.size(), 2U);
-  EXPECT_EQ(read.material.layers[0].thickness.yardstick, Yardstick::length);
+  EXPECT_EQ(read.material.layers[0].thickness.yardstick, ReferenceUnit::length);
   EXPECT_EQ(read.material.layers[0].thickness.value, 0.05);
   EXPECT_EQ(read.material.layers[0].moduli.youngs_modulus, 20e9);
   EXPECT_EQ(read.material.layers[1].moduli.poisson_ratio, 0.4);
@@ -132,7 +132,7 @@ TEST(Block, IsMeshedByGmshWhereItIsWhole) {
 
   EXPECT_TRUE(fem_of(read).uses_case_mesh);
   EXPECT_EQ(read.mesh.geometry, MeshGeometry::indentation);
-  EXPECT_EQ(read.mesh.size_at_contact.yardstick, Yardstick::spacing);
+  EXPECT_EQ(read.mesh.size_at_contact.yardstick, ReferenceUnit::spacing);
   EXPECT_FALSE(fem_of(block(mesh)).uses_case_mesh);
   EXPECT_FALSE(fem_of(block(mesh, {"fem.solver=full", "fem.mesh=layers"}))
                    .uses_case_mesh);
@@ -168,7 +168,7 @@ const std::string a_layer =
 // Claim: what a layered block still needs, and the pair that no one block can
 // stand for, are named.
 TEST(Block, NamesWhatLayersCannotBe) {
-  std::string without_ratio = rough_case;
+  std::string without_ratio = contact_case;
   const std::size_t from = without_ratio.find("poisson_ratio");
   without_ratio.erase(from, without_ratio.find('\n', from) - from);
   const std::string pair =

@@ -11,7 +11,7 @@
 namespace asperity::cases {
 
 /// A self-affine surface, all three methods; lines 1 to 27.
-inline const std::string rough_case = R"(schema = 1
+inline const std::string contact_case = R"(schema = 1
 title = "A rough block"
 [surface]
 kind = "self-affine"

@@ -13,18 +13,19 @@ constexpr Scales scales{2e9, 1e-5, 2e-8, 3.4e-8};
 
 // Claim: a quantity is its number times its yardstick. Exact: one product.
 TEST(Quantity, IsItsNumberTimesItsYardstick) {
-  EXPECT_EQ((Quantity{7.0, Yardstick::si}.in_si(scales)), 7.0);
-  EXPECT_EQ((Quantity{0.5, Yardstick::contact_modulus}.in_si(scales)), 1e9);
-  EXPECT_EQ((Quantity{2.0, Yardstick::length}.in_si(scales)), 2e-5);
-  EXPECT_EQ((Quantity{2.0, Yardstick::spacing}.in_si(scales)), 4e-8);
-  EXPECT_EQ((Quantity{0.5, Yardstick::rms_height}.in_si(scales)), 1.7e-8);
+  EXPECT_EQ((Quantity{7.0, ReferenceUnit::si}.in_si(scales)), 7.0);
+  EXPECT_EQ((Quantity{0.5, ReferenceUnit::contact_modulus}.in_si(scales)), 1e9);
+  EXPECT_EQ((Quantity{2.0, ReferenceUnit::length}.in_si(scales)), 2e-5);
+  EXPECT_EQ((Quantity{2.0, ReferenceUnit::spacing}.in_si(scales)), 4e-8);
+  EXPECT_EQ((Quantity{0.5, ReferenceUnit::rms_height}.in_si(scales)), 1.7e-8);
   EXPECT_DOUBLE_EQ(
-      (Quantity{100.0, Yardstick::contact_modulus_per_spacing}.in_si(scales)),
+      (Quantity{100.0, ReferenceUnit::contact_modulus_per_spacing}.in_si(
+          scales)),
       1e19); // 100 * 2e9 Pa / 2e-8 m
 }
 
 TEST(Quantity, RefusesAYardstickThatIsNotKnown) {
-  const Quantity quantity{2.0, Yardstick::rms_height};
+  const Quantity quantity{2.0, ReferenceUnit::rms_height};
 
   EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// What a rough case with these overrides is told, a line each.
 std::string told(const std::vector<std::string>& overrides) {
-  return mistakes_of(rough_case, overrides);
+  return mistakes_of(contact_case, overrides);
 }
 
 TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {

@@ -55,7 +55,7 @@ const std::string band = "\" = { value = 0.1, within = 0.02 }\n";
 
 TEST(QuantityAtLoad, IsAKeyOfExpect) {
   const Case read = read_case_text(
-      rough_case + "\"area_fraction@p=0.01 E*" + band, "case.toml");
+      contact_case + "\"area_fraction@p=0.01 E*" + band, "case.toml");
 
   const Expectation& expectation = read.expectations.back();
   EXPECT_EQ(expectation.quantity, "area_fraction@p=0.01 E*");
@@ -75,10 +75,11 @@ TEST(QuantityAtLoad, IsAnsweredByWhatIsWrongWithIt) {
       {"area_fraction@p=-1 Pa", " has a p that is not > 0"},
       {"area_fraction@u=1 nm", " must have the form area_fraction@p=0.01 E*"}};
   for (const auto& [key, answer] : answers)
-    EXPECT_EQ(mistakes_of(rough_case + '"' + key + band),
+    EXPECT_EQ(mistakes_of(contact_case + '"' + key + band),
               "  case.toml:28: expect." + key + answer + "\n");
-  EXPECT_EQ(mistakes_of(rough_case + "\"area_fraction_fit@p=1 Pa\" = { below = "
-                                     "1, methods = [\"theory\"] }\n"),
+  EXPECT_EQ(mistakes_of(contact_case +
+                        "\"area_fraction_fit@p=1 Pa\" = { below = "
+                        "1, methods = [\"theory\"] }\n"),
             "  case.toml:28: expect.area_fraction_fit@p=1 Pa.methods names "
             "\"theory\", but the methods of this case that compute "
             "area_fraction_fit are: halfspace, fem; nearest: fem\n");

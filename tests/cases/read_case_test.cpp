@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Case rough(const std::vector<std::string>& overrides = {}) {
-  return read_case_text(rough_case, "some/rough/case.toml", overrides);
+  return read_case_text(contact_case, "some/rough/case.toml", overrides);
 }
 
 const FemSettings& fem_of(const Case& read, std::size_t index) {
@@ -50,21 +50,21 @@ TEST(ReadCase, TakesWavevectorsAsTheyAre) {
 }
 
 TEST(ReadCase, SpacesALoadProgramAsAsked) {
-  const LoadProgram logarithmic = rough().load;
-  const LoadProgram linear =
+  const LoadingPath logarithmic = rough().load;
+  const LoadingPath linear =
       rough({"load.nominal_pressure.spacing=linear"}).load;
 
   ASSERT_EQ(logarithmic.targets.size(), 3U);
   EXPECT_EQ(logarithmic.control, Control::nominal_pressure);
   EXPECT_EQ(logarithmic.targets[0].value, 1e-3);
-  EXPECT_EQ(logarithmic.targets[0].yardstick, Yardstick::contact_modulus);
+  EXPECT_EQ(logarithmic.targets[0].yardstick, ReferenceUnit::contact_modulus);
   EXPECT_DOUBLE_EQ(logarithmic.targets[1].value, 1e-2);
   EXPECT_EQ(logarithmic.targets[2].value, 0.1);
   EXPECT_DOUBLE_EQ(linear.targets[1].value, 0.0505);
 }
 
 TEST(ReadCase, WritesTheWayBackOut) {
-  const LoadProgram load =
+  const LoadingPath load =
       rough({"load.nominal_pressure=[1e6, \"2 MPa\", \"0.5 E*\"]",
              "load.cycle=load-unload"})
           .load;
@@ -79,12 +79,12 @@ TEST(ReadCase, WritesTheWayBackOut) {
 }
 
 TEST(ReadCase, ControlsTheMeanGapToo) {
-  const LoadProgram load =
+  const LoadingPath load =
       rough({"load.nominal_pressure=", "load.mean_gap=2 h_rms"}).load;
 
   ASSERT_EQ(load.targets.size(), 1U);
   EXPECT_EQ(load.control, Control::mean_gap);
-  EXPECT_EQ(load.targets[0].yardstick, Yardstick::rms_height);
+  EXPECT_EQ(load.targets[0].yardstick, ReferenceUnit::rms_height);
 }
 
 // Claim: E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
@@ -199,8 +199,8 @@ TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
   std::vector<std::string> of_the_surface = theory_alone;
   of_the_surface.emplace_back("theory.spectrum=surface");
 
-  EXPECT_EQ(mistakes_of(rough_case, theory_alone), "");
-  EXPECT_EQ(mistakes_of(rough_case, of_the_surface),
+  EXPECT_EQ(mistakes_of(contact_case, theory_alone), "");
+  EXPECT_EQ(mistakes_of(contact_case, of_the_surface),
             "  case.toml:3: surface.points is missing: a whole number\n"
             "  case.toml:3: surface.seed is missing: a whole number\n");
 }
@@ -208,7 +208,7 @@ TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
 // Claim: line ends and a byte order mark of other systems change nothing.
 TEST(ReadCase, ReadsTextFromOtherSystems) {
   std::string foreign = "\xEF\xBB\xBF";
-  for (const char letter : rough_case)
+  for (const char letter : contact_case)
     foreign += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
 
   const Case read =

@@ -54,7 +54,7 @@ std::string told(const std::vector<std::string>& overrides) {
 }
 
 TEST(Studies, AreOptional) {
-  const Case plain = read_case_text(rough_case, "case.toml");
+  const Case plain = read_case_text(contact_case, "case.toml");
 
   EXPECT_FALSE(plain.magnification_study.has_value());
   EXPECT_FALSE(plain.adhesion_study.has_value());

@@ -111,7 +111,7 @@ TEST(TomlLimits, HoldForOverridesToo) {
        {"load.nominal_pressure=" + lists, repeated("a.", 100000) + "a=1",
         "surface." + repeated("a.", 40) + "a=1"})
     try {
-      (void)read_case_text(text_with_overrides(rough_case, {entry}),
+      (void)read_case_text(text_with_overrides(contact_case, {entry}),
                            "case.toml");
       ADD_FAILURE() << entry.substr(0, 60);
     } catch (const CaseError& error) {
@@ -122,7 +122,7 @@ TEST(TomlLimits, HoldForOverridesToo) {
 
 // Claim: a text with 50 000 "#--set" lines is refused at once.
 TEST(TomlLimits, HoldForTheNumberOfOverrides) {
-  std::string text = rough_case;
+  std::string text = contact_case;
   for (int i = 0; i < 50000; ++i)
     text += fmt::format("#--set a{}=1\n", i);
 

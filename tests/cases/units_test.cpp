@@ -13,8 +13,8 @@
 namespace asperity::cases {
 namespace {
 
-const std::vector<Yardstick> by_the_grid = {Yardstick::length,
-                                            Yardstick::spacing};
+const std::vector<ReferenceUnit> by_the_grid = {ReferenceUnit::length,
+                                                ReferenceUnit::spacing};
 
 QuantityReading length_from(const std::string& text) {
   return read_quantity(text, Dimension::length, by_the_grid);
@@ -52,25 +52,25 @@ TEST(Units, ConvertWholeNumbersWithOneRounding) {
     ASSERT_TRUE(reading.quantity) << example.text << " " << reading.mistake;
     EXPECT_EQ(reading.quantity->value, std::strtod(example.in_si, nullptr))
         << example.text;
-    EXPECT_EQ(reading.quantity->yardstick, Yardstick::si);
+    EXPECT_EQ(reading.quantity->yardstick, ReferenceUnit::si);
   }
 }
 
 TEST(Units, KeepTheProblemsOwnYardsticks) {
   const QuantityReading load = read_quantity("0.3 E*", Dimension::pressure,
-                                             {Yardstick::contact_modulus});
+                                             {ReferenceUnit::contact_modulus});
   const QuantityReading penalty =
       read_quantity("100E*/h", Dimension::stiffness,
-                    {Yardstick::contact_modulus_per_spacing});
-  const QuantityReading gap =
-      read_quantity(" 2\th_rms ", Dimension::length, {Yardstick::rms_height});
+                    {ReferenceUnit::contact_modulus_per_spacing});
+  const QuantityReading gap = read_quantity(" 2\th_rms ", Dimension::length,
+                                            {ReferenceUnit::rms_height});
 
   EXPECT_EQ(load.quantity->value, 0.3);
-  EXPECT_EQ(load.quantity->yardstick, Yardstick::contact_modulus);
+  EXPECT_EQ(load.quantity->yardstick, ReferenceUnit::contact_modulus);
   EXPECT_EQ(penalty.quantity->value, 100.0);
   EXPECT_EQ(penalty.quantity->yardstick,
-            Yardstick::contact_modulus_per_spacing);
-  EXPECT_EQ(gap.quantity->yardstick, Yardstick::rms_height);
+            ReferenceUnit::contact_modulus_per_spacing);
+  EXPECT_EQ(gap.quantity->yardstick, ReferenceUnit::rms_height);
 }
 
 TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {

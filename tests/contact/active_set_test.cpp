@@ -19,7 +19,7 @@ std::vector<double> heights() {
 }
 
 FourierOperator slab(double thickness) {
-  return halfspace_operator(grid, {1.0, 0.3, thickness, FarFace::pressure});
+  return halfspace_operator(grid, {1.0, 0.3, thickness, FarBoundary::pressure});
 }
 
 // Both answers are exact for heights that differ by the tolerance, and the

@@ -98,11 +98,11 @@ std::vector<double> heights_of(const Grid& grid, Dice& dice) {
 
 ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
   ElasticBlock block{modulus, dice.uniform(0.0, 0.5), infinity,
-                     FarFace::clamped};
+                     FarBoundary::clamped};
   if (dice.is_one_in(2)) {
-    block.far_face =
-        std::array{FarFace::clamped, FarFace::sliding,
-                   FarFace::pressure}[static_cast<std::size_t>(dice.pick(3))];
+    block.far_boundary = std::array{
+        FarBoundary::clamped, FarBoundary::sliding,
+        FarBoundary::pressure}[static_cast<std::size_t>(dice.pick(3))];
     block.thickness = grid.length_x * dice.power_of_ten(-1.7, 0.5);
   }
   return block;

@@ -4,8 +4,8 @@
 // (quadrature).
 #include "base/fourier.hpp"
 #include "contact/operators/halfspace.hpp"
+#include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
-#include "contact/solvers/rim_extension.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -89,7 +89,7 @@ void rim_rings(benchmark::State& state) {
   const std::vector<double> heights =
       scenes::rough_heights(elasticity.grid(), {});
   const ContactState contact = partial_contact(elasticity, heights);
-  RimExtension rim(elasticity.grid(), 1);
+  BoundaryExtension rim(elasticity.grid(), 1);
   for (auto _ : state)
     rim.build(contact.freedom);
 }
@@ -99,7 +99,7 @@ void rim_extend_and_fold(benchmark::State& state) {
   const std::vector<double> heights =
       scenes::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
-  RimExtension rim(elasticity.grid(), 1);
+  BoundaryExtension rim(elasticity.grid(), 1);
   rim.build(contact.freedom);
   for (auto _ : state) {
     rim.extend(0.5, contact.freedom, contact.residual);

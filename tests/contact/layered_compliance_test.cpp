@@ -18,8 +18,8 @@ namespace {
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{FarFace::clamped, FarFace::sliding,
-                               FarFace::pressure};
+constexpr std::array far_faces{FarBoundary::clamped, FarBoundary::sliding,
+                               FarBoundary::pressure};
 
 double plane_strain(double youngs_modulus, double poisson_ratio) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
@@ -27,8 +27,8 @@ double plane_strain(double youngs_modulus, double poisson_ratio) {
 
 /// A block of one material, its upper part cut into layers.
 ElasticBlock cut_block(double modulus, double nu, double thickness,
-                       FarFace far_face) {
-  ElasticBlock block{plane_strain(modulus, nu), nu, thickness, far_face};
+                       FarBoundary far_boundary) {
+  ElasticBlock block{plane_strain(modulus, nu), nu, thickness, far_boundary};
   const double upper = std::isinf(thickness) ? 1.0 : thickness;
   for (const double share : {0.1, 0.45, 0.05})
     block.layers.push_back({share * upper, modulus, nu});
@@ -41,20 +41,20 @@ ElasticBlock coated_halfspace(double coating, double coating_nu,
   return {plane_strain(substrate, substrate_nu),
           substrate_nu,
           infinity,
-          FarFace::clamped,
+          FarBoundary::clamped,
           {{thickness, coating, coating_nu}}};
 }
 
 /// slab_compliance_factor's closed forms, where cancellation costs nothing.
-Digits50 slab_factor(Digits50 x, FarFace far_face, Digits50 nu) {
+Digits50 slab_factor(Digits50 x, FarBoundary far_boundary, Digits50 nu) {
   const Digits50 twice = 2 * x;
-  switch (far_face) {
-  case FarFace::clamped:
+  switch (far_boundary) {
+  case FarBoundary::clamped:
     return ((3 - 4 * nu) * sinh(twice) - twice) /
            ((3 - 4 * nu) * cosh(twice) + 2 * x * x + 5 - 12 * nu + 8 * nu * nu);
-  case FarFace::sliding:
+  case FarBoundary::sliding:
     return (cosh(twice) - 1) / (sinh(twice) + twice);
-  case FarFace::pressure:
+  case FarBoundary::pressure:
     break;
   }
   return (sinh(twice) + twice) / (cosh(twice) - 1 - 2 * x * x);
@@ -80,7 +80,7 @@ constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
 // wave. Tolerance: some ten roundings in each of four crossings.
 TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
-    for (const FarFace face : far_faces)
+    for (const FarBoundary face : far_faces)
       for (const double x : reduced_wavevectors) {
         const double thickness = 0.7;
         const double q = x / thickness;
@@ -99,7 +99,8 @@ TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
 TEST(LayeredCompliance, OfEqualLayersIsTheHalfspaces) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.5})
     for (const double q : reduced_wavevectors) {
-      const ElasticBlock block = cut_block(3.0, nu, infinity, FarFace::clamped);
+      const ElasticBlock block =
+          cut_block(3.0, nu, infinity, FarBoundary::clamped);
       EXPECT_NEAR(layered_compliance(q, block) * block.contact_modulus * q, 2.0,
                   1e-14)
           << nu << " " << q;
@@ -166,7 +167,7 @@ TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
   const double found = layered_compliance(q, {plane_strain(2.0, 0.45),
                                               0.45,
                                               0.7,
-                                              FarFace::pressure,
+                                              FarBoundary::pressure,
                                               {layers[0], layers[1]}});
 
   EXPECT_NEAR(found * bending * std::pow(q, 4), 1.0, 3e-6);
@@ -195,8 +196,8 @@ RandomStack any_stack() {
   stack.block.contact_modulus = std::pow(10.0, between(-2.0, 2.0));
   stack.block.poisson_ratio = between(-0.5, 0.499);
   stack.block.thickness = *rc::gen::inRange(0, 4) == 0 ? infinity : 1.2 * depth;
-  stack.block.far_face = *rc::gen::elementOf(
-      std::vector<FarFace>(far_faces.begin(), far_faces.end()));
+  stack.block.far_boundary = *rc::gen::elementOf(
+      std::vector<FarBoundary>(far_faces.begin(), far_faces.end()));
   stack.wavevector = std::pow(10.0, between(-3.0, 4.0)) / depth;
   return stack;
 }
@@ -220,8 +221,8 @@ RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
   }
   ElasticBlock held = stack.block;
   last = 0.0;
-  for (const FarFace face : far_faces) {
-    held.far_face = face;
+  for (const FarBoundary face : far_faces) {
+    held.far_boundary = face;
     const double now = layered_compliance(stack.wavevector, held);
     RC_ASSERT(now >= last * (1.0 - 1e-11));
     last = now;

@@ -39,14 +39,16 @@ Scene scene_number(unsigned number) {
   Scene scene;
   scene.grid = {points, points, 1.0, 1.0};
   scene.block = {1.0, 0.3, std::numeric_limits<double>::infinity(),
-                 FarFace::clamped};
+                 FarBoundary::clamped};
   if (random() % 2 == 0) {
     scene.block.thickness = log_uniform(random, 0.02, 2.0);
-    scene.block.far_face = std::array{FarFace::clamped, FarFace::sliding,
-                                      FarFace::pressure}[random() % 3];
+    scene.block.far_boundary =
+        std::array{FarBoundary::clamped, FarBoundary::sliding,
+                   FarBoundary::pressure}[random() % 3];
     // With a free back the thinnest are plates: see solve_contact.
     scene.block.thickness = log_uniform(
-        random, scene.block.far_face == FarFace::pressure ? 0.01 : 0.02, 2.0);
+        random, scene.block.far_boundary == FarBoundary::pressure ? 0.01 : 0.02,
+        2.0);
   }
   scene.roughness.hurst = 0.2 + 0.7 * unit(random);
   scene.roughness.roll_off = 1.0 + 3.0 * unit(random);
@@ -79,7 +81,7 @@ TEST(RandomScenes, AllConvergeAndSatisfyTheirConditions) {
 
     ASSERT_TRUE(solution.converged) << solution.note;
     // Only a block that bends like a plate may need the active set.
-    const bool is_plate = scene.block.far_face == FarFace::pressure &&
+    const bool is_plate = scene.block.far_boundary == FarBoundary::pressure &&
                           scene.block.thickness < 0.1;
     EXPECT_TRUE(solution.note.empty() || is_plate) << solution.note;
     // Rounding of C p and c p: 1e-15 of the largest of them.

@@ -1,5 +1,5 @@
-// Claims about contact/solvers/rim_extension.hpp.
-#include "contact/solvers/rim_extension.hpp"
+// Claims about contact/solvers/boundary_extension.hpp.
+#include "contact/solvers/boundary_extension.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,13 +32,13 @@ std::vector<float> random_field(std::size_t size, unsigned seed) {
 
 // Claim: (R.1) around a lone node: 0.6 on its eight neighbours, 0.36 on most
 // of the next ring, and clear() takes all of it away.
-TEST(RimExtension, FallsOffRingByRing) {
+TEST(BoundaryExtension, FallsOffRingByRing) {
   const Grid grid{16, 16, 1.0, 1.0};
   std::vector<std::uint8_t> is_free(grid.size());
   std::vector<float> field(grid.size());
   is_free[grid.index(0, 0)] = 2; // on the edge: the rings wrap
   field[grid.index(0, 0)] = 1.0F;
-  RimExtension rim(grid, 1);
+  BoundaryExtension rim(grid, 1);
   rim.build(is_free);
 
   rim.extend(reach, is_free, field);
@@ -55,11 +55,11 @@ TEST(RimExtension, FallsOffRingByRing) {
 // Claim: fold is the transpose of extend, also after nodes have been freed,
 // on one thread and on two: (E r) . y = r . (E^T y). Tolerance: single
 // precision of sums of some hundred terms.
-TEST(RimExtension, FoldIsItsTranspose) {
+TEST(BoundaryExtension, FoldIsItsTranspose) {
   const Grid grid{24, 20, 1.0, 1.0};
   for (const int threads : {1, 2}) {
     std::vector<std::uint8_t> is_free = patches(grid);
-    RimExtension rim(grid, threads);
+    BoundaryExtension rim(grid, threads);
     rim.build(is_free);
     for (std::size_t i = 0; i < grid.size(); i += 7)
       is_free[i] = 1;

@@ -20,8 +20,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{FarFace::clamped, FarFace::sliding,
-                               FarFace::pressure};
+constexpr std::array far_faces{FarBoundary::clamped, FarBoundary::sliding,
+                               FarBoundary::pressure};
 constexpr std::array<BondedLayer, 2> two_layers{
     {{0.02, 8.0, 0.2}, {0.08, 0.5, 0.45}}};
 
@@ -30,7 +30,7 @@ double plane_strain(double youngs_modulus, double poisson_ratio) {
 }
 
 /// Two layers on a remainder of E = 2, nu = 0.3.
-ElasticBlock layered_block(double thickness, FarFace face) {
+ElasticBlock layered_block(double thickness, FarBoundary face) {
   return {plane_strain(2.0, 0.3),
           0.3,
           thickness,
@@ -78,7 +78,7 @@ TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
   const Grid grid{16, 24, 1.0, 1.3};
   const std::vector<double> pressure = patch(grid, 0.3);
   for (const double thickness : {0.1, 0.7, infinity})
-    for (const FarFace face : far_faces) {
+    for (const FarBoundary face : far_faces) {
       const ElasticBlock plain{plane_strain(2.0, 0.35), 0.35, thickness, face};
       ElasticBlock cut = plain;
       cut.layers = {{0.03, 2.0, 0.35}, {0.04, 2.0, 0.35}};
@@ -105,7 +105,7 @@ TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
 TEST(StressInLayers, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-5;
-  for (const FarFace face : far_faces) {
+  for (const FarBoundary face : far_faces) {
     const StressInside inside(grid, layered_block(0.3, face), wave(grid, 1, 2));
     for (const double z : {0.01, 0.05, 0.2}) {
       const StressPlane here = inside.at_depth(z);
@@ -139,7 +139,7 @@ TEST(StressInLayers, IsInBalance) {
 // Tolerance: rounding.
 TEST(StressInLayers, IsWholeAcrossInterfaces) {
   const Grid grid{16, 24, 1.0, 1.3};
-  const StressInside inside(grid, layered_block(0.3, FarFace::clamped),
+  const StressInside inside(grid, layered_block(0.3, FarBoundary::clamped),
                             patch(grid, 0.3));
   const auto strain = [](const StressPlane& plane, double modulus, double nu,
                          std::size_t i) {
@@ -193,7 +193,7 @@ TEST(StressInLayers, StoresTheWorkOfTheFace) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.15, 0.3})
-    for (const FarFace face : far_faces) {
+    for (const FarBoundary face : far_faces) {
       const ElasticBlock block = layered_block(thickness, face);
       const StressInside inside(grid, block, wave(grid, 1, 1));
 
@@ -215,7 +215,7 @@ TEST(StressInLayers, BendsAStiffCoatingAsAPlate) {
   const double thickness = 0.05 / (2.0 * pi);
   const double ratio = 1e7;
   const ElasticBlock block{
-      1.0, 0.0, infinity, FarFace::clamped, {{thickness, ratio, 0.0}}};
+      1.0, 0.0, infinity, FarBoundary::clamped, {{thickness, ratio, 0.0}}};
   const double q = 2.0 * pi;
 
   const StressPlane bottom =
@@ -233,7 +233,7 @@ TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
   const Grid grid{64, 64, 1.0, 1.0};
   const double thickness = 0.04;
   ElasticBlock block{
-      1.0, 0.3, infinity, FarFace::clamped, {{thickness, 9.1, 0.3}}};
+      1.0, 0.3, infinity, FarBoundary::clamped, {{thickness, 9.1, 0.3}}};
   const std::vector<double> pressure = patch(grid, 0.08);
   const std::size_t middle = grid.index(32, 32);
 

@@ -92,7 +92,7 @@ TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
 
   const Q2Compliance found = condensed_compliance_q2(grid, block);
 
-  std::array<Pack, 16> expected;
+  std::array<SimdBatch, 16> expected;
   for (std::size_t row = 0; row < spectra.rows(); ++row)
     for (std::size_t column = 0; column < 17; ++column) {
       const WaveBatch batch = spectra.batch(row, column / lanes);

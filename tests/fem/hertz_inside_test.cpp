@@ -23,7 +23,7 @@ const double modulus = soft_modulus / (1.0 - poisson * poisson);
 const double load = 4.0 / 3.0 * modulus * std::pow(radius, 3) / sphere;
 const theory::HertzContact hertz = theory::hertz_contact(load, sphere, modulus);
 const contact::ElasticBlock slab{modulus, poisson, length,
-                                 contact::FarFace::clamped};
+                                 contact::FarBoundary::clamped};
 
 /// A function of the distance from the middle, on the nodes.
 template <class Function>

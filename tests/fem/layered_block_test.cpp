@@ -18,7 +18,7 @@ using cases::TopFace;
 
 struct Held {
   TopFace top;
-  contact::FarFace far_face;
+  contact::FarBoundary far_boundary;
 };
 
 /// A coating L/8 thick, ten times stiffer than the substrate, which has another
@@ -33,7 +33,7 @@ contact::ElasticBlock exact_block(const Held& held) {
   return {soft / (1.0 - soft_nu * soft_nu),
           soft_nu,
           depth,
-          held.far_face,
+          held.far_boundary,
           {{coating, stiff, stiff_nu}}};
 }
 
@@ -108,9 +108,9 @@ TEST_P(LayeredBlockOfElements, OfSecondOrderConvergesAtFourth) {
 
 INSTANTIATE_TEST_SUITE_P(
     Tops, LayeredBlockOfElements,
-    ::testing::Values(Held{TopFace::clamped, contact::FarFace::clamped},
-                      Held{TopFace::sliding, contact::FarFace::sliding},
-                      Held{TopFace::pressure, contact::FarFace::pressure}));
+    ::testing::Values(Held{TopFace::clamped, contact::FarBoundary::clamped},
+                      Held{TopFace::sliding, contact::FarBoundary::sliding},
+                      Held{TopFace::pressure, contact::FarBoundary::pressure}));
 
 } // namespace
 } // namespace asperity::fem

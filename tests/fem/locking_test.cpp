@@ -30,7 +30,7 @@ double error(int degree, double poisson_ratio) {
   const double exact = contact::layered_compliance(
       wavevector(waves, grid.length_x),
       {soft_modulus / (1.0 - poisson_ratio * poisson_ratio), poisson_ratio,
-       grid.length_x, contact::FarFace::clamped});
+       grid.length_x, contact::FarBoundary::clamped});
   if (degree == 1)
     return condensed_compliance_q1(grid, block)[waves] / exact - 1.0;
   Q2Operator condensed(condensed_compliance_q2(grid, block));

@@ -28,10 +28,11 @@ std::string words_of(const std::string& expression) {
 
 TEST(ModuliField, PutsTheSphereBeforeLayersAndThoseBeforeTheRest) {
   cases::MaterialSpec material;
-  material.layers = {{{0.25, cases::Yardstick::length}, {5.0 * young, 0.2}}};
+  material.layers = {
+      {{0.25, cases::ReferenceUnit::length}, {5.0 * young, 0.2}}};
   material.inclusion =
-      cases::MaterialInclusion{{0.5e-6, cases::Yardstick::si},
-                               {0.25, cases::Yardstick::length},
+      cases::MaterialInclusion{{0.5e-6, cases::ReferenceUnit::si},
+                               {0.25, cases::ReferenceUnit::length},
                                {9.0 * young, 0.1}};
 
   const ModuliField field =

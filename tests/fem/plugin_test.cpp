@@ -20,7 +20,7 @@ BlockRequest request(cases::Element element, int points) {
   request.grid = {points, points, 1e-6, 1e-6};
   request.settings.element = element;
   request.settings.top = cases::TopFace::sliding;
-  request.settings.depth = {0.5, cases::Yardstick::length};
+  request.settings.depth = {0.5, cases::ReferenceUnit::length};
   request.scales = {2e9, 1e-6, 1e-6 / points, 1e-9};
   request.youngs_modulus = 2e9 * (1 - 0.09);
   request.poisson_ratio = 0.3;
@@ -44,9 +44,9 @@ TEST_P(LoadedRoom, GivesBothRoadsOfOneBlock) {
   const std::vector<double> wave = longest_wave(block.grid);
   std::vector<double> condensed(wave.size());
 
-  load_fem_room().condensed(block)->displacement(wave, condensed);
+  load_fem_module().condensed(block)->displacement(wave, condensed);
   const std::vector<double> whole =
-      load_fem_room().uncondensed(block)->displacement(wave);
+      load_fem_module().uncondensed(block)->displacement(wave);
 
   for (std::size_t i = 0; i < wave.size(); ++i)
     EXPECT_NEAR(condensed[i] / condensed[0], whole[i] / condensed[0], 1e-12);
@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(Elements, LoadedRoom,
 // Claim: the program and the module plan their transforms under one lock. With
 // a lock each, FFTW's one planner is torn apart and the process dies.
 TEST(Room, SharesThePlannerWithTheProgram) {
-  const auto block = load_fem_room().condensed(request(cases::Element::q1, 64));
+  const auto block =
+      load_fem_module().condensed(request(cases::Element::q1, 64));
   const Grid other{48, 40, 1.0, 1.0};
 
   const std::jthread program([&] {
@@ -78,7 +79,7 @@ TEST(Room, BuildsTheBlockOfTheCase) {
   const std::vector<double> wave = longest_wave(block.grid);
   std::vector<double> displacement(wave.size());
 
-  load_fem_room().condensed(block)->displacement(wave, displacement);
+  load_fem_module().condensed(block)->displacement(wave, displacement);
 
   const double half_space = 2.0 / (2e9 * 2.0 * std::numbers::pi / 1e-6);
   EXPECT_NEAR(displacement[0] / half_space, 0.9734, 0.01);
@@ -90,27 +91,27 @@ TEST(Room, BuildsTheBlockOfTheCase) {
 // exact layers.
 TEST(Room, BuildsTheLayersOfTheCase) {
   BlockRequest block = request(cases::Element::q2, 32);
-  block.layers = {{{0.06, cases::Yardstick::length}, {18e9, 0.2}},
-                  {{4e-8, cases::Yardstick::si}, {18e9, 0.2}}};
+  block.layers = {{{0.06, cases::ReferenceUnit::length}, {18e9, 0.2}},
+                  {{4e-8, cases::ReferenceUnit::si}, {18e9, 0.2}}};
   std::vector<double> wave(block.grid.size());
   for (std::size_t i = 0; i < wave.size(); ++i)
     wave[i] = std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / 32);
   std::vector<double> displacement(wave.size());
 
-  load_fem_room().condensed(block)->displacement(wave, displacement);
+  load_fem_module().condensed(block)->displacement(wave, displacement);
 
   const double exact = contact::layered_compliance(
       2.0 * std::numbers::pi / 1e-6,
-      {2e9, 0.3, 0.5e-6, contact::FarFace::sliding, {{1e-7, 18e9, 0.2}}});
+      {2e9, 0.3, 0.5e-6, contact::FarBoundary::sliding, {{1e-7, 18e9, 0.2}}});
   EXPECT_NEAR(displacement[0] / exact, 1.0, 0.003);
 }
 
 TEST(Room, NamesItsLibrariesAndRefusesInWords) {
-  EXPECT_NE(load_fem_room().versions().find("deal.II 9."), std::string::npos);
+  EXPECT_NE(load_fem_module().versions().find("deal.II 9."), std::string::npos);
   BlockRequest block = request(cases::Element::q1, 8);
-  block.settings.depth = {0.01, cases::Yardstick::length};
+  block.settings.depth = {0.01, cases::ReferenceUnit::length};
   try {
-    load_fem_room().condensed(block);
+    load_fem_module().condensed(block);
     FAIL() << "a block thinner than its first layer was accepted";
   } catch (const std::domain_error& error) { // across the module's border
     EXPECT_NE(std::string(error.what()).find("depth"), std::string::npos);

@@ -6,7 +6,7 @@
 //     ranks_failures case.toml build|solve|write before|after rank|all
 #include "cases/reader/read_case.hpp"
 #include "cases/text/case_error.hpp"
-#include "fem/led_blocks.hpp"
+#include "fem/block_proxy.hpp"
 #include "fem/parallel/ranks.hpp"
 
 #include <cstdio>
@@ -84,7 +84,7 @@ void lead(const std::string& path, const BlockMaker& make_block) {
   std::ostringstream text;
   text << file.rdbuf();
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const auto block = lead_full_block(
+  const auto block = make_distributed_block(
       {text.str(), path, "fem", grid, {2e9, 1e-6, 1.25e-7, 1e-9}}, make_block);
   std::vector<double> heights(grid.size(), 0.0);
   heights[9] = 1e-9;
@@ -109,7 +109,7 @@ int main(int n_arguments, char** arguments) {
     return block;
   };
   if (own_rank() != 0) {
-    follow_rank_0(make_block);
+    serve_rank_0(make_block);
     return 0;
   }
   end_followers_at_exit();

@@ -51,7 +51,7 @@ void set_up(benchmark::State& run) {
   const MultiscaleBlock block = block_of(run);
   std::optional<BlockSolver> solver;
   for (auto _ : run)
-    solver.emplace(block, BlockFooting{1.2, false});
+    solver.emplace(block, BlockSupport{1.2, false});
   count_an_atom(run, block);
 }
 

@@ -3,7 +3,7 @@
 #include "cases/text/case_error.hpp"
 #include "md/contact/explicit_contact.hpp"
 #include "md/engines.hpp"
-#include "md/lattice/shown_modulus.hpp"
+#include "md/lattice/effective_modulus.hpp"
 #include "md/lattice/slab_symbol.hpp"
 
 #include <gtest/gtest.h>
@@ -227,11 +227,11 @@ TEST(ShownModulus, IsThatOfTheSlab) {
   const Crystal crystal = scenes::paper_crystal();
   const double angle = 2.0 * std::acos(-1.0) / 63.0; // nearest to 0.1
 
-  const double one = shown_contact_modulus(crystal, 1, 40);
+  const double one = effective_contact_modulus(crystal, 1, 40);
 
   const SlabSymbol slab(crystal);
   EXPECT_NEAR(one / slab.contact_modulus(angle, 0.0, 40), 1.0, 1e-12);
-  EXPECT_NEAR(shown_contact_modulus(crystal, 4, 6) /
+  EXPECT_NEAR(effective_contact_modulus(crystal, 4, 6) /
                   slab.contact_modulus(0.1, 0.0, 90),
               1.0, 0.01);
 }

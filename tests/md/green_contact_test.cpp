@@ -151,9 +151,9 @@ TEST(GreenContact, GainsTheWorkOfTheLoad) {
 TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateWall) {
   const AtomRequest request = flat_request(incommensurate_atoms(points));
   const double distance = request.settings.contact_distance;
-  const double pressure =
-      wall_pressure(interaction_of(request.settings), request.layer.cell_area(),
-                    request.substrate.cell_area(), distance);
+  const double pressure = plane_repulsion_pressure(
+      interaction_of(request.settings), request.layer.cell_area(),
+      request.substrate.cell_area(), distance);
 
   const AtomStep answer = make_atomic_contact(request)->solve(
       Control::nominal_pressure, pressure, 0);
@@ -213,7 +213,8 @@ TEST(GreenContact, FlagsAStartInOverlap) {
 
   const Inspection found = inspected(system, request, state);
   EXPECT_GT(found.below_substrate, 0);
-  EXPECT_NE(fault_of(found, request.layer.size()).find("below the substrate"),
+  EXPECT_NE(invalidity_reason(found, request.layer.size())
+                .find("below the substrate"),
             std::string::npos);
 }
 
@@ -231,15 +232,17 @@ TEST(GreenContact, FlagsABalanceOnTheWrongSide) {
   ASSERT_TRUE(relaxation.converged) << relaxation.note;
   const Inspection found = inspected(system, request, state);
   EXPECT_EQ(found.close_pairs, 0);
-  EXPECT_EQ(fault_of(found, request.layer.size()).rfind("100 % of", 0), 0U);
+  EXPECT_EQ(invalidity_reason(found, request.layer.size()).rfind("100 % of", 0),
+            0U);
 }
 
 TEST(FaultOf, SaysWhatWentThrough) {
-  EXPECT_EQ(fault_of({0, 0, 2.9e-10, 7}, 100), "");
-  EXPECT_NE(fault_of({3, 0, 2.9e-10, 7}, 100).find("3 % of the atoms"),
+  EXPECT_EQ(invalidity_reason({0, 0, 2.9e-10, 7}, 100), "");
+  EXPECT_NE(invalidity_reason({3, 0, 2.9e-10, 7}, 100).find("3 % of the atoms"),
             std::string::npos);
-  EXPECT_NE(fault_of({0, 2, 2.1e-10, 7}, 100).find("2 pairs are too close"),
-            std::string::npos);
+  EXPECT_NE(
+      invalidity_reason({0, 2, 2.1e-10, 7}, 100).find("2 pairs are too close"),
+      std::string::npos);
 }
 
 TEST(GreenContact, HangsFreelyWhereNothingTouches) {
@@ -272,14 +275,14 @@ TEST(GreenContact, SaysWhenItGivesUp) {
 TEST(GreenContact, SaysWhatItIs) {
   AtomRequest request = rough_request();
   request.settings.modes = cases::AtomModes::normal;
-  request.settings.depth = {4.0, cases::Yardstick::length};
+  request.settings.depth = {4.0, cases::ReferenceUnit::length};
   const auto contact = make_atomic_contact(request);
 
   EXPECT_NE(contact->description().find("isotropic lattice, 48 x 48 atoms"),
             std::string::npos);
   EXPECT_NE(contact->description().find("192 cells deep, normal"),
             std::string::npos);
-  EXPECT_NEAR(contact->shown_contact_modulus() / modulus, 1.0, 0.0005);
+  EXPECT_NEAR(contact->effective_contact_modulus() / modulus, 1.0, 0.0005);
 }
 
 TEST(GreenContact, RefusesWhatItIsNot) {

@@ -100,8 +100,8 @@ TEST(WallPressure, IsTheIntegralOverAPlane) {
   const double substrate_area = std::pow(104e-9 / 648.0, 2);
   const double height = scenes::contact_distance;
   Interaction law = paper_atoms();
-  EXPECT_NEAR(wall_pressure(law, atom_area, substrate_area, height), 0.6139e9,
-              0.5e5);
+  EXPECT_NEAR(plane_repulsion_pressure(law, atom_area, substrate_area, height),
+              0.6139e9, 0.5e5);
 
   law.taper_begin = law.cutoff * (1.0 - 1e-9);
   const auto ring = [&](double distance) { // rho d rho = r dr
@@ -113,7 +113,8 @@ TEST(WallPressure, IsTheIntegralOverAPlane) {
       (atom_area * substrate_area);
 
   const double lost =
-      1.0 - pressure / wall_pressure(law, atom_area, substrate_area, height);
+      1.0 - pressure / plane_repulsion_pressure(law, atom_area, substrate_area,
+                                                height);
   EXPECT_NEAR(lost / std::pow(height / law.cutoff, 12), 1.0, 1e-6);
 }
 
@@ -139,7 +140,8 @@ TEST(PairLaw, RefusesWhatIsNoLaw) {
   EXPECT_EQ(message_of(law), "energy = 0, but must be finite and > 0 [J]");
   EXPECT_EQ(message_of(paper_atoms(), 0.0),
             "distance = 0, but must be finite and > 0 [m]");
-  EXPECT_THROW(wall_pressure(paper_atoms(), 1.0, 1.0, 0.0), std::domain_error);
+  EXPECT_THROW(plane_repulsion_pressure(paper_atoms(), 1.0, 1.0, 0.0),
+               std::domain_error);
 }
 
 } // namespace

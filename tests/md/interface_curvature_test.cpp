@@ -142,9 +142,9 @@ TEST(InterfaceCurvature, LimitsTheSoftnessOfEachAtom) {
 
   for (unsigned seed = 0; seed < 60; seed += 3) {
     const Planes step = random_step(n, seed);
-    curvature.limit_softness(infinity);
+    curvature.limit_negative_curvature(infinity);
     const Planes whole = products(curvature, step);
-    curvature.limit_softness(0.01);
+    curvature.limit_negative_curvature(0.01);
     const Planes limited = products(curvature, step);
     for (std::size_t i = 0; i < n; ++i) {
       const double square = along(step, step, i);
@@ -156,11 +156,11 @@ TEST(InterfaceCurvature, LimitsTheSoftnessOfEachAtom) {
               ? 1
               : 0;
     }
-    curvature.limit_softness(infinity);
+    curvature.limit_negative_curvature(infinity);
     EXPECT_EQ(products(curvature, step).x, whole.x);
   }
   EXPECT_GT(softened, 0);
-  EXPECT_THROW(curvature.limit_softness(-1.0), std::domain_error);
+  EXPECT_THROW(curvature.limit_negative_curvature(-1.0), std::domain_error);
 }
 
 // Claim: S (k + max(H, 0)) S = k + k_c for every atom. Tolerance as above.
@@ -170,7 +170,7 @@ TEST(InterfaceCurvature, MakesAllAtomsAlike) {
   const double bulk = 10.0;
   InterfaceCurvature curvature(n, bulk, false);
   curvature.take(interface_of(scene), scene.atoms.view());
-  curvature.limit_softness(0.0);
+  curvature.limit_negative_curvature(0.0);
   const Planes step = random_step(n, 1);
 
   Planes scaled = step;

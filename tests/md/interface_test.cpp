@@ -217,8 +217,8 @@ double shown_pressure(const Interaction& law, double height) {
   for (const double each : answer.forces.z)
     force += each;
   return force / scene.layer.area() /
-         wall_pressure(law, scene.layer.cell_area(),
-                       scene.substrate.cell_area(), height);
+         plane_repulsion_pressure(law, scene.layer.cell_area(),
+                                  scene.substrate.cell_area(), height);
 }
 
 // Claim: the mean pressure on a flat incommensurate wall is the smeared one at

@@ -61,7 +61,7 @@ inline AtomRequest small_request(int points, int cells, double rms_slope) {
   settings.interaction_distance = paper_atoms().distance;
   settings.cutoff = paper_atoms().cutoff;
   settings.contact_distance = contact_distance;
-  settings.depth = {cells * layer_spacing, cases::Yardstick::si};
+  settings.depth = {cells * layer_spacing, cases::ReferenceUnit::si};
   request.scratch = std::filesystem::temp_directory_path() /
                     ("asperity-lammps-" + std::to_string(::getpid()));
   return request;

@@ -87,7 +87,7 @@ TEST(MeshQualityOf, ASkewedMeshNamesItsWorstCell) {
   // Two edges of 1.25 where there was 1 (3-4-5), the determinant unchanged.
   EXPECT_NEAR(quality.smallest_shape, 0.64, 1e-15);
   EXPECT_NEAR(quality.mean_shape, (1.0 + 1.0 + 0.64) / 3.0, 1e-15);
-  EXPECT_EQ(quality.cells_a_group, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(quality.cells_per_group, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(quality_text(quality),
             "3 hexahedra (soft 1, hard 2), 16 vertices, 3 contact faces\n"
             "edges 1 to 1.75 m, at the contact surface 1 to 1.75 m\n"

@@ -1,9 +1,9 @@
-// Claims about meshes/sound_mesh.hpp and meshes/matching_sides.hpp: each way a
+// Claims about meshes/valid_mesh.hpp and meshes/matching_sides.hpp: each way a
 // mesh can be broken, on a small one, is named.
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/matching_sides.hpp"
-#include "meshes/sound_mesh.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using cases::BlockSides;
 std::string answer(const BlockMesh& mesh,
                    BlockSides sides = BlockSides::periodic) {
   try {
-    require_sound(mesh, sides);
+    require_valid_mesh(mesh, sides);
   } catch (const std::domain_error& error) {
     return error.what();
   }

@@ -64,7 +64,7 @@ TEST(AreaScale, IsNoneThroughTwoLoads) {
 // Claim: a summary has the factor that the synthetic "fem" was made with, where
 // its area is not cut off at 1, and says over which loads it was taken.
 TEST(AreaScale, IsAQuantityOfAMethod) {
-  const cases::Case rough = synthetic::rough_case();
+  const cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 2);
   for (results::MethodRecord& method : result.methods)
     for (results::Curve& curve : method.realizations)

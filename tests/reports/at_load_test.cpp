@@ -34,7 +34,7 @@ protected:
     return summary.methods.at(method).quantities.at(name);
   }
 
-  const cases::Case rough = synthetic::rough_case();
+  const cases::Case rough = synthetic::contact_case();
   const theory::PerssonContact contact = synthetic::contact_of(rough.surface);
   results::Result result = synthetic::rough_result(rough, 2);
   Summary summary;

@@ -32,7 +32,7 @@ protected:
     return result.methods[1].realizations[0].points;
   }
 
-  cases::Case rough = synthetic::rough_case();
+  cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 1);
 };
 

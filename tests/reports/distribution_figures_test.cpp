@@ -54,7 +54,7 @@ protected:
     return entry_of(result, rough);
   }
 
-  cases::Case rough = synthetic::rough_case();
+  cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 1);
   results::Fields fields;
 };

@@ -1,6 +1,7 @@
 // Claims about reports/numbers/estimate.hpp: lines, their errors, and
 // intervals that cover what they promise.
 #include "reports/numbers/estimate.hpp"
+#include "reports/numbers/number_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,17 @@ TEST(MeanOverRealizations, LeavesOutAndCountsFitsWithoutAnswer) {
   EXPECT_NE(estimate.remark.find("1 without a value"), std::string::npos);
   EXPECT_FALSE(mean_over_realizations({}).has_value());
   EXPECT_EQ(mean_over_realizations(none).remark, "too few rows");
+}
+
+// Claim: a large share without an interval is printed in full digits, not as
+// 1.2e+02 %.
+TEST(PercentText, HasNoExponent) {
+  Estimate estimate;
+  estimate.value = 7.519;
+  EXPECT_EQ(percent_text(estimate), "752 %");
+
+  estimate.value = 0.00412;
+  EXPECT_EQ(percent_text(estimate), "0.41 %");
 }
 
 } // namespace

@@ -37,9 +37,9 @@ results::Result result_of(const std::vector<results::CurvePoint>& points) {
 }
 
 MethodSummary summary_of(const results::Result& result,
-                         const cases::Case& exact_case) {
+                         const cases::Case& contact_case) {
   MethodSummary summary;
-  add_exact_quantities(result, exact_case, result.methods.front(), summary);
+  add_exact_quantities(result, contact_case, result.methods.front(), summary);
   return summary;
 }
 

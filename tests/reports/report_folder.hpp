@@ -45,7 +45,7 @@ protected:
     return write_report(std::span(&entry, 1), folder, gnuplot);
   }
 
-  cases::Case rough = synthetic::rough_case();
+  cases::Case rough = synthetic::contact_case();
   std::filesystem::path folder;
 };
 

@@ -16,7 +16,7 @@ using Change = std::function<void(results::CurvePoint&)>;
 // "fem" beside "fem.hard", a copy of it with one row changed.
 std::vector<Series> series_with_variant(const Change& change,
                                         const std::string& name = "fem.hard") {
-  const cases::Case rough = synthetic::rough_case();
+  const cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 1);
   results::MethodRecord variant = result.methods.back();
   variant.name = name;

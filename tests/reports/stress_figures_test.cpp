@@ -51,7 +51,7 @@ protected:
     return stress_figures(entry_of(result, rough));
   }
 
-  cases::Case rough = synthetic::rough_case();
+  cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 1);
 };
 

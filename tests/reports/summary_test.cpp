@@ -21,7 +21,7 @@ double value_of(const Summary& summary, const std::string& method,
 // moved by 0.02 h_rms times 0.8, 1, 1.2 in the three realisations.
 class RoughSummary : public ::testing::Test {
 protected:
-  const cases::Case rough = synthetic::rough_case();
+  const cases::Case rough = synthetic::contact_case();
   const results::Result result = synthetic::rough_result(rough, 3);
   const Summary summary = summarize(result, rough);
 };

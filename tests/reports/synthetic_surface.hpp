@@ -23,7 +23,7 @@ inline constexpr double contact_modulus = 2.0e9; // Pa
 inline constexpr double length = 10e-6;          // m
 inline constexpr double gamma = 0.38;
 
-inline cases::Case rough_case() {
+inline cases::Case contact_case() {
   cases::Case rough;
   rough.name = "polymer";
   rough.title = "A polymer surface & its <surrogate>";

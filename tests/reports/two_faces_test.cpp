@@ -1,7 +1,7 @@
-// Claims about reports/analysis/two_faces.hpp: two surfaces that nothing is
+// Claims about reports/analysis/two_surfaces.hpp: two surfaces that nothing is
 // pressed on are the faces of one contact, whose roughness adds up as it
 // should.
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "reports/pages/report.hpp"
@@ -38,14 +38,14 @@ protected:
                               rough.surface.wavevector_high);
   }
 
-  cases::Case rough = synthetic::rough_case();
+  cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 2);
 };
 
 // Claim: heights add up node by node; by Parseval the sum's h_rms is that of
 // its heights. Rounding.
 TEST_F(TwoFaces, AddUpNodeByNode) {
-  const auto sum = sum_of_two_faces(result);
+  const auto sum = sum_of_two_surfaces(result);
 
   ASSERT_TRUE(sum);
   double squares = 0.0;
@@ -65,7 +65,7 @@ TEST_F(TwoFaces, AddUpNodeByNode) {
 // 1/sqrt(n), and by as much again for Gaussian amplitudes; of some 70 shells
 // some 20 have 8 modes, which leaves 0.02 of the mean, three times that here.
 TEST_F(TwoFaces, HaveTheSumOfTheirSpectra) {
-  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 1.0, 0.06);
+  EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 1.0, 0.06);
 }
 
 // Claim: a face on itself has 4 C = 2 (C + C), on half of its mould C/4 = 0.2
@@ -73,19 +73,19 @@ TEST_F(TwoFaces, HaveTheSumOfTheirSpectra) {
 // + C/4). Rounding.
 TEST_F(TwoFaces, AreToldFromFacesThatFitIntoEachOther) {
   result.surfaces[1] = result.surfaces[0];
-  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 2.0, 1e-12);
+  EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 2.0, 1e-12);
 
   for (double& height : result.surfaces[1].heights)
     height *= -0.5;
   measure(result.surfaces[1]);
-  EXPECT_NEAR(ratio(*sum_of_two_faces(result)), 0.2, 1e-12);
+  EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 0.2, 1e-12);
 }
 
 TEST_F(TwoFaces, AreNoneWhereSomethingIsPressed) {
-  EXPECT_FALSE(sum_of_two_faces(synthetic::rough_result(rough, 2)));
-  EXPECT_FALSE(sum_of_two_faces(synthetic::rough_result(rough, 3)));
+  EXPECT_FALSE(sum_of_two_surfaces(synthetic::rough_result(rough, 2)));
+  EXPECT_FALSE(sum_of_two_surfaces(synthetic::rough_result(rough, 3)));
   result.surfaces[1].heights.clear();
-  EXPECT_FALSE(sum_of_two_faces(result));
+  EXPECT_FALSE(sum_of_two_surfaces(result));
 }
 
 // Claim: the report has the maps, the third distribution and the third

@@ -94,8 +94,8 @@ Sample measure(const Grid& grid, const contact::ContactSolution& solution,
   sample.fitted = results::fit_pressure_distribution(pressure).area_fraction;
   sample.perimeter =
       results::contact_perimeter(grid, pressure) * grid.spacing_x();
-  sample.euler =
-      results::euler_number(grid, pressure) / static_cast<double>(grid.size());
+  sample.euler = results::euler_characteristic(grid, pressure) /
+                 static_cast<double>(grid.size());
   sample.mean_gap = solution.mean_gap / rms_height;
   return sample;
 }

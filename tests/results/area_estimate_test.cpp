@@ -59,26 +59,27 @@ RC_GTEST_PROP(RimShare, SolvesItsCubic, ()) {
   const double root = std::pow(10.0, *rc::gen::inRange(-300, 301) * 0.01);
   const double gap = root * 4.0 * pressure * spacing / (3.0 * modulus);
 
-  const double share = rim_share(pressure, gap, spacing, modulus);
+  const double share = boundary_share(pressure, gap, spacing, modulus);
 
   RC_ASSERT(share >= 0.0 && share <= 1.0);
   const double cube = std::pow(1.0 - share, 3.0);
   RC_ASSERT(std::abs(cube - root * root * share) <=
             1e-9 * (cube + root * root * share));
-  RC_ASSERT(rim_share(1.01 * pressure, gap, spacing, modulus) > share);
+  RC_ASSERT(boundary_share(1.01 * pressure, gap, spacing, modulus) > share);
 }
 
 // Claim: the ends of (A.2): a node that touches, or overlaps, belongs to the
 // contact as a whole, a far one not at all, also beyond what rho can hold.
 TEST(RimShare, EndsAtZeroAndOne) {
-  EXPECT_EQ(rim_share(1e6, 0.0, 1e-8, modulus), 1.0);
-  EXPECT_EQ(rim_share(1e6, -1e-12, 1e-8, modulus), 1.0);
-  EXPECT_EQ(rim_share(1e300, 1e-300, 1e-8, modulus), 1.0);
-  EXPECT_EQ(rim_share(1e-300, 1.0, 1e-8, modulus), 0.0);
-  EXPECT_THROW(rim_share(0.0, 1e-9, 1e-8, modulus), std::domain_error);
-  EXPECT_THROW(rim_share(1e6, 1e-9, 0.0, modulus), std::domain_error);
-  EXPECT_THROW(rim_share(1e6, 1e-9, 1e-8, -1.0), std::domain_error);
-  EXPECT_THROW(rim_share(1e6, std::nan(""), 1e-8, modulus), std::domain_error);
+  EXPECT_EQ(boundary_share(1e6, 0.0, 1e-8, modulus), 1.0);
+  EXPECT_EQ(boundary_share(1e6, -1e-12, 1e-8, modulus), 1.0);
+  EXPECT_EQ(boundary_share(1e300, 1e-300, 1e-8, modulus), 1.0);
+  EXPECT_EQ(boundary_share(1e-300, 1.0, 1e-8, modulus), 0.0);
+  EXPECT_THROW(boundary_share(0.0, 1e-9, 1e-8, modulus), std::domain_error);
+  EXPECT_THROW(boundary_share(1e6, 1e-9, 0.0, modulus), std::domain_error);
+  EXPECT_THROW(boundary_share(1e6, 1e-9, 1e-8, -1.0), std::domain_error);
+  EXPECT_THROW(boundary_share(1e6, std::nan(""), 1e-8, modulus),
+               std::domain_error);
 }
 
 // Claim: a straight strip along x or y whose rims lie anywhere between nodes
@@ -112,7 +113,7 @@ double share_added(double sine) {
     const double share = (i + 0.5) / n;
     const double pressure = std::sqrt(share * sine);
     const double gap = 4.0 / 3.0 * std::pow((1.0 - share) * sine, 1.5);
-    sum += rim_share(pressure, gap, 1.0, 1.0) - share;
+    sum += boundary_share(pressure, gap, 1.0, 1.0) - share;
   }
   return sum / n;
 }
@@ -189,7 +190,7 @@ TEST(LineArea, IsTheCountWithoutARim) {
 TEST(EulerNumber, CountsPatchesLessHoles) {
   const Grid grid{40, 40, 1.0, 1.0};
   const auto euler = [&](auto is_inside) {
-    return euler_number(grid, shape(grid, is_inside));
+    return euler_characteristic(grid, shape(grid, is_inside));
   };
   const auto disc = [](double x, double y, double centre, double radius) {
     return std::hypot(periodic_distance(x, centre, 1.0),
@@ -224,7 +225,8 @@ RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {
     complement[i] = 1.0 - pressure[i];
   }
 
-  RC_ASSERT(euler_number(grid, pressure) == -euler_number(grid, complement));
+  RC_ASSERT(euler_characteristic(grid, pressure) ==
+            -euler_characteristic(grid, complement));
 }
 
 // Claim: (A.5) takes c h S_d, S_d of contact_perimeter, and gives e h^2 chi.
@@ -339,7 +341,7 @@ TEST(AreaMaps, AreCheckedByName) {
   } catch (const std::domain_error& error) {
     EXPECT_STREQ(error.what(), "gap.size() = 15, but must be equal to 16");
   }
-  EXPECT_THROW(euler_number(grid, short_map), std::domain_error);
+  EXPECT_THROW(euler_characteristic(grid, short_map), std::domain_error);
   EXPECT_THROW(corrected_area_fraction(grid, short_map, full, modulus, {}),
                std::domain_error);
 }

@@ -12,8 +12,8 @@ namespace asperity::theory {
 namespace {
 
 // Times that crowd towards 0 as those of a spectrum do, up to tau = 1.
-MovingWall wall_of(int n_steps, auto distance, auto rate) {
-  MovingWall wall;
+MovingBoundary wall_of(int n_steps, auto distance, auto rate) {
+  MovingBoundary wall;
   for (int i = 0; i <= n_steps; ++i) {
     const double t = std::expm1(3.0 * i / n_steps) / std::expm1(3.0);
     wall.time.push_back(t);
@@ -23,7 +23,7 @@ MovingWall wall_of(int n_steps, auto distance, auto rate) {
   return wall;
 }
 
-double lost_at_end(const MovingWall& wall) {
+double lost_at_end(const MovingBoundary& wall) {
   return 1.0 - absorbed_flux(wall).survival.back();
 }
 
@@ -33,7 +33,7 @@ double lost_at_end(const MovingWall& wall) {
 TEST(AbsorbedFlux, OfAWallAtRestIsTheMirrorImage) {
   const double distance = 0.8;
   const auto error = [&](int n) {
-    const MovingWall wall = wall_of(
+    const MovingBoundary wall = wall_of(
         n, [&](double) { return distance; }, [](double) { return 0.0; });
     return lost_at_end(wall) - std::erfc(0.5 * distance);
   };
@@ -54,7 +54,7 @@ TEST(AbsorbedFlux, OfAWallAtRestIsTheMirrorImage) {
 TEST(AbsorbedFlux, OfASteadyWallIsTheInverseGaussian) {
   for (const double speed : {-0.5, 0.7, 3.0}) {
     const double distance = 1.0;
-    const MovingWall wall = wall_of(
+    const MovingBoundary wall = wall_of(
         400, [&](double t) { return distance + speed * t; },
         [&](double) { return speed; });
     const double expected = 0.5 * (std::erfc(0.5 * (distance + speed)) +

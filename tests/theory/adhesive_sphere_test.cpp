@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr StickySphere sphere{1e-2, 3e6, 0.05};
+constexpr AdhesiveSphere sphere{1e-2, 3e6, 0.05};
 constexpr double unit_force = pi * 0.05 * 1e-2; // pi w R
 
 // sigma_0 of a transition parameter lambda.
@@ -41,7 +41,7 @@ double radius_of(double reduced) {
 // Tolerance: their second order with steps of 1e-5.
 TEST(JkrContact, BalancesElasticAndSurfaceEnergy) {
   for (const double a : {1e-4, 3e-4, 1e-3}) {
-    const StickyContact contact = jkr_contact(sphere, a);
+    const AdhesiveContact contact = jkr_contact(sphere, a);
     const double radius = sphere.sphere_radius;
     const auto energy = [&](double at, double approach) {
       return sphere.contact_modulus *
@@ -66,7 +66,7 @@ TEST(JkrContact, BalancesElasticAndSurfaceEnergy) {
 // Tolerance: the quadrature next to the edge's singularity, sqrt(eps).
 TEST(JkrContact, PressureBendsTheFaceToTheSphere) {
   const double a = 4e-4;
-  const StickyContact contact = jkr_contact(sphere, a);
+  const AdhesiveContact contact = jkr_contact(sphere, a);
   const auto pressure = [&](double s) {
     return s < a ? jkr_pressure(sphere, a, s) : 0.0;
   };
@@ -92,7 +92,7 @@ TEST(JkrContact, PullsOffAtItsLeastLoad) {
   EXPECT_GT(jkr_contact(sphere, 1.01 * radius).load, least);
   EXPECT_GT(jkr_contact(sphere, 0.99 * radius).load, least);
   for (const double load : {least, 0.5 * least, 0.0, 1e-2}) {
-    const StickyContact contact = jkr_contact_at_load(sphere, load);
+    const AdhesiveContact contact = jkr_contact_at_load(sphere, load);
     EXPECT_GE(contact.contact_radius, radius * (1.0 - 1e-7));
     EXPECT_NEAR(jkr_contact(sphere, contact.contact_radius).load, load,
                 1e-13 * (unit_force + std::abs(load)));
@@ -103,7 +103,7 @@ TEST(JkrContact, PullsOffAtItsLeastLoad) {
 // Claim: DMT is Hertz under F + 2 pi w R; both are Hertz far above pi w R, but
 // for the terms they add, sqrt(6 pi w R/F) and 2 pi w R/F.
 TEST(DmtContact, IsHertzUnderMoreLoad) {
-  const StickyContact contact = dmt_contact(sphere, 3e-4);
+  const AdhesiveContact contact = dmt_contact(sphere, 3e-4);
   const HertzContact hertz =
       hertz_contact(contact.load + dmt_pull_off_force(sphere), 1e-2, 3e6);
 
@@ -126,7 +126,7 @@ TEST(MaugisSphere, PressureIsBehindItsEquations) {
   for (const double lambda : {0.1, 1.0, 4.0})
     for (const double reduced : {0.3, 1.0, 2.0}) {
       const MaugisSphere sticky = maugis(lambda);
-      const StickyContact contact = sticky.contact(radius_of(reduced));
+      const AdhesiveContact contact = sticky.contact(radius_of(reduced));
       const double a = contact.contact_radius, c = contact.adhesive_radius;
       const auto pressure = [&](double s) {
         return sticky.pressure(contact, s);
@@ -154,17 +154,17 @@ TEST(MaugisSphere, PressureIsBehindItsEquations) {
 // of load, approach and pull-off, which runs from 2 to 3/2.
 TEST(MaugisSphere, TendsToJkrAndToDmt) {
   const double a = radius_of(1.5);
-  const StickyContact jkr = jkr_contact(sphere, a),
-                      dmt = dmt_contact(sphere, a);
+  const AdhesiveContact jkr = jkr_contact(sphere, a),
+                        dmt = dmt_contact(sphere, a);
   for (const double lambda : {10.0, 30.0}) {
-    const StickyContact contact = maugis(lambda).contact(a);
+    const AdhesiveContact contact = maugis(lambda).contact(a);
     const double distance = 1.0 / lambda / lambda;
     EXPECT_NEAR(contact.load, jkr.load, distance * unit_force);
     EXPECT_NEAR(contact.approach, jkr.approach, distance * a * a / 1e-2);
     EXPECT_NEAR(maugis(lambda).pull_off_force() / unit_force, 1.5, distance);
   }
   for (const double lambda : {1e-2, 1e-3}) {
-    const StickyContact contact = maugis(lambda).contact(a);
+    const AdhesiveContact contact = maugis(lambda).contact(a);
     EXPECT_NEAR(contact.load, dmt.load, 3.0 * std::sqrt(lambda) * unit_force);
     EXPECT_NEAR(contact.approach, dmt.approach,
                 3.0 * std::sqrt(lambda) * a * a / 1e-2);
@@ -184,7 +184,7 @@ TEST(MaugisSphere, FindsTheContactOfALoad) {
   const double pull = sticky.pull_off_force();
   double last = 0.0;
   for (const double load : {-0.999 * pull, -0.5 * pull, 0.0, 10.0 * pull}) {
-    const StickyContact contact = sticky.contact_at_load(load);
+    const AdhesiveContact contact = sticky.contact_at_load(load);
     EXPECT_NEAR(contact.load, load, 1e-12 * (pull + std::abs(load)));
     EXPECT_GT(contact.contact_radius, last);
     last = contact.contact_radius;

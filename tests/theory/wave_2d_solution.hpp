@@ -43,7 +43,7 @@ solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
                    std::cos(2.0 * pi * (iy + shift_y) / points));
     const contact::ElasticBlock half_space{
         1.0 / pi, 0.0, std::numeric_limits<double>::infinity(),
-        contact::FarFace::clamped};
+        contact::FarBoundary::clamped};
     contact::LoadSequence sequence(
         std::make_unique<contact::FourierOperator>(
             contact::halfspace_operator(grid, half_space)),

@@ -16,20 +16,21 @@ using std::numbers::pi;
 
 namespace {
 
-void check(const StickySphere& sphere) {
+void check(const AdhesiveSphere& sphere) {
   require_positive("sphere_radius", sphere.sphere_radius, "m");
   require_positive("contact_modulus", sphere.contact_modulus, "Pa");
   require_positive("work_of_adhesion", sphere.work_of_adhesion, "J/m^2");
 }
 
 // pi w R, the unit of force.
-double force_unit(const StickySphere& sphere) {
+double force_unit(const AdhesiveSphere& sphere) {
   return pi * sphere.work_of_adhesion * sphere.sphere_radius;
 }
 
 } // namespace
 
-StickyContact jkr_contact(const StickySphere& sphere, double contact_radius) {
+AdhesiveContact jkr_contact(const AdhesiveSphere& sphere,
+                            double contact_radius) {
   check(sphere);
   const auto& [radius, modulus, work] = sphere;
   const double a = contact_radius;
@@ -38,19 +39,19 @@ StickyContact jkr_contact(const StickySphere& sphere, double contact_radius) {
           hertz - a * std::sqrt(8.0 * pi * work * modulus * a)};
 }
 
-StickyContact jkr_contact_at_load(const StickySphere& sphere, double load) {
+AdhesiveContact jkr_contact_at_load(const AdhesiveSphere& sphere, double load) {
   const double least = -jkr_pull_off_force(sphere);
   if (!(load >= least && std::isfinite(load)))
     refuse_argument("load", load, "finite and not below -(3/2) pi w R [N]");
   const double unit = 3.0 * force_unit(sphere);
   const double cube = 0.75 * sphere.sphere_radius / sphere.contact_modulus *
                       (load + unit + std::sqrt(unit * (2.0 * load + unit)));
-  StickyContact contact = jkr_contact(sphere, std::cbrt(cube));
+  AdhesiveContact contact = jkr_contact(sphere, std::cbrt(cube));
   contact.load = load;
   return contact;
 }
 
-double jkr_pressure(const StickySphere& sphere, double contact_radius,
+double jkr_pressure(const AdhesiveSphere& sphere, double contact_radius,
                     double radius) {
   check(sphere);
   require_positive("contact_radius", contact_radius, "m");
@@ -63,12 +64,13 @@ double jkr_pressure(const StickySphere& sphere, double contact_radius,
          std::sqrt(2.0 * modulus * sphere.work_of_adhesion / (pi * a)) / root;
 }
 
-double jkr_pull_off_force(const StickySphere& sphere) {
+double jkr_pull_off_force(const AdhesiveSphere& sphere) {
   check(sphere);
   return 1.5 * force_unit(sphere);
 }
 
-StickyContact dmt_contact(const StickySphere& sphere, double contact_radius) {
+AdhesiveContact dmt_contact(const AdhesiveSphere& sphere,
+                            double contact_radius) {
   const double pull = dmt_pull_off_force(sphere);
   const double hertz =
       hertz_load(contact_radius, sphere.sphere_radius, sphere.contact_modulus);
@@ -76,7 +78,7 @@ StickyContact dmt_contact(const StickySphere& sphere, double contact_radius) {
           contact_radius * contact_radius / sphere.sphere_radius, hertz - pull};
 }
 
-double dmt_pull_off_force(const StickySphere& sphere) {
+double dmt_pull_off_force(const AdhesiveSphere& sphere) {
   check(sphere);
   return 2.0 * force_unit(sphere);
 }
@@ -121,7 +123,7 @@ Zone zone_of(double reduced_radius, double lambda) {
 
 } // namespace
 
-MaugisSphere::MaugisSphere(const StickySphere& sphere, double adhesive_stress)
+MaugisSphere::MaugisSphere(const AdhesiveSphere& sphere, double adhesive_stress)
     : sphere_(sphere), adhesive_stress_(adhesive_stress) {
   check(sphere);
   require_positive("adhesive_stress", adhesive_stress, "Pa");
@@ -133,7 +135,7 @@ MaugisSphere::MaugisSphere(const StickySphere& sphere, double adhesive_stress)
       std::cbrt(radius / (pi * work * stiffness * stiffness));
 }
 
-StickyContact MaugisSphere::contact(double contact_radius) const {
+AdhesiveContact MaugisSphere::contact(double contact_radius) const {
   require_positive("contact_radius", contact_radius, "m");
   const double lambda = transition_parameter_;
   const double a = contact_radius / radius_unit_;
@@ -145,7 +147,7 @@ StickyContact MaugisSphere::contact(double contact_radius) const {
           force_unit(sphere_) * (a * a * a - lambda * a * a * zone.pull())};
 }
 
-double MaugisSphere::pressure(const StickyContact& contact,
+double MaugisSphere::pressure(const AdhesiveContact& contact,
                               double radius) const {
   require_not_negative("radius", radius, "m");
   const double a = contact.contact_radius, c = contact.adhesive_radius;
@@ -175,7 +177,7 @@ double MaugisSphere::pull_off_force() const {
   return -contact(weakest_radius()).load;
 }
 
-StickyContact MaugisSphere::contact_at_load(double load) const {
+AdhesiveContact MaugisSphere::contact_at_load(double load) const {
   const double weakest = weakest_radius();
   const auto excess = [&](double log_radius) {
     return contact(std::exp(log_radius)).load - load;

@@ -8,14 +8,14 @@
 namespace asperity::theory {
 
 /// The sphere and its adhesion. For two spheres 1/R = 1/R_1 + 1/R_2.
-struct StickySphere {
+struct AdhesiveSphere {
   double sphere_radius = 0.0;    ///< R [m] > 0
   double contact_modulus = 0.0;  ///< E* [Pa] > 0
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0
 };
 
 /// One equilibrium state. Tensile loads are negative.
-struct StickyContact {
+struct AdhesiveContact {
   double contact_radius = 0.0;  ///< a [m]
   double adhesive_radius = 0.0; ///< c >= a [m]: attraction in a < r < c
   double approach = 0.0;        ///< delta [m]; negative under tension
@@ -33,21 +33,22 @@ struct StickyContact {
 /// @par Accuracy  roundoff. Model: valid for a large Tabor parameter.
 /// @see  K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324, 301
 ///       (1971)
-StickyContact jkr_contact(const StickySphere& sphere, double contact_radius);
+AdhesiveContact jkr_contact(const AdhesiveSphere& sphere,
+                            double contact_radius);
 
 /// The stable JKR contact under a load,
 ///     a^3 = (3 R/4 E*) [F + 3 pi w R + sqrt(6 pi w R F + (3 pi w R)^2)].
 /// @param load  F [N] >= -(3/2) pi w R
-StickyContact jkr_contact_at_load(const StickySphere& sphere, double load);
+AdhesiveContact jkr_contact_at_load(const AdhesiveSphere& sphere, double load);
 
 /// JKR contact pressure (2 E* a/pi R) sqrt(1 - r^2/a^2) -
 /// sqrt(2 E* w/(pi a))/sqrt(1 - r^2/a^2) for r < a, minus infinity at the edge,
 /// 0 outside [Pa].
-double jkr_pressure(const StickySphere& sphere, double contact_radius,
+double jkr_pressure(const AdhesiveSphere& sphere, double contact_radius,
                     double radius);
 
 /// JKR pull-off force under a fixed load, (3/2) pi w R [N] > 0.
-double jkr_pull_off_force(const StickySphere& sphere);
+double jkr_pull_off_force(const AdhesiveSphere& sphere);
 
 /// DMT theory, Hertzian contact with attraction outside it:
 ///     F = 4 E* a^3/(3 R) - 2 pi w R,  delta = a^2/R.
@@ -55,10 +56,11 @@ double jkr_pull_off_force(const StickySphere& sphere);
 /// is returned.
 /// @see  B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface
 ///       Sci. 53, 314 (1975), with Maugis' form of the load
-StickyContact dmt_contact(const StickySphere& sphere, double contact_radius);
+AdhesiveContact dmt_contact(const AdhesiveSphere& sphere,
+                            double contact_radius);
 
 /// DMT pull-off force, 2 pi w R [N] > 0.
-double dmt_pull_off_force(const StickySphere& sphere);
+double dmt_pull_off_force(const AdhesiveSphere& sphere);
 
 /// Maugis's theory: the surfaces attract each other with a constant stress
 /// sigma_0 up to a gap w/sigma_0, which is reached at r = c (Dugdale model).
@@ -75,7 +77,7 @@ double dmt_pull_off_force(const StickySphere& sphere);
 class MaugisSphere {
 public:
   /// @param adhesive_stress  sigma_0 [Pa] > 0
-  MaugisSphere(const StickySphere& sphere, double adhesive_stress);
+  MaugisSphere(const AdhesiveSphere& sphere, double adhesive_stress);
 
   /// lambda [1]; the Tabor parameter is 0.864 lambda for a Lennard-Jones
   /// potential.
@@ -83,16 +85,16 @@ public:
 
   /// @param contact_radius  a [m] > 0
   /// @par Accuracy  1e-12 of pi w R and of a^2/R for a < 30 (pi w R^2/K)^{1/3}
-  StickyContact contact(double contact_radius) const;
+  AdhesiveContact contact(double contact_radius) const;
 
   /// The stable contact under a load.
   /// @param load  F [N] >= -pull_off_force()
-  StickyContact contact_at_load(double load) const;
+  AdhesiveContact contact_at_load(double load) const;
 
   /// Hertzian pressure minus (sigma_0/pi)
   /// arccos[(2a^2 - c^2 - r^2)/(c^2 - r^2)] for r < a, -sigma_0 for a < r < c,
   /// 0 outside [Pa].
-  double pressure(const StickyContact& contact, double radius) const;
+  double pressure(const AdhesiveContact& contact, double radius) const;
 
   /// Pull-off force under a fixed load, the minimum of F over a, which for
   /// small lambda is at a -> 0 [N] > 0.
@@ -102,7 +104,7 @@ public:
 private:
   double weakest_radius() const; // a at the minimum of F
 
-  StickySphere sphere_;
+  AdhesiveSphere sphere_;
   double adhesive_stress_;
   double radius_unit_; // (pi w R^2/K)^{1/3}
   double transition_parameter_;

@@ -60,7 +60,7 @@ SpheroidalPoint point_at(const HertzContact& contact, double radius,
 }
 
 // (1 - k^3)/r^2, from 1 - k^2 = r^2/(1 + u).
-double rim_share(const SpheroidalPoint& point) {
+double boundary_share(const SpheroidalPoint& point) {
   const double k = point.k;
   return (1.0 + k + k * k) / ((1.0 + k) * (1.0 + point.u));
 }
@@ -90,7 +90,7 @@ AxisymmetricStress hertz_stress(const HertzContact& contact, double radius,
   // k^3 u/(u^2 + z^2) = k^3/(u + k^2), finite on the surface.
   const double normal = square > 0.0 ? k * k * k / square : 0.0;
   const double fall = 1.0 / (1.0 + at.u);
-  const double hole = (1.0 - 2.0 * poisson) / 3.0 * rim_share(at);
+  const double hole = (1.0 - 2.0 * poisson) / 3.0 * boundary_share(at);
   const double arc = (1.0 + poisson) * at.deficit;
   const double spread = (1.0 - poisson) * fall;
   const double scale = contact.peak_pressure; // (3/2) p_m
@@ -106,7 +106,7 @@ AxisymmetricDisplacement hertz_displacement_field(const HertzContact& contact,
                                                   double poisson) {
   const SpheroidalPoint at = point_at(contact, radius, depth, poisson);
   const double hole =
-      (1.0 - 2.0 * poisson) / (3.0 * (1.0 - poisson)) * rim_share(at);
+      (1.0 - 2.0 * poisson) / (3.0 * (1.0 - poisson)) * boundary_share(at);
   const double spread = 2.0 * poisson / (1.0 - poisson) * at.z * at.k;
   // p_0 a/E*
   const double scale =

@@ -9,7 +9,7 @@
 namespace asperity::theory {
 namespace {
 
-void check(const MovingWall& wall) {
+void check(const MovingBoundary& wall) {
   const std::size_t n = wall.time.size();
   if (n < 2 || wall.distance.size() != n || wall.rate.size() != n)
     refuse_argument("number of times", static_cast<double>(n),
@@ -33,7 +33,7 @@ double twice_psi(double away, double elapsed, double rate) {
 
 } // namespace
 
-Absorption absorbed_flux(const MovingWall& wall) {
+Absorption absorbed_flux(const MovingBoundary& wall) {
   check(wall);
   const std::size_t n = wall.time.size();
   std::vector<double> width(n); // trapezoidal weights, except at the last node

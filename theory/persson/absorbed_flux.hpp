@@ -12,7 +12,7 @@ namespace asperity::theory {
 /// A boundary at the distance b > 0 from the start of the diffusion, which
 /// obeys dP/dtau = d^2P/dsigma^2: at tau the free distribution has the variance
 /// 2 tau.
-struct MovingWall {
+struct MovingBoundary {
   std::vector<double> time;     ///< tau_0 = 0, ascending
   std::vector<double> distance; ///< b(tau_i) > 0
   std::vector<double> rate;     ///< db/dtau at tau_i
@@ -41,6 +41,6 @@ struct Absorption {
 /// @par Accuracy  trapezoidal rule, of order 1.5 to 2 in the step size
 /// @see  A. Buonocore, A. G. Nobile, L. M. Ricciardi, Adv. Appl. Probab. 19,
 ///       784 (1987), for the choice of Psi
-Absorption absorbed_flux(const MovingWall& wall);
+Absorption absorbed_flux(const MovingBoundary& wall);
 
 } // namespace asperity::theory

@@ -113,8 +113,8 @@ std::vector<double> RoughAdhesion::area_fractions(std::span<const double> works,
                                                   double height_ratio) const {
   const double square = height_ratio * height_ratio;
   const std::size_t n = nodes_.size();
-  MovingWall wall{std::vector<double>(n), std::vector<double>(n),
-                  std::vector<double>(n, 0.0)};
+  MovingBoundary wall{std::vector<double>(n), std::vector<double>(n),
+                      std::vector<double>(n, 0.0)};
   for (std::size_t i = 0; i < n; ++i) {
     wall.time[i] = 0.25 * pi * square * nodes_[i].moment;
     wall.distance[i] = std::sqrt(pair_.detachment_factor * works[i] *

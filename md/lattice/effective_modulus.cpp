@@ -1,4 +1,4 @@
-#include "md/lattice/shown_modulus.hpp"
+#include "md/lattice/effective_modulus.hpp"
 
 #include "base/require.hpp"
 #include "md/lattice/block_solver.hpp"
@@ -11,7 +11,8 @@
 
 namespace asperity::md {
 
-double shown_contact_modulus(const Crystal& crystal, int levels, int layers) {
+double effective_contact_modulus(const Crystal& crystal, int levels,
+                                 int layers) {
   require_between("levels", levels, 1.0, 20.0, "1");
   const int side = 1 << (levels - 1);
   const int points =

@@ -28,11 +28,11 @@ class NodeBits;
 /// continuation by 0, whose jump at the contact boundary has an energy that
 /// grows with the logarithm of contact size over grid spacing. E^T C^-1 E
 /// corresponds to one that decays over a few nodes.
-class RimExtension {
+class BoundaryExtension {
 public:
   static constexpr int layers = 3;
 
-  RimExtension(const Grid& grid, int threads);
+  BoundaryExtension(const Grid& grid, int threads);
 
   /// Finds the rings around the active nodes, those with is_free[i] > 0.
   void build(std::span<const std::uint8_t> is_free);

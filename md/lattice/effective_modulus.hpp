@@ -13,6 +13,7 @@ namespace asperity::md {
 /// response is solved exactly on a strip one wavelength long; q a is as close
 /// to 0.1 as the coarsest level allows.
 /// @throws std::domain_error  as the constructor of MultiscaleBlock
-double shown_contact_modulus(const Crystal& crystal, int levels, int layers);
+double effective_contact_modulus(const Crystal& crystal, int levels,
+                                 int layers);
 
 } // namespace asperity::md

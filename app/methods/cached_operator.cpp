@@ -1,4 +1,4 @@
-#include "app/methods/kept_face.hpp"
+#include "app/methods/cached_operator.hpp"
 
 #include "base/cpu_clock.hpp"
 

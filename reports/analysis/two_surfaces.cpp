@@ -1,4 +1,4 @@
-#include "reports/analysis/two_faces.hpp"
+#include "reports/analysis/two_surfaces.hpp"
 
 #include "reports/numbers/estimate.hpp"
 #include "surfaces/maps/shells.hpp"
@@ -26,7 +26,7 @@ double density_near(const results::SurfaceRecord& surface, double wavevector) {
 } // namespace
 
 std::optional<results::SurfaceRecord>
-sum_of_two_faces(const results::Result& result) {
+sum_of_two_surfaces(const results::Result& result) {
   const bool is_pressed = std::any_of(
       result.methods.begin(), result.methods.end(),
       [](const results::MethodRecord& m) { return m.kind != "theory"; });

@@ -1,4 +1,4 @@
-#include "app/methods/whole_block_method.hpp"
+#include "app/methods/full_block_method.hpp"
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
@@ -41,14 +41,14 @@ struct StepExtras {
   std::optional<std::size_t> with_section;
 };
 
-StepExtras extras_of(const cases::Case& rough_case,
+StepExtras extras_of(const cases::Case& contact_case,
                      const cases::MethodSpec& method,
                      const SurfaceOfCase& surface,
                      const std::filesystem::path& scratch) {
   StepExtras extras{(scratch / "block").string(), {}, {}};
-  if (rough_case.report.vtu)
-    extras.with_files = steps_with_fields(rough_case);
-  extras.with_section = step_with_section(rough_case, method, surface.scales);
+  if (contact_case.report.vtu)
+    extras.with_files = steps_with_fields(contact_case);
+  extras.with_section = step_with_section(contact_case, method, surface.scales);
   return extras;
 }
 
@@ -124,15 +124,16 @@ private:
 } // namespace
 
 std::unique_ptr<StepSolver>
-make_whole_block(const cases::Case& rough_case, const cases::MethodSpec& method,
-                 const SurfaceOfCase& surface, int realization,
-                 const std::filesystem::path& scratch) {
+make_whole_block(const cases::Case& contact_case,
+                 const cases::MethodSpec& method, const SurfaceOfCase& surface,
+                 int realization, const std::filesystem::path& scratch) {
   return std::make_unique<WholeBlock>(
-      fem::load_fem_room().full({rough_case.text, rough_case.path, method.name,
-                                 surface.record.grid, surface.scales}),
+      fem::load_fem_module().full({contact_case.text, contact_case.path,
+                                   method.name, surface.record.grid,
+                                   surface.scales}),
       method, surface,
-      continuum_of(method, rough_case.material, surface.scales),
-      realization == 0 ? extras_of(rough_case, method, surface, scratch)
+      continuum_of(method, contact_case.material, surface.scales),
+      realization == 0 ? extras_of(contact_case, method, surface, scratch)
                        : StepExtras{});
 }
 

@@ -1,4 +1,4 @@
-#include "contact/solvers/rim_extension.hpp"
+#include "contact/solvers/boundary_extension.hpp"
 
 #include "base/parallel_rows.hpp"
 #include "contact/operators/chunked_sum.hpp"
@@ -54,10 +54,10 @@ float share_of(const std::array<NodeBits::Word, 8>& neighbours, int bit) {
 
 } // namespace
 
-RimExtension::RimExtension(const Grid& grid, int threads)
+BoundaryExtension::BoundaryExtension(const Grid& grid, int threads)
     : grid_(grid), threads_(threads), rings_(layers + 1) {}
 
-void RimExtension::build(std::span<const std::uint8_t> is_free) {
+void BoundaryExtension::build(std::span<const std::uint8_t> is_free) {
   work_.resize(grid_.size()); // all 0 between calls
   NodeBits seen(grid_), before(grid_), ring(grid_);
   const auto width = static_cast<std::size_t>(grid_.points_x);
@@ -97,8 +97,8 @@ void RimExtension::build(std::span<const std::uint8_t> is_free) {
   is_built_ = true;
 }
 
-void RimExtension::collect(const NodeBits& members, const NodeBits& before,
-                           Ring& kept) const {
+void BoundaryExtension::collect(const NodeBits& members, const NodeBits& before,
+                                Ring& kept) const {
   struct Place {
     std::size_t inside = 0, border = 0;
   };
@@ -140,8 +140,8 @@ void RimExtension::collect(const NodeBits& members, const NodeBits& before,
   });
 }
 
-float RimExtension::around(const Ring& ring, std::size_t k,
-                           const float* field) const {
+float BoundaryExtension::around(const Ring& ring, std::size_t k,
+                                const float* field) const {
   const std::size_t i = ring.nodes[k];
   const auto width = static_cast<std::size_t>(grid_.points_x);
   if (k < ring.n_inside) {
@@ -163,12 +163,14 @@ float RimExtension::around(const Ring& ring, std::size_t k,
 }
 
 template <class DoNodes>
-void RimExtension::each_chunk(const Ring& ring, const DoNodes& do_nodes) const {
+void BoundaryExtension::each_chunk(const Ring& ring,
+                                   const DoNodes& do_nodes) const {
   chunked(ring.nodes.size(), threads_, do_nodes);
 }
 
-void RimExtension::extend(double reach, std::span<const std::uint8_t> is_free,
-                          std::span<float> field) {
+void BoundaryExtension::extend(double reach,
+                               std::span<const std::uint8_t> is_free,
+                               std::span<float> field) {
   const float factor = static_cast<float>(reach);
   for (std::size_t l = 0; l < rings_.size(); ++l) {
     const Ring& ring = rings_[l];
@@ -189,7 +191,7 @@ void RimExtension::extend(double reach, std::span<const std::uint8_t> is_free,
   clear_work();
 }
 
-void RimExtension::clear_work() {
+void BoundaryExtension::clear_work() {
   for (const Ring& ring : rings_)
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
@@ -197,8 +199,8 @@ void RimExtension::clear_work() {
     });
 }
 
-void RimExtension::clear(std::span<const std::uint8_t> is_free,
-                         std::span<float> field) const {
+void BoundaryExtension::clear(std::span<const std::uint8_t> is_free,
+                              std::span<float> field) const {
   for (std::size_t l = 1; l < rings_.size(); ++l) {
     const Ring& ring = rings_[l];
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
@@ -209,8 +211,9 @@ void RimExtension::clear(std::span<const std::uint8_t> is_free,
   }
 }
 
-void RimExtension::fold(double reach, std::span<const std::uint8_t> is_free,
-                        std::span<float> field) {
+void BoundaryExtension::fold(double reach,
+                             std::span<const std::uint8_t> is_free,
+                             std::span<float> field) {
   const float factor = static_cast<float>(reach);
   for (std::size_t l = rings_.size(); l-- > 0;) {
     const Ring& ring = rings_[l];

@@ -14,7 +14,7 @@ constexpr std::size_t lanes = 4;
 
 /// A SIMD batch that holds one number for each wavevector; + - * / act on every
 /// lane.
-using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
+using SimdBatch = double __attribute__((vector_size(lanes * sizeof(double))));
 
 /// Number of entries in the lower triangle of a symmetric n x n matrix.
 constexpr std::size_t triangle(std::size_t n) {
@@ -34,13 +34,13 @@ constexpr std::size_t in_triangle(std::size_t n, std::size_t row,
 /// on it. No square roots are taken, so scaling by powers of two is exact to
 /// the last bit.
 template <std::size_t n>
-[[gnu::always_inline]] inline void factorise(Pack* a) {
+[[gnu::always_inline]] inline void factorise(SimdBatch* a) {
   for (std::size_t k = 0; k < n; ++k) {
-    Pack* const from = a + in_triangle(n, 0, k);
-    const Pack inverse = 1.0 / from[k];
+    SimdBatch* const from = a + in_triangle(n, 0, k);
+    const SimdBatch inverse = 1.0 / from[k];
     for (std::size_t j = k + 1; j < n; ++j) {
-      Pack* const to = a + in_triangle(n, 0, j);
-      const Pack factor = from[j] * inverse;
+      SimdBatch* const to = a + in_triangle(n, 0, j);
+      const SimdBatch factor = from[j] * inverse;
       for (std::size_t i = j; i < n; ++i)
         to[i] -= from[i] * factor;
     }
@@ -52,10 +52,10 @@ template <std::size_t n>
 
 /// Computes values = L^-1 values, n rows of m columns, stored by rows.
 template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void solve_lower(const Pack* factor,
-                                               Pack* values) {
+[[gnu::always_inline]] inline void solve_lower(const SimdBatch* factor,
+                                               SimdBatch* values) {
   for (std::size_t k = 0; k + 1 < n; ++k) {
-    const Pack* const column = factor + in_triangle(n, 0, k);
+    const SimdBatch* const column = factor + in_triangle(n, 0, k);
     for (std::size_t i = k + 1; i < n; ++i)
       for (std::size_t j = 0; j < m; ++j)
         values[i * m + j] -= column[i] * values[k * m + j];
@@ -64,8 +64,8 @@ template <std::size_t n, std::size_t m>
 
 /// Computes values = D^-1 values.
 template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void solve_diagonal(const Pack* factor,
-                                                  Pack* values) {
+[[gnu::always_inline]] inline void solve_diagonal(const SimdBatch* factor,
+                                                  SimdBatch* values) {
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < m; ++j)
       values[k * m + j] *= factor[in_triangle(n, k, k)];
@@ -73,10 +73,10 @@ template <std::size_t n, std::size_t m>
 
 /// Computes values = L^-T values.
 template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void solve_upper(const Pack* factor,
-                                               Pack* values) {
+[[gnu::always_inline]] inline void solve_upper(const SimdBatch* factor,
+                                               SimdBatch* values) {
   for (std::size_t k = n - 1; k-- > 0;) {
-    const Pack* const column = factor + in_triangle(n, 0, k);
+    const SimdBatch* const column = factor + in_triangle(n, 0, k);
     for (std::size_t i = k + 1; i < n; ++i)
       for (std::size_t j = 0; j < m; ++j)
         values[k * m + j] -= column[i] * values[i * m + j];
@@ -86,14 +86,14 @@ template <std::size_t n, std::size_t m>
 /// Computes a -= R^T D^-1 R on the lower triangle of the m x m matrix a, where
 /// R has n rows and m columns and D is that of the factor.
 template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void take_schur(const Pack* factor,
-                                              const Pack* rows, Pack* a) {
+[[gnu::always_inline]] inline void
+take_schur(const SimdBatch* factor, const SimdBatch* rows, SimdBatch* a) {
   for (std::size_t k = 0; k < n; ++k) {
-    const Pack* const row = rows + k * m;
-    const Pack inverse = factor[in_triangle(n, k, k)];
+    const SimdBatch* const row = rows + k * m;
+    const SimdBatch inverse = factor[in_triangle(n, k, k)];
     for (std::size_t j = 0; j < m; ++j) {
-      const Pack scaled = row[j] * inverse;
-      Pack* const to = a + in_triangle(m, 0, j);
+      const SimdBatch scaled = row[j] * inverse;
+      SimdBatch* const to = a + in_triangle(m, 0, j);
       for (std::size_t i = j; i < m; ++i)
         to[i] -= row[i] * scaled;
     }

@@ -23,12 +23,12 @@ using BlockMaker =
 /// a failure on some ranks terminates all of them (ranks.hpp).
 /// @throws std::domain_error, cases::CaseError  as problem_of_case and
 ///                                              make_full_block
-std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request,
-                                           const BlockMaker& make_block);
+std::unique_ptr<FullBlock> make_distributed_block(const FullRequest& request,
+                                                  const BlockMaker& make_block);
 
 /// To be called on the other ranks. Executes the commands that rank 0
 /// broadcasts until rank 0 ends.
-void follow_rank_0(const BlockMaker& make_block);
+void serve_rank_0(const BlockMaker& make_block);
 
 /// To be called on rank 0. Lets the other ranks end when the program exits.
 void end_followers_at_exit();

@@ -14,7 +14,7 @@ namespace asperity::reports {
 /// surfaces on one grid, both with their heights, and no method other than
 /// theory; otherwise nothing is returned.
 std::optional<results::SurfaceRecord>
-sum_of_two_faces(const results::Result& result);
+sum_of_two_surfaces(const results::Result& result);
 
 /// Returns the mean over the shells with low <= |q| <= high of
 /// C_sum/(C_0 + C_1) [1], which is 1 for uncorrelated surfaces; NaN if there

@@ -13,7 +13,7 @@
 namespace asperity::app {
 
 /// One load step as it was computed, with the cost of its set-up.
-struct KeptStep {
+struct CachedStep {
   StepAnswer answer;           ///< fields are empty if they were not saved
   double setup_cpu_time = 0.0; ///< of the method on this realisation [s]
   std::string found_at_setup;  ///< see StepSolver::found_at_setup()
@@ -23,13 +23,13 @@ struct KeptStep {
 
 /// Converts to the bytes of a cache entry. All numbers are restored bit by bit,
 /// except that maps are stored in single precision as in a result file.
-std::string bytes_of(const KeptStep& step);
+std::string bytes_of(const CachedStep& step);
 std::string bytes_of(const results::Table& table);
 std::string bytes_of(const std::vector<double>& numbers);
 
 /// Converts from the bytes of a cache entry. Returns nothing if the bytes were
 /// not written by the functions above.
-std::optional<KeptStep> kept_step(std::string_view bytes);
+std::optional<CachedStep> cached_step(std::string_view bytes);
 std::optional<results::Table> kept_table(std::string_view bytes);
 std::optional<std::vector<double>> kept_numbers(std::string_view bytes);
 

@@ -1,4 +1,4 @@
-#include "app/methods/kept_step.hpp"
+#include "app/methods/cached_step.hpp"
 
 #include "results/types/curve_columns.hpp"
 
@@ -104,7 +104,7 @@ results::Table table_in(const Json& json) {
 
 } // namespace
 
-std::string bytes_of(const KeptStep& step) {
+std::string bytes_of(const CachedStep& step) {
   const Grid& grid = step.answer.grid;
   return cbor(
       {{"row", packed(row_numbers(step.answer.row))},
@@ -127,9 +127,9 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return cbor(packed(numbers));
 }
 
-std::optional<KeptStep> kept_step(std::string_view bytes) {
-  return from_cbor<KeptStep>(bytes, [](const Json& json) {
-    KeptStep step;
+std::optional<CachedStep> cached_step(std::string_view bytes) {
+  return from_cbor<CachedStep>(bytes, [](const Json& json) {
+    CachedStep step;
     StepAnswer& answer = step.answer;
     answer.row = row_of(unpacked(json.at("row")));
     answer.row.note = json.at("note").get<std::string>();

@@ -25,6 +25,6 @@ namespace asperity::meshes {
 ///   - a cell that is not connected to any face of the group fixed;
 ///   - refinement with hanging nodes for tetrahedra;
 ///   - for periodic sides: the errors of require_matching_sides.
-void require_sound(const BlockMesh& mesh, cases::BlockSides sides);
+void require_valid_mesh(const BlockMesh& mesh, cases::BlockSides sides);
 
 } // namespace asperity::meshes

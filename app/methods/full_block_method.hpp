@@ -21,8 +21,8 @@ namespace asperity::app {
 /// @throws std::domain_error, cases::CaseError  the mesh cannot be generated or
 ///                            is rejected; the message gives the reason
 std::unique_ptr<StepSolver>
-make_whole_block(const cases::Case& rough_case, const cases::MethodSpec& method,
-                 const SurfaceOfCase& surface, int realization,
-                 const std::filesystem::path& scratch);
+make_whole_block(const cases::Case& contact_case,
+                 const cases::MethodSpec& method, const SurfaceOfCase& surface,
+                 int realization, const std::filesystem::path& scratch);
 
 } // namespace asperity::app

@@ -1,4 +1,4 @@
-#include "fem/led_blocks.hpp"
+#include "fem/block_proxy.hpp"
 
 #include "fem/parallel/ranks.hpp"
 #include "meshes/mesh_bytes.hpp"
@@ -100,12 +100,12 @@ void lead(const Order& order, const std::function<void()>& share) {
   do_share(share);
 }
 
-class LedBlock final : public FullBlock {
+class BlockProxy final : public FullBlock {
 public:
-  LedBlock(int number, std::unique_ptr<FullBlock> own)
+  BlockProxy(int number, std::unique_ptr<FullBlock> own)
       : number_(number), own_(std::move(own)) {}
 
-  ~LedBlock() override { pass_on({OrderKind::drop, number_}); }
+  ~BlockProxy() override { pass_on({OrderKind::drop, number_}); }
 
   const Grid& grid() const override { return own_->grid(); }
 
@@ -164,8 +164,8 @@ private:
 int built = 0;
 
 /// Executes one command on a rank other than 0.
-void do_as_told(const Order& order, const BlockMaker& make_block,
-                std::unique_ptr<FullBlock>& block) {
+void execute_command(const Order& order, const BlockMaker& make_block,
+                     std::unique_ptr<FullBlock>& block) {
   if (order.kind == OrderKind::build) {
     block = make_block(problem_in(order.text));
     return;
@@ -204,7 +204,7 @@ void follow(const BlockMaker& make_block) {
     if (order.kind == OrderKind::drop)
       block.reset();
     else
-      do_share([&] { do_as_told(order, make_block, block); });
+      do_share([&] { execute_command(order, make_block, block); });
   }
 }
 
@@ -214,8 +214,9 @@ struct EndOfFollowers {
 
 } // namespace
 
-std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request,
-                                           const BlockMaker& make_block) {
+std::unique_ptr<FullBlock>
+make_distributed_block(const FullRequest& request,
+                       const BlockMaker& make_block) {
   const BlockProblem problem = problem_of_case(request);
   if (n_ranks() == 1)
     return make_block(problem);
@@ -223,10 +224,10 @@ std::unique_ptr<FullBlock> lead_full_block(const FullRequest& request,
   std::unique_ptr<FullBlock> own;
   lead({OrderKind::build, number, packed(request, problem.mesh)},
        [&] { own = make_block(problem); });
-  return std::make_unique<LedBlock>(number, std::move(own));
+  return std::make_unique<BlockProxy>(number, std::move(own));
 }
 
-void follow_rank_0(const BlockMaker& make_block) {
+void serve_rank_0(const BlockMaker& make_block) {
   try {
     follow(make_block);
   } catch (...) {

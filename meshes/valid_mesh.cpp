@@ -1,4 +1,4 @@
-#include "meshes/sound_mesh.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include "meshes/facets.hpp"
 #include "meshes/matching_sides.hpp"
@@ -47,7 +47,7 @@ void require_consistent_lists(const BlockMesh& mesh) {
       if (!std::isfinite(coordinate))
         refuse("vertex {} is at {}", i, place_text(mesh.vertices[i]));
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    for (std::size_t i = 0; i < vertices_a_cell(mesh.shape); ++i)
+    for (std::size_t i = 0; i < vertices_per_cell(mesh.shape); ++i)
       if (mesh.cells[cell][i] >= mesh.vertices.size())
         refuse("cell {} has vertex {}, but there are {} vertices", cell,
                mesh.cells[cell][i], mesh.vertices.size());
@@ -115,7 +115,7 @@ void refuse_coincident(const BlockMesh& mesh, std::span<std::size_t> vertices,
 void require_joined_vertices(const BlockMesh& mesh) {
   std::vector<bool> has_cell(mesh.vertices.size(), false);
   for (const auto& cell : mesh.cells)
-    for (std::size_t i = 0; i < vertices_a_cell(mesh.shape); ++i)
+    for (std::size_t i = 0; i < vertices_per_cell(mesh.shape); ++i)
       has_cell[cell[i]] = true;
   for (std::size_t i = 0; i < has_cell.size(); ++i)
     if (!has_cell[i])
@@ -134,7 +134,7 @@ void require_closed(const BlockMesh& mesh) {
   for (const Facet& facet : boundary_facets(mesh))
     is_listed[facet_key(mesh.shape, facet.vertices)] = false;
   for (const BoundaryFace& face : mesh.faces) {
-    for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i)
+    for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
       if (face.vertices[i] >= mesh.vertices.size())
         refuse("a face has vertex {}, but there are {} vertices",
                face.vertices[i], mesh.vertices.size());
@@ -165,7 +165,7 @@ void require_flat_contact(const BlockMesh& mesh) {
   const double tolerance = tolerance_of(mesh);
   for (const BoundaryFace& face : mesh.faces)
     if (face.group == FaceGroup::contact)
-      for (std::size_t i = 0; i < vertices_a_facet(mesh.shape); ++i) {
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i) {
         const Place& place = mesh.vertices[face.vertices[i]];
         if (std::abs(place[2]) > tolerance)
           refuse("the contact surface is not flat: its vertex {} at {} is "
@@ -183,7 +183,7 @@ void require_held_cells(const BlockMesh& mesh) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     pieces.make_set(i);
   for (const auto& cell : mesh.cells)
-    for (std::size_t i = 1; i < vertices_a_cell(mesh.shape); ++i)
+    for (std::size_t i = 1; i < vertices_per_cell(mesh.shape); ++i)
       pieces.union_set(std::size_t{cell[0]}, std::size_t{cell[i]});
   std::set<std::size_t> held;
   for (const BoundaryFace& face : mesh.faces)
@@ -197,7 +197,7 @@ void require_held_cells(const BlockMesh& mesh) {
 
 } // namespace
 
-void require_sound(const BlockMesh& mesh, cases::BlockSides sides) {
+void require_valid_mesh(const BlockMesh& mesh, cases::BlockSides sides) {
   require_consistent_lists(mesh);
   require_positive_cells(mesh);
   require_joined_vertices(mesh);
