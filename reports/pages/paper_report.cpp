@@ -55,22 +55,26 @@ DrawnFigure already_drawn(const Figure& figure, const fs::path& folder) {
   return drawn;
 }
 
-// Draws one figure of a section. The figure of a single part was drawn by its
-// own report.
-DrawnFigure figure_of(const Section& section, const std::string& name,
-                      std::span<const FigureGroup> groups,
-                      const fs::path& folder, const std::string& gnuplot) {
+// Draws the figures of a section that have this name, one for each result. The
+// figure of a single part was drawn by its own report.
+std::vector<DrawnFigure> figures_called(const std::string& name,
+                                        const Section& section,
+                                        std::span<const FigureGroup> groups,
+                                        const fs::path& folder,
+                                        const std::string& gnuplot) {
   const PaperPart& first = *section.parts.front();
+  std::vector<DrawnFigure> drawn;
   for (const FigureGroup& group : groups)
     for (const Figure& figure : group.figures)
       if (figure.name == name)
-        return section.parts.size() == 1
-                   ? already_drawn(figure,
-                                   first.folder / "figures" / group.folder)
-                   : draw(figure,
-                          folder / "figures" / section.name / group.folder,
-                          gnuplot);
-  return {name, name, "", "", "this result has no such figure"};
+        drawn.push_back(
+            section.parts.size() == 1
+                ? already_drawn(figure, first.folder / "figures" / group.folder)
+                : draw(figure, folder / "figures" / section.name / group.folder,
+                       gnuplot));
+  if (drawn.empty())
+    drawn.push_back({name, name, "", "", "this result has no such figure"});
+  return drawn;
 }
 
 // Returns the figures that collection.toml names for the first part, in its
@@ -83,12 +87,13 @@ DrawnGroup drawn_figures(const Section& section, const fs::path& folder,
     entries.push_back(part->entry);
   const std::vector<FigureGroup> groups = figures_of(entries);
   DrawnGroup shown;
-  for (const std::string& name : section.parts.front()->figures) {
-    shown.figures.push_back(figure_of(section, name, groups, folder, gnuplot));
-    if (!shown.figures.back().problem.empty())
-      problems.push_back(
-          fmt::format("{}: {}", name, shown.figures.back().problem));
-  }
+  for (const std::string& name : section.parts.front()->figures)
+    for (DrawnFigure& figure :
+         figures_called(name, section, groups, folder, gnuplot)) {
+      if (!figure.problem.empty())
+        problems.push_back(fmt::format("{}: {}", name, figure.problem));
+      shown.figures.push_back(std::move(figure));
+    }
   return shown;
 }
 

@@ -182,12 +182,13 @@ TEST_F(PaperReport, SaysThatAPictureIsNotThere) {
 
 // Claim: a figure that the result does not have is named, not left out.
 TEST_F(PaperReport, NamesAFigureThatIsMissing) {
-  const PaperPart part{"a", folder, readme, {"maps-fem"}, entry_of(one, rough)};
+  const PaperPart part{
+      "a", folder, readme, {"adhesion-height"}, entry_of(one, rough)};
 
   const auto undrawn = write_paper_report({&part, 1}, "", folder);
 
   ASSERT_EQ(undrawn.size(), 1U);
-  EXPECT_EQ(undrawn.front(), "maps-fem: this result has no such figure");
+  EXPECT_EQ(undrawn.front(), "adhesion-height: this result has no such figure");
 }
 
 TEST_F(PaperReport, TakesAReadmeApart) {
