@@ -82,7 +82,8 @@ public:
     if (m > 0) {
       stiffness.diagonal() *= 1.0 + std::numeric_limits<float>::epsilon();
       factor_.compute(std::move(stiffness));
-      of_areas_ = factor_.solve(areas_);
+      if (factor_.exists())
+        of_areas_ = factor_.solve(areas_);
     }
   }
 
