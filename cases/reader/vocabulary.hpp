@@ -102,9 +102,14 @@ std::string allowed_text(const Key& key);
 /// "".
 std::string reason_of_kind(const std::string& kind);
 
+/// Returns a key for a length in SI, in multiples of the side length or in node
+/// spacings.
+Key length_key(std::string name, std::string example, std::string description);
+
 /// The rows of the vocabulary, one function per file.
 Table surface_table();
 Table md_table();
+Table mesh_table();
 std::vector<Table> block_tables();
 std::vector<Key> whole_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();

@@ -1,5 +1,5 @@
-// The rows of [material] and of heterogeneous blocks: layers, inclusion,
-// variation and mesh.
+// The rows of [material] and of heterogeneous blocks: layers, inclusion and
+// variation.
 #include "cases/reader/vocabulary.hpp"
 
 namespace asperity::cases {
@@ -22,28 +22,6 @@ Key poisson_ratio_key() {
           .example = "0.3",
           .show = Show::no,
           .description = "Poisson's ratio nu."};
-}
-
-/// Returns a key for a length in SI, in multiples of the side length or in node
-/// spacings.
-Key length_key(std::string name, std::string example, std::string description) {
-  return {.name = std::move(name),
-          .dimension = Dimension::length,
-          .range = positive(),
-          .yardsticks = {ReferenceUnit::length, ReferenceUnit::spacing},
-          .need = Need::always,
-          .example = std::move(example),
-          .show = Show::no,
-          .description = std::move(description)};
-}
-
-/// Returns the same key with a default.
-Key length_key_or(std::string fallback, std::string name,
-                  std::string description) {
-  Key key = length_key(std::move(name), fallback, std::move(description));
-  key.need = Need::never;
-  key.fallback = std::move(fallback);
-  return key;
 }
 
 Table material_table() {
@@ -172,76 +150,18 @@ Table variation_table() {
       }};
 }
 
-Table mesh_table() {
-  return {
-      .name = "mesh",
-      .when = "Optional; for [fem] with solver = \"full\", whose layers "
-              "(growth, surface_cell_depth) it replaces.",
-      .description = "The mesh of the full 3-D block.",
-      .keys = {
-          {.name = "kind",
-           .type = ValueType::word,
-           .words = {"layers", "hanging", "gmsh"},
-           .need = Need::always,
-           .example = "\"gmsh\"",
-           .show = Show::no,
-           .description =
-               "[fem]'s own graded layers, cubes halved towards the contact "
-               "surface with hanging nodes, or a mesh by gmsh."},
-          {.name = "cells_a_level",
-           .type = ValueType::integer,
-           .range = between(1, 64),
-           .fallback = "4",
-           .example = "4",
-           .show = Show::no,
-           .description = "With hanging: layers of cells between two "
-                          "successive halvings."},
-          {.name = "geometry",
-           .type = ValueType::word,
-           .words = {"block", "indentation", "layered", "inclusion", "file"},
-           .fallback = "\"block\"",
-           .example = "\"indentation\"",
-           .show = Show::no,
-           .description =
-               "With gmsh: a block graded with depth, one refined around the "
-               "centre of the contact surface, one with the layers or the "
-               "inclusion of [material], or a file of your own."},
-          {.name = "cells",
-           .type = ValueType::word,
-           .words = {"hexahedra", "tetrahedra"},
-           .fallback = "\"hexahedra\"",
-           .example = "\"tetrahedra\"",
-           .show = Show::no,
-           .description = "With gmsh: shape of the cells."},
-          length_key_or(
-              "\"1 h\"", "size_at_contact",
-              "With gmsh: edge length of a cell in the contact region."),
-          length_key_or(
-              "\"0.1 length\"", "size_far",
-              "With gmsh: edge length of a cell far from the contact region."),
-          length_key_or("\"0.1 length\"", "fine_radius",
-                        "With indentation: radius of the refined region around "
-                        "the centre of the contact surface."),
-          {.name = "file",
-           .type = ValueType::path,
-           .need = Need::conditional,
-           .when = "with geometry = \"file\"",
-           .example = "\"block.msh\"",
-           .show = Show::no,
-           .description = "A .msh or .geo file that defines the physical "
-                          "groups contact, fixed and, if it has any, sides."},
-          {.name = "file_unit",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .fallback = "1.0",
-           .example = "\"1 mm\"",
-           .show = Show::no,
-           .description =
-               "Length that corresponds to the number 1 in the file."},
-      }};
-}
-
 } // namespace
+
+Key length_key(std::string name, std::string example, std::string description) {
+  return {.name = std::move(name),
+          .dimension = Dimension::length,
+          .range = positive(),
+          .yardsticks = {ReferenceUnit::length, ReferenceUnit::spacing},
+          .need = Need::always,
+          .example = std::move(example),
+          .show = Show::no,
+          .description = std::move(description)};
+}
 
 std::vector<Table> block_tables() {
   return {material_table(),  counter_table(),   layer_table(),
