@@ -35,9 +35,9 @@ set(unity_batch 10)
 # asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
 #                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>] [SHARED]
 #                  [OPTIMIZATION 1])
-# Sources are named inside the room. DEPENDS is the whole permission to include:
-# list direct dependencies only. Position-independent, because the deal.II room
-# is loaded at run time; what must exist once in the process, in the program and
+# Sources are named inside the module's folder. DEPENDS is the whole permission
+# to include: list direct dependencies only. Position-independent, because the
+# deal.II module is loaded at run time; what must exist once in the process, in the program and
 # in that module together, is SHARED. OPTIMIZATION 1 is for modules that compute
 # little: it halves the time of their compilation.
 function(asperity_library name)
@@ -67,7 +67,7 @@ endfunction()
 
 # What every test includes is compiled once, and tests are optimised less than
 # the libraries they call: half of the compiler's time for a test.
-set(test_options -fpch-preprocess $<$<CONFIG:Release>:-O1>)
+set(test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> $<$<CONFIG:Release>:-O1>)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   file(WRITE ${CMAKE_BINARY_DIR}/test_headers.cpp "")

@@ -103,7 +103,7 @@ public:
 } // namespace asperity::fem
 
 /// The only symbol that the plugin exports.
-extern "C" const asperity::fem::FemModule* asperity_fem_room() {
-  static const asperity::fem::DealiiModule room;
-  return &room;
+extern "C" const asperity::fem::FemModule* asperity_fem_entry() {
+  static const asperity::fem::DealiiModule instance;
+  return &instance;
 }

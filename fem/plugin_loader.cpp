@@ -7,10 +7,10 @@
 namespace asperity::fem {
 namespace {
 
-using RoomEntry = const FemModule* (*)();
+using ModuleEntry = const FemModule* (*)();
 
 /// The plugin is never closed, because its libraries do not support unloading.
-const FemModule* open_room() {
+const FemModule* open_module() {
   const std::filesystem::path here =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   std::string looked;
@@ -23,9 +23,9 @@ const FemModule* open_room() {
     }
     void* const handle = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const entry =
-        handle != nullptr ? dlsym(handle, "asperity_fem_room") : nullptr;
+        handle != nullptr ? dlsym(handle, "asperity_fem_entry") : nullptr;
     if (entry != nullptr)
-      return reinterpret_cast<RoomEntry>(entry)();
+      return reinterpret_cast<ModuleEntry>(entry)();
     const char* const why = dlerror();
     looked += "\n  " + module.string() + ": " + (why != nullptr ? why : "?");
   }
@@ -42,8 +42,8 @@ BlockContact block_contact(const cases::ContactSettings& settings,
 }
 
 const FemModule& load_fem_module() {
-  static const FemModule& room = *open_room();
-  return room;
+  static const FemModule& instance = *open_module();
+  return instance;
 }
 
 } // namespace asperity::fem

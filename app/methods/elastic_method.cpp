@@ -188,7 +188,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                 threads),
             0.0};
   // Loading is not part of the cached set-up time.
-  const fem::FemModule& room = fem::load_fem_module();
+  const fem::FemModule& fem_module = fem::load_fem_module();
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);
@@ -198,7 +198,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
                     "{} {} {}", operator_key(method, surface, material_),
                     asked.youngs_modulus, asked.poisson_ratio)),
                 threads, face.saved_setup_time);
-  face.elasticity = room.condensed(asked);
+  face.elasticity = fem_module.condensed(asked);
   return face;
 }
 

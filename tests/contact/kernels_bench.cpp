@@ -1,5 +1,5 @@
 // The kernels of a contact step at N^2 nodes: transforms, rim, and one step of
-// the iteration. The other kernels have theirs beside their rooms:
+// the iteration. The other kernels have theirs beside the tests of their modules:
 // fem/condensed (block symbol), md/interface (forces), theory/persson
 // (quadrature).
 #include "base/fourier.hpp"

@@ -1,7 +1,7 @@
 // Claims about fem/block/full_block.hpp at the ends of what a penalty can be:
 // its own springs stay within reach of Newton's method, and the answer is the
 // one that was asked for. The judge is the condensed block under the contact
-// room's solver, to which a penalty is a compliance and any stiffness is alike.
+// module's solver, to which a penalty is a compliance and any stiffness is alike.
 #include "contact/operators/fourier_operator.hpp"
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"

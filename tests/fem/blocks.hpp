@@ -1,6 +1,6 @@
 #pragma once
 
-// Blocks and pressures that several tests of the room press.
+// Blocks and pressures that several tests of the module press.
 
 #include "fem/waves/elastic_layers.hpp"
 #include "meshes/graded_layers.hpp"

@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Elements, LoadedRoom,
 
 // Claim: the program and the module plan their transforms under one lock. With
 // a lock each, FFTW's one planner is torn apart and the process dies.
-TEST(Room, SharesThePlannerWithTheProgram) {
+TEST(FemModule, SharesThePlannerWithTheProgram) {
   const auto block =
       load_fem_module().condensed(request(cases::Element::q1, 64));
   const Grid other{48, 40, 1.0, 1.0};
@@ -74,7 +74,7 @@ TEST(Room, SharesThePlannerWithTheProgram) {
 // Claim: modulus, depth and top arrive: a slab half as deep as its wave on a
 // sliding top gives 0.9734 of the half-space's 2/(E* q); Q2 with 16 nodes in
 // the wave and growth 1.2 is within 1 % of that.
-TEST(Room, BuildsTheBlockOfTheCase) {
+TEST(FemModule, BuildsTheBlockOfTheCase) {
   const BlockRequest block = request(cases::Element::q2, 16);
   const std::vector<double> wave = longest_wave(block.grid);
   std::vector<double> displacement(wave.size());
@@ -89,7 +89,7 @@ TEST(Room, BuildsTheBlockOfTheCase) {
 // coating a tenth of the wave thick and ten times stiffer, no whole number of
 // cells. Q2 with 32 nodes in the wave and growth 1.2 is within 0.3 % of the
 // exact layers.
-TEST(Room, BuildsTheLayersOfTheCase) {
+TEST(FemModule, BuildsTheLayersOfTheCase) {
   BlockRequest block = request(cases::Element::q2, 32);
   block.layers = {{{0.06, cases::ReferenceUnit::length}, {18e9, 0.2}},
                   {{4e-8, cases::ReferenceUnit::si}, {18e9, 0.2}}};
@@ -106,7 +106,7 @@ TEST(Room, BuildsTheLayersOfTheCase) {
   EXPECT_NEAR(displacement[0] / exact, 1.0, 0.003);
 }
 
-TEST(Room, NamesItsLibrariesAndRefusesInWords) {
+TEST(FemModule, NamesItsLibrariesAndRefusesInWords) {
   EXPECT_NE(load_fem_module().versions().find("deal.II 9."), std::string::npos);
   BlockRequest block = request(cases::Element::q1, 8);
   block.settings.depth = {0.01, cases::ReferenceUnit::length};

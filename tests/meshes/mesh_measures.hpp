@@ -1,6 +1,6 @@
 #pragma once
 
-// Volumes and areas of a mesh, for the tests of this room: worked out from the
+// Volumes and areas of a mesh, for the tests of meshes: worked out from the
 // vertices alone, by roads the makers of meshes don't use.
 
 #include "meshes/block_mesh.hpp"
