@@ -5,7 +5,7 @@ if("$ENV{ASPERITY_WERROR}" STREQUAL "ON") # as .ci/run has it
 endif()
 option(ASPERITY_WERROR "Treat warnings in our own code as errors" ${werror_by_default})
 option(ASPERITY_UNITY "Compile several sources of a library as one" OFF)
-option(ASPERITY_FUZZ "Build the fuzz targets for libFuzzer (preset fuzz)" OFF)
+option(ASPERITY_FUZZ "Build the fuzz targets for libFuzzer (preset sanitizers)" OFF)
 
 # The default linker reads every library that deal.II's own libraries need, 20 s
 # for each program; gold, of the same Debian package, takes 2 s.
@@ -30,16 +30,16 @@ target_compile_options(asperity_flags INTERFACE
 # Headers take most of the time of a small source, so a unity build is some
 # times faster from nothing; batches keep two processors busy. Names of one
 # library's sources are therefore unique, also in unnamed namespaces.
-set(unity_batch 10)
+set(ASPERITY_UNITY_BATCH 10 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
 
 # asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
 #                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>] [SHARED]
 #                  [OPTIMIZATION 1])
 # Sources are named inside the module's folder. DEPENDS is the whole permission
 # to include: list direct dependencies only. Position-independent, because the
-# deal.II module is loaded at run time; what must exist once in the process, in the program and
-# in that module together, is SHARED. OPTIMIZATION 1 is for modules that compute
-# little: it halves the time of their compilation.
+# deal.II module is loaded at run time; what must exist once in the process, in
+# the program and in that module together, is SHARED. OPTIMIZATION 1 is for
+# modules that compute little: it halves the time of their compilation.
 function(asperity_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SHARED" "OPTIMIZATION" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
   if(arg_UNPARSED_ARGUMENTS)
@@ -53,7 +53,7 @@ function(asperity_library name)
   add_library(asperity::${name} ALIAS asperity_${name})
   set_target_properties(asperity_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   set_target_properties(asperity_${name} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
-    UNITY_BUILD_BATCH_SIZE ${unity_batch})
+    UNITY_BUILD_BATCH_SIZE ${ASPERITY_UNITY_BATCH})
   target_include_directories(asperity_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(asperity_${name}
     PUBLIC ${arg_DEPENDS} PRIVATE asperity_flags ${arg_PRIVATE_DEPENDS})
@@ -118,7 +118,7 @@ function(asperity_test path)
     set_tests_properties(${path} PROPERTIES LABELS "unit;fast")
   endif()
   # OpenMPI keeps memory to the end of the process, so what loads it cannot
-  # pass the leak checker of the asan preset.
+  # pass the leak checker of the preset sanitizers.
   if(path MATCHES "^(app|fem|reports|results)/")
     set_tests_properties(${path} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
   endif()

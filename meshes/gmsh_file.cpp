@@ -219,7 +219,8 @@ void require_named_on_boundary(const BlockMesh& mesh,
     groups.erase(facet_key(mesh.shape, face.vertices));
   if (groups.empty())
     return;
-  const auto& [key, group] = *groups.begin();
+  const auto& [key, inside] = *groups.begin();
+  const FaceGroup group = inside;
   const auto named =
       std::find_if(group_names.begin(), group_names.end(),
                    [&](const GroupName& name) { return name.group == group; });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::cases {
@@ -31,7 +32,7 @@ void read_lattice(TableReader& table, MdSettings& md) {
     table.complain(*table.node().find("engine"),
                    "= \"lammps\" needs lattice = \"central\": its bonds are "
                    "central springs");
-  const int coarsest = 1 << (md.levels - 1);
+  const int coarsest = 1 << std::clamp(md.levels - 1, 0, 30); // range: above
   if (md.bulk == AtomBulk::explicit_layers && md.atoms &&
       *md.atoms % coarsest != 0)
     table.refuse(*table.node().find("atoms"),
