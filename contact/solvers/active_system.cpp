@@ -18,8 +18,9 @@ namespace {
 /// that the roundoff of its square roots does not depend on the units.
 class Factor {
 public:
-  /// Factorises the matrix. There is no factor if the diagonal has no positive
-  /// entry or if any entry is not finite.
+  /// Factorises the matrix, of which the lower triangle is used. There is no
+  /// factor if the diagonal has no positive entry or if any entry, also of the
+  /// upper triangle, is not finite.
   void compute(Eigen::MatrixXd matrix) {
     const double largest = matrix.diagonal().maxCoeff();
     exists_ = largest > 0.0 && matrix.allFinite();
@@ -71,7 +72,7 @@ public:
       : system_(system), fixed_(std::move(fixed)) {
     const Eigen::Index m = length_of(fixed_);
     areas_.resize(m);
-    Eigen::MatrixXd stiffness(m, m);
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(m, m);
     for (Eigen::Index b = 0; b < m; ++b) {
       areas_[b] = system_.weight(at(fixed_, b));
       for (Eigen::Index a = b; a < m; ++a)
@@ -180,7 +181,7 @@ bool ActiveSystem::solve_directly(std::span<const std::size_t> free,
                                   std::span<const double> residual,
                                   std::span<double> step) {
   const Eigen::Index n = length_of(free);
-  Eigen::MatrixXd compliance(n, n);
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd right(n);
   Eigen::VectorXd areas(n);
   for (Eigen::Index b = 0; b < n; ++b) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "tests/contact/scenes.hpp"
 
@@ -51,6 +53,34 @@ TEST(ActiveSet, AgreesWithPolonskyAndKeer) {
                     4.0 * tolerance / compliance);
       }
     }
+}
+
+/// Leaves numbers that are not finite in the memory that is allocated next. The
+/// blocks are smaller than those that malloc takes from the system, where memory
+/// is zero, and what is returned keeps their memory from being given back.
+std::unique_ptr<double> dirty_memory() {
+  std::vector<std::vector<double>> blocks(
+      64, std::vector<double>(16000, std::numeric_limits<double>::infinity()));
+  return std::make_unique<double>();
+}
+
+// Claim: no answer depends on what the memory held before. Once the upper
+// triangle of a matrix, of which only the lower was set, decided whether it has
+// a factor.
+TEST(ActiveSet, ReadsNoMemoryThatItDidNotSet) {
+  const std::vector<double> surface = heights();
+  FourierOperator elasticity = slab(0.2);
+  for (const double load : {0.01, 0.3, 2.0}) {
+    SCOPED_TRACE(load);
+    const ContactProblem problem{surface, 0.0, 1e-9 * scenes::rms(surface),
+                                 5000};
+    const std::unique_ptr<double> above = dirty_memory();
+
+    const ContactSolution found = active_set(
+        elasticity, problem, {LoadTarget::Kind::nominal_pressure, load});
+
+    EXPECT_TRUE(found.converged) << found.note;
+  }
 }
 
 // The conditions themselves, where nothing else converges, with less and with
