@@ -56,8 +56,9 @@ TEST(ActiveSet, AgreesWithPolonskyAndKeer) {
 }
 
 /// Leaves numbers that are not finite in the memory that is allocated next. The
-/// blocks are smaller than those that malloc takes from the system, where memory
-/// is zero, and what is returned keeps their memory from being given back.
+/// blocks are smaller than those that malloc takes from the system, where
+/// memory is zero, and what is returned keeps their memory from being given
+/// back.
 std::unique_ptr<double> dirty_memory() {
   std::vector<std::vector<double>> blocks(
       64, std::vector<double>(16000, std::numeric_limits<double>::infinity()));
