@@ -1,5 +1,6 @@
 #include "reports/analysis/warnings.hpp"
 
+#include "cases/reader/locking.hpp"
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
 
@@ -103,11 +104,26 @@ void add_window(const Result& result, std::vector<Warning>& warnings) {
            "\"mirror\" keeps its roughness."});
 }
 
+void add_locking(const Result& result, const cases::Case& contact_case,
+                 std::vector<Warning>& warnings) {
+  std::vector<cases::MethodSpec> present;
+  for (const cases::MethodSpec& method : contact_case.methods)
+    if (std::ranges::find(result.methods, method.name,
+                          &results::MethodRecord::name) != result.methods.end())
+      present.push_back(method);
+  for (const std::string& text :
+       cases::locking_warnings(contact_case.material, present))
+    warnings.push_back({"locking", text + ".",
+                        "The curves of this method are not those of the "
+                        "material; do not judge other methods by them."});
+}
+
 } // namespace
 
 std::vector<Warning> warnings_of(const Result& result,
                                  const cases::Case& contact_case) {
   std::vector<Warning> warnings;
+  add_locking(result, contact_case, warnings);
   const cases::SurfaceKind kind = contact_case.surface.kind;
   const bool is_measured = kind == cases::SurfaceKind::measured;
   if (!is_measured && !surfaces::is_random(kind))

@@ -14,10 +14,10 @@
 
 namespace asperity::reports {
 
-/// One assumption that a surface violates.
+/// One assumption that a surface or a method violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
-                           ///< scan_lines or windowed
+                           ///< scan_lines, windowed or locking
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
 };
@@ -32,10 +32,11 @@ struct WarningLimits {
   static constexpr double line_offset = 3.0;      ///< ratio or its inverse [1]
 };
 
-/// Returns the warnings at the top of a report, for self-affine surfaces,
-/// surfaces given by a spectrum and measured ones (exact shapes need none).
-/// Moments and slopes are means over the realisations; quantities that need
-/// heights use realisation 0. A number that is not in the result causes no
+/// Returns the warnings at the top of a report: finite elements of the result
+/// that lock (cases/reader/locking.hpp), and assumptions about self-affine
+/// surfaces, surfaces given by a spectrum and measured ones (exact shapes need
+/// none). Moments and slopes are means over the realisations; quantities that
+/// need heights use realisation 0. A number that is not in the result causes no
 /// warning.
 std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);

@@ -57,6 +57,22 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
                                   "rms slope 0.9 (limit: 0.5).");
 }
 
+// Claim: finite elements that lock are named if the result holds them.
+TEST_F(Warnings, NameElementsThatLock) {
+  rough.material.poisson_ratio = 0.4999;
+  cases::MethodSpec fem{.name = "fem", .settings = cases::FemSettings{}};
+  std::get<cases::FemSettings>(fem.settings).element = cases::Element::q1;
+  rough.methods = {fem};
+  result.methods.clear();
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  result.methods.push_back({"fem", "fem", "", {}});
+  const std::vector<Warning> warnings = warnings_of(result, rough);
+  ASSERT_EQ(kinds(warnings), Names{"locking"});
+  EXPECT_NE(warnings[0].headline.find("fem: Q1 elements lock at a Poisson's "
+                                      "ratio of 0.4999"),
+            std::string::npos);
+}
+
 // Claim: the moments are means over the realisations: one odd draw of two does
 // not warn, and a realisation without the number is not in the mean.
 TEST_F(Warnings, AreOfTheMeanOverRealizations) {
