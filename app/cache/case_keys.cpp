@@ -6,6 +6,7 @@
 #include "cases/text/input_file.hpp"
 #include "cases/text/toml_text.hpp"
 #include "md/engines.hpp"
+#include "meshes/geometry_files.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
@@ -146,7 +147,13 @@ input_hashes(const cases::Case& contact_case) {
   add(surface_file, contact_case.surface.file);
   if (contact_case.material.variation)
     add(variation_file, contact_case.material.variation->file);
-  add(mesh_file, contact_case.mesh.file);
+  if (!contact_case.mesh.file.empty()) {
+    std::string hashes;
+    for (const auto& path : meshes::geometry_files(contact_case.mesh.file))
+      hashes += content_hash(
+          cases::read_input_file(path, cases::largest_number_file));
+    inputs[mesh_file] = content_hash(hashes);
+  }
   return inputs;
 }
 
