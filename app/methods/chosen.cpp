@@ -40,14 +40,8 @@ std::vector<MethodSpec> chosen_methods(const cases::Case& contact_case,
   return chosen;
 }
 
-bool takes_formula(const MethodSpec& method) {
-  const auto* theory = std::get_if<cases::TheorySettings>(&method.settings);
-  return theory != nullptr &&
-         theory->spectrum == cases::TheorySpectrum::formula;
-}
-
 int n_realizations(const cases::Case& contact_case, const MethodSpec& method) {
-  return takes_formula(method) ? 1 : contact_case.surface.realizations;
+  return method.needs_surface() ? contact_case.surface.realizations : 1;
 }
 
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {

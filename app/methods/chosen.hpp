@@ -24,10 +24,6 @@ std::vector<cases::MethodSpec>
 chosen_methods(const cases::Case& contact_case,
                const std::vector<std::string>& names, bool is_exact = false);
 
-/// Returns true for a theory that takes the spectrum from the formula and needs
-/// no surface.
-bool takes_formula(const cases::MethodSpec& method);
-
 /// Returns the number of realisations for a method: one for a theory that uses
 /// the formula, because all realisations are identical.
 int n_realizations(const cases::Case& contact_case,

@@ -44,8 +44,7 @@ std::string material_words(const cases::MethodSpec& method,
                            const cases::MaterialSpec& material) {
   if (material.layers.empty())
     return {};
-  if (std::holds_alternative<cases::TheorySettings>(method.settings) ||
-      std::holds_alternative<cases::MdSettings>(method.settings))
+  if (!method.uses_layers())
     return "uniform: without the layers";
   return fmt::format("under {} bonded {} ({})", material.layers.size(),
                      material.layers.size() == 1 ? "layer" : "layers",

@@ -5,7 +5,49 @@
 #include "app/methods/theory_method.hpp"
 #include "cases/reader/locking.hpp"
 
+#include <stdexcept>
+
 namespace asperity::app {
+namespace {
+
+/// What a solver is made of besides the settings of its method.
+struct SolverInput {
+  const cases::Case& contact_case;
+  SolverFactory& elastic;
+  const cases::MethodSpec& method;
+  const SurfaceOfCase& surface;
+  int realization;
+  const Resources& resources;
+};
+
+std::unique_ptr<StepSolver> make_solver(const cases::TheorySettings&,
+                                        const SolverInput& input) {
+  throw std::logic_error(input.method.name + " has no load steps to solve");
+}
+
+std::unique_ptr<StepSolver> make_solver(const cases::HalfspaceSettings&,
+                                        const SolverInput& input) {
+  return input.elastic.make(input.method, input.surface,
+                            input.resources.threads);
+}
+
+std::unique_ptr<StepSolver> make_solver(const cases::FemSettings&,
+                                        const SolverInput& input) {
+  if (is_whole_block(input.method))
+    return make_whole_block(input.contact_case, input.method, input.surface,
+                            input.realization, input.resources.scratch);
+  return input.elastic.make(input.method, input.surface,
+                            input.resources.threads);
+}
+
+std::unique_ptr<StepSolver> make_solver(const cases::MdSettings&,
+                                        const SolverInput& input) {
+  return make_atomic_solver({input.contact_case, input.method, input.surface,
+                             input.realization, input.resources.threads,
+                             input.resources.scratch, input.resources.watch});
+}
+
+} // namespace
 
 MethodDescription describe(const cases::MethodSpec& method,
                            const cases::MaterialSpec& material) {
@@ -28,14 +70,11 @@ std::unique_ptr<StepSolver> MethodFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
                                                 int realization,
                                                 const Resources& resources) {
-  if (std::holds_alternative<cases::MdSettings>(method.settings))
-    return make_atomic_solver({case_, method, surface, realization,
-                               resources.threads, resources.scratch,
-                               resources.watch});
-  if (is_whole_block(method))
-    return make_whole_block(case_, method, surface, realization,
-                            resources.scratch);
-  return elastic_.make(method, surface, resources.threads);
+  const SolverInput input{case_,   elastic_,    method,
+                          surface, realization, resources};
+  return std::visit(
+      [&](const auto& settings) { return make_solver(settings, input); },
+      method.settings);
 }
 
 } // namespace asperity::app

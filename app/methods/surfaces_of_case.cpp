@@ -45,7 +45,7 @@ SurfaceOfCase as_taken(const cases::Case& contact_case,
 } // namespace
 
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
-  return !std::all_of(methods.begin(), methods.end(), takes_formula);
+  return std::ranges::any_of(methods, &cases::MethodSpec::needs_surface);
 }
 
 std::optional<double> highest_wavevector(const cases::Case& contact_case,
@@ -64,7 +64,7 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
     whole_.push_back(as_taken(
         contact_case, surfaces::build_surface(contact_case.surface, r)));
   for (const cases::MethodSpec& method : methods) {
-    if (!method.magnification || takes_formula(method) ||
+    if (!method.magnification || !method.needs_surface() ||
         magnified_.contains(*method.magnification))
       continue;
     std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
@@ -90,7 +90,7 @@ const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
 
 results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,
                                                int realization) const {
-  if (!takes_formula(method))
+  if (method.needs_surface())
     return of(method, realization).record;
   const theory::HeightSpectrum spectrum = formula_of_case(case_, method);
   results::SurfaceRecord record;

@@ -72,29 +72,46 @@ double iterations_per_step(const cases::SurfaceSpec& surface,
          std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
 }
 
-MethodCost cost_on_face(const cases::SurfaceSpec& surface,
-                        const cases::ContactSettings& contact, const Grid& grid,
-                        MachineRates& rates) {
+/// What a cost depends on besides the settings of the method.
+struct CostInput {
+  const cases::Case& contact_case;
+  const Grid& grid;
+  MachineRates& rates;
+};
+
+MethodCost cost_on_face(const cases::ContactSettings& contact,
+                        const CostInput& input) {
+  const auto& [contact_case, grid, rates] = input;
   MethodCost cost;
   const double law =
       contact.law == cases::ContactLaw::augmented ? augmented_factor : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
-  cost.step_time =
-      law * iterations_per_step(surface, grid) * rates.iteration_time(grid);
+  cost.step_time = law * iterations_per_step(contact_case.surface, grid) *
+                   rates.iteration_time(grid);
   cost.memory = arrays_per_job * sizeof(double) * nodes(grid);
   return cost;
 }
 
-MethodCost cost_of_fem(const cases::Case& contact_case,
-                       const cases::FemSettings& settings, const Grid& grid,
-                       MachineRates& rates) {
+MethodCost cost_of_settings(const cases::TheorySettings&,
+                            const CostInput& input) {
+  const double slowness = input.rates.slowness();
+  return {1.0, slowness * theory_setup_time, slowness * theory_step_time, 0.0};
+}
+
+MethodCost cost_of_settings(const cases::HalfspaceSettings& settings,
+                            const CostInput& input) {
+  return cost_on_face(settings.contact, input);
+}
+
+MethodCost cost_of_settings(const cases::FemSettings& settings,
+                            const CostInput& input) {
+  const auto& [contact_case, grid, rates] = input;
   if (settings.solver == cases::FemSolver::full)
     return cost_of_full_block(contact_case, settings, grid, rates);
   const cases::Scales scales{contact_case.material.contact_modulus,
                              grid.length_x, grid.spacing_x(), 0.0};
-  MethodCost cost =
-      cost_on_face(contact_case.surface, settings.contact, grid, rates);
+  MethodCost cost = cost_on_face(settings.contact, input);
   const double layers = n_layers(contact_case, settings, scales, grid);
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
   if (settings.element == Element::q1) {
@@ -107,8 +124,9 @@ MethodCost cost_of_fem(const cases::Case& contact_case,
   return cost;
 }
 
-MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
-                         MachineRates& rates) {
+MethodCost cost_of_settings(const cases::MdSettings& settings,
+                            const CostInput& input) {
+  const auto& [contact_case, grid, rates] = input;
   const double side = settings.atoms.value_or(grid.points_x);
   MethodCost cost;
   cost.unknowns = 3.0 * side * side;
@@ -141,16 +159,11 @@ MethodCost cost_of_atoms(const cases::MdSettings& settings, const Grid& grid,
 MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates) {
-  if (std::holds_alternative<cases::TheorySettings>(method.settings))
-    return {1.0, rates.slowness() * theory_setup_time,
-            rates.slowness() * theory_step_time, 0.0};
-  if (const auto* half =
-          std::get_if<cases::HalfspaceSettings>(&method.settings))
-    return cost_on_face(contact_case.surface, half->contact, grid, rates);
-  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
-    return cost_of_fem(contact_case, *fem, grid, rates);
-  return cost_of_atoms(std::get<cases::MdSettings>(method.settings), grid,
-                       rates);
+  return std::visit(
+      [&](const auto& settings) {
+        return cost_of_settings(settings, CostInput{contact_case, grid, rates});
+      },
+      method.settings);
 }
 
 double study_time(const cases::Case& contact_case, MachineRates& rates) {

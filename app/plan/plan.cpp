@@ -98,7 +98,7 @@ double result_bytes(const cases::Case& contact_case,
   double bytes = sizeof(double) * static_cast<double>(grid.size()) *
                  contact_case.surface.realizations;
   for (const MethodSpec& method : methods)
-    if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+    if (method.has_fields())
       bytes += static_cast<double>(steps_with_fields(contact_case).size()) *
                map_bytes(grid);
   return bytes;
@@ -143,7 +143,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     planned.step_time = left > 0 ? left * cost.step_time : 0.0;
     planned.memory = cost.memory;
     planned.runs_alone = describe(method, contact_case.material).runs_alone;
-    if (takes_formula(method))
+    if (!method.needs_surface())
       planned.grid = {};
     uses_fem |=
         left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
@@ -155,7 +155,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     plan.study_time = study_time(contact_case, rates);
   if (contact_case.report.stress_inside)
     for (const MethodSpec& method : methods)
-      if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+      if (method.has_fields())
         plan.study_time += stress_time(
             static_cast<int>(steps_with_fields(contact_case).size()), grid,
             rates);

@@ -43,12 +43,14 @@ private:
     return n_steps() * n_realizations(scene_.contact_case, method);
   }
 
-  void add_of_theory(const MethodSpec& method);
-  void add_of_halfspace(const MethodSpec& method,
-                        const cases::HalfspaceSettings& settings);
-  void add_of_fem(const MethodSpec& method, const cases::FemSettings& settings);
-  void add_of_atoms(const MethodSpec& method,
-                    const cases::MdSettings& settings);
+  void add_of_settings(const MethodSpec& method,
+                       const cases::TheorySettings& settings);
+  void add_of_settings(const MethodSpec& method,
+                       const cases::HalfspaceSettings& settings);
+  void add_of_settings(const MethodSpec& method,
+                       const cases::FemSettings& settings);
+  void add_of_settings(const MethodSpec& method,
+                       const cases::MdSettings& settings);
 
   const SelectedCase& scene_;
   MachineRates& rates_;
@@ -88,7 +90,7 @@ void Skips::add_maps() {
       static_cast<double>(steps_with_fields(scene_.contact_case).size());
   double left_out = 0.0;
   for (const MethodSpec& method : scene_.methods)
-    if (!std::holds_alternative<cases::TheorySettings>(method.settings))
+    if (method.has_fields())
       left_out += all_steps(method) - kept;
   if (left_out > 0.0)
     list.push_back(
@@ -102,20 +104,14 @@ void Skips::add_of(const MethodSpec& method) {
     list.push_back({fmt::format("{}: roughness above {:g} q_0", method.name,
                                 *method.magnification),
                     "its magnification", not_a_number, not_a_number});
-  if (const auto* half =
-          std::get_if<cases::HalfspaceSettings>(&method.settings))
-    add_of_halfspace(method, *half);
-  else if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings))
-    add_of_fem(method, *fem);
-  else if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
-    add_of_atoms(method, *md);
-  else
-    add_of_theory(method);
+  std::visit([&](const auto& own) { add_of_settings(method, own); },
+             method.settings);
 }
 
-void Skips::add_of_theory(const MethodSpec& method) {
+void Skips::add_of_settings(const MethodSpec& method,
+                            const cases::TheorySettings&) {
   const int others = scene_.contact_case.surface.realizations - 1;
-  if (!takes_formula(method) || others == 0)
+  if (method.needs_surface() || others == 0)
     return;
   const MethodCost cost =
       cost_of(scene_.contact_case, method, scene_.grid, rates_);
@@ -126,8 +122,8 @@ void Skips::add_of_theory(const MethodSpec& method) {
                   0.0});
 }
 
-void Skips::add_of_halfspace(const MethodSpec& method,
-                             const cases::HalfspaceSettings& settings) {
+void Skips::add_of_settings(const MethodSpec& method,
+                            const cases::HalfspaceSettings& settings) {
   const MethodCost cost =
       cost_of(scene_.contact_case, method, scene_.grid, rates_);
   list.push_back(
@@ -143,8 +139,8 @@ void Skips::add_of_halfspace(const MethodSpec& method,
                   not_a_number, not_a_number});
 }
 
-void Skips::add_of_fem(const MethodSpec& method,
-                       const cases::FemSettings& settings) {
+void Skips::add_of_settings(const MethodSpec& method,
+                            const cases::FemSettings& settings) {
   if (settings.solver == cases::FemSolver::full)
     return;
   const MethodCost full =
@@ -164,8 +160,8 @@ void Skips::add_of_fem(const MethodSpec& method,
          "mirror images of the others", 3.0 * cost.setup_time, 0.0});
 }
 
-void Skips::add_of_atoms(const MethodSpec& method,
-                         const cases::MdSettings& settings) {
+void Skips::add_of_settings(const MethodSpec& method,
+                            const cases::MdSettings& settings) {
   if (settings.bulk != cases::AtomBulk::green ||
       settings.engine != cases::AtomEngine::asperity)
     return;

@@ -83,7 +83,7 @@ void MethodJob::run() {
   const std::vector<std::size_t> missing = take_kept();
   if (missing.empty() || is_interrupted())
     return;
-  if (std::holds_alternative<cases::TheorySettings>(method_.settings))
+  if (!method_.has_fields())
     compute_theory(missing);
   else
     compute_elastic(missing);
@@ -91,7 +91,7 @@ void MethodJob::run() {
 
 bool MethodJob::needs_maps(std::size_t step) const {
   return realization_ == 0 && scene_.field_steps.contains(step) &&
-         !std::holds_alternative<cases::TheorySettings>(method_.settings);
+         method_.has_fields();
 }
 
 bool MethodJob::needs_section(std::size_t step) const {
@@ -178,7 +178,7 @@ void MethodJob::describe_found(const std::string& found) {
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
   const cases::Case& contact_case = scene_.contact_case;
-  const bool by_formula = takes_formula(method_);
+  const bool by_formula = !method_.needs_surface();
   const CpuClock clock;
   const theory::HeightSpectrum spectrum =
       by_formula ? formula_of_case(contact_case, method_)

@@ -167,7 +167,7 @@ std::vector<Axis> axes_of(const CaseValues& values, const std::string& method) {
 }
 
 bool varies_with_points(const std::string& kind) {
-  return kind != "theory" && kind != "md";
+  return kind == "halfspace" || kind == "fem";
 }
 
 } // namespace asperity::app

@@ -2,6 +2,7 @@
 #include "cases/reader/table_reader.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace asperity::cases {
 namespace {
@@ -18,10 +19,17 @@ ContactSettings read_contact(TableReader& table) {
   return contact;
 }
 
-TheorySettings read_theory(TableReader& table, SurfaceKind kind) {
+/// The properties of the case that determine which keys of a method are valid.
+struct MethodSurroundings {
+  SurfaceKind surface;
+  bool has_mesh; ///< whether the case has a [mesh]
+};
+
+void read_settings(TableReader& table, const MethodSurroundings& surroundings,
+                   TheorySettings& theory) {
+  const SurfaceKind kind = surroundings.surface;
   const bool has_formula =
       kind == SurfaceKind::self_affine || kind == SurfaceKind::spectrum;
-  TheorySettings theory;
   theory.gamma = table.number("gamma");
   theory.spectrum =
       has_formula ? TheorySpectrum::formula : TheorySpectrum::surface;
@@ -31,20 +39,18 @@ TheorySettings read_theory(TableReader& table, SurfaceKind kind) {
     table.refuse(*table.node().find("spectrum"),
                  "must be \"surface\": only the kinds self-affine and spectrum "
                  "have a formula");
-  return theory;
 }
 
-HalfspaceSettings read_halfspace(TableReader& table) {
-  HalfspaceSettings halfspace;
+void read_settings(TableReader& table, const MethodSurroundings&,
+                   HalfspaceSettings& halfspace) {
   halfspace.contact = read_contact(table);
   if (table.has("thickness"))
     halfspace.thickness = table.quantity("thickness");
   halfspace.top = table.choice("top", halfspace.top);
-  return halfspace;
 }
 
-FemSettings read_fem(TableReader& table, bool has_mesh) {
-  FemSettings fem;
+void read_settings(TableReader& table, const MethodSurroundings& surroundings,
+                   FemSettings& fem) {
   fem.contact = read_contact(table);
   fem.element = table.choice("element", fem.element);
   fem.surface_cell_depth = table.number("surface_cell_depth");
@@ -52,8 +58,24 @@ FemSettings read_fem(TableReader& table, bool has_mesh) {
   fem.depth = table.quantity("depth");
   fem.top = table.choice("top", fem.top);
   fem.solver = table.choice("solver", fem.solver);
-  read_whole_block(table, has_mesh, fem);
-  return fem;
+  read_whole_block(table, surroundings.has_mesh, fem);
+}
+
+void read_settings(TableReader& table, const MethodSurroundings&,
+                   MdSettings& md) {
+  md = read_md(table);
+}
+
+/// Returns the default settings of the kind: the alternative of MethodSettings
+/// with this name.
+template <std::size_t i = 0>
+MethodSettings default_settings(const std::string& kind) {
+  if constexpr (i < std::variant_size_v<MethodSettings>) {
+    using Settings = std::variant_alternative_t<i, MethodSettings>;
+    return kind == Settings::kind ? Settings{} : default_settings<i + 1>(kind);
+  } else {
+    throw std::logic_error("[" + kind + "] has a vocabulary, but no settings");
+  }
 }
 
 std::optional<double> read_magnification(TableReader& table,
@@ -68,12 +90,6 @@ std::optional<double> read_magnification(TableReader& table,
   return magnification;
 }
 
-/// The properties of the case that determine which keys of a method are valid.
-struct MethodSurroundings {
-  SurfaceKind surface;
-  bool has_mesh; ///< whether the case has a [mesh]
-};
-
 MethodSpec read_method(const Node& node, const std::string& kind,
                        const MethodSurroundings& surroundings,
                        Mistakes& mistakes) {
@@ -81,14 +97,9 @@ MethodSpec read_method(const Node& node, const std::string& kind,
   table.refuse_unknown();
   MethodSpec method{
       node.path, {}, read_magnification(table, surroundings.surface)};
-  if (kind == "theory")
-    method.settings = read_theory(table, surroundings.surface);
-  else if (kind == "halfspace")
-    method.settings = read_halfspace(table);
-  else if (kind == "fem")
-    method.settings = read_fem(table, surroundings.has_mesh);
-  else
-    method.settings = read_md(table);
+  method.settings = default_settings(kind);
+  std::visit([&](auto& own) { read_settings(table, surroundings, own); },
+             method.settings);
   return method;
 }
 
@@ -118,6 +129,15 @@ Node inherited(const Node& base, const Node& variant) {
     if (!merged.find(entry.key))
       merged.entries.push_back(entry);
   return merged;
+}
+
+/// Returns "[theory], [halfspace], ...".
+std::string names_of_methods() {
+  std::string names;
+  for (const Table& table : vocabulary())
+    if (table.is_method)
+      names += (names.empty() ? "[" : ", [") + table.name + "]";
+  return names;
 }
 
 void read_family(const Node& node, const std::string& kind,
@@ -159,27 +179,17 @@ std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                     "]");
   }
   if (!has_any)
-    mistakes.add(
-        file.place,
-        "no method is given; allowed: [theory], [halfspace], [fem], [md]");
+    mistakes.add(file.place,
+                 "no method is given; allowed: " + names_of_methods());
   std::vector<MethodSpec> methods = ranks[0];
   methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());
   return methods;
 }
 
 Demands demands_of(const std::vector<MethodSpec>& methods) {
-  Demands demands{methods.empty(), false};
-  for (const MethodSpec& method : methods) {
-    const auto* const theory = std::get_if<TheorySettings>(&method.settings);
-    const auto* const slab = std::get_if<HalfspaceSettings>(&method.settings);
-    if (!theory || theory->spectrum == TheorySpectrum::surface)
-      demands.is_surface_built = true;
-    if (std::holds_alternative<FemSettings>(method.settings) ||
-        std::holds_alternative<MdSettings>(method.settings) ||
-        (slab && slab->thickness))
-      demands.is_poisson_needed = true;
-  }
-  return demands;
+  return {methods.empty() ||
+              std::ranges::any_of(methods, &MethodSpec::needs_surface),
+          std::ranges::any_of(methods, &MethodSpec::needs_poisson_ratio)};
 }
 
 } // namespace asperity::cases

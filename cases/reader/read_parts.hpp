@@ -14,9 +14,8 @@ namespace asperity::cases {
 
 /// Requirements of the methods on the rest of the case.
 struct Demands {
-  bool is_surface_built = true;   ///< whether a method needs a realisation
-  bool is_poisson_needed = false; ///< for [fem], [md], or a slab of finite
-                                  ///< thickness
+  bool is_surface_built = true; ///< whether a method needs a realisation
+  bool is_poisson_needed = false;
 };
 
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
