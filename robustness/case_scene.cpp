@@ -66,6 +66,10 @@ void take_method(const cases::MdSettings& /*atoms*/,
   scene.family = Family::atoms;
 }
 
+/// Winkler foundations are solved exactly: there is no family of them.
+void take_method(const cases::WinklerSettings& /*springs*/,
+                 const cases::Scales& /*scales*/, Scene& /*scene*/) {}
+
 } // namespace
 
 Scene scene_of_case(const cases::Case& contact_case) {

@@ -32,13 +32,6 @@ contact::Interface interface_of(const ContactSettings& settings,
   return {contact::Law::hard, 0.0};
 }
 
-contact::LoadTarget load_target(const StepTarget& target) {
-  return {target.control == cases::Control::nominal_pressure
-              ? contact::LoadTarget::Kind::nominal_pressure
-              : contact::LoadTarget::Kind::mean_gap,
-          target.amount};
-}
-
 /// The settings that are the same for all load steps.
 struct SolverSetting {
   const ContactSettings& contact;

@@ -3,6 +3,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/full_block_method.hpp"
 #include "app/methods/theory_method.hpp"
+#include "app/methods/winkler_method.hpp"
 #include "cases/reader/locking.hpp"
 
 #include <stdexcept>
@@ -45,6 +46,11 @@ std::unique_ptr<StepSolver> make_solver(const cases::MdSettings&,
   return make_atomic_solver({input.contact_case, input.method, input.surface,
                              input.realization, input.resources.threads,
                              input.resources.scratch, input.resources.watch});
+}
+
+std::unique_ptr<StepSolver> make_solver(const cases::WinklerSettings& settings,
+                                        const SolverInput& input) {
+  return make_winkler_solver(settings, input.surface);
 }
 
 } // namespace

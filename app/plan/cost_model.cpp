@@ -104,6 +104,16 @@ MethodCost cost_of_settings(const cases::HalfspaceSettings& settings,
   return cost_on_face(settings.contact, input);
 }
 
+/// A sort of the heights, no transform.
+MethodCost cost_of_settings(const cases::WinklerSettings&,
+                            const CostInput& input) {
+  MethodCost cost;
+  cost.unknowns = nodes(input.grid);
+  cost.step_time = input.rates.iteration_time(input.grid);
+  cost.memory = 4.0 * sizeof(double) * nodes(input.grid);
+  return cost;
+}
+
 MethodCost cost_of_settings(const cases::FemSettings& settings,
                             const CostInput& input) {
   const auto& [contact_case, grid, rates] = input;

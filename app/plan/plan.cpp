@@ -155,7 +155,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     plan.study_time = study_time(contact_case, rates);
   if (contact_case.report.stress_inside)
     for (const MethodSpec& method : methods)
-      if (method.has_fields())
+      if (method.is_continuum())
         plan.study_time += stress_time(
             static_cast<int>(steps_with_fields(contact_case).size()), grid,
             rates);

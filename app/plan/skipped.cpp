@@ -52,6 +52,8 @@ private:
   void add_of_settings(const MethodSpec& method,
                        const cases::MdSettings& settings);
 
+  void add_of_settings(const MethodSpec&, const cases::WinklerSettings&) {}
+
   const SelectedCase& scene_;
   MachineRates& rates_;
   bool has_operator_ = false; ///< listed once, because the methods share the

@@ -111,7 +111,8 @@ void record_stress_inside(const cases::Case& contact_case,
     const auto method =
         std::find_if(methods.begin(), methods.end(),
                      [&](const auto& one) { return one.name == record.name; });
-    if (method == methods.end() || record.realizations.empty())
+    if (method == methods.end() || !method->is_continuum() ||
+        record.realizations.empty())
       continue;
     const results::Curve& curve = record.realizations.front();
     std::vector<results::Fields> maps = curve.fields;

@@ -66,6 +66,11 @@ void read_settings(TableReader& table, const MethodSurroundings&,
   md = read_md(table);
 }
 
+void read_settings(TableReader& table, const MethodSurroundings&,
+                   WinklerSettings& winkler) {
+  winkler.stiffness = table.quantity("stiffness");
+}
+
 /// Returns the default settings of the kind: the alternative of MethodSettings
 /// with this name.
 template <std::size_t i = 0>

@@ -211,6 +211,24 @@ Table fem_table_with_whole_block() {
   return table;
 }
 
+Table winkler_table() {
+  return {.name = "winkler",
+          .description =
+              "A Winkler foundation: independent springs without elastic "
+              "coupling, in hard contact. Its contact area is the bearing "
+              "area; the difference from the other methods shows what elastic "
+              "coupling does.",
+          .keys = {
+              {.name = "stiffness",
+               .dimension = Dimension::stiffness,
+               .range = positive(),
+               .yardsticks = {ReferenceUnit::contact_modulus_per_spacing},
+               .need = Need::always,
+               .example = "\"0.1 E*/h\"",
+               .description = "Pressure per compression of a spring."},
+          }};
+}
+
 /// Returns the key that all methods have.
 Key magnification_key() {
   return {.name = "magnification",
@@ -238,7 +256,8 @@ std::vector<Table> method_tables() {
           as_method(theory_table()),
           as_method(halfspace_table()),
           as_method(fem_table_with_whole_block()),
-          as_method(md_table())};
+          as_method(md_table()),
+          as_method(winkler_table())};
 }
 
 } // namespace asperity::cases

@@ -42,6 +42,8 @@ struct TheorySettings {
   bool needs_poisson_ratio() const { return false; }
 
   bool uses_layers() const { return false; }
+
+  bool is_continuum() const { return false; }
 };
 
 struct HalfspaceSettings {
@@ -59,6 +61,8 @@ struct HalfspaceSettings {
   bool needs_poisson_ratio() const { return thickness.has_value(); }
 
   bool uses_layers() const { return true; }
+
+  bool is_continuum() const { return true; }
 };
 
 struct FemSettings {
@@ -86,6 +90,25 @@ struct FemSettings {
   bool needs_poisson_ratio() const { return true; }
 
   bool uses_layers() const { return true; }
+
+  bool is_continuum() const { return true; }
+};
+
+/// [winkler]: independent springs under the nodes, in hard contact.
+struct WinklerSettings {
+  Quantity stiffness; ///< k [Pa/m] > 0
+
+  static constexpr const char* kind = "winkler";
+
+  bool has_fields() const { return true; }
+
+  bool needs_surface() const { return true; }
+
+  bool needs_poisson_ratio() const { return false; }
+
+  bool uses_layers() const { return false; }
+
+  bool is_continuum() const { return false; }
 };
 
 enum class AtomEngine { asperity, lammps };
@@ -140,12 +163,14 @@ struct MdSettings {
   bool needs_poisson_ratio() const { return true; }
 
   bool uses_layers() const { return false; }
+
+  bool is_continuum() const { return true; }
 };
 
 /// The list of the methods. A new one is added here; the compiler then names
 /// each function that has no answer for it (docs/extending.md).
-using MethodSettings =
-    std::variant<TheorySettings, HalfspaceSettings, FemSettings, MdSettings>;
+using MethodSettings = std::variant<TheorySettings, HalfspaceSettings,
+                                    FemSettings, MdSettings, WinklerSettings>;
 
 /// One method to run. A table [fem] is the method "fem"; a table inside it,
 /// [fem.hard], is the method "fem.hard", which has the keys of [fem] with its
@@ -172,6 +197,13 @@ struct MethodSpec {
   /// Returns whether the method needs material.poisson_ratio.
   bool needs_poisson_ratio() const {
     return std::visit([](const auto& own) { return own.needs_poisson_ratio(); },
+                      settings);
+  }
+
+  /// Returns whether the pressure acts on an elastic continuum, or on atoms
+  /// that approximate one: whether there is a stress inside.
+  bool is_continuum() const {
+    return std::visit([](const auto& own) { return own.is_continuum(); },
                       settings);
   }
 
