@@ -40,6 +40,9 @@ public:
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
   double short_wave_compliance() const override;
+
+  bool is_shift_invariant() const override { return true; }
+
   int threads() const override;
 
   /// The operator on half the points per side, which keeps C(q) of the

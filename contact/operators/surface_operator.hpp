@@ -56,6 +56,10 @@ public:
   /// for pressures that vary on the scale of the grid.
   virtual double short_wave_compliance() const = 0;
 
+  /// Whether a pressure that is shifted by nodes has the same displacement,
+  /// shifted: one column then stands for all.
+  virtual bool is_shift_invariant() const { return false; }
+
   /// Number of threads that each application uses, and the contact solver with
   /// it.
   virtual int threads() const { return 1; }

@@ -1,7 +1,6 @@
 #include "contact/solvers/active_system.hpp"
 
 #include "base/maximum.hpp"
-#include "contact/operators/fourier_operator.hpp"
 #include "contact/solvers/active_set.hpp"
 
 #include <Eigen/Cholesky>
@@ -50,10 +49,6 @@ constexpr int most_refinements = 60;
 
 /// Largest number of values in the cached columns: 128 MB.
 constexpr std::size_t most_numbers = std::size_t{1} << 24;
-
-bool looks_the_same_everywhere(SurfaceOperator& elasticity) {
-  return dynamic_cast<FourierOperator*>(&elasticity) != nullptr;
-}
 
 Eigen::Index length_of(std::span<const std::size_t> nodes) {
   return static_cast<Eigen::Index>(nodes.size());
@@ -142,14 +137,14 @@ ActiveSystem::ActiveSystem(SurfaceOperator& elasticity, double local_compliance,
       local_compliance_(local_compliance),
       keeps_load_(keeps_load),
       weights_(elasticity.nodal_weights()),
-      compliance_(elasticity.grid(), looks_the_same_everywhere(elasticity),
+      compliance_(elasticity.grid(), elasticity.is_shift_invariant(),
                   [this](std::size_t node, std::vector<double>& column) {
                     std::vector<double> unit(column.size());
                     unit[node] = 1.0;
                     elasticity_.displacement(unit, column);
                     ++transforms_;
                   }),
-      stiffness_(elasticity.grid(), looks_the_same_everywhere(elasticity),
+      stiffness_(elasticity.grid(), elasticity.is_shift_invariant(),
                  [this](std::size_t node, std::vector<double>& column) {
                    std::vector<double> unit(column.size());
                    unit[node] = 1.0;
@@ -164,7 +159,7 @@ std::string ActiveSystem::solve(std::span<const std::size_t> free,
   const std::size_t nodes = residual.size();
   const bool is_direct = 2 * free.size() <= nodes;
   const std::size_t size = is_direct ? free.size() : nodes - free.size();
-  const bool is_even = looks_the_same_everywhere(elasticity_);
+  const bool is_even = elasticity_.is_shift_invariant();
   if (size > most_active_nodes || (is_even ? 1 : size) * nodes > most_numbers)
     return std::to_string(free.size()) + " of " + std::to_string(nodes) +
            " nodes in contact are too many for the active-set method";
