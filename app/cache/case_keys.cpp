@@ -92,7 +92,7 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program)
 
 /// Merges the keys of a variant such as [fem.hard] into those of [fem]. The
 /// tables of the other variants are left out.
-std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
+Node CaseKeys::table_of(const cases::MethodSpec& method) const {
   const std::size_t dot = method.name.find('.');
   const std::string kind = method.name.substr(0, dot);
   const Node& base = *file_.find(kind);
@@ -104,7 +104,12 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
     if (!merged.find(entry.key) &&
         (!entry.node.is_table() || is_key(kind, entry.key)))
       merged.entries.push_back(entry);
-  std::string text = kind + canonical(merged);
+  return merged;
+}
+
+std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
+  std::string text = method.name.substr(0, method.name.find('.')) +
+                     canonical(table_of(method));
   if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
     text += md::engine_identity(*md);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
@@ -132,8 +137,22 @@ std::string CaseKeys::table(const cases::MethodSpec& theory,
       text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
 }
 
-std::string CaseKeys::face(const std::string& face) const {
-  return content_hash(program_ + "\n" + face);
+std::string CaseKeys::operator_text(const cases::MethodSpec& method,
+                                    const Grid& grid) const {
+  Node table = table_of(method);
+  std::erase_if(table.entries, [](const NodeEntry& entry) {
+    return entry.key == "contact" || entry.key == "penalty" ||
+           entry.key == "tolerance" || entry.key == "max_iterations" ||
+           entry.key == "magnification";
+  });
+  return fmt::format("{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y,
+                     grid.length_x, grid.length_y, text_of(file_, "material"),
+                     method.name.substr(0, method.name.find('.')),
+                     canonical(table));
+}
+
+std::string CaseKeys::of_operator(const std::string& text) const {
+  return content_hash(program_ + "\n" + text);
 }
 
 std::map<std::string, std::string>

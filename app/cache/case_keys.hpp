@@ -3,6 +3,7 @@
 // The keys under which the cache stores the results of a case. This class
 // defines the list of inputs that determine a result.
 
+#include "base/grid.hpp"
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"
 
@@ -34,12 +35,20 @@ public:
   std::string table(const cases::MethodSpec& theory,
                     const std::string& name) const;
 
-  /// Returns the key of an operator on the contact surface of a block.
+  /// Describes the operator on the contact surface of a method's block: grid,
+  /// material and all keys of the method but those of the contact law and the
+  /// magnification, which act on the pressure and the heights only. Methods of
+  /// the case with equal descriptions may share the operator.
+  std::string operator_text(const cases::MethodSpec& method,
+                            const Grid& grid) const;
+
+  /// Returns the key of an operator in the cache.
   ///
-  /// @param face  a complete description of the block and its grid
-  std::string face(const std::string& face) const;
+  /// @param text  operator_text()
+  std::string of_operator(const std::string& text) const;
 
 private:
+  cases::Node table_of(const cases::MethodSpec& method) const;
   std::string method_text(const cases::MethodSpec& method) const;
 
   const cases::Case& case_;

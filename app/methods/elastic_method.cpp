@@ -96,36 +96,6 @@ private:
   double saved_setup_time_;
 };
 
-std::string in_key(const std::vector<cases::MaterialLayer>& layers,
-                   const cases::Scales& scales) {
-  std::string key;
-  for (const cases::MaterialLayer& layer : layers)
-    key += fmt::format(" layer {} {} {}", layer.thickness.in_si(scales),
-                       layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
-  return key;
-}
-
-/// Returns a key that is equal for equal operators. It covers grid and block,
-/// but not the contact law.
-std::string operator_key(const cases::MethodSpec& method,
-                         const SurfaceOfCase& surface,
-                         const cases::MaterialSpec& material) {
-  const Grid& grid = surface.record.grid;
-  const std::string place =
-      fmt::format("{} {} {} {}{}", grid.points_x, grid.points_y, grid.length_x,
-                  grid.length_y, in_key(material.layers, surface.scales));
-  if (const auto* half = std::get_if<HalfspaceSettings>(&method.settings))
-    return fmt::format("halfspace {} {} {}", place,
-                       half->thickness ? half->thickness->in_si(surface.scales)
-                                       : 0.0,
-                       static_cast<int>(half->top));
-  const auto& block = std::get<FemSettings>(method.settings);
-  return fmt::format("fem {} {} {} {} {} {}", place,
-                     static_cast<int>(block.element), block.surface_cell_depth,
-                     block.growth, block.depth.in_si(surface.scales),
-                     static_cast<int>(block.top));
-}
-
 } // namespace
 
 results::AreaCoefficients area_coefficients(const FemSettings& settings) {
@@ -161,7 +131,7 @@ SolverFactory::shared_operator(const cases::MethodSpec& method,
                                const SurfaceOfCase& surface, int threads) {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<contact::SurfaceOperator>& kept =
-      operators_[operator_key(method, surface, material_)];
+      operators_[keys_.operator_text(method, surface.record.grid)];
   if (kept)
     return {kept->clone(), 0.0};
   Face built = build_operator(method, surface, threads);
@@ -185,12 +155,10 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);
-  asked.keeper =
-      keeper_in(cache_,
-                keys_.face(fmt::format(
-                    "{} {} {}", operator_key(method, surface, material_),
-                    asked.youngs_modulus, asked.poisson_ratio)),
-                threads, face.saved_setup_time);
+  asked.keeper = keeper_in(
+      cache_,
+      keys_.of_operator(keys_.operator_text(method, surface.record.grid)),
+      threads, face.saved_setup_time);
   face.elasticity = fem_module.condensed(asked);
   return face;
 }

@@ -253,6 +253,30 @@ TEST(InputHashes, CoverEveryFileOfTheVocabulary) {
                                          "material.variation.file"}));
 }
 
+// Claim: methods share an operator if they differ in the contact law or the
+// magnification alone. Any other key, written or added to the vocabulary later,
+// separates them.
+TEST_F(CachedRun, OnlyTheContactLawSharesAnOperator) {
+  const auto of_variant = [this](const std::string& key) {
+    const cases::Case read = cases::read_case_text(
+        text + "[halfspace.other]\n" + key + "\n", "pressed.toml");
+    const CaseKeys keys(read, "program");
+    return std::pair(
+        keys.operator_text(read.methods[1], {32, 32, 1.0, 1.0}),
+        keys.operator_text(read.methods.back(), {32, 32, 1.0, 1.0}));
+  };
+  for (const char* key :
+       {"tolerance = 1e-6", "max_iterations = 9",
+        "contact = \"penalty\"\npenalty = \"9 E*/h\"", "magnification = 2.0"}) {
+    const auto [base, other] = of_variant(key);
+    EXPECT_EQ(base, other) << key;
+  }
+  for (const char* key : {"thickness = \"1 length\"", "top = \"sliding\""}) {
+    const auto [base, other] = of_variant(key);
+    EXPECT_NE(base, other) << key;
+  }
+}
+
 // Another build or another processor has another identity, which is in every
 // key.
 TEST_F(CachedRun, AnotherBuildHasOtherKeys) {
@@ -266,7 +290,7 @@ TEST_F(CachedRun, AnotherBuildHasOtherKeys) {
     for (const std::size_t step : {0u, 3u})
       EXPECT_NE(ours.steps(method, 0)[step], theirs.steps(method, 0)[step]);
   }
-  EXPECT_NE(ours.face("q2"), theirs.face("q2"));
+  EXPECT_NE(ours.of_operator("q2"), theirs.of_operator("q2"));
 }
 
 } // namespace
