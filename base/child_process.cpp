@@ -65,7 +65,7 @@ std::filesystem::path program_on_path(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::filesystem::path candidate =
+    std::filesystem::path candidate =
         std::filesystem::absolute(std::filesystem::path(folder) / name);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(candidate, ignored) &&

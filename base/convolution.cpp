@@ -69,7 +69,7 @@ template <class Real>
 Convolution<Real>::Convolution(const Grid& grid, int threads)
     : grid_(grid),
       threads_(threads),
-      row_stride_(rounded_up(static_cast<std::size_t>(grid.points_x / 2 + 1))),
+      row_stride_(rounded_up(grid.half_spectrum_columns())),
       column_stride_(rounded_up(static_cast<std::size_t>(grid.points_y))),
       plans_(std::make_unique<Plans>(grid, row_stride_, column_stride_)) {}
 
@@ -85,14 +85,14 @@ template <class Real>
 auto Convolution<Real>::arranged(std::span<const double> multiplier) const
     -> Symbol {
   assert(multiplier.size() == grid_.half_spectrum_size());
-  const auto columns = static_cast<std::size_t>(grid_.points_x / 2 + 1);
+  const std::size_t columns = grid_.half_spectrum_columns();
   const auto rows = static_cast<std::size_t>(grid_.points_y);
   const double normalise = 1.0 / static_cast<double>(grid_.size());
   Symbol symbol;
-  symbol.values.resize(row_stride_ * column_stride_);
+  symbol.values_.resize(row_stride_ * column_stride_);
   for (std::size_t jy = 0; jy < rows; ++jy)
     for (std::size_t jx = 0; jx < columns; ++jx)
-      symbol.values[jx * column_stride_ + jy] =
+      symbol.values_[jx * column_stride_ + jy] =
           static_cast<Real>(normalise * multiplier[jy * columns + jx]);
   return symbol;
 }
@@ -100,11 +100,11 @@ auto Convolution<Real>::arranged(std::span<const double> multiplier) const
 template <class Real>
 void Convolution<Real>::prepare(Scratch& scratch) const {
   const auto workers = static_cast<std::size_t>(threads_);
-  scratch.spectrum.resize(row_stride_ *
-                          static_cast<std::size_t>(grid_.points_y));
-  scratch.columns.resize(workers * block_width * column_stride_);
-  scratch.rows.resize(workers *
-                      rounded_up(static_cast<std::size_t>(grid_.points_x)));
+  scratch.spectrum_.resize(row_stride_ *
+                           static_cast<std::size_t>(grid_.points_y));
+  scratch.columns_.resize(workers * block_width * column_stride_);
+  scratch.rows_.resize(workers *
+                       rounded_up(static_cast<std::size_t>(grid_.points_x)));
 }
 
 template <class Real>
@@ -117,11 +117,11 @@ void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
   const auto each_row = [&](const auto& do_row) {
     parallel_turns(turns, threads_, [&](int turn, int worker) {
       Real* const row =
-          &scratch.rows[static_cast<std::size_t>(worker) * rounded_up(width)];
+          &scratch.rows_[static_cast<std::size_t>(worker) * rounded_up(width)];
       const int end = std::min(grid_.points_y, (turn + 1) * rows_a_turn);
       for (int iy = turn * rows_a_turn; iy < end; ++iy) {
         const auto at = static_cast<std::size_t>(iy);
-        do_row(at * width, row, as_fftw(&scratch.spectrum[at * row_stride_]));
+        do_row(at * width, row, as_fftw(&scratch.spectrum_[at * row_stride_]));
       }
     });
   };
@@ -146,15 +146,16 @@ void Convolution<Real>::transform_columns(const Symbol& symbol,
   parallel_turns(blocks, threads_, [&](int turn, int worker) {
     const auto block = static_cast<std::size_t>(turn);
     std::complex<Real>* const columns =
-        &scratch.columns[static_cast<std::size_t>(worker) * block_size];
-    std::complex<Real>* const spectrum = &scratch.spectrum[block * block_width];
+        &scratch.columns_[static_cast<std::size_t>(worker) * block_size];
+    std::complex<Real>* const spectrum =
+        &scratch.spectrum_[block * block_width];
     for (std::size_t jy = 0; jy < height; ++jy)
       for (std::size_t k = 0; k < block_width; ++k)
         columns[k * column_stride_ + jy] = spectrum[jy * row_stride_ + k];
 
     Plans::Library::columns(plans_->columns, as_fftw(columns),
                             as_fftw(columns));
-    const Real* const multiplier = &symbol.values[block * block_size];
+    const Real* const multiplier = &symbol.values_[block * block_size];
     for (std::size_t i = 0; i < block_size; ++i)
       columns[i] *= multiplier[i];
     Plans::Library::columns(plans_->columns_back, as_fftw(columns),

@@ -30,16 +30,16 @@ public:
   /// Multipliers in the order in which the columns are processed.
   class Symbol {
     friend class Convolution;
-    std::vector<Real> values;
+    std::vector<Real> values_;
   };
 
   /// Spectrum and buffers for one application at a time; allocated at first
   /// use.
   class Scratch {
     friend class Convolution;
-    std::vector<std::complex<Real>> spectrum;
-    std::vector<std::complex<Real>> columns; ///< one block per thread
-    std::vector<Real> rows;                  ///< one row per thread
+    std::vector<std::complex<Real>> spectrum_;
+    std::vector<std::complex<Real>> columns_; ///< one block per thread
+    std::vector<Real> rows_;                  ///< one row per thread
   };
 
   /// @param threads  >= 1, used by each application

@@ -24,11 +24,15 @@ struct Grid {
            static_cast<std::size_t>(points_y);
   }
 
+  /// Number of columns jx = 0..points_x/2 of the half spectrum.
+  std::size_t half_spectrum_columns() const {
+    return static_cast<std::size_t>(points_x) / 2 + 1;
+  }
+
   /// Number of independent wavevectors of a real field, as FFTW stores them:
   /// rows jy = 0..points_y-1 of columns jx = 0..points_x/2, jx fastest.
   std::size_t half_spectrum_size() const {
-    return static_cast<std::size_t>(points_x / 2 + 1) *
-           static_cast<std::size_t>(points_y);
+    return half_spectrum_columns() * static_cast<std::size_t>(points_y);
   }
 
   double spacing_x() const { return length_x / points_x; } ///< [m]

@@ -59,8 +59,7 @@ std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
   std::vector<std::complex<double>> modes(grid.half_spectrum_size());
   const auto mode_at = [&](int i, int j) -> std::complex<double>& {
     const int row = j >= 0 ? j : j + grid.points_y;
-    return modes[static_cast<std::size_t>(row) *
-                     static_cast<std::size_t>(grid.points_x / 2 + 1) +
+    return modes[static_cast<std::size_t>(row) * grid.half_spectrum_columns() +
                  static_cast<std::size_t>(i)];
   };
 

@@ -41,11 +41,11 @@ FourierOperator::Shared::Shared(const Grid& grid, std::vector<double> values,
   if (compliance.size() > 1)
     softest = *std::max_element(compliance.begin() + 1, compliance.end());
   // (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
-  const std::size_t columns = static_cast<std::size_t>(grid.points_x / 2 + 1);
+  const std::size_t columns = grid.half_spectrum_columns();
   const std::size_t half_nyquist =
       grid.points_x >= 4
-          ? static_cast<std::size_t>(grid.points_x / 4)
-          : columns * static_cast<std::size_t>(grid.points_y / 4);
+          ? static_cast<std::size_t>(grid.points_x) / 4
+          : columns * (static_cast<std::size_t>(grid.points_y) / 4);
   short_wave = half_nyquist > 0 ? compliance[half_nyquist] : softest;
   compliance[0] = 0.0;
   exact_symbol = exact.arranged(compliance);
@@ -89,8 +89,7 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
     return nullptr;
   const Grid coarse{fine.points_x / 2, fine.points_y / 2, fine.length_x,
                     fine.length_y};
-  const std::size_t fine_columns =
-      static_cast<std::size_t>(fine.points_x / 2 + 1);
+  const std::size_t fine_columns = fine.half_spectrum_columns();
   const int coarse_columns = coarse.points_x / 2 + 1;
   std::vector<double> compliance;
   compliance.reserve(coarse.half_spectrum_size());

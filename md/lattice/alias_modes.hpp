@@ -28,7 +28,7 @@ inline HalfMode half_mode(const Grid& grid, int jx, int jy) {
     x = grid.points_x - x;
     y = (grid.points_y - y) % grid.points_y;
   }
-  const auto columns = static_cast<std::size_t>(grid.points_x / 2 + 1);
+  const std::size_t columns = grid.half_spectrum_columns();
   return {static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x),
           is_conjugate};
 }

@@ -159,7 +159,7 @@ BlockSolver::eliminate(int at, std::vector<Complex>& layers) const {
   const Level& level = levels_[static_cast<std::size_t>(at)];
   const Grid grid = block_->level_grid(at);
   const std::size_t modes = grid.half_spectrum_size();
-  const auto row = static_cast<std::size_t>(grid.points_x / 2 + 1);
+  const std::size_t row = grid.half_spectrum_columns();
   const auto n_layers = static_cast<std::size_t>(block_->shape().layers);
   std::vector<Complex> above(3 * modes);
   parallel_rows(grid.points_y, threads_, [&](int jy) {
@@ -188,7 +188,7 @@ void BlockSolver::substitute(int at, Complex* coarse, double plate,
   const Level& level = levels_[static_cast<std::size_t>(at)];
   const Grid grid = block_->level_grid(at);
   const std::size_t modes = grid.half_spectrum_size();
-  const std::size_t row = static_cast<std::size_t>(grid.points_x / 2 + 1);
+  const std::size_t row = grid.half_spectrum_columns();
   const bool is_last = at + 1 == block_->shape().levels;
   const Grid coarse_grid = block_->level_grid(is_last ? at : at + 1);
   const WavePlanes above{coarse, coarse_grid.half_spectrum_size()};

@@ -107,7 +107,7 @@ SurfaceStiffness::SurfaceStiffness(const Crystal& crystal, const Grid& layer,
 }
 
 const SymmetricBlock& SurfaceStiffness::at(int jx, int jy) const {
-  const auto columns = static_cast<std::size_t>(layer().points_x / 2 + 1);
+  const std::size_t columns = layer().half_spectrum_columns();
   return symbol_[static_cast<std::size_t>(jy) * columns +
                  static_cast<std::size_t>(jx)];
 }

@@ -57,8 +57,7 @@ private:
 
   std::size_t index(int column, int row) const {
     const int stored = row >= 0 ? row : row + grid_.points_y;
-    return static_cast<std::size_t>(stored) *
-               static_cast<std::size_t>(grid_.points_x / 2 + 1) +
+    return static_cast<std::size_t>(stored) * grid_.half_spectrum_columns() +
            static_cast<std::size_t>(column);
   }
 
