@@ -54,7 +54,7 @@ MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
 
 /// Returns the text of a formula after checking that it can be parsed.
 std::string read_expression(TableReader& table, const std::string& key) {
-  const std::string text = table.text(key);
+  std::string text = table.text(key);
   try {
     if (!text.empty())
       Expression{text};

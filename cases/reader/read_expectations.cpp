@@ -32,9 +32,9 @@ bool is_theory(const MethodSpec& method) {
 }
 
 bool answers(const MethodSpec& method, const ExpectationName& quantity,
-             const ReadSoFar& case_) {
+             const ReadSoFar& read_so_far) {
   if (quantity.study != Study::none)
-    return &method == study_theory(case_.methods);
+    return &method == study_theory(read_so_far.methods);
   const bool is_variant = method.name.find('.') != std::string::npos;
   return (is_theory(method) ? quantity.theory_answers
                             : !quantity.theory_only) &&
@@ -84,10 +84,10 @@ void read_ends(TableReader& band, Expectation& expectation) {
 }
 
 void check_scene(TableReader& band, const ExpectationName& quantity,
-                 const ReadSoFar& case_) {
+                 const ReadSoFar& read_so_far) {
   const auto& kinds = quantity.surfaces;
-  if (!kinds.empty() &&
-      std::find(kinds.begin(), kinds.end(), case_.surface) == kinds.end()) {
+  if (!kinds.empty() && std::find(kinds.begin(), kinds.end(),
+                                  read_so_far.surface) == kinds.end()) {
     const auto& words =
         vocabulary_key(vocabulary_table("surface"), "kind").words;
     std::vector<std::string> allowed;
@@ -98,32 +98,33 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
                   fmt::format("is defined only for the surfaces {}",
                               fmt::join(allowed, ", ")));
   }
-  if (!case_.has(quantity.study))
+  if (!read_so_far.has(quantity.study))
     band.complain(band.node(), quantity.study == Study::adhesion
                                    ? "needs the table [adhesion]"
                                    : "needs the table [magnification]");
   if (quantity.needs_theory &&
-      std::none_of(case_.methods.begin(), case_.methods.end(), is_theory))
+      std::none_of(read_so_far.methods.begin(), read_so_far.methods.end(),
+                   is_theory))
     band.complain(
         band.node(),
         "is a comparison with theory, but the table [theory] is missing");
 }
 
 std::vector<std::string> answering(const ExpectationName& quantity,
-                                   const ReadSoFar& case_) {
+                                   const ReadSoFar& read_so_far) {
   std::vector<std::string> names;
-  for (const MethodSpec& method : case_.methods)
-    if (answers(method, quantity, case_))
+  for (const MethodSpec& method : read_so_far.methods)
+    if (answers(method, quantity, read_so_far))
       names.push_back(method.name);
   return names;
 }
 
 void read_method_names(TableReader& band, const ExpectationName& quantity,
-                       const ReadSoFar& case_, Expectation& expectation) {
-  const std::vector<std::string> allowed = answering(quantity, case_);
+                       const ReadSoFar& read_so_far, Expectation& expectation) {
+  const std::vector<std::string> allowed = answering(quantity, read_so_far);
   if (!band.has("methods")) {
     expectation.methods = allowed;
-    if (allowed.empty() && !case_.methods.empty())
+    if (allowed.empty() && !read_so_far.methods.empty())
       band.complain(band.node(), "is computed by none of the case's methods");
     return;
   }
@@ -153,14 +154,14 @@ std::vector<std::string> keys_at_load(TableReader& reader) {
 }
 
 Expectation read_band(const Node& node, const std::string& name,
-                      const ExpectationName& quantity, const ReadSoFar& case_,
-                      Mistakes& mistakes) {
+                      const ExpectationName& quantity,
+                      const ReadSoFar& read_so_far, Mistakes& mistakes) {
   TableReader band(node, vocabulary_table("expect.band"), mistakes);
   band.refuse_unknown();
   Expectation expectation{.quantity = name, .methods = {}};
   read_ends(band, expectation);
-  check_scene(band, quantity, case_);
-  read_method_names(band, quantity, case_, expectation);
+  check_scene(band, quantity, read_so_far);
+  read_method_names(band, quantity, read_so_far, expectation);
   expectation.passes_if_undecided = band.choice("if_undecided", 0) == 1;
   return expectation;
 }
@@ -170,7 +171,7 @@ Expectation read_band(const Node& node, const std::string& name,
 std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
                                            const Case& read,
                                            Mistakes& mistakes) {
-  const ReadSoFar case_{kind, read.methods, read};
+  const ReadSoFar read_so_far{kind, read.methods, read};
   TableReader reader(table, vocabulary_table("expect"), mistakes);
   reader.refuse_unknown(keys_at_load(reader));
   std::vector<Expectation> expectations;
@@ -184,7 +185,7 @@ std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
          is_list ? entry.node.list : std::vector<Node>{entry.node})
       if (band.is_table())
         expectations.push_back(
-            read_band(band, entry.key, *quantity, case_, mistakes));
+            read_band(band, entry.key, *quantity, read_so_far, mistakes));
       else
         reader.refuse(band, "must be { value, within } or { below } or "
                             "{ above }, or a list of such bands");

@@ -38,9 +38,9 @@ MeshSpec read_mesh(const Node& node, const std::string& folder,
                    const Case& read, Mistakes& mistakes);
 LoadingPath read_load(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its surface and methods already read
-MagnificationStudy read_magnification_study(const Node& table, const Case& read,
+MagnificationStudy read_magnification_study(const Node& node, const Case& read,
                                             Mistakes& mistakes);
-AdhesionStudy read_adhesion_study(const Node& table, const Case& read,
+AdhesionStudy read_adhesion_study(const Node& node, const Case& read,
                                   Mistakes& mistakes);
 ReportSpec read_report(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its methods and studies already read
@@ -55,9 +55,9 @@ void check_together(const Node& file, const Case& read, Mistakes& mistakes);
 /// Checks those of these conditions that concern heterogeneous blocks.
 void check_block(const Node& file, const Case& read, Mistakes& mistakes);
 
-/// Returns the entry of a key of a method, the inherited entry if a variant
-/// does not have the key, or otherwise the table of the method.
-const Node& entry_of(const Node& file, const std::string& method,
+/// Returns the entry of a key of the method `name`, the inherited entry if a
+/// variant does not have the key, or otherwise the table of the method.
+const Node& entry_of(const Node& file, const std::string& name,
                      const std::string& key);
 
 } // namespace asperity::cases

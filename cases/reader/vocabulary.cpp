@@ -214,6 +214,10 @@ const Key& vocabulary_key(const Table& table, const std::string& name) {
                           table.name + "]");
 }
 
+void append_keys(std::vector<Key>& keys, const std::vector<Key>& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+}
+
 std::string allowed_text(const Key& key) {
   switch (key.type) {
   case ValueType::quantity:

@@ -106,6 +106,8 @@ std::string reason_of_kind(const std::string& kind);
 /// spacings.
 Key length_key(std::string name, std::string example, std::string description);
 
+void append_keys(std::vector<Key>& keys, const std::vector<Key>& more);
+
 /// The rows of the vocabulary, one function per file.
 Table surface_table();
 Table md_table();

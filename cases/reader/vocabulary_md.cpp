@@ -1,11 +1,9 @@
 #include "cases/reader/vocabulary.hpp"
 
-#include <iterator>
-
 namespace asperity::cases {
 namespace {
 
-std::vector<Key> lattice_keys() {
+std::vector<Key> lattice_model_keys() {
   return {
       {.name = "engine",
        .type = ValueType::word,
@@ -36,6 +34,11 @@ std::vector<Key> lattice_keys() {
        .example = "\"vector\"",
        .description = "With green: atoms move in all three directions, or only "
                       "normal to the contact surface."},
+  };
+}
+
+std::vector<Key> lattice_size_keys() {
+  return {
       {.name = "atoms",
        .type = ValueType::integer,
        .range = between(8, 16384),
@@ -214,11 +217,10 @@ Table md_table() {
   Table table{.name = "md",
               .description = "A block of atoms on a rigid substrate of atoms.",
               .keys = {}};
-  for (std::vector<Key> keys :
-       {lattice_keys(), interaction_keys(), balance_keys(), dynamics_keys(),
-        outside_keys()})
-    table.keys.insert(table.keys.end(), std::make_move_iterator(keys.begin()),
-                      std::make_move_iterator(keys.end()));
+  for (const std::vector<Key>& keys :
+       {lattice_model_keys(), lattice_size_keys(), interaction_keys(),
+        balance_keys(), dynamics_keys(), outside_keys()})
+    append_keys(table.keys, keys);
   for (Key& key : table.keys)
     key.show = Show::no; // interaction lengths are specific to atomistic cases
   return table;

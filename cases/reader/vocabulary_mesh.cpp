@@ -13,75 +13,90 @@ Key length_key_or(std::string fallback, std::string name,
   return key;
 }
 
+std::vector<Key> mesh_shape_keys() {
+  return {
+      {.name = "kind",
+       .type = ValueType::word,
+       .words = {"layers", "hanging", "gmsh"},
+       .need = Need::always,
+       .example = "\"gmsh\"",
+       .show = Show::no,
+       .description =
+           "[fem]'s own graded layers, cubes halved towards the contact "
+           "surface with hanging nodes, or a mesh by gmsh."},
+      {.name = "cells_a_level",
+       .type = ValueType::integer,
+       .range = between(1, 64),
+       .fallback = "4",
+       .example = "4",
+       .show = Show::no,
+       .description = "With hanging: layers of cells between two "
+                      "successive halvings."},
+      {.name = "geometry",
+       .type = ValueType::word,
+       .words = {"block", "indentation", "layered", "inclusion", "file"},
+       .fallback = "\"block\"",
+       .example = "\"indentation\"",
+       .show = Show::no,
+       .description =
+           "With gmsh: a block graded with depth, one refined around the "
+           "centre of the contact surface, one with the layers or the "
+           "inclusion of [material], or a file of your own."},
+      {.name = "cells",
+       .type = ValueType::word,
+       .words = {"hexahedra", "tetrahedra"},
+       .fallback = "\"hexahedra\"",
+       .example = "\"tetrahedra\"",
+       .show = Show::no,
+       .description = "With gmsh: shape of the cells."},
+  };
+}
+
+std::vector<Key> mesh_size_keys() {
+  return {
+      length_key_or("\"1 h\"", "size_at_contact",
+                    "With gmsh: edge length of a cell in the contact region."),
+      length_key_or(
+          "\"0.1 length\"", "size_far",
+          "With gmsh: edge length of a cell far from the contact region."),
+      length_key_or("\"0.1 length\"", "fine_radius",
+                    "With indentation: radius of the refined region around "
+                    "the centre of the contact surface."),
+  };
+}
+
+std::vector<Key> mesh_file_keys() {
+  return {
+      {.name = "file",
+       .type = ValueType::path,
+       .need = Need::conditional,
+       .when = "with geometry = \"file\"",
+       .example = "\"block.msh\"",
+       .show = Show::no,
+       .description = "A .msh or .geo file that defines the physical "
+                      "groups contact, fixed and, if it has any, sides."},
+      {.name = "file_unit",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .fallback = "1.0",
+       .example = "\"1 mm\"",
+       .show = Show::no,
+       .description = "Length that corresponds to the number 1 in the file."},
+  };
+}
+
 } // namespace
 
 Table mesh_table() {
-  return {
-      .name = "mesh",
-      .when = "Optional; for [fem] with solver = \"full\", whose layers "
-              "(growth, surface_cell_depth) it replaces.",
-      .description = "The mesh of the full 3-D block.",
-      .keys = {
-          {.name = "kind",
-           .type = ValueType::word,
-           .words = {"layers", "hanging", "gmsh"},
-           .need = Need::always,
-           .example = "\"gmsh\"",
-           .show = Show::no,
-           .description =
-               "[fem]'s own graded layers, cubes halved towards the contact "
-               "surface with hanging nodes, or a mesh by gmsh."},
-          {.name = "cells_a_level",
-           .type = ValueType::integer,
-           .range = between(1, 64),
-           .fallback = "4",
-           .example = "4",
-           .show = Show::no,
-           .description = "With hanging: layers of cells between two "
-                          "successive halvings."},
-          {.name = "geometry",
-           .type = ValueType::word,
-           .words = {"block", "indentation", "layered", "inclusion", "file"},
-           .fallback = "\"block\"",
-           .example = "\"indentation\"",
-           .show = Show::no,
-           .description =
-               "With gmsh: a block graded with depth, one refined around the "
-               "centre of the contact surface, one with the layers or the "
-               "inclusion of [material], or a file of your own."},
-          {.name = "cells",
-           .type = ValueType::word,
-           .words = {"hexahedra", "tetrahedra"},
-           .fallback = "\"hexahedra\"",
-           .example = "\"tetrahedra\"",
-           .show = Show::no,
-           .description = "With gmsh: shape of the cells."},
-          length_key_or(
-              "\"1 h\"", "size_at_contact",
-              "With gmsh: edge length of a cell in the contact region."),
-          length_key_or(
-              "\"0.1 length\"", "size_far",
-              "With gmsh: edge length of a cell far from the contact region."),
-          length_key_or("\"0.1 length\"", "fine_radius",
-                        "With indentation: radius of the refined region around "
-                        "the centre of the contact surface."),
-          {.name = "file",
-           .type = ValueType::path,
-           .need = Need::conditional,
-           .when = "with geometry = \"file\"",
-           .example = "\"block.msh\"",
-           .show = Show::no,
-           .description = "A .msh or .geo file that defines the physical "
-                          "groups contact, fixed and, if it has any, sides."},
-          {.name = "file_unit",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .fallback = "1.0",
-           .example = "\"1 mm\"",
-           .show = Show::no,
-           .description =
-               "Length that corresponds to the number 1 in the file."},
-      }};
+  Table table{.name = "mesh",
+              .when =
+                  "Optional; for [fem] with solver = \"full\", whose layers "
+                  "(growth, surface_cell_depth) it replaces.",
+              .description = "The mesh of the full 3-D block.",
+              .keys = mesh_shape_keys()};
+  append_keys(table.keys, mesh_size_keys());
+  append_keys(table.keys, mesh_file_keys());
+  return table;
 }
 
 } // namespace asperity::cases

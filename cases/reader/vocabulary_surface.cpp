@@ -238,10 +238,6 @@ std::vector<Key> shape_keys() {
   };
 }
 
-void append(std::vector<Key>& keys, const std::vector<Key>& more) {
-  keys.insert(keys.end(), more.begin(), more.end());
-}
-
 } // namespace
 
 Table surface_table() {
@@ -249,8 +245,8 @@ Table surface_table() {
               .when = "Always needed.",
               .description = "The rough, rigid surface.",
               .keys = kind_and_grid_keys()};
-  append(table.keys, random_keys());
-  append(table.keys, self_affine_keys());
+  append_keys(table.keys, random_keys());
+  append_keys(table.keys, self_affine_keys());
   add_cut_off(table.keys,
               {"wavevector_low", "wavelength_long", "\"1.2566e6 1/m\"",
                "\"1 length\"", "q_L, low cut-off wavevector of the spectrum"});
@@ -261,8 +257,8 @@ Table surface_table() {
   add_cut_off(table.keys,
               {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
                "\"8 h\"", "q_1, high cut-off wavevector of the spectrum"});
-  append(table.keys, file_keys());
-  append(table.keys, shape_keys());
+  append_keys(table.keys, file_keys());
+  append_keys(table.keys, shape_keys());
   return table;
 }
 

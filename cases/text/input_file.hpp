@@ -9,7 +9,7 @@
 
 namespace asperity::cases {
 
-inline constexpr std::uintmax_t mebibyte = 1024 * 1024;
+inline constexpr std::uintmax_t mebibyte = std::uintmax_t{1024} * 1024;
 inline constexpr std::uintmax_t largest_case_file = mebibyte;
 inline constexpr std::uintmax_t largest_reference_file = mebibyte;
 /// Size limit for files of numbers: height maps and spectra.

@@ -10,7 +10,8 @@
 
 namespace asperity::cases {
 
-inline constexpr std::size_t largest_case_text = 1024 * 1024; ///< [B]
+/// Length of a case file [B].
+inline constexpr std::size_t largest_case_text = std::size_t{1024} * 1024;
 inline constexpr int deepest_nesting = 32; ///< nested tables and lists
 inline constexpr int longest_key = 32;     ///< parts separated by dots
 inline constexpr int most_values = 20000;

@@ -3,10 +3,11 @@
 #include "cases/types/quantity_at_load.hpp"
 
 namespace asperity::cases {
+namespace {
 
-const std::vector<ExpectationName>& expectation_names() {
-  using enum SurfaceKind;
-  static const std::vector<ExpectationName> names = {
+/// Quantities of the curves of rough surfaces.
+std::vector<ExpectationName> rough_surface_names() {
+  return {
       {.name = "gamma_slope",
        .description = "u_0 / h_rms of p ~ exp(-u / u_0), from the slope of ln "
                       "p against u [1].",
@@ -51,6 +52,13 @@ const std::vector<ExpectationName>& expectation_names() {
        .description = "Largest relative difference of p at equal u between a "
                       "variant, \"md.explicit\", and its method, \"md\" [1].",
        .variants_only = true},
+  };
+}
+
+/// Errors of a numerical solution.
+std::vector<ExpectationName> error_names() {
+  using enum SurfaceKind;
+  return {
       {.name = "mean_gap_error",
        .description = "Largest |mean gap - exact| / amplitude [1].",
        .surfaces = {wave_1d, wave_2d}},
@@ -73,6 +81,12 @@ const std::vector<ExpectationName>& expectation_names() {
        .surfaces = {sphere}},
       {.name = "penetration",
        .description = "Largest penetration / h_rms in the saved fields [1]."},
+  };
+}
+
+/// Quantities of the theory and its studies.
+std::vector<ExpectationName> study_names() {
+  return {
       {.name = "epsilon",
        .description = "eps of Eq. (16) of Yang and Persson (2008) with the "
                       "case's gamma [1].",
@@ -102,9 +116,28 @@ const std::vector<ExpectationName>& expectation_names() {
        .theory_answers = true,
        .theory_only = true,
        .study = Study::adhesion},
+  };
+}
+
+std::vector<ExpectationName> solver_names() {
+  return {
       {.name = "iterations_max",
        .description = "Largest number of iterations of a step [1]."},
   };
+}
+
+std::vector<ExpectationName> all_names() {
+  std::vector<ExpectationName> all;
+  for (const std::vector<ExpectationName>& names :
+       {rough_surface_names(), error_names(), study_names(), solver_names()})
+    all.insert(all.end(), names.begin(), names.end());
+  return all;
+}
+
+} // namespace
+
+const std::vector<ExpectationName>& expectation_names() {
+  static const std::vector<ExpectationName> names = all_names();
   return names;
 }
 

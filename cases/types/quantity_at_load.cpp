@@ -46,6 +46,7 @@ std::optional<double> positive_number(const std::optional<std::string>& text) {
 std::string mistake_in_name(const std::string& quantity,
                             const std::vector<ExpectationName>& known) {
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const ExpectationName& entry : known)
     names.push_back(entry.name);
   if (std::find(names.begin(), names.end(), quantity) != names.end())
