@@ -58,14 +58,15 @@ RoughAdhesion::RoughAdhesion(const HeightSpectrum& spectrum,
   }
 }
 
-void RoughAdhesion::add_node(const HeightSpectrum& spectrum, double to) {
+void RoughAdhesion::add_node(const HeightSpectrum& spectrum,
+                             double wavevector) {
   const Node& last = nodes_.back();
   const auto moment = [&](int power) {
     return boost::math::quadrature::gauss<double, 10>::integrate(
         [&](double q) { return std::pow(q, power) * spectrum.density(q); },
-        last.wavevector, to);
+        last.wavevector, wavevector);
   };
-  nodes_.push_back({to, last.moment + moment(3), moment(2)});
+  nodes_.push_back({wavevector, last.moment + moment(3), moment(2)});
 }
 
 // gamma_eff(q) for given P(q), computed from q_1 downwards.
