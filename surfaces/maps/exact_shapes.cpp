@@ -50,9 +50,11 @@ HeightMap map_of(const Grid& grid, Height height) {
 
 HeightMap paraboloid(const Grid& grid, double radius) {
   require_positive("radius", radius, "m");
+  const int centre_x = grid.points_x / 2;
+  const int centre_y = grid.points_y / 2;
   return map_of(grid, [&](int ix, int iy) {
-    const double x = (ix - grid.points_x / 2) * grid.spacing_x();
-    const double y = (iy - grid.points_y / 2) * grid.spacing_y();
+    const double x = (ix - centre_x) * grid.spacing_x();
+    const double y = (iy - centre_y) * grid.spacing_y();
     return -(x * x + y * y) / (2.0 * radius);
   });
 }
