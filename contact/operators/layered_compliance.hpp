@@ -108,8 +108,9 @@ public:
   void find_waves(double wavevector, std::span<Wave> waves) const;
 
   /// Stress of a Fourier mode at one depth.
+  /// @param index  of the layer, from the contact surface
   /// @param depth  z [m], within the layer
-  Stress stress(std::size_t layer, const Wave& wave, double wavevector,
+  Stress stress(std::size_t index, const Wave& wave, double wavevector,
                 double depth) const;
 
 private:

@@ -89,7 +89,7 @@ private:
     double depth;
   };
 
-  StressPlane stress_in(const Plane& plane) const;
+  StressPlane stress_in(const Plane& place) const;
   double strength_in(const Plane& plane) const;
   std::vector<Plane> planes_to_search(double shallowest, double deepest) const;
   std::span<const LayerStack::Wave> waves_of(std::size_t mode) const;

@@ -41,12 +41,13 @@ void NodeBits::assign_row(int iy, std::span<const std::uint8_t> flags) {
   for (int word = 0; word < words_; ++word) {
     const int first = word * word_bits;
     const int n = std::min(word_bits, width_ - first);
+    const std::uint8_t* const here = flags.data() + first;
     Word bits = 0;
     int k = 0;
     for (; k + 8 <= n; k += 8)
-      bits |= packed(&flags[static_cast<std::size_t>(first + k)]) << k;
+      bits |= packed(here + k) << k;
     for (; k < n; ++k)
-      bits |= Word{flags[static_cast<std::size_t>(first + k)] > 0} << k;
+      bits |= Word{here[k] > 0} << k;
     at(iy, word) = bits;
   }
 }
