@@ -26,8 +26,7 @@ fs::path mesh_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* folder :
        {".", "../meshes", "../../meshes", "../lib/asperity"}) {
-    const fs::path program =
-        (here / folder / "asperity_mesh").lexically_normal();
+    fs::path program = (here / folder / "asperity_mesh").lexically_normal();
     if (fs::exists(program))
       return program;
   }

@@ -81,6 +81,7 @@ void TransfiniteBlocks::add(const std::array<int, 8>& corners,
                                     : 1.0 / laws[d].ratio};
     }
   std::vector<int> shell;
+  shell.reserve(faces_of_block.size());
   for (const auto& around : faces_of_block)
     shell.push_back(face({corners[around[0]], corners[around[1]],
                           corners[around[2]], corners[around[3]]}));
