@@ -31,6 +31,7 @@ std::vector<double>
 interfaces_of(const std::vector<cases::MaterialLayer>& layers,
               const cases::Scales& scales) {
   std::vector<double> interfaces;
+  interfaces.reserve(layers.size());
   double depth = 0.0;
   for (const cases::MaterialLayer& layer : layers)
     interfaces.push_back(depth += layer.thickness.in_si(scales));
@@ -117,6 +118,7 @@ LayeredBlock layered_block(const cases::FemSettings& settings,
       settings.surface_cell_depth * degree_of(settings) * grid.spacing_x();
   const std::vector<double> interfaces = interfaces_of(layers, scales);
   std::vector<cases::BodyModuli> moduli;
+  moduli.reserve(layers.size() + 1);
   for (const cases::MaterialLayer& layer : layers)
     moduli.push_back(layer.moduli);
   moduli.push_back(own);

@@ -63,9 +63,10 @@ public:
     if ((centre[2] < 0.0) != plane_.is_counter)
       return;
     const double slack = space_.coordinate_tolerance();
-    const auto [low, high] = cell->bounding_box().get_boundary_points();
+    const auto corners = cell->bounding_box().get_boundary_points();
     const auto spans = [&](unsigned int axis, double value) {
-      return value >= low[axis] - slack && value <= high[axis] + slack;
+      return value >= corners.first[axis] - slack &&
+             value <= corners.second[axis] + slack;
     };
     if (!spans(1, plane_.y))
       return;
@@ -118,6 +119,7 @@ std::vector<double> von_mises_in(const SectionPlane& plane,
     for (std::size_t i = 0; i < best.size(); ++i)
       best[i] = std::min(best[i], found[i]);
   std::vector<double> strength;
+  strength.reserve(best.size());
   for (const Answer& answer : best)
     strength.push_back(answer[0] < nobody
                            ? answer[3]

@@ -16,7 +16,7 @@ std::size_t cosine(int distance) {
 }
 
 std::size_t sine(int distance) {
-  return static_cast<std::size_t>(2 + std::abs(distance));
+  return 2 + static_cast<std::size_t>(std::abs(distance));
 }
 
 int sign(int distance) {
@@ -62,8 +62,8 @@ void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
               LayerSymbol::Layout layout, Sums& sums) {
   const auto degree = static_cast<std::size_t>(cell.degree);
   const auto place = [&](const Node& node, std::size_t component) {
-    const auto kind = static_cast<std::size_t>(node.a % cell.degree +
-                                               2 * (node.b % cell.degree));
+    const std::size_t kind = static_cast<std::size_t>(node.a) % degree +
+                             2 * (static_cast<std::size_t>(node.b) % degree);
     return static_cast<std::size_t>(node.plane) * plane_unknowns(degree) +
            3 * kind + component;
   };

@@ -49,7 +49,8 @@ SpringFace::SpringFace(const KindSpectra& spectra,
       factors.face_compliance(spectra.batch(row, number), block);
       block += block_size;
     }
-  share.rows_to_all({&compliance_[0][0], compliance_.size() * lanes});
+  share.rows_to_all({reinterpret_cast<double*>(compliance_.data()),
+                     compliance_.size() * lanes});
 }
 
 std::size_t SpringFace::bytes() const {
