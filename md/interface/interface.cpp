@@ -23,8 +23,10 @@ std::vector<double> sites_of(int layer_points, int substrate_points) {
   std::vector<double> sites;
   for (std::int64_t i = 0; i < layer_points; ++i) {
     const std::int64_t product = i * substrate_points;
-    sites.push_back(static_cast<double>(product / layer_points) +
-                    static_cast<double>(product % layer_points) / layer_points);
+    const std::int64_t whole = product / layer_points;
+    const std::int64_t rest = product % layer_points;
+    sites.push_back(static_cast<double>(whole) +
+                    static_cast<double>(rest) / layer_points);
   }
   return sites;
 }

@@ -64,14 +64,15 @@ private:
   /// layer.
   using Spectra = std::vector<std::vector<Complex>>;
 
+  // `at` is the number of a level, from the finest one.
   std::vector<SymmetricBlock>
-  factor_level(int level, const std::vector<SymmetricBlock>& below);
+  factor_level(int at, const std::vector<SymmetricBlock>& below);
   Spectra spectra_of(std::span<const double> forces) const;
   void fields_of(Spectra& spectra, std::span<double> answer) const;
-  std::vector<Complex> eliminate(int level, std::vector<Complex>& layers) const;
-  void gather(int level, std::vector<Complex>& lifted,
+  std::vector<Complex> eliminate(int at, std::vector<Complex>& layers) const;
+  void gather(int at, std::vector<Complex>& lifted,
               std::vector<Complex>& layers) const;
-  void substitute(int level, Complex* coarse, double plate,
+  void substitute(int at, Complex* coarse, double plate,
                   std::vector<Complex>& layers) const;
 
   const MultiscaleBlock* block_;

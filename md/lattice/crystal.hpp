@@ -40,7 +40,7 @@ struct Crystal {
 /// c >> 2) and has the unknowns 3 c + axis. Each bond is shared equally by the
 /// cells around it (an edge by four, a face diagonal by two), so bonds in a
 /// free surface count half.
-using CellStiffness = std::array<double, 24 * 24>;
+using CellStiffness = std::array<double, std::size_t{24} * 24>;
 
 /// @throws std::domain_error  a modulus, the spacing or Poisson's ratio is
 ///                            outside its range, or the lattice is central and

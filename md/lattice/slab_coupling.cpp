@@ -44,6 +44,11 @@ void load(const AtomPlane<const double>& plane, std::size_t axis, int iy,
   close_period(rows.difference);
 }
 
+/// The same component at the mirror image of the corner along the axis.
+std::size_t mirror_unknown(std::size_t unknown, std::size_t axis) {
+  return 3 * ((unknown / 3) ^ (std::size_t{1} << axis)) + unknown % 3;
+}
+
 /// Rejects a cell that differs from its mirror image in x or y.
 void require_mirror_planes(const CellStiffness& cell) {
   const double largest = std::abs(
@@ -53,13 +58,11 @@ void require_mirror_planes(const CellStiffness& cell) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t row = 0; row < cell_unknowns; ++row) {
       for (std::size_t column = 0; column < cell_unknowns; ++column) {
-        const auto mirrored = [&](std::size_t unknown) {
-          return 3 * ((unknown / 3) ^ (std::size_t{1} << axis)) + unknown % 3;
-        };
         const double sign = is_odd(axis, row % 3, column % 3) ? -1.0 : 1.0;
         const double difference =
             cell[row * cell_unknowns + column] -
-            sign * cell[mirrored(row) * cell_unknowns + mirrored(column)];
+            sign * cell[mirror_unknown(row, axis) * cell_unknowns +
+                        mirror_unknown(column, axis)];
         if (!(std::abs(difference) <= 1e-12 * largest))
           refuse_argument("asymmetry of the cell's stiffness", difference,
                           "0: mirror planes across x and y [N/m]");
@@ -84,17 +87,16 @@ void LayerCoupling::add(const CellStiffness& cell, int to, int from,
       const std::size_t row = 3 * (first + 4 * static_cast<std::size_t>(to));
       const std::size_t column =
           3 * (second + 4 * static_cast<std::size_t>(from));
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          const double sign = (is_odd(0, i, j) ? sign_x : 1.0) *
-                              (is_odd(1, i, j) ? sign_y : 1.0);
-          // Odd contributions without an offset cancel between mirrored
-          // corners.
-          if ((is_odd(0, i, j) && !is_aside) || (is_odd(1, i, j) && !is_behind))
-            continue;
-          entries_[i][j][is_behind ? 1 : 0][is_aside ? 1 : 0] +=
-              sign * share * cell[(row + i) * cell_unknowns + column + j];
-        }
+      for (std::size_t entry = 0; entry < 9; ++entry) {
+        const std::size_t i = entry / 3;
+        const std::size_t j = entry % 3;
+        const double sign =
+            (is_odd(0, i, j) ? sign_x : 1.0) * (is_odd(1, i, j) ? sign_y : 1.0);
+        // Odd contributions without an offset cancel between mirrored corners.
+        if ((is_odd(0, i, j) && !is_aside) || (is_odd(1, i, j) && !is_behind))
+          continue;
+        entries_[i][j][is_behind ? 1 : 0][is_aside ? 1 : 0] +=
+            sign * share * cell[(row + i) * cell_unknowns + column + j];
       }
     }
   }
@@ -117,17 +119,17 @@ void LayerCoupling::add_forces(const AtomPlane<const double>& displacements,
       const double behind = entry[1][0];
       const double diagonal = entry[1][1];
       double* const out = forces.row(i, iy);
-      const double* const side = is_odd(1, i, j) ? difference : sum;
-      if (is_odd(0, i, j)) {
-        if (is_odd(1, i, j)) {
-          for (std::size_t k = 0; k < n; ++k)
-            out[k] -= diagonal * (side[k + 1] - (side - 1)[k]);
-        } else {
-          for (std::size_t k = 0; k < n; ++k)
-            out[k] -= aside * (centre[k + 1] - (centre - 1)[k]) +
-                      diagonal * (side[k + 1] - (side - 1)[k]);
-        }
-      } else if (is_odd(1, i, j)) {
+      const bool is_odd_x = is_odd(0, i, j);
+      const bool is_odd_y = is_odd(1, i, j);
+      const double* const side = is_odd_y ? difference : sum;
+      if (is_odd_x && is_odd_y) {
+        for (std::size_t k = 0; k < n; ++k)
+          out[k] -= diagonal * (side[k + 1] - (side - 1)[k]);
+      } else if (is_odd_x) {
+        for (std::size_t k = 0; k < n; ++k)
+          out[k] -= aside * (centre[k + 1] - (centre - 1)[k]) +
+                    diagonal * (side[k + 1] - (side - 1)[k]);
+      } else if (is_odd_y) {
         for (std::size_t k = 0; k < n; ++k)
           out[k] -= behind * side[k] + diagonal * (side[k + 1] + (side - 1)[k]);
       } else {

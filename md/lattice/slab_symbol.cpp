@@ -89,19 +89,17 @@ SlabSymbol::SlabSymbol(const Crystal& crystal) : spacing_(crystal.spacing) {
   const CellStiffness cell = cell_stiffness(crystal);
   for (std::size_t lower = 0; lower < 4; ++lower) {
     for (std::size_t other = 0; other < 8; ++other) {
-      const int x = static_cast<int>(other & 1U) - static_cast<int>(lower & 1U);
-      const int y = static_cast<int>((other >> 1U) & 1U) -
-                    static_cast<int>((lower >> 1U) & 1U);
-      Offset& offset = offsets_[static_cast<std::size_t>(3 * (y + 1) + x + 1)];
-      offset.x = x;
-      offset.y = y;
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          const double term = cell[(3 * lower + i) * 24 + 3 * other + j];
-          offset.moving_alike[3 * i + j] += term;
-          if (other >= 4)
-            offset.across[3 * i + j] += term;
-        }
+      const std::size_t column = 1 + (other & 1U) - (lower & 1U);
+      const std::size_t row = 1 + (other >> 1U & 1U) - (lower >> 1U & 1U);
+      Offset& offset = offsets_[3 * row + column];
+      offset.x = static_cast<int>(column) - 1;
+      offset.y = static_cast<int>(row) - 1;
+      for (std::size_t entry = 0; entry < 9; ++entry) {
+        const double term =
+            cell[(3 * lower + entry / 3) * 24 + 3 * other + entry % 3];
+        offset.moving_alike[entry] += term;
+        if (other >= 4)
+          offset.across[entry] += term;
       }
     }
   }
