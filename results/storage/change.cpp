@@ -143,9 +143,10 @@ void merge_change(Result& result, Change change) {
     MethodRecord& method = named(result.methods, one.name);
     method.kind = one.kind.value_or(method.kind);
     method.description = one.description.value_or(method.description);
-    if (one.realization >= 0)
-      merge_curve(at_index(method.realizations, one.realization),
-                  std::move(one));
+    if (one.realization >= 0) {
+      Curve& curve = at_index(method.realizations, one.realization);
+      merge_curve(curve, std::move(one));
+    }
   }
   for (Table& table : change.tables)
     named(result.tables, table.name) = std::move(table);

@@ -11,7 +11,7 @@ namespace asperity::results {
 
 /// Limits: the length of a text of an attribute or dataset [bytes], the number
 /// of texts in a dataset, and the number of children or attributes of a group.
-inline constexpr std::size_t largest_text = 16 * 1024 * 1024;
+inline constexpr std::size_t largest_text = std::size_t{16} * 1024 * 1024;
 inline constexpr std::size_t most_texts = 1'000'000;
 inline constexpr std::size_t most_children = 100'000;
 
