@@ -96,10 +96,8 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
     pass.summaries.push_back(summary_of(asked, solution));
     pass.solutions.push_back(std::move(solution));
   }
-  const StepSummary& at_load = pass.summaries[load_step(scene)];
-  report.area = at_load.area;
-  report.reduced_gap = at_load.mean_gap / surface.height_scale;
-  report.reduced_tolerance = at_load.tolerance / surface.height_scale;
+  report_load_step(pass.summaries[load_step(scene)], surface.height_scale,
+                   report);
   return pass;
 }
 

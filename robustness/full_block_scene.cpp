@@ -32,6 +32,28 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
   return solution;
 }
 
+/// What the steps are verified against, except for the tolerance of the gap,
+/// which depends on the step.
+AskedContact asked_of_block(const Scene& scene, std::span<const double> heights,
+                            const fem::FullBlock& block,
+                            const ComplianceRange& range, double spring) {
+  AskedContact asked{heights, block.nodal_weights()};
+  asked.local_compliance =
+      scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
+  asked.long_wave_compliance = range.longest;
+  asked.short_wave_compliance = range.shortest;
+  asked.load_tolerance = load_tolerance_of_block;
+  return asked;
+}
+
+fem::BlockLoad block_load(const contact::LoadTarget& target) {
+  const bool by_pressure =
+      target.kind == contact::LoadTarget::Kind::nominal_pressure;
+  return {by_pressure ? cases::Control::nominal_pressure
+                      : cases::Control::mean_gap,
+          target.amount};
+}
+
 } // namespace
 
 void run_full_block(const Scene& scene, SceneReport& report) {
@@ -51,12 +73,8 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   const bool is_hard = scene.law == cases::ContactLaw::hard;
   const double spring = (is_hard ? wall_spring : scene.penalty) *
                         scene.contact_modulus / grid.spacing_x();
-  AskedContact asked{surface.map.heights, block->nodal_weights()};
-  asked.local_compliance =
-      scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
-  asked.long_wave_compliance = range.longest;
-  asked.short_wave_compliance = range.shortest;
-  asked.load_tolerance = load_tolerance_of_block;
+  AskedContact asked =
+      asked_of_block(scene, surface.map.heights, *block, range, spring);
 
   // For a flat surface the model uses a tolerance of its own, a fraction of the
   // node spacing.
@@ -65,13 +83,8 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   std::vector<StepSummary> summaries;
   for (const contact::LoadTarget& target :
        targets_of(scene, surface.height_scale)) {
-    const bool by_pressure =
-        target.kind == contact::LoadTarget::Kind::nominal_pressure;
     const contact::ContactSolution solution =
-        as_contact(block->solve(surface.map.heights,
-                                {by_pressure ? cases::Control::nominal_pressure
-                                             : cases::Control::mean_gap,
-                                 target.amount},
+        as_contact(block->solve(surface.map.heights, block_load(target),
                                 {scene.law, spring, relative_tolerance, 2000}),
                    displace);
     report.iterations += solution.iterations;
@@ -93,11 +106,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
       return fail(report, *failure);
     summaries.push_back(summary_of(asked, solution));
   }
-  report.area = summaries[load_step(scene)].area;
-  report.reduced_gap =
-      summaries[load_step(scene)].mean_gap / surface.height_scale;
-  report.reduced_tolerance =
-      summaries[load_step(scene)].tolerance / surface.height_scale;
+  report_load_step(summaries[load_step(scene)], surface.height_scale, report);
   if (const auto failure = verify_program(scene, summaries))
     fail(report, *failure);
 }

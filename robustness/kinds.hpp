@@ -64,6 +64,11 @@ ComplianceRange compliance_range(const Grid& grid, const Displace& displace);
 std::optional<Failure> verify_program(const Scene& scene,
                                       const std::vector<StepSummary>& steps);
 
+/// Writes the step of the instance's own load into the report.
+/// @param height_scale  [m], see SceneSurface
+void report_load_step(const StepSummary& step, double height_scale,
+                      SceneReport& report);
+
 /// Writes a failure into the report.
 void fail(SceneReport& report, const Failure& failure);
 

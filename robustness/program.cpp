@@ -83,6 +83,13 @@ std::optional<Failure> verify_program(const Scene& scene,
   return {};
 }
 
+void report_load_step(const StepSummary& step, double height_scale,
+                      SceneReport& report) {
+  report.area = step.area;
+  report.reduced_gap = step.mean_gap / height_scale;
+  report.reduced_tolerance = step.tolerance / height_scale;
+}
+
 void fail(SceneReport& report, const Failure& failure) {
   report.outcome = Outcome::check_failed;
   report.check = failure.check;
