@@ -61,17 +61,12 @@ std::string gap_range(std::span<const Series> series) {
   return fmt::format("\nset xrange [{:.4g}:*]", 1.1 * lowest);
 }
 
-} // namespace
-
-Figure pressure_gap_figure(std::span<const ReportEntry> entries,
-                           std::span<const Series> series) {
-  Figure figure;
-  figure.name = "pressure-gap";
-  figure.title = "Pressure against separation";
-  CsvTable table({"curve", "index", "p/E* [1]", "log10 p/E* [1]", "u/h_rms [1]",
-                  "least u/h_rms [1]", "largest u/h_rms [1]"});
+/// Adds the rows of all series to the table of pressure-gap.csv.
+/// @return  the plots of those that are drawn
+std::vector<std::string> add_gap_curves(std::span<const Series> series,
+                                        const std::string& file,
+                                        CsvTable& table) {
   std::vector<std::string> plots;
-  const std::string file = "'pressure-gap.csv' ";
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     for (const SeriesRow& row : one.rows)
@@ -88,6 +83,42 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
       plots.push_back(file + of_series(i, "$5:4:6:7") + " with xerrorbars " +
                       point_style(one) + title);
   }
+  return plots;
+}
+
+/// Returns the second x axis of a figure of one case, the gap in nm; "" if the
+/// figure has no length scale.
+std::string nanometre_axis(std::span<const ReportEntry> entries,
+                           std::span<const Series> series) {
+  if (entries.size() != 1 || entries.front().summary.methods.empty() ||
+      entries.front().summary.methods.back().fits.empty())
+    return "";
+  const double height_nm =
+      entries.front().summary.methods.back().fits.front().scales.rms_height *
+      1e9;
+  double furthest = 0.0;
+  for (const Series& one : series)
+    for (const SeriesRow& row : one.rows)
+      furthest = std::max(furthest, row.gap);
+  if (!(furthest > 0.0))
+    return "";
+  return fmt::format(
+      "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\n"
+      "set border 7\nset x2label 'u [nm]'\n",
+      height_nm, round_step(furthest * height_nm / 4.0));
+}
+
+} // namespace
+
+Figure pressure_gap_figure(std::span<const ReportEntry> entries,
+                           std::span<const Series> series) {
+  Figure figure;
+  figure.name = "pressure-gap";
+  figure.title = "Pressure against separation";
+  CsvTable table({"curve", "index", "p/E* [1]", "log10 p/E* [1]", "u/h_rms [1]",
+                  "least u/h_rms [1]", "largest u/h_rms [1]"});
+  const std::string file = "'pressure-gap.csv' ";
+  std::vector<std::string> plots = add_gap_curves(series, file, table);
   figure.caption = "Each marker is a load step, the mean over the "
                    "realisations; its bar spans their range.";
   const Series* fitted = first_numerical(series);
@@ -110,21 +141,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
       "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
       "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") + gap_range(series) +
       "\nset offsets 0, 0, 0, graph 0.1\n" + window_bars(series);
-  if (entries.size() == 1 && !entries.front().summary.methods.empty() &&
-      !entries.front().summary.methods.back().fits.empty()) {
-    const double height_nm =
-        entries.front().summary.methods.back().fits.front().scales.rms_height *
-        1e9;
-    double furthest = 0.0;
-    for (const Series& one : series)
-      for (const SeriesRow& row : one.rows)
-        furthest = std::max(furthest, row.gap);
-    if (furthest > 0.0) // an axis in nm needs a length scale
-      figure.script += fmt::format(
-          "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\n"
-          "set border 7\nset x2label 'u [nm]'\n",
-          height_nm, round_step(furthest * height_nm / 4.0));
-  }
+  figure.script += nanometre_axis(entries, series);
   if (plots.empty())
     figure.problem = "no load step converged";
   figure.script += plot_of(plots);

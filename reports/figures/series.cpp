@@ -82,6 +82,7 @@ std::vector<SeriesRow> rows_of(const ReportEntry& entry,
     }
   }
   std::vector<SeriesRow> rows;
+  rows.reserve(steps.size());
   for (const auto& [step, sum] : steps)
     rows.push_back(mean_of(sum));
   return rows;

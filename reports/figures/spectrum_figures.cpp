@@ -9,6 +9,30 @@
 #include <cmath>
 
 namespace asperity::reports {
+namespace {
+
+/// Adds the spectrum of the case's formula as a line.
+/// @param index  of the line in the table
+/// @return       the smallest C(q) that the axis shows [m^4]
+double add_formula(const cases::SurfaceSpec& spec, std::size_t index,
+                   CsvTable& table, std::vector<std::string>& plots) {
+  const surfaces::IsotropicSpectrum formula = surfaces::formula_spectrum(spec);
+  const double ratio = spec.wavevector_high / spec.wavevector_low;
+  for (int k = 0; k <= 200; ++k) {
+    const double q = std::min(spec.wavevector_low * std::pow(ratio, k / 200.0) *
+                                  (1.0 + 1e-12),
+                              spec.wavevector_high);
+    table.add("formula", {static_cast<double>(index), q, formula.density(q)});
+  }
+  plots.push_back(fmt::format(
+      "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
+      "linecolor rgb '#222222' title 'formula'",
+      index));
+  return 0.03 * formula.density(spec.wavevector_high);
+}
+
+} // namespace
+
 std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   const auto& surfaces = entry.result->surfaces;
   const cases::SurfaceSpec& spec = entry.contact_case->surface;
@@ -41,20 +65,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
                    "|q|.";
   double floor = 0.0; // of the axis: hides roundoff beyond the cut-off
   if (spec.kind == cases::SurfaceKind::self_affine) {
-    const auto index = static_cast<double>(surfaces.size());
-    const surfaces::IsotropicSpectrum formula =
-        surfaces::formula_spectrum(spec);
-    const double ratio = spec.wavevector_high / spec.wavevector_low;
-    for (int k = 0; k <= 200; ++k) {
-      const double q = std::min(spec.wavevector_low *
-                                    std::pow(ratio, k / 200.0) * (1.0 + 1e-12),
-                                spec.wavevector_high);
-      table.add("formula", {index, q, formula.density(q)});
-    }
-    plots.push_back(fmt::format(
-        "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
-        "linecolor rgb '#222222' title 'formula'",
-        surfaces.size()));
+    floor = add_formula(spec, surfaces.size(), table, plots);
     if (sum) {
       plots.push_back(fmt::format(
           "'spectrum.csv' using ($2=={} ? $3 : NaN):(2*$4) with lines "
@@ -67,7 +78,6 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
           sum_spectrum_ratio(*entry.result, *sum, spec.wavevector_roll_off,
                              spec.wavevector_high));
     }
-    floor = 0.03 * formula.density(spec.wavevector_high);
     figure.caption += fmt::format(
         " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",
         spec.hurst, 2e6 * std::acos(-1.0) / spec.wavevector_roll_off);
