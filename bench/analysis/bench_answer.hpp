@@ -7,14 +7,13 @@
 
 namespace asperity::reports {
 
-/// Returns the results of the method with that name. Every curve column
+/// Returns the results of the method with this name. Every curve column
 /// "area_fraction..." is an estimator, so that columns added later are included
 /// automatically. A step that did not converge has NaN in all quantities.
 /// @param contact_case  its expectations name the quantities at a load
 /// @throws std::domain_error  the result has no such method
 BenchAnswer answer_of(const results::Result& result,
-                      const cases::Case& contact_case,
-                      const std::string& method);
+                      const cases::Case& contact_case, const std::string& name);
 
 /// Returns the scale of each entry of a quantity: h_rms for the gap, the values
 /// of the reference solution for everything else.

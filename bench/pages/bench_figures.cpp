@@ -167,6 +167,7 @@ Figure phases_figure(const Bench& bench) {
     for (const auto& [name, member] : phases)
       sum += point.phases.*member;
     std::vector<double> shares;
+    shares.reserve(phases.size() + 1);
     for (const auto& [name, member] : phases)
       shares.push_back(point.phases.*member / sum);
     const double floor = point.transform_floor() / sum;
