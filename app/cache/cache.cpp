@@ -231,7 +231,7 @@ fs::path cache_folder() {
     const char* value = std::getenv(name);
     return fs::path(value == nullptr ? "" : value);
   };
-  if (const fs::path own = given("ASPERITY_CACHE"); !own.empty())
+  if (fs::path own = given("ASPERITY_CACHE"); !own.empty())
     return own;
   if (const fs::path shared = given("XDG_CACHE_HOME"); !shared.empty())
     return shared / "asperity";

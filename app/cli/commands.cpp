@@ -182,6 +182,7 @@ ExitCode run_cases(const RunCommand& command) {
 ExitCode report_results(const std::vector<std::string>& paths,
                         const std::string& out) {
   std::vector<results::Result> read;
+  read.reserve(paths.size());
   for (const std::string& path : paths)
     results::require_readable(path);
   for (const std::string& path : paths)

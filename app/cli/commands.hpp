@@ -30,9 +30,9 @@ struct RunCommand {
 /// gets a report on all of its parts, in out/<collection>, after they have run.
 ExitCode run_cases(const RunCommand& command);
 
-/// Writes one report on several results into `out`. If `out` is empty, the
-/// report is written beside a single result, or into out/comparison.
-ExitCode report_results(const std::vector<std::string>& results,
+/// Writes one report on the results at these paths into `out`. If `out` is
+/// empty, the report is written beside a single result, or into out/comparison.
+ExitCode report_results(const std::vector<std::string>& paths,
                         const std::string& out);
 
 /// Checks results against the expectations of their cases. All cases among the

@@ -33,6 +33,7 @@ std::vector<double> unpacked(const Json& json) {
 /// Packs a map in single precision, as in a result file.
 Json packed_map(const std::vector<double>& map) {
   std::vector<float> numbers;
+  numbers.reserve(map.size());
   for (const double value : map)
     numbers.push_back(static_cast<float>(value));
   Bytes bytes(numbers.size() * sizeof(float));

@@ -66,6 +66,7 @@ results::Table section_table(const std::string& method, double pressure,
 
 std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
   std::vector<double> places;
+  places.reserve(offsets.size());
   for (const int offset : offsets)
     places.push_back(offset * spacing);
   return places;

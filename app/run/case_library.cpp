@@ -113,7 +113,7 @@ std::string reference_text_of(const cases::Case& read) {
   const fs::path path = fs::path(read.path).parent_path() / "reference.csv";
   if (!fs::exists(path))
     return "";
-  const std::string text =
+  std::string text =
       cases::read_input_file(path, cases::largest_reference_file);
   cases::read_reference_text(text, path.string());
   return text;

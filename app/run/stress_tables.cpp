@@ -70,10 +70,10 @@ results::Table stress_table(const std::string& method,
     shear.values.push_back(contact::largest_shear(
         inside.at_depth(peak.depth, peak.side))[peak.node]);
     depth.values.push_back(peak.depth);
-    x.values.push_back(static_cast<double>(peak.node % columns) *
-                       map.grid.spacing_x());
-    y.values.push_back(static_cast<double>(peak.node / columns) *
-                       map.grid.spacing_y());
+    const std::size_t column = peak.node % columns;
+    const std::size_t row = peak.node / columns;
+    x.values.push_back(static_cast<double>(column) * map.grid.spacing_x());
+    y.values.push_back(static_cast<double>(row) * map.grid.spacing_y());
   }
   return {"stress-inside-" + method,
           "The maximum stress below the contact surface, " + method,

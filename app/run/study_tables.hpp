@@ -40,7 +40,7 @@ results::Table gap_distribution_table(const std::string& name,
 /// Returns a table with one row per load: the critical pore and the leakage
 /// through it. Values are NaN if the open area does not percolate.
 results::Table leak_table(std::span<const theory::MagnifiedContact> contacts,
-                          const cases::LeakStudy& leak);
+                          const cases::LeakStudy& study);
 
 /// Returns a table with one row per height ratio: partial, complete and
 /// equilibrium contact. Values are NaN if a state does not exist or if its
