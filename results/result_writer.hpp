@@ -34,12 +34,13 @@ struct CaseInfo {
   Inputs inputs = {};           ///< what else determines the numbers
 };
 
-/// The layout of the file is described in docs/results.md. Each member function
-/// that writes makes one atomic change, which is appended to the journal beside
-/// the file (result_file.hpp) and moved into the file later, at the latest in
-/// finish(). Readers combine both. After an interruption at any moment, each
-/// change is present either completely or not at all. There must be one writer
-/// per folder; its member functions may be called from any thread.
+/// The layout of the file is described in docs/reference/results.md. Each
+/// member function that writes makes one atomic change, which is appended to
+/// the journal beside the file (result_file.hpp) and moved into the file later,
+/// at the latest in finish(). Readers combine both. After an interruption at
+/// any moment, each change is present either completely or not at all. There
+/// must be one writer per folder; its member functions may be called from any
+/// thread.
 ///
 /// All functions throw Hdf5Error or std::system_error if the file system or the
 /// library reports an error; all earlier changes are then preserved. Invalid

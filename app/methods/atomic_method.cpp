@@ -71,7 +71,7 @@ results::CurvePoint row_of(const md::AtomStep& step) {
   observe_pressure_fits(observe, step.pressure);
   // Weak pressures in the soft tail contribute least to the second moment: on
   // the surface of the paper it is within 4 % of the area of hard contact,
-  // while the least-squares fit is 20 % above it (docs/md.md).
+  // while the least-squares fit is 20 % above it (docs/numerics/md.md).
   row.area_fraction_corrected = row.area_fraction_moment;
   row.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
   row.elastic_energy = step.elastic_energy;

@@ -13,8 +13,8 @@ namespace asperity::app {
 inline constexpr double fem_load_time = 0.25;
 
 /// Factor by which a prediction for a full block may be off in either direction
-/// [1]. docs/skip.md shows the spread, because the iterations depend on load,
-/// contact and moduli.
+/// [1]. docs/numerics/skip.md shows the spread, because the iterations depend
+/// on load, contact and moduli.
 inline constexpr double block_factor = 3.0;
 
 /// Predicts the cost of a method with solver = "full". A condensed method is

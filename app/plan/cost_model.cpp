@@ -18,12 +18,12 @@ using cases::Element;
 
 /// Iterations per load step that starts from the previous solution: 18 and 19
 /// in `polymer` at 512^2 (half-space, fem), 15 in `md-small` at 162^2;
-/// docs/solver.md describes how they grow. A single sphere or wave takes half
-/// of them: 9 to 14 in `hertz` and `wave-2d`.
+/// docs/numerics/solver.md describes how they grow. A single sphere or wave
+/// takes half of them: 9 to 14 in `hertz` and `wave-2d`.
 constexpr double iterations_at_512 = 18.0;
 constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;
-constexpr double augmented_factor = 2.5; ///< two to three in docs/solver.md
+constexpr double augmented_factor = 2.5; ///< docs/numerics/solver.md: 2 to 3
 constexpr double q2_factor = 1.25; ///< 4 x 4 blocks: 2.67 s instead of 2.13 s
 
 constexpr double program_time = 0.3;     ///< a run without any work [s]

@@ -17,8 +17,8 @@ struct MethodCost {
 };
 
 /// Predicts the cost of one method on a surface with this grid. The constants
-/// in cost_model.cpp name the runs they come from; docs/skip.md compares
-/// predictions with measured costs.
+/// in cost_model.cpp name the runs they come from; docs/numerics/skip.md
+/// compares predictions with measured costs.
 MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
                    MachineRates& rates);

@@ -7,9 +7,9 @@
 namespace asperity::app {
 
 /// Runs [magnification] and [adhesion] of a case and records their tables
-/// (docs/results.md). Tables that are already in the file are not computed
-/// again, and cached tables are read. An interrupt takes effect between two
-/// tables.
+/// (docs/reference/results.md). Tables that are already in the file are not
+/// computed again, and cached tables are read. An interrupt takes effect
+/// between two tables.
 ///
 /// @param theory  study_theory() of the case
 void run_studies(const RunScene& scene, const cases::MethodSpec& theory);

@@ -1,8 +1,8 @@
 #pragma once
 
 // Converts the results of the theoretical studies to tables of a result. These
-// are pure functions; docs/results.md lists the column names. Equation numbers
-// refer to Yang and Persson (2008).
+// are pure functions; docs/reference/results.md lists the column names.
+// Equation numbers refer to Yang and Persson (2008).
 
 #include "cases/types/studies.hpp"
 #include "results/types/result.hpp"

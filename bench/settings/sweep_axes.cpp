@@ -56,7 +56,8 @@ const std::vector<Rule>& rules() {
        "grading ratio of the layers",
        {2.0, 1.0, 0.5},
        2.0,
-       "Q1: second order in the logarithm of the grading ratio (docs/fem.md); "
+       "Q1: second order in the logarithm of the grading ratio "
+       "(docs/numerics/fem.md); "
        "Q2: fourth",
        1.0},
       {"surface_cell_depth",

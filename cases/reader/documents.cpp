@@ -180,7 +180,8 @@ std::string case_template(const std::string& name) {
   std::string text =
       "# A case for asperity. Quantities are numbers in SI or strings with a "
       "unit;\n# keys behind a # show their default or an alternative. "
-      "docs/case.md describes\n# one more method, atoms: [md].\n";
+      "One more method, atoms\n# [md], is described in "
+      "docs/reference/case.md.\n";
   for (const Table& table : vocabulary()) {
     bool is_shown = false;
     for (const Key& key : table.keys)

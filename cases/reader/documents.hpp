@@ -1,7 +1,7 @@
 #pragma once
 
 // Generates documents from the vocabulary: the commented template of `asperity
-// new` and the reference page docs/case.md.
+// new` and the reference page docs/reference/case.md.
 
 #include <string>
 
@@ -11,8 +11,8 @@ namespace asperity::cases {
 /// explains every key that it shows.
 std::string case_template(const std::string& name);
 
-/// Returns docs/case.md with all tables and keys. The committed page equals
-/// this text.
+/// Returns docs/reference/case.md with all tables and keys. The committed page
+/// equals this text.
 std::string case_reference_markdown();
 
 } // namespace asperity::cases

@@ -1,7 +1,7 @@
 #pragma once
 
 // The vocabulary of case files. The reader, the JSON Schema, the template and
-// docs/case.md are all derived from this table. Its rows are in
+// docs/reference/case.md are all derived from this table. Its rows are in
 // vocabulary*.cpp.
 
 #include "cases/types/case.hpp"

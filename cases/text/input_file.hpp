@@ -1,7 +1,7 @@
 #pragma once
 
 // Reads the case file and the files that it names as bytes. Defines their size
-// limits (docs/case.md) and reports file errors as CaseError.
+// limits (docs/reference/case.md) and reports file errors as CaseError.
 
 #include <cstdint>
 #include <filesystem>

@@ -73,7 +73,7 @@ struct ContactSolution {
 ///            pressure (or gap) is exact to roundoff.
 /// @see  I. A. Polonsky, L. M. Keer, Wear 231, 206 (1999) for the
 ///       unpreconditioned method; the preconditioner and the active set are
-///       described in docs/solver.md.
+///       described in docs/numerics/solver.md.
 ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
                               const LoadTarget& target,

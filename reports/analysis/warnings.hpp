@@ -22,7 +22,8 @@ struct Warning {
   std::string consequence; ///< what this means for the result
 };
 
-/// The limits are motivated in docs/surfaces.md, "What a report warns of".
+/// The limits are motivated in docs/numerics/surfaces.md, "What a report warns
+/// of".
 struct WarningLimits {
   static constexpr double skewness = 1.0;     ///< absolute value [1]
   static constexpr double kurtosis_low = 2.0; ///< [1]; a Gaussian surface has 3

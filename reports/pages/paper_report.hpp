@@ -40,7 +40,7 @@ std::string section_of(const std::string& part_name);
 /// each method, and the sections. Figures of a single part are those that its
 /// own report drew; those of several parts are drawn into
 /// folder/figures/<section>. The table is also written to folder/paper.json for
-/// use by programs; its format is described in docs/results.md.
+/// use by programs; its format is described in docs/reference/results.md.
 ///
 /// @param gnuplot  name or path of the program
 /// @return         the figures that could not be drawn, "name: why"

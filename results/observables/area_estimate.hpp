@@ -80,7 +80,7 @@ struct AreaCoefficients {
 };
 
 /// Coefficients of the continuum half-space, calibrated as described in
-/// docs/area.md.
+/// docs/numerics/area.md.
 constexpr AreaCoefficients halfspace_area_coefficients{0.049, 0.35};
 
 /// Returns the coefficients of first-order finite elements whose surface layer
@@ -108,20 +108,20 @@ constexpr double least_corrected_share = 0.25;
 /// The next order is proportional to the curvature of the boundary, whose
 /// integral is 2 pi chi for any shape; this gives the term with e. Both
 /// coefficients are calibrated on finer grids of the same surfaces
-/// (docs/area.md).
+/// (docs/numerics/area.md).
 ///
 /// The estimate requires a resolved contact boundary. For patches of one or two
 /// nodes, or a contact that alternates from node to node, (A.5) is far below
 /// the counted area and may even be negative. If it is below
 /// least_corrected_share of the counted area, the estimate is not determined.
 /// The coarsest grids of the calibration, with two nodes in the shortest
-/// wavelength, have a ratio of 0.45 (docs/area.md).
+/// wavelength, have a ratio of 0.45 (docs/numerics/area.md).
 ///
 /// @param gap  [m], used at open nodes
 /// @return     [1] 0..1, not below that fraction of the counted area; NaN with
 ///             the reason if it is not determined
-/// @par Accuracy  docs/area.md: within 1 % of the limit with eight nodes in the
-///                shortest wavelength, for p/(E* h') from 0.01 to 1
+/// @par Accuracy  docs/numerics/area.md: within 1 % of the limit with eight
+///                nodes in the shortest wavelength, p/(E* h') from 0.01 to 1
 Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,

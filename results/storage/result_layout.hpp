@@ -1,7 +1,7 @@
 #pragma once
 
-// This internal header of results/ defines the names of docs/results.md that
-// the writer and the reader share.
+// This internal header of results/ defines the names of
+// docs/reference/results.md that the writer and the reader share.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 """Result files that other people wrote with h5py: the least that
-docs/results.md asks for is enough, also beside a result of ours, and a hostile
+docs/reference/results.md asks for is enough, also beside a result of ours, and a hostile
 file is answered by exit code 2 and a message that names the object; it starts
 no program, opens no other file and takes no memory to speak of.
 
@@ -40,7 +40,7 @@ WAIT = 100  # seconds: what hangs ends here, and nothing good comes near
 
 
 def write_least(path):
-    """The least that docs/results.md asks for."""
+    """The least that docs/reference/results.md asks for."""
     with h5py.File(path, "w") as file:
         file.attrs["format"] = "asperity-result"
         file.attrs["format_version"] = 1

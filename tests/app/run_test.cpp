@@ -66,8 +66,8 @@ TEST_F(RunCommand, WritesEverythingItPromises) {
 }
 
 // Claim: the methods answer the same case. Tolerances: Q2 with eight nodes in
-// the shortest wave is 0.1 % of h_rms off in the gap (docs/area.md), the
-// penalty adds p/k < 0.01 h_rms here; both methods share the surface.
+// the shortest wave is 0.1 % of h_rms off in the gap (docs/numerics/area.md),
+// the penalty adds p/k < 0.01 h_rms here; both methods share the surface.
 TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
 

@@ -1,5 +1,5 @@
 // Claims about what is generated from the vocabulary: schema, template and
-// docs/case.md.
+// docs/reference/case.md.
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/documents.hpp"
 #include "cases/reader/read_case.hpp"
@@ -122,7 +122,7 @@ TEST(Template, ShowsGoodExamplesInItsComments) {
 
 // Golden: format only. ASPERITY_UPDATE_GOLDEN=1 writes the page anew.
 TEST(CaseReference, IsTheCommittedPage) {
-  const std::string path = "docs/case.md";
+  const std::string path = "docs/reference/case.md";
   if (std::getenv("ASPERITY_UPDATE_GOLDEN") != nullptr)
     std::ofstream(path) << case_reference_markdown();
 

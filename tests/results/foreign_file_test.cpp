@@ -1,5 +1,6 @@
 // Claims about results/result_reader.hpp on files it did not write: the least
-// that docs/results.md asks for is enough, and what is wrong is named.
+// that docs/reference/results.md asks for is enough, and what is wrong is
+// named.
 #include "cases/text/case_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
