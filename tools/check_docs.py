@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Refuse a page that names a file that does not exist.
+"""Refuse a page that names a file, a section or a figure that does not exist.
 
-Reads every Markdown file of the tree: the targets of its links, and each path
-of a source, a script or a case between backquotes. Prints every line that names
-a missing file and exits 1. Proves on itself first that it can fail.
+Reads every Markdown file of the tree: the targets of its links, also the
+section behind a #, each path of a source, a script or a case between
+backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
+must list every figure that the program can draw. Prints every line that names
+something missing and exits 1. Proves on itself first that it can fail.
 """
 import re
 import sys
@@ -11,19 +13,56 @@ from pathlib import Path
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(r"`((?:[a-z0-9_-]+/)+[a-z0-9_-]+\.(?:cpp|hpp|py|md|toml|csv))`")
-ELSEWHERE = re.compile(r"^(https?:|mailto:|#)")
+FIGURE = re.compile(r"`(?:[^`\s]*/)?([a-z0-9-]+)\.svg`")
+ELSEWHERE = re.compile(r"^(https?:|mailto:)")
+HEADING = re.compile(r"^#+ +(.*)$")
+ROW = re.compile(r"^\| `([a-z-]+)(?:<[a-z]+>)?` \|", re.MULTILINE)
+DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
+         # figure.name = "phases"; {"growth", "Cost against ...
+         "bench/pages/bench_figures.cpp": re.compile(
+             r'(?:figure\.name = "([a-z]+-?)"|[{]"([a-z]+-?)"(?: \+ file_word\(quantity\))?,\s+"[A-Z])')}
+
+
+def anchors(text):
+    """The anchors of a page's headings; the rule of GitHub is that of MkDocs for all but odd headings."""
+    fence = False
+    for line in text.splitlines():
+        fence ^= line.startswith("```")
+        heading = None if fence else HEADING.match(line)
+        if heading:
+            words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading[1]).strip().lower()
+            yield re.sub(r" ", "-", re.sub(r"[^\w\- ]", "", words))
 
 
 def missing(folder, root, text):
     """(line number, name) of each file that `text`, a page in `folder`, names in vain."""
     for number, line in enumerate(text.splitlines(), start=1):
         for target in LINK.findall(line):
-            path = target.partition("#")[0]
-            if path and not ELSEWHERE.match(target) and not (folder / path).exists():
+            path, _, anchor = target.partition("#")
+            if ELSEWHERE.match(target):
+                continue
+            page = folder / path
+            if path and not page.exists():
+                yield number, target
+            elif anchor and anchor not in anchors(page.read_text() if path else text):
                 yield number, target
         for path in PATH.findall(line):
             if (root / path.split("/")[0]).is_dir() and not (root / path).exists():
                 yield number, path
+
+
+def drawn_figures(root):
+    """The names of figures in the sources; one that ends with "-" is continued at run time."""
+    return {match[match.lastindex] for source, names in DRAWN.items()
+            for match in names.finditer((root / source).read_text())}
+
+
+def unknown_figures(known, text):
+    """(line number, name) of each figure of a page that the program cannot draw."""
+    for number, line in enumerate(text.splitlines(), start=1):
+        for name in FIGURE.findall(line):
+            if name not in known and not any(k.endswith("-") and name.startswith(k) for k in known):
+                yield number, name + ".svg"
 
 
 def pages(root):
@@ -32,17 +71,32 @@ def pages(root):
             yield path
 
 
+def check_itself(root):
+    for wrong in ("[a page](no/such/page.md)", "see `tools/no_such_tool.py`", "# A b\n[x](#a-c)",
+                  "[x](README.md#no-such-section)"):
+        assert list(missing(root, root, wrong)), wrong
+    for right in ("[this](tools/check_docs.py) [x](https://a.b/#c)", "# A `b`, c\n[x](#a-b-c)"):
+        assert not list(missing(root, root, right)), right
+    assert list(unknown_figures({"cost", "maps-"}, "`costs.svg`")), "cannot fail"
+    assert not list(unknown_figures({"cost", "maps-"}, "`out/x/maps-fem.svg`")), "cannot pass"
+
+
 def main(root):
-    assert list(missing(root, root, "[a page](no/such/page.md)")), "cannot fail"
-    assert list(missing(root, root, "see `tools/no_such_tool.py`")), "cannot fail"
-    assert not list(missing(root, root, "[this](tools/check_docs.py) [x](https://a.b)")), "cannot pass"
+    check_itself(root)
+    figures = drawn_figures(root)
     found = 0
     for page in pages(root):
-        for number, name in missing(page.parent, root, page.read_text()):
+        text = page.read_text()
+        unknown = unknown_figures(figures, text) if root / "docs" in page.parents else []
+        for number, name in [*missing(page.parent, root, text), *unknown]:
             print(f"{page.relative_to(root)}:{number}: {name} does not exist")
             found += 1
+    listed = set(ROW.findall((root / "docs/reference/figures.md").read_text()))
+    for name in sorted(figures ^ listed):
+        print(f"docs/reference/figures.md: {name} is {'not listed' if name in figures else 'never drawn'}")
+        found += 1
     return 1 if found else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    sys.exit(main(Path(sys.argv[1]).resolve()))
