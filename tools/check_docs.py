@@ -24,14 +24,16 @@ DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
 
 
 def anchors(text):
-    """The anchors of a page's headings; the rule of GitHub is that of MkDocs for all but odd headings."""
+    """The anchors of a page's headings that are the same on GitHub and by MkDocs, which joins hyphens."""
     fence = False
     for line in text.splitlines():
         fence ^= line.startswith("```")
         heading = None if fence else HEADING.match(line)
         if heading:
             words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading[1]).strip().lower()
-            yield re.sub(r" ", "-", re.sub(r"[^\w\- ]", "", words))
+            anchor = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+            if "--" not in anchor:
+                yield anchor
 
 
 def missing(folder, root, text):
