@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""The commands of a page of docs/, run as they are written.
+
+page_test.py PROGRAM SOURCE PAGE FOLDER: runs each line of the fenced blocks of
+docs/PAGE.md that begin with ./asperity, in FOLDER, which is emptied first and
+gets a copy of docs/tutorials. A line ends with `# exit code N` where N is not 0.
+A block marked `text` shows lines of what the commands before it print; numbers
+may differ by 2 %, and a line that ends with ... may go on. Afterwards each file
+`out/...` and each figure `name.svg` that the page names must exist.
+"""
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+EXIT_CODE = re.compile(r"# exit code (\d+)$")
+FILE = re.compile(r"`(out/[^`\s<>*]+)`")
+FIGURE = re.compile(r"`([a-z0-9-]+\.svg)`")
+TOKEN = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?|[^\s\d]+")
+CLOSE = 0.02
+
+
+def is_same(shown, printed):
+    """Whether a printed line is the one that a page shows."""
+    some = TOKEN.findall(shown.removesuffix("..."))
+    all_of_it = TOKEN.findall(printed)
+    if shown.endswith("..."):
+        all_of_it = all_of_it[:len(some)]
+    return len(some) == len(all_of_it) and all(map(is_close, some, all_of_it))
+
+
+def is_close(shown, printed):
+    if shown[0].isdigit() and printed[0].isdigit():
+        return abs(float(shown) - float(printed)) <= CLOSE * abs(float(shown))
+    return shown == printed
+
+
+def run(program, line, folder):
+    """What a command prints, after a check of its exit code."""
+    expected = EXIT_CODE.search(line)
+    words = shlex.split(line, comments=True)
+    assert words[0] == "./asperity", line
+    ended = subprocess.run([program, *words[1:]], cwd=folder, text=True, check=False,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    code = int(expected[1]) if expected else 0
+    if ended.returncode != code:
+        sys.exit(f"{line}\nexit code {ended.returncode}, not {code}\n{ended.stdout}")
+    return ended.stdout
+
+
+def run_blocks(program, page, folder):
+    """Runs the commands of a page and returns how many there are."""
+    commands, printed = 0, []
+    for kind, block in BLOCK.findall(page):
+        if block.startswith("./asperity"):
+            printed = []
+            for line in block.splitlines():
+                printed += run(program, line, folder).splitlines()
+                commands += 1
+        elif kind == "text":
+            for shown in block.splitlines():
+                if not any(is_same(shown, line) for line in printed):
+                    sys.exit(f"not printed: {shown}\n" + "\n".join(printed))
+    return commands
+
+
+def check_files(page, folder):
+    drawn = {path.name for path in folder.glob("out/**/*.svg")}
+    lost = [name for name in FILE.findall(page) if not (folder / name).exists()]
+    lost += [name for name in FIGURE.findall(page) if name not in drawn]
+    if lost:
+        sys.exit("the page names what was not written: " + ", ".join(lost))
+
+
+def check_itself():
+    assert is_same("ok  fem  0.50 +- 0.02 ...", "ok fem 0.501 +- 0.02 in 0.4..0.6")
+    assert not is_same("ok fem 0.50", "ok fem 0.52") and not is_same("ok fem", "ok fem 1")
+    assert not is_same("ok fem", "ok md")
+
+
+def main(program, source, name, scratch):
+    check_itself()
+    folder = Path(scratch)
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(Path(source) / "docs/tutorials", folder / "docs/tutorials")
+    os.environ["ASPERITY_CACHE"] = str(folder / "cache")
+    os.environ.pop("ASPERITY_CACHE_SIZE", None)
+    page = (Path(source) / "docs" / f"{name}.md").read_text()
+    if run_blocks(program, page, folder) == 0:
+        sys.exit("the page has no command")
+    check_files(page, folder)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
