@@ -18,8 +18,8 @@ using cases::Element;
 
 /// Iterations per load step that starts from the previous solution: 18 and 19
 /// in `polymer` at 512^2 (half-space, fem), 15 in `md-small` at 162^2;
-/// docs/numerics/solver.md describes how they grow. A single sphere or wave
-/// takes half of them: 9 to 14 in `hertz` and `wave-2d`.
+/// docs/numerics/solver-measurements.md shows how they grow. A single sphere or
+/// wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
 constexpr double iterations_at_512 = 18.0;
 constexpr double smooth_factor = 0.5;
 constexpr double iterations_exponent = 0.4;

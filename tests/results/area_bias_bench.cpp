@@ -1,6 +1,6 @@
 // The bias of every estimator of the contact area, and of the mean gap, against
-// the limit of fine grids: the tables of docs/numerics/area.md, and the
-// calibration of results/area_estimate. Run by hand, some minutes:
+// the limit of fine grids: the tables of docs/numerics/area-measurements.md,
+// and the calibration of results/area_estimate. Run by hand, some minutes:
 //
 //     ninja -C build/release bench_results_area_bias
 //     build/release/tests/results/bench_results_area_bias [surfaces] [hurst]
