@@ -4,8 +4,9 @@
 Reads every Markdown file of the tree: the targets of its links, also the
 section behind a #, each path of a source, a script or a case between
 backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
-must list every figure that the program can draw. Prints every line that names
-something missing and exits 1. Proves on itself first that it can fail.
+must list every figure that the program can draw, and docs/index.md and
+mkdocs.yml every page of docs/. Prints every line that names something missing
+and exits 1. Proves on itself first that it can fail.
 """
 import re
 import sys
@@ -73,12 +74,22 @@ def pages(root):
             yield path
 
 
+def not_in_reach(root, entrance):
+    """The pages of docs/ that a list of pages does not name."""
+    for page in sorted((root / "docs").rglob("*.md")):
+        name = str(page.relative_to(root / "docs"))
+        if name != "index.md" and not re.search(rf"[ (]{re.escape(name)}\b", entrance):
+            yield name
+
+
 def check_itself(root):
     for wrong in ("[a page](no/such/page.md)", "see `tools/no_such_tool.py`", "# A b\n[x](#a-c)",
                   "[x](README.md#no-such-section)"):
         assert list(missing(root, root, wrong)), wrong
     for right in ("[this](tools/check_docs.py) [x](https://a.b/#c)", "# A `b`, c\n[x](#a-b-c)"):
         assert not list(missing(root, root, right)), right
+    assert "glossary.md" in not_in_reach(root, "[g](other-glossary.md)"), "cannot fail"
+    assert "glossary.md" not in not_in_reach(root, "[g](glossary.md)"), "cannot pass"
     assert list(unknown_figures({"cost", "maps-"}, "`costs.svg`")), "cannot fail"
     assert not list(unknown_figures({"cost", "maps-"}, "`out/x/maps-fem.svg`")), "cannot pass"
 
@@ -97,6 +108,10 @@ def main(root):
     for name in sorted(figures ^ listed):
         print(f"docs/reference/figures.md: {name} is {'not listed' if name in figures else 'never drawn'}")
         found += 1
+    for entrance in ("docs/index.md", "mkdocs.yml"):
+        for name in not_in_reach(root, (root / entrance).read_text()):
+            print(f"{entrance}: docs/{name} is not listed")
+            found += 1
     return 1 if found else 0
 
 
