@@ -5,8 +5,8 @@ Reads every Markdown file of the tree: the targets of its links, also the
 section behind a #, each path of a source, a script or a case between
 backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
 must list every figure that the program can draw, and docs/index.md and
-mkdocs.yml every page of docs/. Prints every line that names something missing
-and exits 1. Proves on itself first that it can fail.
+mkdocs.yml every page of docs/. A page of docs/ that a source names must exist.
+Prints every line that names something missing and exits 1. Proves on itself first that it can fail.
 """
 import re
 import sys
@@ -15,17 +15,18 @@ from pathlib import Path
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(r"`((?:[a-z0-9_-]+/)+[a-z0-9_-]+\.(?:cpp|hpp|py|md|toml|csv))`")
 FIGURE = re.compile(r"`(?:[^`\s]*/)?([a-z0-9-]+)\.svg`")
+PAGE = re.compile(r"\bdocs/(?:[a-z-]+/)?[a-z-]+\.md\b")
 ELSEWHERE = re.compile(r"^(https?:|mailto:)")
 HEADING = re.compile(r"^#+ +(.*)$")
 ROW = re.compile(r"^\| `([a-z-]+)(?:<[a-z]+>)?` \|", re.MULTILINE)
 DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
          # figure.name = "phases"; {"growth", "Cost against ...
          "bench/pages/bench_figures.cpp": re.compile(
-             r'(?:figure\.name = "([a-z]+-?)"|[{]"([a-z]+-?)"(?: \+ file_word\(quantity\))?,\s+"[A-Z])')}
+             r'(?:figure\.name = |[{])"([a-z]+-?)"(?:;| \+ file_word\(quantity\)[;,]|,\s+"[A-Z])')}
 
 
 def anchors(text):
-    """The anchors of a page's headings that are the same on GitHub and by MkDocs, which joins hyphens."""
+    """The anchors of headings that are the same on GitHub and by MkDocs, which joins hyphens."""
     fence = False
     for line in text.splitlines():
         fence ^= line.startswith("```")
@@ -56,8 +57,8 @@ def missing(folder, root, text):
 
 def drawn_figures(root):
     """The names of figures in the sources; one that ends with "-" is continued at run time."""
-    return {match[match.lastindex] for source, names in DRAWN.items()
-            for match in names.finditer((root / source).read_text())}
+    return {name for source, names in DRAWN.items()
+            for name in names.findall((root / source).read_text())}
 
 
 def unknown_figures(known, text):
@@ -74,6 +75,14 @@ def pages(root):
             yield path
 
 
+def unknown_pages(root, text):
+    """(line number, name) of each page of docs/ that a source names in vain."""
+    for number, line in enumerate(text.splitlines(), start=1):
+        for path in PAGE.findall(line):
+            if not (root / path).exists():
+                yield number, path
+
+
 def not_in_reach(root, entrance):
     """The pages of docs/ that a list of pages does not name."""
     for page in sorted((root / "docs").rglob("*.md")):
@@ -82,12 +91,21 @@ def not_in_reach(root, entrance):
             yield name
 
 
+def sources(root):
+    for path in sorted(root.rglob("*")):
+        if path.suffix in {".cpp", ".hpp", ".py", ".txt", ".cmake", ".toml", ".csv"} \
+                and not {"build", "out", "corpus"} & set(path.relative_to(root).parts):
+            yield path
+
+
 def check_itself(root):
     for wrong in ("[a page](no/such/page.md)", "see `tools/no_such_tool.py`", "# A b\n[x](#a-c)",
                   "[x](README.md#no-such-section)"):
         assert list(missing(root, root, wrong)), wrong
     for right in ("[this](tools/check_docs.py) [x](https://a.b/#c)", "# A `b`, c\n[x](#a-b-c)"):
         assert not list(missing(root, root, right)), right
+    assert list(unknown_pages(root, "// see docs/no-such.md")), "cannot fail"
+    assert not list(unknown_pages(root, "// see docs/index.md")), "cannot pass"
     assert "glossary.md" in not_in_reach(root, "[g](other-glossary.md)"), "cannot fail"
     assert "glossary.md" not in not_in_reach(root, "[g](glossary.md)"), "cannot pass"
     assert list(unknown_figures({"cost", "maps-"}, "`costs.svg`")), "cannot fail"
@@ -104,9 +122,16 @@ def main(root):
         for number, name in [*missing(page.parent, root, text), *unknown]:
             print(f"{page.relative_to(root)}:{number}: {name} does not exist")
             found += 1
+    for source in sources(root):
+        if source == Path(__file__).resolve():
+            continue
+        for number, name in unknown_pages(root, source.read_text(errors="replace")):
+            print(f"{source.relative_to(root)}:{number}: {name} does not exist")
+            found += 1
     listed = set(ROW.findall((root / "docs/reference/figures.md").read_text()))
     for name in sorted(figures ^ listed):
-        print(f"docs/reference/figures.md: {name} is {'not listed' if name in figures else 'never drawn'}")
+        why = "not listed" if name in figures else "never drawn"
+        print(f"docs/reference/figures.md: {name} is {why}")
         found += 1
     for entrance in ("docs/index.md", "mkdocs.yml"):
         for name in not_in_reach(root, (root / entrance).read_text()):

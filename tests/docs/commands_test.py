@@ -17,7 +17,8 @@ OF_THE_SCRIPT = {"test"}
 
 
 def help_of(program, *command):
-    return subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True).stdout
+    return subprocess.run([program, *command, "--help"], capture_output=True, text=True,
+                          check=True).stdout
 
 
 def sections(page):
@@ -48,7 +49,8 @@ def compare(helps, general, page):
 
 
 def check_itself():
-    helps, general = {"run": "  -h,--help  x\n  --out TEXT  y\n"}, "exit codes:\n  0 success, 1 no\n"
+    helps = {"run": "  -h,--help  x\n  --out TEXT  y\n"}
+    general = "exit codes:\n  0 success, 1 no\n"
     page = "## `run`\n| `--out DIR` | y |\n## Exit codes\n| 0 | x |\n| 1 | y |\n"
     assert not list(compare(helps, general, page))
     assert len(list(compare(helps, general, page.replace("--out", "--in")))) == 2
@@ -60,7 +62,8 @@ def main(program, page):
     check_itself()
     general = help_of(program)
     commands = COMMAND.findall(general.partition("Subcommands:")[2])
-    found = list(compare({name: help_of(program, name) for name in commands}, general, Path(page).read_text()))
+    helps = {name: help_of(program, name) for name in commands}
+    found = list(compare(helps, general, Path(page).read_text()))
     print("\n".join(found))
     return 1 if found or not commands else 0
 
