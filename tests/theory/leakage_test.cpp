@@ -81,9 +81,12 @@ TEST(Leakage, OfFineShellsIsThatOfTheFormula) {
   EXPECT_NEAR(steps.pore_gap / smooth.pore_gap, 1.0, 0.05);
 }
 
+// Claim: a fluid whose viscosity is not set has none that could be used by
+// mistake, so it is refused like a viscosity of zero.
 TEST(Leakage, RefusesWhatIsOutsideItsRange) {
   const MagnifiedContact contact = seal(rough_steel().spectrum(), 0.3e6);
   EXPECT_THROW(leakage(contact, {1e3, 0.0}, 1e5), std::domain_error);
+  EXPECT_THROW(leakage(contact, Fluid{.density = 1e3}, 1e5), std::domain_error);
   EXPECT_THROW(leakage(contact, {-1.0, 1e-3}, 1e5), std::domain_error);
   EXPECT_THROW(leakage(contact, water, -1e5), std::domain_error);
   EXPECT_THROW(leakage(contact, water, 1e5, 1.0), std::domain_error);
