@@ -105,6 +105,45 @@ TEST_F(Sequence, FollowsAGapProgram) {
   }
 }
 
+// Claim: steps under gap control start from one another, and a step under the
+// other control does not, since an amount in Pa cannot be extrapolated from
+// amounts in m: it is that of a new sequence, bit for bit.
+TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
+  LoadSequence program = sequence(Law::hard);
+  int warm_iterations = 0;
+  int cold_iterations = 0;
+  for (const double gap : {1.5, 1.45, 1.4, 1.35}) {
+    const LoadTarget target{Kind::mean_gap, gap * rms_height};
+    warm_iterations += program.solve(target).iterations;
+    cold_iterations += sequence(Law::hard).solve(target).iterations;
+  }
+  EXPECT_LT(warm_iterations, cold_iterations);
+
+  const LoadTarget changed{Kind::nominal_pressure, 1.3 * rms_height};
+  EXPECT_EQ(program.solve(changed).pressure,
+            sequence(Law::hard).solve(changed).pressure);
+}
+
+// Claim: a sequence that recalls the memory of another continues as that one
+// does, bit for bit, under either control.
+TEST_F(Sequence, ContinuesFromTheMemoryOfAnother) {
+  for (const Kind kind : {Kind::nominal_pressure, Kind::mean_gap}) {
+    const double unit = kind == Kind::mean_gap ? rms_height : 0.05;
+    LoadSequence first = sequence(Law::hard);
+    first.solve({kind, 1.5 * unit});
+    first.solve({kind, 1.4 * unit});
+    LoadSequence second = sequence(Law::hard);
+
+    second.recall(first.memory());
+
+    EXPECT_EQ(second.memory(), first.memory());
+    const ContactSolution found = second.solve({kind, 1.3 * unit});
+    const ContactSolution expected = first.solve({kind, 1.3 * unit});
+    EXPECT_EQ(found.iterations, expected.iterations);
+    EXPECT_EQ(found.pressure, expected.pressure);
+  }
+}
+
 // Claim: a penalty shows -p/k as its gap, and k -> inf is the hard wall.
 TEST_F(Sequence, PenaltyIsALocalSpring) {
   const double spacing = grid.spacing_x();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -94,6 +95,30 @@ TEST_F(RoughSurface, AgreesWithThePlainMethod) {
         ASSERT_NEAR(fast.pressure[i], plain.pressure[i],
                     100.0 * 2e-9 * rms_height * 10.0);
     }
+  }
+}
+
+// Claim: the plain method states the error of the pressure that it returns,
+// also after an iteration in which overlapping nodes entered the contact, where
+// the displacement cannot be updated by recurrence. Tolerance: the roundoff of
+// the recurrence over these iterations.
+TEST_F(RoughSurface, PlainMethodStatesItsError) {
+  std::vector<double> start(heights.size(), 0.0);
+  start[static_cast<std::size_t>(
+      std::max_element(heights.begin(), heights.end()) - heights.begin())] =
+      1.0;
+  for (int iterations = 1; iterations <= 12; ++iterations) {
+    ContactProblem unfinished = problem();
+    unfinished.max_iterations = iterations;
+
+    const ContactSolution solution = polonsky_keer(
+        elasticity, unfinished, {Kind::nominal_pressure, 0.05}, start);
+
+    EXPECT_EQ(solution.iterations, iterations);
+    EXPECT_NEAR(
+        scenes::complementarity_error(elasticity, unfinished, solution) /
+            solution.gap_error,
+        1.0, 1e-10);
   }
 }
 

@@ -250,5 +250,27 @@ TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
   EXPECT_GT(peak.von_mises, 2.0 * uniform.strongest().von_mises);
 }
 
+// Claim: below an incompressible coating, in which the stress is nearly
+// hydrostatic, it is strongest just below the interface: in the map of that
+// side, and above all of the other side.
+TEST(StressInLayers, IsStrongestBelowASoftCoating) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  const double thickness = 0.04;
+  const ElasticBlock block{
+      1.0, 0.0, infinity, FarBoundary::clamped, {{thickness, 0.5, 0.5}}};
+  const StressInside inside(grid, block, patch(grid, 0.08));
+  const auto largest = [&](InterfaceSide side) {
+    const std::vector<double> map = von_mises(inside.at_depth(thickness, side));
+    return *std::max_element(map.begin(), map.end());
+  };
+
+  const StressPeak peak = inside.strongest();
+
+  EXPECT_EQ(peak.depth, thickness);
+  EXPECT_EQ(peak.side, InterfaceSide::lower);
+  EXPECT_EQ(peak.von_mises, largest(InterfaceSide::lower));
+  EXPECT_GT(peak.von_mises, largest(InterfaceSide::upper));
+}
+
 } // namespace
 } // namespace asperity::contact
