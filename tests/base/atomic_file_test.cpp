@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace asperity {
@@ -43,6 +44,27 @@ TEST_F(AtomicFile, HoldsExactlyTheTextAndNothingElseIsLeft) {
 
   EXPECT_EQ(content(folder_ / "out.txt"), text);
   EXPECT_EQ(n_files(), 1);
+}
+
+TEST_F(AtomicFile, MayHoldOneByteOrNone) {
+  for (const std::string text : {"", "x"}) {
+    write_file_atomically(folder_ / "out.txt", text);
+
+    EXPECT_EQ(content(folder_ / "out.txt"), text);
+  }
+}
+
+// Claim: a process without standard input can write, for which the system opens
+// the file as number 0.
+TEST_F(AtomicFile, MayBeFileZero) {
+  const int input = ::dup(0);
+  ::close(0);
+
+  EXPECT_NO_THROW(write_file_atomically(folder_ / "out.txt", "text"));
+
+  EXPECT_EQ(::dup2(input, 0), 0);
+  ::close(input);
+  EXPECT_EQ(content(folder_ / "out.txt"), "text");
 }
 
 // A folder in the way makes the rename fail after the text is written.
