@@ -14,6 +14,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/cases/case_samples.hpp"
+
 namespace asperity::cases {
 namespace {
 
@@ -62,6 +64,22 @@ TEST(JsonSchema, SaysRangesWordsAndDefaults) {
   EXPECT_EQ(fem.at("depth").at("default"), "1 length");
   EXPECT_EQ(schema().at("/properties/theory/required"_json_pointer),
             nlohmann::json({"gamma"}));
+}
+
+// Claim: a layer inherits nothing, so the schema requires its keys, as the
+// reader does; and both limit whole numbers.
+TEST(JsonSchema, ForbidsWhatTheReaderRefuses) {
+  const nlohmann::json count = properties_of("surface").at("realizations");
+
+  EXPECT_EQ(schema().at("/$defs/material.layer/required"_json_pointer),
+            nlohmann::json({"thickness", "youngs_modulus", "poisson_ratio"}));
+  EXPECT_EQ(count.at("minimum"), 1.0);
+  EXPECT_EQ(count.at("maximum"), 1000.0);
+
+  for (const char* change :
+       {"material.layers=[{ thickness = 1e-6, youngs_modulus = 1e9 }]",
+        "surface.realizations=0", "surface.realizations=1001"})
+    EXPECT_NE(mistakes_of(contact_case, {change}), "") << change;
 }
 
 // A variant has no required keys: it inherits them.

@@ -51,6 +51,15 @@ TEST(QuantityAtLoad, AnswersForItsNameWhereverNamesAreKnown) {
   EXPECT_EQ(expectation_called("gamma_slope@p=1 Pa"), nullptr);
 }
 
+// Claim: the contact at a magnification is known to the theory alone, which
+// reports ask for by these two flags.
+TEST(QuantityAtLoad, AtAMagnificationIsTheTheorys) {
+  for (const ExpectationName& quantity : quantities_at_magnification()) {
+    EXPECT_TRUE(quantity.theory_answers) << quantity.name;
+    EXPECT_TRUE(quantity.theory_only) << quantity.name;
+  }
+}
+
 const std::string band = "\" = { value = 0.1, within = 0.02 }\n";
 
 TEST(QuantityAtLoad, IsAKeyOfExpect) {
