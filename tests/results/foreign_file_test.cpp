@@ -101,6 +101,30 @@ TEST_F(ForeignFile, GetsItsRmsHeightFromItsMap) {
   EXPECT_TRUE(std::isnan(surface.rms_slope));
 }
 
+// Claim: a surface may be known by its numbers alone; the number of points is
+// then 0, and nothing else that is not a count is accepted.
+TEST_F(ForeignFile, MayLeaveItsGridUnknown) {
+  const auto write_points = [this](double points) {
+    write([points](Hdf5File& file) {
+      Hdf5Group surface = file.open_or_create("surfaces").open_or_create("0");
+      surface.set_attribute("rms_height", 3e-9);
+      surface.set_attribute("points_x", points);
+    });
+  };
+
+  write_points(0.0);
+
+  const SurfaceRecord surface = read_result(path_).surfaces.at(0);
+  EXPECT_EQ(surface.grid, (Grid{0, 0, 0.0, 0.0}));
+  EXPECT_EQ(surface.rms_height, 3e-9);
+  for (const double points : {-1.0, 2.5, 1e12}) {
+    write_points(points);
+    EXPECT_NE(complaint().find("points, but must be an integer between 0 and"),
+              std::string::npos)
+        << complaint();
+  }
+}
+
 TEST_F(ForeignFile, IsAnsweredByTheNameOfWhatIsWrong) {
   const std::string curve = "/methods/bem.mine/0/curve";
   write([](Hdf5File& file) { file.set_attribute("format", "x"); });

@@ -272,6 +272,23 @@ TEST_F(ResultJournal, OfAnotherResultIsNotRead) {
   EXPECT_TRUE(read_result(folder_).methods.empty());
 }
 
+// Claim: a journal of another result is replaced, from its first byte.
+TEST_F(ResultJournal, ReplacesThatOfAnotherResult) {
+  fs::create_directories(folder_);
+  Journal(journal(), "another").append(1, "theirs");
+
+  Journal own(journal(), "own");
+  EXPECT_EQ(own.size(), 0U);
+  own.append(1, "ours");
+
+  std::vector<std::string> records;
+  const auto take = [&](std::uint64_t, std::string_view bytes) {
+    records.emplace_back(bytes);
+  };
+  EXPECT_EQ(read_journal(journal(), "own", take), own.size());
+  EXPECT_EQ(records, std::vector<std::string>{"ours"});
+}
+
 // Claim: damage in the middle stops the writer before it removes anything.
 TEST_F(ResultJournal, ThatIsDamagedIsKeptAndSaid) {
   ResultWriter writer(folder_, sample_case());
