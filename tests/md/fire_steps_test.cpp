@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -62,6 +63,37 @@ TEST(FireSteps, ARiseTakesBackHalfOfTheStepThatWasTaken) {
     ASSERT_LE(std::abs(system.evaluated[i][0] - system.evaluated[i - 1][0]),
               1.5 * largest_step * (1.0 + 1e-12))
         << "step " << i;
+}
+
+// Claim: every state is that of the algorithm of Bitzek et al. (2006) with half
+// of the last step taken back at a rise: from each rise on, the time step grows
+// after five steps downhill. On one unknown the mixing changes nothing.
+// Tolerance: roundoff, which the damped motion does not amplify.
+TEST(FireSteps, EachRiseCountsTheStepsDownhillAnew) {
+  const Separate system = spring(1.0);
+  std::vector<double> state{1.0};
+
+  const Relaxation answer = relax_by_fire(system, state, settings_with(1e3));
+
+  ASSERT_TRUE(answer.converged) << answer.note;
+  double x = 1.0, velocity = 0.0, time_step = 0.1;
+  int downhill = 0, rises = 0;
+  for (std::size_t i = 0; i < system.evaluated.size(); ++i) {
+    ASSERT_NEAR(system.evaluated[i][0], x, 1e-13) << "step " << i;
+    if (x * velocity < 0.0) {
+      if (++downhill > 5)
+        time_step = std::min(1.1 * time_step, 1.0);
+    } else if (i > 0) {
+      x -= 0.5 * time_step * velocity;
+      velocity = 0.0;
+      downhill = 0;
+      time_step *= 0.5;
+      ++rises;
+    }
+    velocity -= time_step * system.evaluated[i][0];
+    x += time_step * velocity;
+  }
+  EXPECT_GE(rises, 2);
 }
 
 // Claim: forces that are not finite end the relaxation at once, whatever the
