@@ -59,7 +59,7 @@ TEST(Mistakes, NameTheMissingTables) {
   EXPECT_EQ(mistakes_of("schema = 1\n"),
             "  case.toml:1: the table [surface] is missing\n"
             "  case.toml:1: no method is given; allowed: [theory], "
-            "[halfspace], [fem], [md]\n"
+            "[halfspace], [fem], [md], [winkler]\n"
             "  case.toml:1: the table [material] is missing\n"
             "  case.toml:1: the table [load] is missing\n");
 }

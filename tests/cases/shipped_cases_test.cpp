@@ -268,15 +268,26 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
           block.find(key.name) == std::string::npos)
         beyond.insert(table.name + "." + key.name);
 
-  EXPECT_EQ(beyond,
-            (std::set<std::string>{
-                ".base", "expect.band.above", "expect.band.below",
-                "expect.band.if_undecided", "halfspace.max_iterations",
-                "fem.max_iterations", "fem.mesh", "fem.sides",
-                "fem.linear_solver", "fem.contact_at", "fem.bodies",
-                "material.layers", "report.fields", "report.stress_inside",
-                "report.vtu", "surface.amplitudes", "surface.height_unit",
-                "surface.press_windowed_map", "surface.rescale"}));
+  EXPECT_EQ(beyond, (std::set<std::string>{".base",
+                                           "expect.band.above",
+                                           "expect.band.below",
+                                           "expect.band.if_undecided",
+                                           "halfspace.max_iterations",
+                                           "fem.max_iterations",
+                                           "fem.mesh",
+                                           "fem.sides",
+                                           "fem.linear_solver",
+                                           "fem.contact_at",
+                                           "fem.bodies",
+                                           "material.layers",
+                                           "report.fields",
+                                           "report.stress_inside",
+                                           "report.vtu",
+                                           "surface.amplitudes",
+                                           "surface.height_unit",
+                                           "surface.press_windowed_map",
+                                           "surface.rescale",
+                                           "winkler.stiffness"}));
 }
 
 } // namespace
