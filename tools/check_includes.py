@@ -35,7 +35,7 @@ ORDER = {
     "cases": ["text", "types", "reader"],
     "theory": ["persson", "exact"],
     "results": ["types", "observables", "storage", "."],
-    "contact": ["operators", "solvers"],
+    "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "."],
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],

@@ -1,5 +1,6 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
+#include "app/cli/certify_command.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/run/mpi_world.hpp"
@@ -170,6 +171,17 @@ void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
+void add_certify(CLI::App& program, std::vector<std::string>& paths,
+                 Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "certify", "Bound the errors of the pressure fields of\n"
+                 "results, of any program.");
+  command->add_option("result", paths, "results (files or folders)")
+      ->required();
+  add_example(command, "certify out/polymer");
+  command->callback([&] { action = [&] { return certify_results(paths); }; });
+}
+
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                     Action& action) {
   CLI::App* command = program.add_subcommand(
@@ -241,6 +253,7 @@ int run(int argc, char** argv) {
   add_bench(program, bench, action);
   add_report(program, paths, out, action);
   add_check(program, paths, out, run.uses_cache, action);
+  add_certify(program, paths, action);
   bool is_to_clear = false;
   add_cache(program, is_to_clear, action);
   add_robustness(program, stress, action);

@@ -46,6 +46,13 @@ public:
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface, int threads);
 
+  /// Returns the operator behind a half-space or condensed method.
+  std::unique_ptr<contact::SurfaceOperator>
+  operator_of(const cases::MethodSpec& method, const SurfaceOfCase& surface,
+              int threads) {
+    return shared_operator(method, surface, threads).elasticity;
+  }
+
 private:
   /// An operator, and the set-up time that the cache saved [s].
   struct Face {

@@ -1,0 +1,198 @@
+// Claims about contact/certificate/certificate.hpp: the bounds hold for exact
+// and for damaged answers, and they are sharp.
+#include "contact/certificate/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::contact {
+namespace {
+
+struct Problem {
+  int points;
+  double thickness; ///< [lengths]; 0: half-space
+  double compliance;
+  double load; ///< p_0 [E*]
+  unsigned seed;
+};
+
+double mean_product(const std::vector<double>& a,
+                    const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum / static_cast<double>(a.size());
+}
+
+class Certified : public testing::TestWithParam<Problem> {
+protected:
+  Certified()
+      : grid{GetParam().points, GetParam().points, 1.0, 1.0},
+        heights(scenes::rough_heights(grid, {.seed = GetParam().seed})),
+        elasticity(halfspace_operator(
+            grid, {1.0, 0.3,
+                   GetParam().thickness > 0.0
+                       ? GetParam().thickness
+                       : std::numeric_limits<double>::infinity()})) {}
+
+  ContactSolution solved(double tolerance) {
+    return polonsky_keer(elasticity,
+                         {heights, GetParam().compliance,
+                          tolerance * scenes::rms(heights), 20000},
+                         {LoadTarget::Kind::nominal_pressure, GetParam().load});
+  }
+
+  /// The penalty's separation counts the penetration: u of (C + c).
+  double separation(const ContactSolution& answer) {
+    return check_field(elasticity, submitted(answer.pressure)).mean_gap;
+  }
+
+  SubmittedField submitted(const std::vector<double>& pressure) const {
+    return {heights, GetParam().compliance, GetParam().load, pressure};
+  }
+
+  /// The same noise in any amplitude, and tension at a node without contact.
+  std::vector<double> with_noise(std::vector<double> pressure,
+                                 double amplitude) const {
+    std::mt19937_64 random(GetParam().seed);
+    std::normal_distribution<double> noise;
+    for (double& value : pressure)
+      value *= 1.0 + amplitude * noise(random);
+    const auto free = std::ranges::find(pressure, 0.0);
+    if (free != pressure.end())
+      *free = -0.1 * amplitude * GetParam().load;
+    return pressure;
+  }
+
+  /// E(p) = <p, (C + c) p>/2 - <h, p>.
+  double potential(const std::vector<double>& pressure) {
+    std::vector<double> w(pressure.size());
+    elasticity.displacement(pressure, w);
+    for (std::size_t i = 0; i < w.size(); ++i)
+      w[i] += GetParam().compliance * pressure[i];
+    return 0.5 * mean_product(pressure, w) - mean_product(heights, pressure);
+  }
+
+  /// |a - b|^2 in the energy norm.
+  double distance(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> difference(a.size()), w(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      difference[i] = a[i] - b[i];
+    elasticity.displacement(difference, w);
+    for (std::size_t i = 0; i < w.size(); ++i)
+      w[i] += GetParam().compliance * difference[i];
+    return mean_product(difference, w);
+  }
+
+  Grid grid;
+  std::vector<double> heights;
+  FourierOperator elasticity;
+};
+
+// Claim: the separation of an answer that is exact to 1e-12 h_rms lies between
+// the bounds, which are closer than 1e-6 h_rms.
+TEST_P(Certified, EnclosesTheExactSeparation) {
+  const ContactSolution exact = solved(1e-12);
+  ASSERT_TRUE(exact.converged) << exact.note;
+  const double u = separation(exact);
+  const double rms = scenes::rms(heights);
+
+  const SeparationBounds bounds =
+      bound_separation(elasticity, submitted(exact.pressure));
+
+  EXPECT_LE(bounds.low, u + 1e-11 * rms);
+  EXPECT_GE(bounds.high, u - 1e-11 * rms);
+  EXPECT_LT(bounds.high - bounds.low, 1e-6 * rms);
+}
+
+// Claim: for an answer with noise of 1 % and tension, the energy is above the
+// least by no more than the duality gap and by no less than half the squared
+// error; the bounds still enclose the separation, and the error that they state
+// for the answer is not below the true one. The duality gap is proportional to
+// the noise (the difference of the energies to its square, so that no factor
+// between the two can be stated).
+TEST_P(Certified, BoundsADamagedAnswer) {
+  const ContactSolution exact = solved(1e-12);
+  ASSERT_TRUE(exact.converged) << exact.note;
+  const std::vector<double> damaged = with_noise(exact.pressure, 0.01);
+  const double u = separation(exact);
+  const double rms = scenes::rms(heights);
+
+  const FieldCheck check = check_field(elasticity, submitted(damaged));
+  const SeparationBounds bounds =
+      bound_separation(elasticity, submitted(damaged));
+
+  std::vector<double> projected = damaged;
+  double sum = 0.0;
+  for (double& value : projected)
+    sum += value = std::max(value, 0.0);
+  for (double& value : projected)
+    value *= GetParam().load * static_cast<double>(grid.size()) / sum;
+  const double above = potential(projected) - potential(exact.pressure);
+  const double allowed = 1e-12 * GetParam().load * rms;
+  EXPECT_LE(above, check.duality_gap + allowed);
+  EXPECT_GE(above, 0.5 * distance(projected, exact.pressure) - allowed);
+  const double of_less =
+      check_field(elasticity, submitted(with_noise(exact.pressure, 0.001)))
+          .duality_gap;
+  EXPECT_NEAR(check.duality_gap / of_less, 10.0, 2.0);
+  EXPECT_LE(bounds.low, u + 1e-11 * rms);
+  EXPECT_GE(bounds.high, u - 1e-11 * rms);
+  EXPECT_GE(bounds.error, std::abs(check.mean_gap - u) - 1e-11 * rms);
+  EXPECT_LT(bounds.high - bounds.low, 1e-6 * rms);
+}
+
+INSTANTIATE_TEST_SUITE_P(Problems, Certified,
+                         testing::Values(Problem{64, 0.0, 0.0, 0.02, 1},
+                                         Problem{64, 0.0, 0.0, 0.3, 2},
+                                         Problem{64, 0.2, 0.0, 0.05, 3},
+                                         Problem{64, 0.0, 0.01, 0.05, 4},
+                                         Problem{128, 0.5, 0.0, 0.1, 5}));
+
+class FieldCheckOfFlaws : public testing::Test {
+protected:
+  Grid grid{16, 16, 1.0, 1.0};
+  std::vector<double> heights = scenes::rough_heights(grid, {});
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.3, std::numeric_limits<double>::infinity()});
+};
+
+// Claim: a wrong load and tension are counted as submitted.
+TEST_F(FieldCheckOfFlaws, CountsWhatIsProjectedAway) {
+  std::vector<double> pressure(grid.size(), 0.0);
+  pressure[3] = 3.0 * 256.0;
+  pressure[4] = -1.0 * 256.0;
+  const FieldCheck check =
+      check_field(elasticity, {heights, 0.0, 4.0, pressure});
+  EXPECT_NEAR(check.load_error, -0.5, 1e-15);
+  EXPECT_EQ(check.largest_tension, 256.0);
+  EXPECT_EQ(check.nodes_in_tension, 1U);
+  EXPECT_NEAR(check.area_fraction, 1.0 / 256.0, 1e-15);
+  EXPECT_GT(check.pressure_error, 0.0);
+}
+
+TEST_F(FieldCheckOfFlaws, RefusesWhatIsNoField) {
+  const std::vector<double> none(grid.size(), 0.0);
+  const std::vector<double> wrong(7, 1.0);
+  std::vector<double> broken(grid.size(), 1.0);
+  broken[9] = NAN;
+  for (const std::vector<double>& pressure : {none, wrong, broken})
+    EXPECT_THROW(check_field(elasticity, {heights, 0.0, 1.0, pressure}),
+                 std::domain_error);
+  const std::vector<double> sound(grid.size(), 1.0);
+  EXPECT_THROW(check_field(elasticity, {heights, 0.0, 0.0, sound}),
+               std::domain_error);
+  EXPECT_THROW(check_field(elasticity, {heights, -1.0, 1.0, sound}),
+               std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::contact
