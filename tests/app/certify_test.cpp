@@ -1,0 +1,80 @@
+// Claims about `asperity certify`: our own fields are certified to the solver's
+// tolerance, damage shows in the right column, and what has no bound is said to
+// have none.
+#include "results/result_reader.hpp"
+
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "tests/app/program.hpp"
+
+namespace asperity::app {
+namespace {
+
+using Row = std::vector<double>; ///< columns after the name of the method
+
+/// The rows of the table, by the name of the method.
+std::map<std::string, std::vector<Row>> rows_of(const std::string& output) {
+  std::map<std::string, std::vector<Row>> rows;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    words >> name;
+    Row row;
+    for (double number = 0.0; words >> number;)
+      row.push_back(number);
+    if (row.size() == 10 && words.eof())
+      rows[name].push_back(row);
+  }
+  return rows;
+}
+
+class CertifyCommand : public ProgramTest {
+protected:
+  CertifyCommand() {
+    write("small.toml", small_case);
+    const Ended done = run("run small.toml --no-report --out result");
+    EXPECT_EQ(done.exit_code, 0) << done.output;
+  }
+};
+
+// Fields in single precision have a load error and a complementarity of 1e-7;
+// the mean gap of a row is that of the solver, exact to 1e-8 h_rms.
+TEST_F(CertifyCommand, CertifiesOurOwnFields) {
+  const Ended done = run("certify result");
+
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  const auto rows = rows_of(done.output);
+  ASSERT_FALSE(rows.empty()) << done.output;
+  ASSERT_TRUE(rows.contains("halfspace") && rows.contains("fem"))
+      << done.output;
+  for (const auto& [method, of_method] : rows)
+    for (const Row& row : of_method) {
+      EXPECT_LT(std::abs(row[2]), 1e-7) << done.output; // load
+      EXPECT_EQ(row[3], 0.0) << done.output;            // tension
+      EXPECT_LT(row[5], 1e-6) << done.output;           // complementarity
+      EXPECT_LT(row[6], 1e-5) << done.output;           // energy
+      EXPECT_LT(row[7], 1e-2) << done.output;           // pressure
+      EXPECT_LT(row[9], 1e-6) << done.output;           // mean gap
+    }
+  EXPECT_NE(
+      done.output.find("theory           as submitted: no pressure field"),
+      std::string::npos)
+      << done.output;
+}
+
+TEST_F(CertifyCommand, HasNothingToSayOfAFileWithoutFields) {
+  const Ended done = run("run small.toml --no-report --out bare --set "
+                         "report.fields=0");
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+
+  const Ended bare = run("certify bare");
+
+  EXPECT_EQ(bare.exit_code, 2) << bare.output;
+  EXPECT_NE(bare.output.find("no field could be certified"), std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::app
