@@ -155,6 +155,7 @@ private:
 
 ExitCode certify_results(const std::vector<std::string>& paths) {
   std::vector<Result> results;
+  results.reserve(paths.size());
   for (const std::string& path : paths)
     results.push_back(results::read_result(path));
   fmt::print("Lengths in h_rms. G/p_0, |p-p*|/|p| and |u-u*| are upper bounds; "

@@ -186,11 +186,12 @@ FieldCheck check_field(SurfaceOperator& elasticity,
       elasticity, submitted,
       projected(submitted.pressure, weighted, submitted.nominal_pressure));
   const std::size_t nodes = answer.pressure.size();
-  check.mean_gap = weighted.product(answer.pressure, answer.excess) /
-                   submitted.nominal_pressure;
+  const double separation = weighted.product(answer.pressure, answer.excess) /
+                            submitted.nominal_pressure;
+  check.mean_gap = separation - weighted.mean_of(submitted.heights);
   std::vector<double> touching(nodes), work(nodes), overlap(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
-    const double gap = check.mean_gap - answer.excess[i];
+    const double gap = separation - answer.excess[i];
     touching[i] = answer.pressure[i] > 0.0 ? 1.0 : 0.0;
     work[i] = std::abs(gap);
     overlap[i] = std::max(-gap, 0.0);
@@ -232,16 +233,17 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   SeparationBounds bounds;
   bounds.solver_iterations = further.iterations + pressed.iterations;
   bounds.polished_gap = duality_gap(answer, weighted, load);
+  const double mean_height = weighted.mean_of(submitted.heights);
   const double low =
       weighted.product(punch.pressure, submitted.heights) / load -
-      largest_of(punch.displacement);
+      largest_of(punch.displacement) - mean_height;
   bounds.low = low - 2.0 * punch.roundoff;
   bounds.high = low + 2.0 * punch.roundoff +
                 excess_of_high(answer, punch, bounds.polished_gap / load);
   const double claimed =
       std::isfinite(submitted.mean_gap)
           ? submitted.mean_gap
-          : weighted.product(first.pressure, first.excess) / load;
+          : weighted.product(first.pressure, first.excess) / load - mean_height;
   bounds.error =
       std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
   return bounds;

@@ -21,7 +21,7 @@ struct SubmittedField {
   double local_compliance = 0.0;    ///< c = 1/k of a penalty [m/Pa] >= 0
   double nominal_pressure = 0.0;    ///< p_0, prescribed [Pa] > 0
   std::span<const double> pressure; ///< p, as submitted [Pa]; may have tension
-  /// u, as submitted [m]; NaN: not submitted.
+  /// Weighted mean of the gap, as submitted [m]; NaN: not submitted.
   double mean_gap = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -33,8 +33,8 @@ struct FieldCheck {
   double largest_tension = 0.0; ///< -min p as submitted [Pa] >= 0
   std::size_t nodes_in_tension = 0;
   double area_fraction = 0.0; ///< weighted part of the nodes with p > 0 [1]
-  /// u by the pressure, <p, h - C p - c p>/p_0: the mean separation at which
-  /// p does no work on the gap [m].
+  /// Mean gap by the pressure, <p, h - C p - c p>/p_0 - <h>: the one at which p
+  /// does no work on the gap [m].
   double mean_gap = 0.0;
   double largest_penetration = 0.0; ///< max(-g) at that separation [m] >= 0
   double rms_penetration = 0.0;     ///< over all nodes [m]
@@ -49,7 +49,9 @@ struct FieldCheck {
   double pressure_error = 0.0;
 };
 
-/// Bounds of the mean separation u* of the exact discrete answer.
+/// Bounds of the mean gap u* of the exact discrete answer. The separation of
+/// the derivation is larger by the weighted mean of the heights, which is not 0
+/// for a surface of unweighted mean 0 under finite elements of second order.
 struct SeparationBounds {
   double low = 0.0;          ///< [m] u* >= low
   double high = 0.0;         ///< [m] u* <= high

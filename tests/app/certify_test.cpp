@@ -65,6 +65,34 @@ TEST_F(CertifyCommand, CertifiesOurOwnFields) {
       << done.output;
 }
 
+// Claim: so are fields of second-order elements on a surface whose mean,
+// weighted by the areas of the nodes, is not 0.
+TEST_F(CertifyCommand, CertifiesUnequalNodes) {
+  write("sphere.toml", R"(schema = 1
+title = "sphere"
+[surface]
+kind = "sphere"
+length = "1 um"
+points = 64
+radius = "2 um"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["1e-3 E*"]
+[fem]
+contact = "hard"
+)");
+  const Ended run_it = run("run sphere.toml --no-report --out sphere");
+  ASSERT_EQ(run_it.exit_code, 0) << run_it.output;
+
+  const Ended done = run("certify sphere");
+
+  const auto rows = rows_of(done.output);
+  ASSERT_TRUE(rows.contains("fem")) << done.output;
+  EXPECT_LT(rows.at("fem").at(0)[9], 1e-6) << done.output;
+}
+
 TEST_F(CertifyCommand, HasNothingToSayOfAFileWithoutFields) {
   const Ended done = run("run small.toml --no-report --out bare --set "
                          "report.fields=0");

@@ -111,6 +111,21 @@ TEST_P(Certified, EnclosesTheExactSeparation) {
   EXPECT_LE(bounds.low, u + 1e-11 * rms);
   EXPECT_GE(bounds.high, u - 1e-11 * rms);
   EXPECT_LT(bounds.high - bounds.low, 1e-6 * rms);
+  EXPECT_NEAR(u, exact.mean_gap, 1e-11 * rms);
+}
+
+// Claim: the mean gap does not depend on where heights are measured from.
+TEST_P(Certified, IgnoresTheMeanOfTheHeights) {
+  const ContactSolution exact = solved(1e-9);
+  const double u = separation(exact);
+  const double rms = scenes::rms(heights);
+  for (double& height : heights)
+    height += 3.0 * rms;
+  EXPECT_NEAR(separation(exact), u, 1e-11 * rms);
+  const SeparationBounds bounds =
+      bound_separation(elasticity, submitted(exact.pressure));
+  EXPECT_LE(bounds.low, u + 1e-8 * rms);
+  EXPECT_GE(bounds.high, u - 1e-8 * rms);
 }
 
 // Claim: for an answer with noise of 1 % and tension, the energy is above the
