@@ -172,6 +172,51 @@ INSTANTIATE_TEST_SUITE_P(Problems, Certified,
                                          Problem{64, 0.0, 0.01, 0.05, 4},
                                          Problem{128, 0.5, 0.0, 0.1, 5}));
 
+// Claim: the bounds enclose the separation in random problems: grids of 16 and
+// 32 nodes, half-spaces and slabs, hard contact and penalties, from a few nodes
+// in contact to all of them, with damaged answers.
+TEST(RandomCertificates, EncloseTheSeparation) {
+  std::mt19937_64 random(7);
+  const auto up_to = [&](double largest) {
+    return std::uniform_real_distribution<double>(0.0, largest)(random);
+  };
+  int sharp = 0;
+  constexpr int problems = 1000;
+  for (int k = 0; k < problems; ++k) {
+    const int points = up_to(1.0) < 0.5 ? 16 : 32;
+    const Grid grid{points, points, 1.0, 1.0};
+    const std::vector<double> heights =
+        scenes::rough_heights(grid, {.hurst = up_to(1.0),
+                                     .roll_off = 1.0 + up_to(3.0),
+                                     .shortest_wave = 2.0 + up_to(6.0),
+                                     .seed = unsigned(k)});
+    FourierOperator elasticity = halfspace_operator(
+        grid, {1.0, up_to(0.49),
+               up_to(1.0) < 0.5 ? 0.1 + up_to(1.0)
+                                : std::numeric_limits<double>::infinity()});
+    const double rms = scenes::rms(heights);
+    const double compliance = up_to(1.0) < 0.3 ? up_to(0.1) : 0.0;
+    const double load = std::pow(10.0, -3.0 + up_to(3.5));
+    SCOPED_TRACE(k);
+    const ContactSolution exact =
+        polonsky_keer(elasticity, {heights, compliance, 1e-11 * rms, 50000},
+                      {LoadTarget::Kind::nominal_pressure, load});
+    ASSERT_TRUE(exact.converged) << exact.note;
+    std::vector<double> damaged = exact.pressure;
+    const double noise = std::pow(10.0, -up_to(8.0));
+    for (double& value : damaged)
+      value *= 1.0 + noise * (2.0 * up_to(1.0) - 1.0);
+
+    const SeparationBounds bounds =
+        bound_separation(elasticity, {heights, compliance, load, damaged});
+
+    EXPECT_LE(bounds.low, exact.mean_gap + 2e-11 * rms);
+    EXPECT_GE(bounds.high, exact.mean_gap - 2e-11 * rms);
+    sharp += bounds.high - bounds.low < 1e-6 * rms ? 1 : 0;
+  }
+  EXPECT_GT(sharp, problems * 9 / 10);
+}
+
 class FieldCheckOfFlaws : public testing::Test {
 protected:
   Grid grid{16, 16, 1.0, 1.0};
