@@ -81,10 +81,14 @@ std::string load_text(const cases::LoadingPath& load, std::size_t step) {
 } // namespace
 
 CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program)
+    : CaseKeys(contact_case, std::move(program), input_hashes(contact_case)) {}
+
+CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
+                   std::map<std::string, std::string> inputs)
     : case_(contact_case),
       program_(std::move(program)),
       file_(parsed(contact_case)),
-      inputs_(input_hashes(contact_case)),
+      inputs_(std::move(inputs)),
       scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
                          hash_in(inputs_, surface_file),
                          text_of(file_, "material"),

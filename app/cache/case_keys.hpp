@@ -26,6 +26,11 @@ public:
   ///                    results: program_identity()
   CaseKeys(const cases::Case& contact_case, std::string program);
 
+  /// @param inputs  input_hashes() of the case; without them, for a case whose
+  ///                files are not there, only operator_text() is complete
+  CaseKeys(const cases::Case& contact_case, std::string program,
+           std::map<std::string, std::string> inputs);
+
   /// Returns one key per step of the loading path. It covers the surface, the
   /// realisation, the material, the method and all loads up to that step.
   std::vector<std::string> steps(const cases::MethodSpec& method,

@@ -110,7 +110,7 @@ private:
       return std::nullopt;
     }
     Cache none;
-    const CaseKeys keys(*case_, program_identity());
+    const CaseKeys keys(*case_, program_identity(), {}); // nothing is cached
     SolverFactory factory(case_->material, none, keys);
     return Model{factory.operator_of(method, surface, 1),
                  law->law == cases::ContactLaw::penalty

@@ -93,6 +93,43 @@ contact = "hard"
   EXPECT_LT(rows.at("fem").at(0)[9], 1e-6) << done.output;
 }
 
+// Claim: a result is enough: the map of its case need not be there any more.
+TEST_F(CertifyCommand, NeedsNoInputFile) {
+  std::string map;
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x)
+      map += std::to_string((7 * x * x + 5 * y * y + 3 * x * y) % 17) + " ";
+    map += "\n";
+  }
+  write("map.txt", map);
+  write("measured.toml", R"(schema = 1
+title = "measured"
+[surface]
+kind = "measured"
+file = "map.txt"
+length = "1 um"
+height_unit = "1 nm"
+level = "none"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["1e-3 E*"]
+[halfspace]
+contact = "hard"
+)");
+  const Ended done = run("run measured.toml --no-report --out measured");
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  std::filesystem::remove(folder / "map.txt");
+
+  const Ended certified = run("certify measured");
+
+  EXPECT_EQ(certified.exit_code, 0) << certified.output;
+  const auto rows = rows_of(certified.output);
+  ASSERT_TRUE(rows.contains("halfspace")) << certified.output;
+  EXPECT_LT(rows.at("halfspace").at(0)[9], 1e-6) << certified.output;
+}
+
 TEST_F(CertifyCommand, HasNothingToSayOfAFileWithoutFields) {
   const Ended done = run("run small.toml --no-report --out bare --set "
                          "report.fields=0");
