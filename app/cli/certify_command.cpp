@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 namespace asperity::app {
 namespace {
@@ -76,9 +77,16 @@ private:
     const std::optional<Model> model = model_of(method, on);
     if (!model)
       return 0;
+    int certified = 0;
     for (const results::Fields& fields : curve.fields)
-      certify(method, curve, fields, *surface, *model);
-    return static_cast<int>(curve.fields.size());
+      try {
+        certify(method, curve, fields, *surface, *model);
+        ++certified;
+      } catch (const std::domain_error& error) { // no contact, for example
+        as_submitted(method,
+                     fmt::format("step {}: {}", fields.step, error.what()));
+      }
+    return certified;
   }
 
   void as_submitted(const results::MethodRecord& method,

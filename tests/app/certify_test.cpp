@@ -31,6 +31,20 @@ std::map<std::string, std::vector<Row>> rows_of(const std::string& output) {
   return rows;
 }
 
+/// A case of one method; `surface` and `load` are the lines of these tables.
+std::string case_of(const std::string& surface, const std::string& load,
+                    const std::string& method) {
+  return "schema = 1\ntitle = \"one load\"\n[surface]\nlength = \"1 um\"\n" +
+         surface +
+         "[material]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.3\n"
+         "[load]\n" +
+         load + "[" + method + "]\ncontact = \"hard\"\n";
+}
+
+const std::string sphere =
+    "kind = \"sphere\"\npoints = 64\nradius = \"2 um\"\n";
+const std::string small_load = "nominal_pressure = [\"1e-3 E*\"]\n";
+
 class CertifyCommand : public ProgramTest {
 protected:
   CertifyCommand() {
@@ -68,21 +82,7 @@ TEST_F(CertifyCommand, CertifiesOurOwnFields) {
 // Claim: so are fields of second-order elements on a surface whose mean,
 // weighted by the areas of the nodes, is not 0.
 TEST_F(CertifyCommand, CertifiesUnequalNodes) {
-  write("sphere.toml", R"(schema = 1
-title = "sphere"
-[surface]
-kind = "sphere"
-length = "1 um"
-points = 64
-radius = "2 um"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = ["1e-3 E*"]
-[fem]
-contact = "hard"
-)");
+  write("sphere.toml", case_of(sphere, small_load, "fem"));
   const Ended run_it = run("run sphere.toml --no-report --out sphere");
   ASSERT_EQ(run_it.exit_code, 0) << run_it.output;
 
@@ -102,22 +102,9 @@ TEST_F(CertifyCommand, NeedsNoInputFile) {
     map += "\n";
   }
   write("map.txt", map);
-  write("measured.toml", R"(schema = 1
-title = "measured"
-[surface]
-kind = "measured"
-file = "map.txt"
-length = "1 um"
-height_unit = "1 nm"
-level = "none"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = ["1e-3 E*"]
-[halfspace]
-contact = "hard"
-)");
+  write("measured.toml", case_of("kind = \"measured\"\nfile = \"map.txt\"\n"
+                                 "height_unit = \"1 nm\"\nlevel = \"none\"\n",
+                                 small_load, "halfspace"));
   const Ended done = run("run measured.toml --no-report --out measured");
   ASSERT_EQ(done.exit_code, 0) << done.output;
   std::filesystem::remove(folder / "map.txt");
@@ -128,6 +115,22 @@ contact = "hard"
   const auto rows = rows_of(certified.output);
   ASSERT_TRUE(rows.contains("halfspace")) << certified.output;
   EXPECT_LT(rows.at("halfspace").at(0)[9], 1e-6) << certified.output;
+}
+
+// Claim: a field without contact has no bound, and the others keep theirs.
+TEST_F(CertifyCommand, GoesOnAfterAFieldWithoutContact) {
+  write("away.toml", case_of(sphere, "mean_gap = [\"9 h_rms\", \"1 h_rms\"]\n",
+                             "halfspace"));
+  const Ended done = run("run away.toml --no-report --out away");
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+
+  const Ended certified = run("certify away");
+
+  EXPECT_EQ(certified.exit_code, 0) << certified.output;
+  EXPECT_NE(certified.output.find("as submitted: step 0: "), std::string::npos)
+      << certified.output;
+  EXPECT_EQ(rows_of(certified.output)["halfspace"].size(), 1U)
+      << certified.output;
 }
 
 TEST_F(CertifyCommand, HasNothingToSayOfAFileWithoutFields) {
