@@ -23,6 +23,7 @@ constexpr std::array number_headers{"step",
                                     "contact_stiffness [Pa/m]",
                                     "iterations",
                                     "residual",
+                                    "certified_gap_error [m]",
                                     "cpu_time [s]"};
 
 std::string quoted(const std::string& field) {

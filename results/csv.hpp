@@ -18,7 +18,7 @@ namespace asperity::results {
 ///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
 ///     area_fraction_moment [1],contact_perimeter [1/m],
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
-///     cpu_time [s],status
+///     certified_gap_error [m],cpu_time [s],status
 ///
 /// Numbers have the fewest digits that reproduce the same double. A quantity
 /// that a method does not provide is "nan". The status is converged or

@@ -93,6 +93,10 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
       fail(report, *failure);
       return {};
     }
+    if (const auto failure = verify_certificate(asked, solution, *judge)) {
+      fail(report, *failure);
+      return {};
+    }
     pass.summaries.push_back(summary_of(asked, solution));
     pass.solutions.push_back(std::move(solution));
   }

@@ -1,6 +1,7 @@
 #include "robustness/verify.hpp"
 
 #include "base/field_sums.hpp"
+#include "contact/certificate/certificate.hpp"
 #include "results/observables/observables.hpp"
 
 #include <fmt/format.h>
@@ -168,6 +169,26 @@ std::optional<Failure> verify_step(const AskedContact& asked,
   if (auto failure = verify_gap_field(asked, solution, displacement))
     return failure;
   return verify_contact(asked, solution);
+}
+
+std::optional<Failure>
+verify_certificate(const AskedContact& asked, const ContactSolution& solution,
+                   contact::SurfaceOperator& elasticity) {
+  const double load = solution.nominal_pressure;
+  if (!(load > 0.0))
+    return {};
+  const contact::FieldCheck check = contact::check_field(
+      elasticity, {asked.heights, asked.local_compliance, load,
+                   solution.pressure, solution.mean_gap});
+  const double tolerance =
+      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  if (!(check.duality_gap <= 2.0 * load * tolerance))
+    return Failure{"certificate",
+                   fmt::format("duality gap {:.3g} J/m^2, allowed {:.3g} J/m^2",
+                               check.duality_gap, 2.0 * load * tolerance)};
+  if (!std::isfinite(check.mean_gap_error))
+    return Failure{"certificate", "no bound of the mean gap"};
+  return {};
 }
 
 StepSummary summary_of(const AskedContact& asked,

@@ -60,6 +60,15 @@ std::optional<Failure> verify_step(const AskedContact& asked,
                                    const contact::ContactSolution& solution,
                                    const Displace& displace);
 
+/// Verifies the certificate of a solution: from the tolerance t of the solver
+/// it follows that the duality gap is at most 2 p_0 t.
+/// @param elasticity  C
+/// @return  the failure "certificate"; empty if it holds or if p = 0
+std::optional<Failure>
+verify_certificate(const AskedContact& asked,
+                   const contact::ContactSolution& solution,
+                   contact::SurfaceOperator& elasticity);
+
 /// The quantities of a solution by which pairs of solutions are compared.
 struct StepSummary {
   double nominal_pressure = 0.0; ///< [Pa]

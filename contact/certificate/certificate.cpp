@@ -17,21 +17,30 @@ public:
   explicit Weighted(std::span<const double> weights) : weights_(weights) {}
 
   double mean_of(std::span<const double> a) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += weight(i) * a[i];
-    return sum / static_cast<double>(a.size());
+    return mean(a.size(), [&](std::size_t i) { return a[i]; });
   }
 
   /// <a, b>: the weighted mean of the product.
   double product(std::span<const double> a, std::span<const double> b) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += weight(i) * a[i] * b[i];
-    return sum / static_cast<double>(a.size());
+    return mean(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
   }
 
 private:
+  /// Compensated summation (Kahan): the roundoff does not grow with the number
+  /// of nodes.
+  template <class Term>
+  double mean(std::size_t nodes, const Term& term) const {
+    double sum = 0.0;
+    double lost = 0.0;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double added = weight(i) * term(i) - lost;
+      const double next = sum + added;
+      lost = (next - sum) - added;
+      sum = next;
+    }
+    return sum / static_cast<double>(nodes);
+  }
+
   double weight(std::size_t i) const {
     return weights_.empty() ? 1.0 : weights_[i];
   }
@@ -122,6 +131,18 @@ double duality_gap(const Feasible& answer, const Weighted& weighted,
   return std::max(gap, 0.0) + 2.0 * answer.roundoff * mean_pressure;
 }
 
+/// The largest |<p, g*> + <p - p*, C p>|/p_0 that G allows, since <p, g*> and
+/// |p - p*|^2 are parts of it.
+double separation_error(double duality_gap, double twice_stored,
+                        double mean_pressure) {
+  const double distance = std::sqrt(duality_gap);
+  const double size = std::sqrt(twice_stored);
+  const double work = 2.0 * distance <= size
+                          ? distance * size
+                          : duality_gap + 0.25 * twice_stored;
+  return work / mean_pressure;
+}
+
 ContactSolution solve(SurfaceOperator& elasticity,
                       const SubmittedField& problem,
                       std::span<const double> heights, double tolerance,
@@ -209,6 +230,13 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                           weighted.product(answer.pressure, answer.pressure));
   check.duality_gap = duality_gap(answer, weighted, submitted.nominal_pressure);
   check.pressure_error = std::sqrt(2.0 * check.duality_gap / twice_stored);
+  const double deviation = std::isfinite(submitted.mean_gap)
+                               ? std::abs(submitted.mean_gap - check.mean_gap) +
+                                     2.0 * answer.roundoff
+                               : 0.0;
+  check.mean_gap_error =
+      deviation + separation_error(check.duality_gap, twice_stored,
+                                   submitted.nominal_pressure);
   return check;
 }
 

@@ -47,6 +47,9 @@ struct FieldCheck {
   double duality_gap = 0.0;
   /// sqrt(2 G/<p, C p + c p>): bounds |p - p*|/|p| in the energy norm [1].
   double pressure_error = 0.0;
+  /// Bounds |u - u*| for the submitted u, or for `mean_gap` if none is
+  /// submitted [m]. It grows with sqrt(G); bound_separation() is far sharper.
+  double mean_gap_error = 0.0;
 };
 
 /// Bounds of the mean gap u* of the exact discrete answer. The separation of

@@ -56,6 +56,9 @@ public:
   /// @throws std::domain_error  its size or a value is invalid
   void recall(std::span<const double> memory);
 
+  /// C, to apply it between two steps.
+  SurfaceOperator& elasticity() { return *elasticity_; }
+
   /// Penalty compliance 1/k [m/Pa], which determines the penetration in the
   /// solution; 0 for laws that end at hard contact.
   double local_compliance() const;

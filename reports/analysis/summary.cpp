@@ -97,6 +97,7 @@ MethodSummary summarize_method(const Result& result,
   summary.kind = method.kind;
   summary.description = method.description;
   summary.cost = cost_of(method);
+  summary.certified = certified_of(result, method);
   if (is_exact_shape(contact_case))
     attempt(summary, "exact solution", [&] {
       add_exact_quantities(result, contact_case, method, summary);

@@ -6,6 +6,7 @@
 
 #include "cases/types/case.hpp"
 #include "cases/types/reference.hpp"
+#include "reports/analysis/certified.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"
 
@@ -51,6 +52,7 @@ struct MethodSummary {
   /// concerned are absent; all others are present.
   std::vector<std::string> problems;
   Cost cost;
+  Certified certified;
 };
 
 enum class Outcome {

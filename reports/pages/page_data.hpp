@@ -37,6 +37,10 @@ kainjow::mustache::list fit_rows(std::span<const Series> series);
 /// Lists what the run did not compute, with the estimated cost.
 kainjow::mustache::list skipped_rows(const results::Result& result);
 
+/// Lists the largest bound of the error of the mean gap of each method but the
+/// theories; the list is empty if there is none.
+kainjow::mustache::list certified_rows(const ReportEntry& entry);
+
 /// Lists the cost of each finite-element method and of the half-space method if
 /// one of them solved a full 3-D block; otherwise the list is empty.
 kainjow::mustache::list block_cost_rows(const results::Result& result);

@@ -82,13 +82,21 @@ Json to_json(const Cost& cost) {
           {"median_step_cpu_time [s]", json_number(cost.step_cpu_time)}};
 }
 
+Json to_json(const Certified& certified) {
+  return {{"steps", certified.steps},
+          {"certified_steps", certified.certified},
+          {"largest_gap_error [h_rms]", json_number(certified.largest)},
+          {"at_nominal_pressure [Pa]", json_number(certified.pressure)}};
+}
+
 Json to_json(const MethodSummary& method) {
   Json json = {{"name", method.name},
                {"kind", method.kind},
                {"description", method.description},
                {"quantities", Json::object()},
                {"fits", Json::array()},
-               {"cost", to_json(method.cost)}};
+               {"cost", to_json(method.cost)},
+               {"certified", to_json(method.certified)}};
   for (const auto& [name, estimate] : method.quantities)
     json["quantities"][name] = to_json(estimate);
   for (const RealizationFits& fits : method.fits)

@@ -35,6 +35,9 @@ struct CurvePoint {
   double contact_stiffness = 0.0; ///< -dp_0/d(mean gap) >= 0 [Pa/m]
   int iterations = 0;
   double residual = 0.0; ///< error of complementarity, relative to h_rms [1]
+  /// Bound of the error of mean_gap against the exact answer of the discrete
+  /// problem [m]; NaN: the method has no certificate.
+  double certified_gap_error = not_given;
   double cpu_time = 0.0; ///< [s]
   int transforms = 0; ///< applications of the elastic operator or its inverse
                       ///< on the method's grid; 0: no such operator

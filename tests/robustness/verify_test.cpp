@@ -124,6 +124,24 @@ TEST_F(Verify, SeesAGapThatDoesNotBelongToThePressure) {
   EXPECT_EQ(failing_check(), "gap field");
 }
 
+// Claim: a pressure that is a hundredth too high at one node of the contact,
+// and the load is borne, has a duality gap beyond the tolerance. NaN in the
+// answer is no bound.
+TEST_F(Verify, SeesAPressureThatIsNotTheAnswer) {
+  contact::FourierOperator elasticity = half_space();
+  EXPECT_FALSE(verify_certificate(asked_, answer_, elasticity));
+  ContactSolution moved = answer_;
+  const double extra = 0.01 * moved.pressure[touching()];
+  moved.pressure[touching()] += extra;
+  moved.pressure[touching() + 32] -= extra;
+  const auto failure = verify_certificate(asked_, moved, elasticity);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->check, "certificate");
+
+  answer_.nominal_pressure = 0.0;
+  EXPECT_FALSE(verify_certificate(asked_, answer_, elasticity));
+}
+
 // The whole answer is pushed into the surface, mean gap and all.
 TEST_F(Verify, SeesAnOverlap) {
   for (double& gap : answer_.gap)

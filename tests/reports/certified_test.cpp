@@ -1,0 +1,76 @@
+// Claims about reports/analysis/certified.hpp and the table that shows it.
+#include "reports/analysis/certified.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports {
+namespace {
+
+using CertifiedSteps = ReportFolder;
+
+/// The finite elements of two realisations; step i of realisation r has the
+/// bound (r + 1) (i + 1) 1e-6 h_rms, and the last one did not converge.
+results::Result with_bounds(results::Result result) {
+  for (std::size_t r = 0; r < 2; ++r) {
+    double bound = 0.0;
+    auto& points = result.methods[1].realizations[r].points;
+    for (results::CurvePoint& point : points) {
+      bound += static_cast<double>(r + 1) * 1e-6;
+      point.certified_gap_error = bound * result.surfaces[r].rms_height;
+    }
+    points.back().status = results::StepStatus::not_converged;
+    points.front().nominal_pressure = 0.0;
+  }
+  return result;
+}
+
+// Claim: the largest bound of all realisations is relative to their own rms
+// height; steps that did not converge or have no load do not count.
+TEST_F(CertifiedSteps, AreCountedWithTheLargestBound) {
+  const results::Result result = with_bounds(synthetic::rough_result(rough, 2));
+  const auto& points = result.methods[1].realizations[1].points;
+
+  const Certified found = certified_of(result, result.methods[1]);
+
+  const int steps = 2 * (static_cast<int>(points.size()) - 2);
+  EXPECT_EQ(found.steps, steps);
+  EXPECT_EQ(found.certified, steps);
+  EXPECT_NEAR(found.largest, 2e-6 * static_cast<double>(points.size() - 1),
+              1e-18);
+  EXPECT_EQ(found.pressure, points[points.size() - 2].nominal_pressure);
+}
+
+// Claim: a method without bounds is shown as submitted beside certified ones,
+// and a result without any bound has no such table.
+TEST_F(CertifiedSteps, StandInTheReport) {
+  results::Result result = with_bounds(synthetic::rough_result(rough, 2));
+  result.methods.push_back(result.methods[1]);
+  result.methods.back().name = "foreign";
+  for (results::Curve& curve : result.methods.back().realizations)
+    for (results::CurvePoint& point : curve.points)
+      point.certified_gap_error = results::not_given;
+  EXPECT_EQ(certified_of(result, result.methods.back()).certified, 0);
+  EXPECT_TRUE(std::isnan(certified_of(result, result.methods.back()).largest));
+  write(result);
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("Certified errors"), std::string::npos);
+  EXPECT_NE(html.find("<td>foreign</td><td class=\"number\">as submitted</td>"),
+            std::string::npos);
+  EXPECT_NE(html.find(">28 of 28<"), std::string::npos);
+  EXPECT_NE(html.find(">3.0e-05<"), std::string::npos);
+  EXPECT_NE(text_of(folder / "summary.json").find("\"certified_steps\": 28"),
+            std::string::npos);
+
+  write(synthetic::rough_result(rough, 1));
+  EXPECT_EQ(text_of(folder / "report.html").find("Certified errors"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::reports
