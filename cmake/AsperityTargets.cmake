@@ -113,13 +113,13 @@ function(asperity_test path)
   add_test(NAME ${path} COMMAND ${launch} $<TARGET_FILE:${target}>
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${path} PROPERTIES LABELS ${arg_TIER} TIMEOUT 600)
-  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|md|meshes|results|surfaces|theory)/")
+  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|exchange|md|meshes|results|surfaces|theory)/")
     add_dependencies(asperity_fast_tests ${target})
     set_tests_properties(${path} PROPERTIES LABELS "unit;fast")
   endif()
   # OpenMPI keeps memory to the end of the process, so what loads it cannot
   # pass the leak checker of the preset sanitizers.
-  if(path MATCHES "^(app|fem|reports|results)/")
+  if(path MATCHES "^(app|exchange|fem|reports|results)/")
     set_tests_properties(${path} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
   endif()
 endfunction()

@@ -14,10 +14,15 @@ constexpr double longest_read = 600.0; // CPU time [s]
 } // namespace
 
 void require_readable(const std::filesystem::path& path) {
+  require_readable(path, [&] { read_result(path); });
+}
+
+void require_readable(const std::filesystem::path& path,
+                      const std::function<void()>& read) {
   ChildProcess child = ChildProcess::forked(
       [&](int) {
         try {
-          read_result(path);
+          read();
         } catch (const std::exception&) {
           // The caller reads the file again and reports the error.
         }

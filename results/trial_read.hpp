@@ -5,6 +5,7 @@
 // trigger.
 
 #include <filesystem>
+#include <functional>
 
 namespace asperity::results {
 
@@ -13,5 +14,10 @@ namespace asperity::results {
 /// @throws cases::CaseError  the child process was terminated by a signal, or
 ///                           it took more than ten minutes of CPU time
 void require_readable(const std::filesystem::path& path);
+
+/// The same for another way to read the file.
+/// @param read  is called in the child process; its exceptions are ignored
+void require_readable(const std::filesystem::path& path,
+                      const std::function<void()>& read);
 
 } // namespace asperity::results

@@ -20,11 +20,12 @@ MAY_INCLUDE = {
     "fem": {"base", "cases", "surfaces", "meshes", "contact"},
     "md": {"base", "cases", "surfaces"},
     "results": {"base", "cases", "theory"},  # its Eq. (20) is (1) with another variance
+    "exchange": {"base", "cases", "surfaces", "contact", "results"},
     "reports": {"base", "cases", "surfaces", "theory", "results"},
     "robustness": {"base", "cases", "surfaces", "theory", "contact", "meshes",
                    "results", "fem/plugin.hpp", "md/engines.hpp"},
     "app": {"base", "cases", "surfaces", "theory", "meshes", "contact", "results",
-            "reports", "fem/plugin.hpp", "md/contact/atomic_contact.hpp",
+            "exchange", "reports", "fem/plugin.hpp", "md/contact/atomic_contact.hpp",
             "md/engines.hpp"},
     "bench": {"base", "cases", "surfaces", "theory", "results", "reports", "app"},
 }

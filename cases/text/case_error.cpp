@@ -14,7 +14,7 @@ void Mistakes::add(const Place& place, const std::string& what) {
     entries_.push_back({place.line, text});
 }
 
-void Mistakes::throw_if_any() const {
+void Mistakes::throw_if_any(const std::string& where) const {
   if (entries_.empty())
     return;
   std::vector<Entry> sorted = entries_;
@@ -22,7 +22,7 @@ void Mistakes::throw_if_any() const {
       sorted.begin(), sorted.end(),
       [](const Entry& a, const Entry& b) { return a.line < b.line; });
   std::string message =
-      std::to_string(sorted.size()) + " mistake(s) in the case file\n";
+      std::to_string(sorted.size()) + " mistake(s) in " + where + "\n";
   for (const Entry& entry : sorted)
     message += "  " + entry.text + "\n";
   throw CaseError(message);

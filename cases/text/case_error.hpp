@@ -32,9 +32,10 @@ public:
 
   /// Throws if there are any mistakes.
   ///
+  /// @param where  in what the mistakes are
   /// @throws CaseError  "N mistake(s) in the case file", one line each: first
   ///                    the overrides, then in the order of the file
-  void throw_if_any() const;
+  void throw_if_any(const std::string& where = "the case file") const;
 
 private:
   struct Entry {

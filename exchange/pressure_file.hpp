@@ -1,0 +1,18 @@
+#pragma once
+
+// This file reads a field that another program has written: .npy, HDF5 or text.
+
+#include "surfaces/formats/npy.hpp"
+
+#include <filesystem>
+
+namespace asperity::exchange {
+
+/// Reads a matrix from a file; its ending decides how: .npy; .h5 or .hdf5, from
+/// the dataset "pressure" or the only one; .csv, .txt or .dat, numbers
+/// separated by commas, semicolons, blanks or tabs.
+/// @throws cases::CaseError  another ending, a file that cannot be read, or
+///                           numbers that are not finite
+surfaces::Matrix read_pressure_file(const std::filesystem::path& path);
+
+} // namespace asperity::exchange

@@ -1,0 +1,265 @@
+#include "exchange/problem.hpp"
+
+#include "base/content_hash.hpp"
+#include "base/field_sums.hpp"
+#include "base/rms_height.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
+#include "surfaces/formats/npy.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity::exchange {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array far_boundary_words{"clamped", "sliding", "pressure"};
+
+Json body_json(const contact::ElasticBlock& body) {
+  const bool is_half_space = std::isinf(body.thickness);
+  Json layers = Json::array();
+  for (const contact::BondedLayer& layer : body.layers)
+    layers.push_back({{"thickness [m]", layer.thickness},
+                      {"youngs_modulus [Pa]", layer.youngs_modulus},
+                      {"poisson_ratio [1]", layer.poisson_ratio}});
+  Json json = {{"contact_modulus [Pa]", body.contact_modulus},
+               {"poisson_ratio [1]", nullptr},
+               {"thickness [m]", nullptr},
+               {"far_boundary", nullptr},
+               {"layers", layers}};
+  if (!is_half_space || !body.layers.empty())
+    json["poisson_ratio [1]"] = body.poisson_ratio; // E* suffices otherwise
+  if (!is_half_space) {
+    json["thickness [m]"] = body.thickness;
+    json["far_boundary"] =
+        far_boundary_words.at(static_cast<std::size_t>(body.far_boundary));
+  }
+  return json;
+}
+
+const Json& conventions() {
+  static const Json texts = {
+      {"units", "SI; the unit of a number is in the brackets of its name"},
+      {"axes", "row i of a field is y = i length_y/points_y, column j is "
+               "x = j length_x/points_x; both directions are periodic"},
+      {"heights", "positive towards the elastic block: the largest value "
+                  "touches first; their mean is 0"},
+      {"pressure", "p >= 0 in compression, a pressure and not a force, one "
+                   "value per node"},
+      {"mean_gap", "u in g = u + C p - h, where C p has mean 0: the mean of "
+                   "the gap over all nodes, contact included"},
+      {"contact_area_fraction", "share of the nodes with p > 0"},
+      {"elastic_energy", "mean of p C p, divided by 2"}};
+  return texts;
+}
+
+/// The members of problem.json, whose messages name the file and the member.
+class ProblemMembers {
+public:
+  ProblemMembers(const Json& json, std::string path)
+      : json_(json), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const std::string& member,
+                           const std::string& rule) const {
+    const auto pointer = Json::json_pointer(member);
+    const std::string found =
+        json_.contains(pointer) ? json_.at(pointer).dump() : "missing";
+    throw cases::CaseError(fmt::format("{}: {} is {}, but must be {}", path_,
+                                       member, found.substr(0, 60), rule));
+  }
+
+  const Json& at(const std::string& member, const std::string& rule) const {
+    const auto pointer = Json::json_pointer(member);
+    if (!json_.contains(pointer))
+      refuse(member, rule);
+    return json_.at(pointer);
+  }
+
+  double number(const std::string& member, double lowest,
+                double highest = largest) const {
+    const std::string rule =
+        highest == largest
+            ? fmt::format("a number > {:g}", lowest)
+            : fmt::format("a number between {:g} and {:g}", lowest, highest);
+    const Json& found = at(member, rule);
+    if (!found.is_number() || !(found.get<double>() > lowest) ||
+        !(found.get<double>() <= highest))
+      refuse(member, rule);
+    return found.get<double>();
+  }
+
+  int count(const std::string& member) const {
+    const std::string rule = "a whole number between 2 and 65536";
+    const Json& found = at(member, rule);
+    if (!found.is_number_integer() || found < 2 || found > 65536)
+      refuse(member, rule);
+    return found.get<int>();
+  }
+
+  std::string text(const std::string& member) const {
+    const std::string rule = "a text";
+    const Json& found = at(member, rule);
+    if (!found.is_string())
+      refuse(member, rule);
+    return found.get<std::string>();
+  }
+
+  std::size_t list_size(const std::string& member) const {
+    const std::string rule = "a list of at most 10000 members";
+    const Json& found = at(member, rule);
+    if (!found.is_array() || found.size() > 10000)
+      refuse(member, rule);
+    return found.size();
+  }
+
+  static constexpr double largest = std::numeric_limits<double>::max();
+
+private:
+  const Json& json_;
+  std::string path_;
+};
+
+contact::ElasticBlock read_body(const ProblemMembers& members) {
+  contact::ElasticBlock body;
+  body.contact_modulus = members.number("/body/contact_modulus [Pa]", 0.0);
+  if (!members.at("/body/poisson_ratio [1]", "a number or null").is_null())
+    body.poisson_ratio = members.number("/body/poisson_ratio [1]", -1.0, 0.5);
+  body.thickness = infinity;
+  if (!members.at("/body/thickness [m]", "a length or null").is_null()) {
+    body.thickness = members.number("/body/thickness [m]", 0.0);
+    const auto* const found = std::ranges::find(
+        far_boundary_words, members.text("/body/far_boundary"));
+    if (found == far_boundary_words.end())
+      members.refuse("/body/far_boundary", "clamped, sliding or pressure");
+    body.far_boundary =
+        static_cast<contact::FarBoundary>(found - far_boundary_words.begin());
+  }
+  for (std::size_t i = 0; i < members.list_size("/body/layers"); ++i) {
+    const std::string layer = fmt::format("/body/layers/{}/", i);
+    body.layers.push_back(
+        {members.number(layer + "thickness [m]", 0.0),
+         members.number(layer + "youngs_modulus [Pa]", 0.0),
+         members.number(layer + "poisson_ratio [1]", -1.0, 0.5)});
+  }
+  return body;
+}
+
+Json parsed(const std::filesystem::path& path) {
+  const std::string text =
+      cases::read_input_file(path, cases::largest_case_file);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(
+                                        std::min(error.byte, text.size()));
+    throw cases::CaseError(fmt::format("{}:{}: is not JSON: {}", path.string(),
+                                       1 + std::count(text.begin(), end, '\n'),
+                                       error.what()));
+  }
+}
+
+void read_heights(const std::filesystem::path& folder,
+                  const ProblemMembers& members, Problem& problem) {
+  const std::filesystem::path file = folder / "heights.npy";
+  const std::string bytes =
+      cases::read_input_file(file, cases::largest_number_file);
+  if (content_hash(bytes) != members.text("/heights/files/heights.npy"))
+    throw cases::CaseError(
+        fmt::format("{}: its SHA-256 is {}, but problem.json states {}: it is "
+                    "not the surface of this problem",
+                    file.string(), content_hash(bytes),
+                    members.text("/heights/files/heights.npy")));
+  surfaces::Matrix matrix = surfaces::read_npy_text(bytes, file.string());
+  const Grid& grid = problem.grid;
+  if (matrix.rows != static_cast<std::size_t>(grid.points_y) ||
+      matrix.columns != static_cast<std::size_t>(grid.points_x))
+    throw cases::CaseError(fmt::format(
+        "{}: has {} rows and {} columns, but problem.json states {} and {}",
+        file.string(), matrix.rows, matrix.columns, grid.points_y,
+        grid.points_x));
+  if (!all_finite(matrix.numbers))
+    throw cases::CaseError(
+        fmt::format("{}: must hold finite numbers", file.string()));
+  problem.heights = std::move(matrix.numbers);
+  problem.rms_height = rms_height(problem.heights);
+  if (!(problem.rms_height > 0.0))
+    throw cases::CaseError(
+        fmt::format("{}: the surface is flat", file.string()));
+}
+
+} // namespace
+
+std::string
+problem_json(const Problem& problem, const ProblemAnswer& example,
+             std::span<const std::pair<std::string, std::string>> hashes) {
+  Json files = Json::object();
+  for (const auto& [file, hash] : hashes)
+    files[file] = hash;
+  Json loads = Json::array();
+  for (const double load : problem.loads)
+    loads.push_back({{"nominal_pressure [Pa]", load}});
+  const Grid& grid = problem.grid;
+  const Json json = {{"format", "asperity-problem"},
+                     {"format_version", 1},
+                     {"name", problem.name},
+                     {"title", problem.title},
+                     {"grid",
+                      {{"points_x", grid.points_x},
+                       {"points_y", grid.points_y},
+                       {"length_x [m]", grid.length_x},
+                       {"length_y [m]", grid.length_y},
+                       {"is_periodic", true}}},
+                     {"heights",
+                      {{"files", files},
+                       {"rms_height [m]", problem.rms_height},
+                       {"rms_slope [1]", problem.rms_slope},
+                       {"highest [m]", std::ranges::max(problem.heights)}}},
+                     {"body", body_json(problem.body)},
+                     {"contact", "frictionless, non-adhesive, hard"},
+                     {"loads", loads},
+                     {"requested",
+                      {"pressure field", "mean_gap", "contact_area_fraction",
+                       "elastic_energy"}},
+                     {"conventions", conventions()},
+                     {"example",
+                      {{"nominal_pressure [Pa]", example.nominal_pressure},
+                       {"mean_gap [m]", example.mean_gap},
+                       {"contact_area_fraction [1]", example.area_fraction},
+                       {"elastic_energy [J/m^2]", example.elastic_energy},
+                       {"largest_pressure [Pa]", example.largest_pressure}}}};
+  return json.dump(2) + "\n";
+}
+
+Problem read_problem(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "problem.json";
+  const Json json = parsed(file);
+  const ProblemMembers members(json, file.string());
+  if (members.text("/format") != "asperity-problem")
+    members.refuse("/format", "\"asperity-problem\"");
+  if (members.at("/format_version", "1") != 1)
+    members.refuse("/format_version", "1");
+  Problem problem;
+  problem.name = members.text("/name");
+  problem.title = members.text("/title");
+  problem.grid = {members.count("/grid/points_x"),
+                  members.count("/grid/points_y"),
+                  members.number("/grid/length_x [m]", 0.0),
+                  members.number("/grid/length_y [m]", 0.0)};
+  problem.rms_slope = members.number("/heights/rms_slope [1]", 0.0);
+  problem.body = read_body(members);
+  for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
+    problem.loads.push_back(
+        members.number(fmt::format("/loads/{}/nominal_pressure [Pa]", i), 0.0));
+  if (problem.loads.empty())
+    members.refuse("/loads", "a list of at least one load");
+  read_heights(folder, members, problem);
+  return problem;
+}
+
+} // namespace asperity::exchange

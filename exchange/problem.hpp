@@ -1,0 +1,63 @@
+#pragma once
+
+// A contact problem that is handed to other programs: problem.json and the
+// heights beside it. This file owns the meaning of its members, and reads it.
+
+#include "base/grid.hpp"
+#include "base/special_numbers.hpp"
+#include "contact/operators/halfspace.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::exchange {
+
+/// A rigid rough surface that is pressed on an elastic block in frictionless,
+/// non-adhesive, hard contact on one periodic cell.
+struct Problem {
+  std::string name;  ///< of letters, digits, '-', '_', '.'
+  std::string title; ///< one line
+  Grid grid;
+  std::vector<double> heights; ///< [m], positive towards the block, mean 0
+  contact::ElasticBlock body;
+  std::vector<double> loads; ///< nominal pressures p_0 [Pa] > 0, ascending
+  double rms_height = 0.0;   ///< of the heights [m] > 0
+  double rms_slope = 0.0;    ///< of the heights, both directions [1]
+};
+
+/// The solution of the discrete problem at one load.
+struct ProblemAnswer {
+  double nominal_pressure = 0.0; ///< [Pa]
+  double mean_gap = 0.0;         ///< [m]
+  double mean_gap_error = 0.0;   ///< certified bound [m]
+  double area_fraction = 0.0;    ///< share of the nodes with p > 0 [1]
+  double elastic_energy = 0.0;   ///< per nominal area [J/m^2]
+  double largest_pressure = 0.0; ///< [Pa]
+};
+
+/// An estimate of the continuum solution at one load.
+struct ContinuumAnswer {
+  double nominal_pressure = 0.0;        ///< [Pa]
+  double mean_gap = not_a_number;       ///< [m]
+  double mean_gap_error = not_a_number; ///< estimated; 0: exact solution [m]
+  double area_fraction = not_a_number;  ///< [1]
+  double area_fraction_error = not_a_number; ///< likewise [1]
+  std::string source; ///< "Westergaard (1939)", "Richardson, 256 to 1024"
+};
+
+/// Returns the text of problem.json.
+/// @param example  answer at one load, by which units can be verified
+/// @param hashes   pairs of file name and SHA-256 of the height files
+std::string
+problem_json(const Problem& problem, const ProblemAnswer& example,
+             std::span<const std::pair<std::string, std::string>> hashes);
+
+/// Reads problem.json and heights.npy of a folder.
+/// @throws cases::CaseError  naming the file and the member: what was found and
+///                           what is allowed; the heights are not those of the
+///                           checksum
+Problem read_problem(const std::filesystem::path& folder);
+
+} // namespace asperity::exchange

@@ -1,0 +1,151 @@
+#include "exchange/problem_folder.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
+#include "base/read_file.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "surfaces/formats/gwyddion_file.hpp"
+#include "surfaces/formats/npy.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "exchange/problem_texts.hpp"
+
+namespace asperity::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Files in the order of writing, with their SHA-256.
+using Hashes = std::vector<std::pair<std::string, std::string>>;
+
+/// A matrix in Gwyddion's text format, which other programs read as well.
+std::string text_matrix(const Problem& problem) {
+  const Grid& grid = problem.grid;
+  std::string text = fmt::format("# Channel: {}\n# Width: {} m\n"
+                                 "# Height: {} m\n# Value units: m\n",
+                                 problem.name, grid.length_x, grid.length_y);
+  const auto columns = static_cast<std::size_t>(grid.points_x);
+  for (std::size_t i = 0; i < problem.heights.size(); ++i)
+    text += fmt::format("{}{}", problem.heights[i],
+                        (i + 1) % columns == 0 ? "\n" : "\t");
+  return text;
+}
+
+std::string hdf5_bytes(const Problem& problem, const fs::path& folder) {
+  const fs::path path = temporary_beside(folder / "heights.h5");
+  {
+    const std::lock_guard lock(results::hdf5_mutex());
+    results::Hdf5File file(path, results::Hdf5File::Mode::create);
+    file.set_attribute("length_x", problem.grid.length_x);
+    file.set_attribute("length_y", problem.grid.length_y);
+    file.write_map("heights", problem.heights,
+                   {static_cast<std::size_t>(problem.grid.points_y),
+                    static_cast<std::size_t>(problem.grid.points_x)},
+                   results::Hdf5Number::float64, "m");
+    file.close();
+  }
+  std::string bytes = read_file(path, fs::file_size(path));
+  fs::remove(path);
+  return bytes;
+}
+
+Json number_json(double number) {
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+std::string reference_json(const Problem& problem,
+                           std::span<const ProblemAnswer> answers,
+                           std::span<const ContinuumAnswer> continuum) {
+  Json discrete = Json::array();
+  for (const ProblemAnswer& answer : answers)
+    discrete.push_back(
+        {{"nominal_pressure [Pa]", answer.nominal_pressure},
+         {"mean_gap [m]", answer.mean_gap},
+         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
+         {"contact_area_fraction [1]", answer.area_fraction},
+         {"elastic_energy [J/m^2]", answer.elastic_energy},
+         {"largest_pressure [Pa]", answer.largest_pressure}});
+  Json limit = Json::array();
+  for (const ContinuumAnswer& answer : continuum)
+    limit.push_back(
+        {{"nominal_pressure [Pa]", answer.nominal_pressure},
+         {"mean_gap [m]", number_json(answer.mean_gap)},
+         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
+         {"contact_area_fraction [1]", number_json(answer.area_fraction)},
+         {"contact_area_fraction_error [1]",
+          number_json(answer.area_fraction_error)},
+         {"source", answer.source}});
+  return Json({{"problem", problem.name},
+               {"discrete",
+                {{"meaning", discrete_meaning}, {"answers", discrete}}},
+               {"continuum",
+                {{"meaning", continuum_meaning}, {"answers", limit}}}})
+             .dump(2) +
+         "\n";
+}
+
+std::string body_text(const contact::ElasticBlock& body) {
+  if (std::isinf(body.thickness) && body.layers.empty())
+    return half_space_text;
+  return fmt::format(
+      "The body is a block of {} layer(s) bonded to a {}; `body` in "
+      "problem.json "
+      "has all moduli and\nthicknesses, from the contact surface downwards.\n",
+      body.layers.size(),
+      std::isinf(body.thickness)
+          ? std::string("half-space")
+          : fmt::format("base; the thickness of all is {:g} m",
+                        body.thickness));
+}
+
+} // namespace
+
+void write_problem(const Problem& problem,
+                   std::span<const ProblemAnswer> answers,
+                   std::span<const ContinuumAnswer> continuum,
+                   const std::string& case_text, const fs::path& folder) {
+  fs::create_directories(folder);
+  fs::remove(folder / "problem.json");
+  Hashes hashes;
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    write_file_atomically(folder / name, bytes);
+    hashes.emplace_back(name, content_hash(bytes));
+  };
+  const Grid& grid = problem.grid;
+  write("heights.npy",
+        surfaces::npy_bytes(problem.heights,
+                            static_cast<std::size_t>(grid.points_y),
+                            static_cast<std::size_t>(grid.points_x)));
+  write("heights.h5", hdf5_bytes(problem, folder));
+  write("heights.txt", text_matrix(problem));
+  write("heights.gwy",
+        surfaces::gwyddion_bytes({grid, problem.heights}, problem.name));
+  const std::string json = problem_json(problem, answers.front(), hashes);
+  write("reference.json", reference_json(problem, answers, continuum));
+  write("problem.schema.json", std::string(problem_schema));
+  if (!case_text.empty())
+    write("case.toml", case_text);
+  write("README.md",
+        fmt::format(fmt::runtime(readme_text), fmt::arg("name", problem.name),
+                    fmt::arg("title", problem.title),
+                    fmt::arg("points_x", grid.points_x),
+                    fmt::arg("points_y", grid.points_y),
+                    fmt::arg("loads", problem.loads.size()),
+                    fmt::arg("first_load", problem.loads.front()),
+                    fmt::arg("body", body_text(problem.body))));
+  hashes.emplace_back("problem.json", content_hash(json));
+  std::string sums;
+  for (const auto& [file, hash] : hashes)
+    sums += fmt::format("{}  {}\n", hash, file);
+  write_file_atomically(folder / "SHA256SUMS", sums);
+  write_file_atomically(folder / "problem.json", json);
+}
+
+} // namespace asperity::exchange

@@ -1,0 +1,27 @@
+#pragma once
+
+// The folder in which a problem is handed out: problem.json with its schema,
+// heights in four formats, checksums, reference answers and a README with the
+// equations.
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "exchange/problem.hpp"
+
+namespace asperity::exchange {
+
+/// Writes the folder, problem.json last: a folder that has it is complete.
+/// @param answers    one per load of the discrete problem; the first one is
+///                   given as the example
+/// @param continuum  one per load, or none
+/// @param case_text  the same problem as a case of this program, or empty
+/// @throws std::system_error  naming the path
+void write_problem(const Problem& problem,
+                   std::span<const ProblemAnswer> answers,
+                   std::span<const ContinuumAnswer> continuum,
+                   const std::string& case_text,
+                   const std::filesystem::path& folder);
+
+} // namespace asperity::exchange

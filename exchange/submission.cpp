@@ -1,0 +1,239 @@
+#include "exchange/submission.hpp"
+
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
+#include "cases/text/nearest.hpp"
+#include "cases/text/toml_text.hpp"
+#include "surfaces/formats/number_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exchange/pressure_file.hpp"
+
+namespace asperity::exchange {
+namespace {
+
+using cases::Mistakes;
+using cases::Node;
+using cases::NodeType;
+
+/// Reads the keys of one table of submission.toml and collects the mistakes.
+class SubmissionTable {
+public:
+  SubmissionTable(const Node& table, std::vector<std::string> keys,
+                  Mistakes& mistakes)
+      : table_(table), keys_(std::move(keys)), mistakes_(mistakes) {
+    for (const cases::NodeEntry& entry : table.entries)
+      if (std::ranges::find(keys_, entry.key) == keys_.end())
+        mistakes_.add(entry.node.place,
+                      fmt::format("{} is unknown; nearest: {}; allowed are {}",
+                                  entry.node.path,
+                                  cases::nearest(entry.key, keys_),
+                                  fmt::join(keys_, ", ")));
+  }
+
+  std::string text(const std::string& key, bool is_needed = true) {
+    const Node* const node = find(key, is_needed, "a text");
+    if (node == nullptr)
+      return {};
+    if (node->type != NodeType::text || node->text.empty() ||
+        node->text.find_first_of("\r\n") != std::string::npos)
+      refuse(*node, "must be a text in quotes on one line");
+    return node->text;
+  }
+
+  /// A file in the folder of the submission.
+  std::filesystem::path file(const std::string& key) {
+    const std::filesystem::path named = text(key);
+    if (named.is_absolute() ||
+        std::ranges::find(named, std::filesystem::path("..")) != named.end())
+      refuse(*table_.find(key), "must be a file of this folder");
+    return named;
+  }
+
+  /// NaN if the key is missing and not needed.
+  double number(const std::string& key, double lowest, double highest,
+                bool is_needed = false) {
+    const std::string rule =
+        highest < infinity
+            ? fmt::format("must be a number from {:g} to {:g}", lowest, highest)
+            : fmt::format("must be a finite number >= {:g}", lowest);
+    const Node* const node = find(key, is_needed, rule.substr(8));
+    if (node == nullptr)
+      return not_a_number;
+    const double found = node->is_number() ? node->number() : not_a_number;
+    if (!(found >= lowest) || !(found <= highest) || std::isinf(found))
+      refuse(*node, rule);
+    return found;
+  }
+
+  std::vector<std::string> texts(const std::string& key) {
+    std::vector<std::string> found;
+    const Node* const node = find(key, true, "a list of texts");
+    if (node == nullptr)
+      return found;
+    for (const Node& item : node->list)
+      if (item.type == NodeType::text)
+        found.push_back(item.text);
+    if (node->list.empty() || found.size() != node->list.size())
+      refuse(*node, "must be a list of texts in quotes");
+    return found;
+  }
+
+  void refuse(const Node& node, const std::string& rule) {
+    mistakes_.add(node.place, fmt::format("{} = {}, but {}", node.path,
+                                          cases::written(node), rule));
+  }
+
+  const Node& node() const { return table_; }
+
+private:
+  const Node* find(const std::string& key, bool is_needed,
+                   const std::string& what) {
+    const Node* const node = table_.find(key);
+    if (node == nullptr && is_needed)
+      mistakes_.add(table_.place,
+                    fmt::format("{}{}{} is missing: {}", table_.path,
+                                table_.path.empty() ? "" : ".", key, what));
+    return node;
+  }
+
+  const Node& table_;
+  std::vector<std::string> keys_;
+  Mistakes& mistakes_;
+};
+
+/// Returns the index of a load of the problem, to 1e-6 of it.
+std::optional<std::size_t> load_at(const Problem& problem, double pressure) {
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    if (std::abs(pressure / problem.loads[i] - 1.0) <= 1e-6)
+      return i;
+  return std::nullopt;
+}
+
+void read_load(const Node& node, const Problem& problem,
+               const std::filesystem::path& folder, Submission& submission,
+               Mistakes& mistakes) {
+  SubmissionTable table(node,
+                        {"nominal_pressure", "pressure", "mean_gap",
+                         "contact_area_fraction", "elastic_energy", "cpu_time",
+                         "iterations"},
+                        mistakes);
+  SubmittedLoad load;
+  const double pressure = table.number("nominal_pressure", 0.0, infinity, true);
+  if (const auto found = load_at(problem, pressure))
+    load.load = *found;
+  else if (std::isfinite(pressure))
+    table.refuse(*node.find("nominal_pressure"),
+                 fmt::format("must be a load of the problem [Pa]: {}",
+                             fmt::join(problem.loads, ", ")));
+  if (std::ranges::find(submission.loads, load.load, &SubmittedLoad::load) !=
+      submission.loads.end())
+    mistakes.add(node.place, fmt::format("{} is the second one at the load {}",
+                                         node.path, pressure));
+  load.file = folder / table.file("pressure");
+  load.mean_gap = table.number("mean_gap", -infinity, infinity);
+  load.area_fraction = table.number("contact_area_fraction", 0.0, 1.0);
+  load.elastic_energy = table.number("elastic_energy", 0.0, infinity);
+  load.cpu_time = table.number("cpu_time", 0.0, infinity);
+  if (node.find("iterations") != nullptr) {
+    const double found = table.number("iterations", 0.0, 1e9);
+    if (found != std::floor(found))
+      table.refuse(*node.find("iterations"), "must be a whole number");
+    else
+      load.iterations = static_cast<int>(found);
+  }
+  submission.loads.push_back(std::move(load));
+}
+
+/// Reads "nominal_pressure [Pa],mean_gap [m],area_fraction [1]" and its rows.
+std::vector<SubmittedRow> read_curve(const std::filesystem::path& file) {
+  const std::string text =
+      cases::read_input_file(file, cases::largest_number_file);
+  const std::string header =
+      "nominal_pressure [Pa],mean_gap [m],area_fraction [1]";
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  if (text.substr(0, end) != header)
+    throw cases::CaseError(fmt::format(
+        "{}:1: begins with \"{}\", but must "
+        "begin with \"{}\"",
+        file.string(), text.substr(0, std::min(end, 60UL)), header));
+  const surfaces::NumberTable table =
+      surfaces::read_number_text("#" + text, file.string());
+  std::vector<SubmittedRow> rows;
+  rows.reserve(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.columns != 3 || !(table.number(i, 0) > 0.0) ||
+        !(table.number(i, 2) >= 0.0) || !(table.number(i, 2) <= 1.0))
+      surfaces::refuse_line(file.string(), table.lines[i],
+                            "must have three numbers: a pressure > 0, a mean "
+                            "gap and an area fraction from 0 to 1");
+    rows.push_back(
+        {table.number(i, 0), table.number(i, 1), table.number(i, 2)});
+  }
+  return rows;
+}
+
+void read_head(SubmissionTable& table, const Problem& problem,
+               Submission& submission) {
+  submission.problem = table.text("problem");
+  if (!submission.problem.empty() && submission.problem != problem.name)
+    table.refuse(*table.node().find("problem"),
+                 fmt::format("problem.json is \"{}\"", problem.name));
+  submission.code = table.text("code");
+  submission.version = table.text("version");
+  submission.method = table.text("method");
+  submission.accuracy = table.text("accuracy");
+  if (!submission.accuracy.empty() && submission.accuracy != "default" &&
+      submission.accuracy != "best")
+    table.refuse(*table.node().find("accuracy"),
+                 "must be \"default\" or \"best\"");
+  submission.authors = table.texts("authors");
+  submission.licence = table.text("licence");
+  submission.machine = table.text("machine", false);
+  const double claimed = table.number("claimed_error", 0.0, 1.0);
+  if (std::isfinite(claimed))
+    submission.claimed_error = claimed;
+}
+
+} // namespace
+
+Submission read_submission(const std::filesystem::path& folder,
+                           const Problem& problem) {
+  const std::filesystem::path file = folder / "submission.toml";
+  const Node root = cases::parse_toml(
+      cases::read_input_file(file, cases::largest_case_file), file.string());
+  Mistakes mistakes;
+  SubmissionTable table(root,
+                        {"problem", "code", "version", "method", "accuracy",
+                         "authors", "licence", "machine", "claimed_error",
+                         "load", "curve"},
+                        mistakes);
+  Submission submission;
+  read_head(table, problem, submission);
+  std::filesystem::path curve_file;
+  if (const Node* const loads = root.find("load"))
+    for (const Node& load : loads->list)
+      read_load(load, problem, folder, submission, mistakes);
+  if (const Node* const curve = root.find("curve"))
+    curve_file = SubmissionTable(*curve, {"file"}, mistakes).file("file");
+  if (submission.loads.empty() && root.find("curve") == nullptr)
+    mistakes.add({file.string(), 0},
+                 "has neither [[load]] with a pressure field nor [curve]");
+  mistakes.throw_if_any("submission.toml");
+  for (SubmittedLoad& load : submission.loads) {
+    surfaces::Matrix matrix = read_pressure_file(load.file);
+    load.rows = matrix.rows;
+    load.columns = matrix.columns;
+    load.pressure = std::move(matrix.numbers);
+  }
+  if (!curve_file.empty())
+    submission.curve = read_curve(folder / curve_file);
+  return submission;
+}
+
+} // namespace asperity::exchange

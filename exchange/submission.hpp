@@ -1,0 +1,60 @@
+#pragma once
+
+// The answer of another program to a problem: submission.toml and the fields
+// that it names. This file owns the keys of submission.toml.
+
+#include "base/special_numbers.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exchange/problem.hpp"
+
+namespace asperity::exchange {
+
+/// One [[load]]: a field, and what its authors state about it (NaN: nothing).
+struct SubmittedLoad {
+  std::size_t load = 0; ///< index in Problem::loads
+  std::filesystem::path file;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> pressure;   ///< as submitted [Pa], rows * columns values
+  double mean_gap = not_a_number; ///< [m]
+  double area_fraction = not_a_number;  ///< [1]
+  double elastic_energy = not_a_number; ///< [J/m^2]
+  double cpu_time = not_a_number;       ///< [s]
+  int iterations = 0;
+};
+
+/// One row of a curve without fields.
+struct SubmittedRow {
+  double nominal_pressure = 0.0; ///< [Pa]
+  double mean_gap = 0.0;         ///< [m]
+  double area_fraction = 0.0;    ///< [1]
+};
+
+struct Submission {
+  std::string problem; ///< name of the problem
+  std::string code;
+  std::string version;
+  std::string method;
+  std::string accuracy; ///< "default" or "best"
+  std::vector<std::string> authors;
+  std::string licence;
+  std::string machine;
+  /// Error of each mean gap that the authors claim not to exceed [h_rms].
+  double claimed_error = 1e-3;
+  std::vector<SubmittedLoad> loads; ///< in the order of the file
+  std::vector<SubmittedRow> curve;
+};
+
+/// Reads a submission to a problem with its fields.
+/// @param folder  contains submission.toml
+/// @throws cases::CaseError  every mistake of submission.toml with its line and
+///                           key, or the first field that cannot be read
+Submission read_submission(const std::filesystem::path& folder,
+                           const Problem& problem);
+
+} // namespace asperity::exchange

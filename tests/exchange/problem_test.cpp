@@ -1,0 +1,183 @@
+// Claims about exchange/problem.hpp and exchange/problem_folder.hpp: what is
+// written is read again, and what is damaged is refused by name.
+#include "base/content_hash.hpp"
+#include "base/read_file.hpp"
+#include "cases/text/case_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "exchange/pressure_file.hpp"
+#include "exchange/problem.hpp"
+#include "exchange/problem_folder.hpp"
+#include "problems.hpp"
+
+namespace asperity::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  return read_file(file, 100'000'000);
+}
+
+class ProblemFolder : public testing::Test {
+protected:
+  ProblemFolder() {
+    fs::remove_all(folder);
+    problem.body.layers = {{2e-6, 5e9, 0.25}};
+    problem.body.thickness = 30e-6;
+    problem.body.far_boundary = contact::FarBoundary::sliding;
+    write();
+  }
+
+  ~ProblemFolder() override { fs::remove_all(folder); }
+
+  void write() {
+    const std::vector<ProblemAnswer> answers{problems::example_of(problem)};
+    const std::vector<ContinuumAnswer> continuum{
+        {2e6, 1e-6, 0.0, 0.1, not_a_number, "a source"}};
+    write_problem(problem, answers, continuum, "schema = 1\n", folder);
+  }
+
+  /// The message that reading gives after a text in problem.json was replaced.
+  std::string message_with(const std::string& old_text,
+                           const std::string& new_text) {
+    write();
+    std::string json = text_of(folder / "problem.json");
+    const std::size_t at = json.find(old_text);
+    EXPECT_NE(at, std::string::npos) << old_text;
+    json.replace(at, old_text.size(), new_text);
+    std::ofstream(folder / "problem.json") << json;
+    try {
+      read_problem(folder);
+    } catch (const cases::CaseError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder = fs::path(testing::TempDir()) / "asperity-problem-folder";
+  Problem problem = problems::rough_problem();
+};
+
+TEST_F(ProblemFolder, IsReadAsWritten) {
+  const Problem read = read_problem(folder);
+  EXPECT_EQ(read.name, problem.name);
+  EXPECT_EQ(read.title, problem.title);
+  EXPECT_TRUE(read.grid == problem.grid);
+  EXPECT_EQ(read.heights, problem.heights);
+  EXPECT_EQ(read.loads, problem.loads);
+  EXPECT_EQ(read.rms_height, problem.rms_height);
+  EXPECT_EQ(read.body.contact_modulus, 1e9);
+  EXPECT_EQ(read.body.poisson_ratio, 0.3);
+  EXPECT_EQ(read.body.thickness, 30e-6);
+  EXPECT_EQ(read.body.far_boundary, contact::FarBoundary::sliding);
+  ASSERT_EQ(read.body.layers.size(), 1U);
+  EXPECT_EQ(read.body.layers[0].thickness, 2e-6);
+  EXPECT_EQ(read.body.layers[0].youngs_modulus, 5e9);
+  EXPECT_EQ(read.body.layers[0].poisson_ratio, 0.25);
+
+  problem = problems::rough_problem();
+  problem.grid.length_y = 60e-6;
+  write();
+  const Problem half_space = read_problem(folder);
+  EXPECT_TRUE(std::isinf(half_space.body.thickness));
+  EXPECT_TRUE(half_space.grid == problem.grid);
+}
+
+// Claim: all height files hold the same numbers, bit for bit, also the text.
+TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
+  for (const char* name : {"heights.npy", "heights.h5", "heights.txt"}) {
+    const surfaces::Matrix matrix = read_pressure_file(folder / name);
+    EXPECT_EQ(matrix.rows, 64U) << name;
+    EXPECT_EQ(matrix.numbers, problem.heights) << name;
+  }
+  const std::string gwy = text_of(folder / "heights.gwy");
+  const std::string_view numbers(
+      reinterpret_cast<const char*>(problem.heights.data()),
+      problem.heights.size() * sizeof(double));
+  EXPECT_NE(gwy.find(numbers), std::string::npos);
+}
+
+// Claim: SHA256SUMS names every other file with its hash.
+TEST_F(ProblemFolder, HasChecksumsOfAllFiles) {
+  std::istringstream sums(text_of(folder / "SHA256SUMS"));
+  std::size_t listed = 0;
+  for (std::string hash, name; sums >> hash >> name; ++listed)
+    EXPECT_EQ(content_hash(text_of(folder / name)), hash) << name;
+  const auto files =
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+  EXPECT_EQ(listed + 1, static_cast<std::size_t>(files));
+}
+
+TEST_F(ProblemFolder, RefusesAWrongMember) {
+  const auto expect = [&](const char* old_text, const char* new_text,
+                          const char* sentence) {
+    const std::string message = message_with(old_text, new_text);
+    EXPECT_NE(message.find(sentence), std::string::npos) << message;
+    EXPECT_NE(message.find("problem.json"), std::string::npos) << message;
+  };
+  expect("asperity-problem", "recipe", "/format is \"recipe\", but must be");
+  expect("\"format_version\": 1", "\"format_version\": 2",
+         "/format_version is 2, but must be 1");
+  expect("\"points_x\": 64", "\"points_x\": 1",
+         "/grid/points_x is 1, but must be a whole number between 2 and");
+  expect("\"points_x\": 64", "\"points_x\": 64.5", "/grid/points_x is 64.5");
+  expect("\"points_y\": 64", "\"points_z\": 64",
+         "/grid/points_y is missing, but must be");
+  expect("\"points_y\": 64", "\"points_y\": 32",
+         "has 64 rows and 64 columns, but problem.json states 32 and 64");
+  expect("\"length_x [m]\": 6.4e-05", "\"length_x [m]\": -1",
+         "/grid/length_x [m] is -1, but must be a number > 0");
+  expect("1000000000.0", "\"1 GPa\"",
+         "/body/contact_modulus [Pa] is \"1 GPa\", but must be a number > 0");
+  expect("\"poisson_ratio [1]\": 0.3", "\"poisson_ratio [1]\": 0.6",
+         "is 0.6, but must be a number between -1 and 0.5");
+  expect("\"sliding\"", "\"glued\"",
+         "/body/far_boundary is \"glued\", but must be clamped, sliding or");
+  expect("\"youngs_modulus [Pa]\": 5000000000.0", "\"E\": 1",
+         "/body/layers/0/youngs_modulus [Pa] is missing");
+  expect("2000000.0", "null",
+         "/loads/0/nominal_pressure [Pa] is null, but must be a number > 0");
+  expect("\"format\"", "format", "problem.json:2: is not JSON");
+}
+
+// Claim: another surface under the same name is refused by its checksum.
+TEST_F(ProblemFolder, RefusesAnotherSurface) {
+  problem.heights[7] += 1e-9;
+  const std::string old_json = text_of(folder / "problem.json");
+  write();
+  std::ofstream(folder / "problem.json") << old_json;
+  EXPECT_THROW(
+      try { read_problem(folder); } catch (const cases::CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("its SHA-256 is"),
+                  std::string::npos);
+        throw;
+      },
+      cases::CaseError);
+}
+
+// Claim: no text of a few random bytes crashes the reader.
+TEST_F(ProblemFolder, RefusesDamagedText) {
+  const std::string json = text_of(folder / "problem.json");
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 300; ++k) {
+    std::string damaged = json;
+    damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    if (k % 3 == 0)
+      damaged.resize(random() % damaged.size());
+    std::ofstream(folder / "problem.json") << damaged;
+    try {
+      read_problem(folder);
+    } catch (const cases::CaseError&) {
+    }
+  }
+}
+
+} // namespace
+} // namespace asperity::exchange

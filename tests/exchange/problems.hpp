@@ -1,0 +1,56 @@
+#pragma once
+
+// A small problem with its solutions, for the tests of the exchange of problems
+// and answers.
+
+#include "base/rms_height.hpp"
+#include "contact/solvers/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "exchange/problem.hpp"
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::exchange::problems {
+
+/// A rough surface without symmetry on 64 x 64 nodes of 1 um, E* 1 GPa.
+inline Problem rough_problem() {
+  Problem problem;
+  problem.name = "rough";
+  problem.title = "A rough surface";
+  problem.grid = {64, 64, 64e-6, 64e-6};
+  problem.heights = contact::scenes::rough_heights(
+      problem.grid, {.roll_off = 2.0, .seed = 5});
+  for (double& height : problem.heights)
+    height *= 0.1;
+  problem.body.contact_modulus = 1e9;
+  problem.body.poisson_ratio = 0.3;
+  problem.body.thickness = infinity;
+  problem.loads = {2e6, 5e6, 2e7};
+  problem.rms_height = rms_height(problem.heights);
+  problem.rms_slope = 0.1;
+  return problem;
+}
+
+inline contact::FourierOperator operator_of(const Problem& problem) {
+  return contact::halfspace_operator(problem.grid, problem.body);
+}
+
+/// The pressure at a load, on given heights or with another modulus.
+inline std::vector<double> solved(const Problem& problem, double load,
+                                  double tolerance = 1e-9) {
+  contact::FourierOperator elasticity = operator_of(problem);
+  return contact::solve_contact(
+             elasticity,
+             {problem.heights, 0.0, tolerance * problem.rms_height, 2000},
+             {contact::LoadTarget::Kind::nominal_pressure, load})
+      .pressure;
+}
+
+inline ProblemAnswer example_of(const Problem& problem) {
+  return {problem.loads[0], 1e-6, 1e-12, 0.1, 2.0, 3e7};
+}
+
+} // namespace asperity::exchange::problems

@@ -1,0 +1,180 @@
+// Claims about exchange/submission.hpp and exchange/pressure_file.hpp: each key
+// is read, and each mistake is named with its line.
+#include "cases/text/case_error.hpp"
+#include "surfaces/formats/npy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "exchange/submission.hpp"
+#include "problems.hpp"
+
+namespace asperity::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string head = R"(problem = "rough"
+code = "mycode"
+version = "1.0"
+method = "guessing"
+accuracy = "best"
+authors = ["A. Name", "B. Name"]
+licence = "CC0-1.0"
+)";
+
+class SubmissionFolder : public testing::Test {
+protected:
+  SubmissionFolder() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    write("p.npy", surfaces::npy_bytes(problem.heights, 64, 64));
+  }
+
+  ~SubmissionFolder() override { fs::remove_all(folder); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+
+  Submission read(const std::string& text) {
+    write("submission.toml", text);
+    return read_submission(folder, problem);
+  }
+
+  std::string message_of(const std::string& text) {
+    try {
+      read(text);
+    } catch (const cases::CaseError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  void expect(const std::string& text, const std::string& sentence) {
+    const std::string message = message_of(text);
+    EXPECT_NE(message.find(sentence), std::string::npos) << message;
+  }
+
+  fs::path folder = fs::path(testing::TempDir()) / "asperity-submission";
+  Problem problem = problems::rough_problem();
+};
+
+TEST_F(SubmissionFolder, IsReadWithAllItsKeys) {
+  const Submission read_all = read(head + R"(machine = "a laptop"
+claimed_error = 1e-6
+[[load]]
+nominal_pressure = 2e7
+pressure = "p.npy"
+mean_gap = 1e-7
+contact_area_fraction = 0.5
+elastic_energy = 3
+cpu_time = 1.5
+iterations = 7
+[[load]]
+nominal_pressure = 2000000.0000001
+pressure = "p.npy"
+)");
+  EXPECT_EQ(read_all.problem, "rough");
+  EXPECT_EQ(read_all.code, "mycode");
+  EXPECT_EQ(read_all.version, "1.0");
+  EXPECT_EQ(read_all.method, "guessing");
+  EXPECT_EQ(read_all.accuracy, "best");
+  EXPECT_EQ(read_all.authors, (std::vector<std::string>{"A. Name", "B. Name"}));
+  EXPECT_EQ(read_all.licence, "CC0-1.0");
+  EXPECT_EQ(read_all.machine, "a laptop");
+  EXPECT_EQ(read_all.claimed_error, 1e-6);
+  ASSERT_EQ(read_all.loads.size(), 2U);
+  const SubmittedLoad& load = read_all.loads[0];
+  EXPECT_EQ(load.load, 2U);
+  EXPECT_EQ(load.mean_gap, 1e-7);
+  EXPECT_EQ(load.area_fraction, 0.5);
+  EXPECT_EQ(load.elastic_energy, 3.0);
+  EXPECT_EQ(load.cpu_time, 1.5);
+  EXPECT_EQ(load.iterations, 7);
+  EXPECT_EQ(load.rows, 64U);
+  EXPECT_EQ(load.pressure, problem.heights);
+  EXPECT_EQ(read_all.loads[1].load, 0U);
+  EXPECT_TRUE(std::isnan(read_all.loads[1].mean_gap));
+}
+
+TEST_F(SubmissionFolder, NamesEveryMistake) {
+  const std::string load =
+      "[[load]]\nnominal_pressure = 2e6\npressure = \"p.npy\"\n";
+  expect(head, "has neither [[load]] with a pressure field nor [curve]");
+  expect(load, "problem is missing");
+  expect("version = 1\n" + load, "submission.toml:1: version = 1, but must be");
+  expect("problem = \"smooth\"\n" + load,
+         "problem = \"smooth\", but problem.json is \"rough\"");
+  expect(head + "licens = \"MIT\"\n" + load,
+         "submission.toml:8: licens is unknown; nearest: licence");
+  expect("accuracy = \"good\"\n" + load, "must be \"default\" or \"best\"");
+  expect("authors = \"A\"\n" + load, "must be a list of texts");
+  expect("authors = []\n" + load, "must be a list of texts");
+  expect(head + "claimed_error = 2\n" + load,
+         "claimed_error = 2, but must be a number from 0 to 1");
+  expect(head + "[[load]]\nnominal_pressure = 3e6\npressure = \"p.npy\"\n",
+         "must be a load of the problem [Pa]: 2000000, 5000000, 20000000");
+  expect(head + "[[load]]\nnominal_pressure = nan\npressure = \"p.npy\"\n",
+         "must be a finite number >= 0");
+  expect(head + "[[load]]\npressure = \"p.npy\"\n",
+         "nominal_pressure is missing");
+  expect(head + load + load, "is the second one at the load");
+  expect(head + load + "contact_area_fraction = 40\n",
+         "must be a number from 0 to 1");
+  expect(head + load + "iterations = 1.5\n", "must be a whole number");
+  expect(head + load + "cpu_time = -1\n", "must be a finite number >= 0");
+  expect(head + load + "gap = 1\n", "unknown; nearest: mean_gap");
+  expect(head + "[[load]]\nnominal_pressure = 2e6\npressure = \"../p.npy\"\n",
+         "must be a file of this folder");
+  expect(head + "[[load]]\nnominal_pressure = 2e6\npressure = \"/p.npy\"\n",
+         "must be a file of this folder");
+  expect(head + "[[load]]\nnominal_pressure = 2e6\npressure = \"q.npy\"\n",
+         "q.npy");
+  expect(head + "load = 3\n", "neither [[load]]");
+  expect("code = [\n", "is not TOML");
+}
+
+// Claim: each kind of file is read, and others are refused.
+TEST_F(SubmissionFolder, ReadsTextAndRefusesWhatIsNoField) {
+  const auto with_file = [&](const std::string& name) {
+    return head + "[[load]]\nnominal_pressure = 2e6\npressure = \"" + name +
+           "\"\n";
+  };
+  write("p.csv", "1,2,3\n4,5,6\n");
+  const Submission csv = read(with_file("p.csv"));
+  EXPECT_EQ(csv.loads[0].rows, 2U);
+  EXPECT_EQ(csv.loads[0].columns, 3U);
+  EXPECT_EQ(csv.loads[0].pressure,
+            (std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
+  write("p.png", "x");
+  expect(with_file("p.png"), "has the ending \".png\"; allowed are .npy");
+  write("p.h5", "this is not HDF5");
+  EXPECT_NE(message_of(with_file("p.h5")), "no error");
+  std::vector<double> broken = problem.heights;
+  broken[5] = not_a_number;
+  write("n.npy", surfaces::npy_bytes(broken, 64, 64));
+  expect(with_file("n.npy"), "has a number that is not finite");
+}
+
+TEST_F(SubmissionFolder, ReadsACurve) {
+  const std::string header =
+      "nominal_pressure [Pa],mean_gap [m],area_fraction [1]\n";
+  const std::string with_curve = head + "[curve]\nfile = \"c.csv\"\n";
+  write("c.csv", header + "1e6,2e-7,0.1\n2e6,1e-7,0.2\n");
+  const Submission curve = read(with_curve);
+  ASSERT_EQ(curve.curve.size(), 2U);
+  EXPECT_EQ(curve.curve[1].nominal_pressure, 2e6);
+  EXPECT_EQ(curve.curve[1].mean_gap, 1e-7);
+  EXPECT_EQ(curve.curve[1].area_fraction, 0.2);
+  write("c.csv", header + "1e6,2e-7,0.1\n2e6,1e-7,1.2\n");
+  expect(with_curve, "c.csv:3: must have three numbers");
+  write("c.csv", "p,u,A\n1,2,3\n");
+  expect(with_curve, "c.csv:1: begins with \"p,u,A\", but must begin with");
+}
+
+} // namespace
+} // namespace asperity::exchange
