@@ -2,17 +2,20 @@
 
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
+#include "app/cli/certified_field.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/elastic_method.hpp"
+#include "base/special_numbers.hpp"
 #include "cases/reader/read_case.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -20,6 +23,9 @@ namespace asperity::app {
 namespace {
 
 using results::Result;
+
+/// Error of a mean gap that every result must not exceed [h_rms].
+constexpr double claimed_error = 1e-3;
 
 /// What a field is certified against.
 struct Model {
@@ -44,23 +50,24 @@ public:
       case_ = cases::read_case_text(result.case_text, result.path);
   }
 
-  /// Returns the number of fields with bounds.
-  int run() {
-    fmt::print("{}: {}\n", result_.path, result_.case_name);
-    int certified = 0;
+  void run() {
     for (const results::MethodRecord& method : result_.methods)
       for (std::size_t r = 0; r < method.realizations.size(); ++r)
-        certified += certify(method, r);
-    return certified;
+        certify(method, r);
   }
 
+  const std::vector<CertifiedField>& fields() const { return fields_; }
+
+  /// What is not certified or was assumed, one line each.
+  const std::vector<std::string>& notes() const { return notes_; }
+
 private:
-  int certify(const results::MethodRecord& method, std::size_t realization) {
+  void certify(const results::MethodRecord& method, std::size_t realization) {
     const results::Curve& curve = method.realizations[realization];
     if (curve.fields.empty()) {
       if (realization == 0)
         as_submitted(method, "no pressure field is saved");
-      return 0;
+      return;
     }
     const results::SurfaceRecord* surface =
         curve.own_surface                       ? &*curve.own_surface
@@ -69,49 +76,57 @@ private:
     if (surface == nullptr || surface->heights.size() != surface->grid.size() ||
         !(curve.fields.front().grid == surface->grid)) {
       as_submitted(method, "no heights are saved on the grid of its fields");
-      return 0;
+      return;
     }
     const SurfaceOfCase on{*surface,
                            {result_.contact_modulus, surface->grid.length_x,
                             surface->grid.spacing_x(), surface->rms_height}};
     const std::optional<Model> model = model_of(method, on);
     if (!model)
-      return 0;
-    int certified = 0;
+      return;
     for (const results::Fields& fields : curve.fields)
       try {
-        certify(method, curve, fields, *surface, *model);
-        ++certified;
+        certify(method, curve, static_cast<int>(realization), fields, *surface,
+                *model);
       } catch (const std::domain_error& error) { // no contact, for example
         as_submitted(method,
                      fmt::format("step {}: {}", fields.step, error.what()));
       }
-    return certified;
   }
 
   void as_submitted(const results::MethodRecord& method,
-                    const std::string& why) const {
-    fmt::print("  {:<16} as submitted: {}\n", method.name, why);
+                    const std::string& why) {
+    notes_.push_back(fmt::format("{:<16} as submitted: {}", method.name, why));
+  }
+
+  /// The method of the case that a record belongs to; for an imported
+  /// submission, the one whose block its problem has. Null if there is none.
+  const cases::MethodSpec*
+  method_of(const results::MethodRecord& record) const {
+    if (!case_)
+      return nullptr;
+    const auto found = std::ranges::find_if(
+        case_->methods, [&](const cases::MethodSpec& method) {
+          return record.kind == "submission" ? contact_of(method) != nullptr
+                                             : method.name == record.name;
+        });
+    return found == case_->methods.end() ? nullptr : &*found;
   }
 
   std::optional<Model> model_of(const results::MethodRecord& record,
-                                const SurfaceOfCase& surface) const {
-    const auto known = [&] {
-      return std::ranges::find(case_->methods, record.name,
-                               &cases::MethodSpec::name);
-    };
-    if (!case_ || known() == case_->methods.end()) {
-      fmt::print("  {:<16} against the half-space of E* in hard contact\n",
-                 record.name);
-      return Model{
-          std::make_unique<contact::FourierOperator>(
-              contact::halfspace_operator(
-                  surface.record.grid,
-                  {.contact_modulus = result_.contact_modulus,
-                   .thickness = std::numeric_limits<double>::infinity()})),
-          0.0};
+                                const SurfaceOfCase& surface) {
+    const cases::MethodSpec* const known = method_of(record);
+    if (known == nullptr) {
+      notes_.push_back(fmt::format(
+          "{:<16} against the half-space of E* in hard contact", record.name));
+      return Model{std::make_unique<contact::FourierOperator>(
+                       contact::halfspace_operator(
+                           surface.record.grid,
+                           {.contact_modulus = result_.contact_modulus,
+                            .thickness = infinity})),
+                   0.0};
     }
-    const cases::MethodSpec& method = *known();
+    const cases::MethodSpec& method = *known;
     const cases::ContactSettings* law = contact_of(method);
     if (law == nullptr) {
       as_submitted(record, "no bound exists for this method");
@@ -127,60 +142,68 @@ private:
   }
 
   void certify(const results::MethodRecord& method, const results::Curve& curve,
-               const results::Fields& fields,
-               const results::SurfaceRecord& surface,
-               const Model& model) const {
+               int realization, const results::Fields& fields,
+               const results::SurfaceRecord& surface, const Model& model) {
     const auto row = std::ranges::find(curve.points, fields.step,
                                        &results::CurvePoint::step);
     const bool has_row = row != curve.points.end();
-    const contact::SubmittedField submitted{
-        surface.heights, model.local_compliance,
-        has_row ? row->nominal_pressure : fields.nominal_pressure,
-        fields.pressure,
-        has_row ? row->mean_gap : std::numeric_limits<double>::quiet_NaN()};
-    const contact::FieldCheck check =
-        contact::check_field(*model.elasticity, submitted);
-    const contact::SeparationBounds bounds =
-        contact::bound_separation(*model.elasticity, submitted);
-    const double height = surface.rms_height;
-    const double load = submitted.nominal_pressure;
-    fmt::print("  {:<16} {:>4} {:>11.4e} {:>+9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
-               "{:>9.1e} {:>10.1e} {:>+10.6f} {:>9.1e}\n",
-               method.name, fields.step, load / result_.contact_modulus,
-               check.load_error, check.largest_tension / load,
-               check.largest_penetration / height,
-               check.complementarity / height,
-               check.duality_gap / load / height, check.pressure_error,
-               (has_row ? row->mean_gap : check.mean_gap) / height,
-               bounds.error / height);
+    CertifiedField field =
+        certified(*model.elasticity,
+                  {surface.heights, model.local_compliance,
+                   has_row ? row->nominal_pressure : fields.nominal_pressure,
+                   fields.pressure, has_row ? row->mean_gap : not_a_number},
+                  surface.rms_height, claimed_error);
+    field.method = method.name;
+    field.realization = realization;
+    field.step = fields.step;
+    field.contact_modulus = result_.contact_modulus;
+    fields_.push_back(std::move(field));
   }
 
   const Result& result_;
   std::optional<cases::Case> case_;
+  std::vector<CertifiedField> fields_;
+  std::vector<std::string> notes_;
 };
 
 } // namespace
 
-ExitCode certify_results(const std::vector<std::string>& paths) {
+ExitCode certify_results(const CertifyCommand& command) {
   std::vector<Result> results;
-  results.reserve(paths.size());
-  for (const std::string& path : paths)
+  results.reserve(command.results.size());
+  for (const std::string& path : command.results) {
+    results::require_readable(path);
     results.push_back(results::read_result(path));
-  fmt::print("Lengths in h_rms. G/p_0, |p-p*|/|p| and |u-u*| are upper bounds; "
-             "p* and u* are\nthe exact answer on this grid "
-             "(docs/numerics/certificate.md).\n");
-  fmt::print(
-      "  {:<16} {:>4} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} "
-      "{:>9}\n",
-      "method", "step", "p_0/E*", "load err", "tension", "overlap", "<p,|g|>",
-      "G/p_0", "|p-p*|/|p|", "u", "|u-u*|");
-  int certified = 0;
-  for (const Result& result : results)
-    certified += Certifier(result).run();
-  if (certified > 0)
-    return exit_good;
-  fmt::print(stderr, "no field could be certified\n");
-  return exit_bad_input;
+  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  bool is_certified = false;
+  bool is_sound = true;
+  if (!command.is_json)
+    fmt::print("{}", certificate_head());
+  for (const Result& result : results) {
+    Certifier certifier(result);
+    certifier.run();
+    if (!command.is_json) {
+      fmt::print("{}: {}\n", result.path, result.case_name);
+      for (const std::string& note : certifier.notes())
+        fmt::print("  {}\n", note);
+    }
+    for (const CertifiedField& field : certifier.fields()) {
+      is_certified = true;
+      is_sound = is_sound && all_hold(field);
+      list.push_back(certificate_json(field));
+      list.back()["result"] = result.path;
+      if (!command.is_json)
+        fmt::print("{}{}", certificate_line(field), broken_claims(field));
+    }
+  }
+  if (command.is_json)
+    fmt::print("{}\n", list.dump(2));
+  if (!is_certified) {
+    fmt::print(stderr, "no field could be certified\n");
+    return exit_bad_input;
+  }
+  return is_sound ? exit_good : exit_expectation_failed;
 }
 
 } // namespace asperity::app

@@ -10,12 +10,19 @@
 
 namespace asperity::app {
 
+/// Options of `asperity certify`.
+struct CertifyCommand {
+  std::vector<std::string> results; ///< files or folders
+  bool is_json = false;             ///< print JSON instead of a table
+};
+
 /// Prints one line per saved pressure field: what it violates, and how far its
 /// pressure and its mean gap can be from the exact answer of the discrete
 /// problem. A method for which no bound exists is labelled "as submitted".
 ///
-/// @param paths  results (files or folders)
-/// @return  exit_bad_input if no field could be certified
-ExitCode certify_results(const std::vector<std::string>& paths);
+/// @return  exit_bad_input if no field could be certified,
+///          exit_expectation_failed if a mean gap cannot be shown to be within
+///          1e-3 h_rms of the exact one
+ExitCode certify_results(const CertifyCommand& command);
 
 } // namespace asperity::app

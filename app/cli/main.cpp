@@ -2,6 +2,8 @@
 // exit codes.
 #include "app/cli/certify_command.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/import_command.hpp"
+#include "app/cli/problem_command.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
@@ -171,15 +173,63 @@ void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
-void add_certify(CLI::App& program, std::vector<std::string>& paths,
-                 Action& action) {
+void add_certify(CLI::App& program, CertifyCommand& certify, Action& action) {
   CLI::App* command = program.add_subcommand(
       "certify", "Bound the errors of the pressure fields of\n"
-                 "results, of any program.");
-  command->add_option("result", paths, "results (files or folders)")
+                 "results, of any program; exit 1 if a mean gap\n"
+                 "may be wrong by more than 1e-3 h_rms.");
+  command->add_option("result", certify.results, "results (files or folders)")
       ->required();
+  command->add_flag("--json", certify.is_json,
+                    "print all numbers as JSON instead of a table");
   add_example(command, "certify out/polymer");
-  command->callback([&] { action = [&] { return certify_results(paths); }; });
+  command->callback([&] { action = [&] { return certify_results(certify); }; });
+}
+
+void add_problem(CLI::App& program, ProblemCommand& problem, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "problem", "Write the contact problem of a case as a folder\n"
+                 "that any other program can read: problem.json,\n"
+                 "heights, checksums and reference answers.");
+  command
+      ->add_option("case", problem.contact_case,
+                   "case file, its folder or shipped case")
+      ->required();
+  command->add_option("--out", problem.out,
+                      "folder to write (default: out/<case>/problem)");
+  command
+      ->add_option("--set", problem.overrides,
+                   "override a key of the case file, e.g.\n"
+                   "surface.points=128; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--method", problem.method,
+                      "half-space or condensed finite-element method\n"
+                      "whose block is pressed (default: the first)");
+  add_example(command, "problem wave-1d --out wave-1d-problem");
+  command->callback(
+      [&] { action = [&] { return write_problem_of(problem); }; });
+}
+
+void add_import(CLI::App& program, ImportCommand& import_answer,
+                Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "import", "Read another program's answer to a problem,\n"
+                "certify it, name typical mistakes and write it\n"
+                "as a result; exit 1 if a claim does not hold.");
+  command
+      ->add_option("submission", import_answer.submission,
+                   "folder with submission.toml")
+      ->required();
+  command
+      ->add_option("--problem", import_answer.problem,
+                   "folder with problem.json, as asperity problem\n"
+                   "writes it")
+      ->required();
+  command->add_option("--out", import_answer.out,
+                      "output folder (default: out/<code>-<problem>)");
+  add_example(command, "import answers/mycode --problem wave-1d-problem");
+  command->callback(
+      [&] { action = [&] { return import_submission(import_answer); }; });
 }
 
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
@@ -253,7 +303,12 @@ int run(int argc, char** argv) {
   add_bench(program, bench, action);
   add_report(program, paths, out, action);
   add_check(program, paths, out, run.uses_cache, action);
-  add_certify(program, paths, action);
+  CertifyCommand certify;
+  add_certify(program, certify, action);
+  ProblemCommand problem;
+  add_problem(program, problem, action);
+  ImportCommand imported;
+  add_import(program, imported, action);
   bool is_to_clear = false;
   add_cache(program, is_to_clear, action);
   add_robustness(program, stress, action);

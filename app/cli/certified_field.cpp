@@ -1,0 +1,95 @@
+#include "app/cli/certified_field.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+
+CertifiedField certified(contact::SurfaceOperator& elasticity,
+                         const contact::SubmittedField& submitted,
+                         double rms_height, double claimed_error) {
+  CertifiedField field;
+  field.nominal_pressure = submitted.nominal_pressure;
+  field.rms_height = rms_height;
+  field.check = contact::check_field(elasticity, submitted);
+  field.bounds = contact::bound_separation(elasticity, submitted);
+  field.mean_gap = std::isfinite(submitted.mean_gap) ? submitted.mean_gap
+                                                     : field.check.mean_gap;
+  const double error = field.bounds.error / rms_height;
+  field.claims.push_back(
+      {fmt::format("the mean gap is within {:g} h_rms of the exact one (bound "
+                   "{:.2g} h_rms)",
+                   claimed_error, error),
+       error <= claimed_error});
+  return field;
+}
+
+std::string certificate_head() {
+  return fmt::format(
+      "Lengths in h_rms. G/p_0, |p-p*|/|p| and |u-u*| are upper bounds; p* and "
+      "u* are\nthe exact answer on this grid (docs/numerics/certificate.md).\n"
+      "  {:<16} {:>4} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} "
+      "{:>9}\n",
+      "method", "step", "p_0/E*", "load err", "tension", "overlap", "<p,|g|>",
+      "G/p_0", "|p-p*|/|p|", "u", "|u-u*|");
+}
+
+std::string certificate_line(const CertifiedField& field) {
+  const contact::FieldCheck& check = field.check;
+  const double height = field.rms_height;
+  const double load = field.nominal_pressure;
+  return fmt::format(
+      "  {:<16} {:>4} {:>11.4e} {:>+9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
+      "{:>10.1e} {:>+10.6f} {:>9.1e}\n",
+      field.method, field.step, load / field.contact_modulus, check.load_error,
+      check.largest_tension / load, check.largest_penetration / height,
+      check.complementarity / height, check.duality_gap / load / height,
+      check.pressure_error, field.mean_gap / height,
+      field.bounds.error / height);
+}
+
+std::string broken_claims(const CertifiedField& field) {
+  std::string text;
+  for (const Claim& claim : field.claims)
+    if (!claim.holds)
+      text += fmt::format("  {} step {}: does not hold: {}\n", field.method,
+                          field.step, claim.text);
+  return text;
+}
+
+bool all_hold(const CertifiedField& field) {
+  return std::ranges::all_of(field.claims, &Claim::holds);
+}
+
+nlohmann::ordered_json certificate_json(const CertifiedField& field) {
+  using Json = nlohmann::ordered_json;
+  const contact::FieldCheck& check = field.check;
+  const contact::SeparationBounds& bounds = field.bounds;
+  Json claims = Json::array();
+  for (const Claim& claim : field.claims)
+    claims.push_back({{"claim", claim.text}, {"holds", claim.holds}});
+  return {{"method", field.method},
+          {"realization", field.realization},
+          {"step", field.step},
+          {"nominal_pressure [Pa]", field.nominal_pressure},
+          {"rms_height [m]", field.rms_height},
+          {"load_error [1]", check.load_error},
+          {"largest_tension [Pa]", check.largest_tension},
+          {"nodes_in_tension", check.nodes_in_tension},
+          {"largest_penetration [m]", check.largest_penetration},
+          {"rms_penetration [m]", check.rms_penetration},
+          {"complementarity [m]", check.complementarity},
+          {"elastic_energy [J/m^2]", check.elastic_energy},
+          {"duality_gap [J/m^2]", check.duality_gap},
+          {"pressure_error [1]", check.pressure_error},
+          {"mean_gap [m]", field.mean_gap},
+          {"mean_gap_low [m]", bounds.low},
+          {"mean_gap_high [m]", bounds.high},
+          {"mean_gap_error [m]", bounds.error},
+          {"claims", claims}};
+}
+
+} // namespace asperity::app

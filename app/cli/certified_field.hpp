@@ -1,0 +1,54 @@
+#pragma once
+
+// What is certified about one pressure field, as a line of a table and as JSON.
+
+#include "contact/certificate/certificate.hpp"
+#include "results/types/result.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Something that was stated about a field, and whether the field bears it out.
+struct Claim {
+  std::string text; ///< whole sentence with the numbers
+  bool holds = true;
+};
+
+/// A field with its bounds. Lengths are printed relative to rms_height.
+struct CertifiedField {
+  std::string method;
+  int realization = 0;
+  int step = 0;
+  double nominal_pressure = 0.0; ///< p_0 [Pa]
+  double contact_modulus = 0.0;  ///< E* [Pa]
+  double rms_height = 0.0;       ///< [m]
+  double mean_gap = 0.0;         ///< as submitted, or that of the pressure [m]
+  contact::FieldCheck check;
+  contact::SeparationBounds bounds;
+  std::vector<Claim> claims;
+};
+
+/// Certifies a field, and claims that its mean gap is within
+/// claimed_error h_rms of the exact one.
+/// @throws std::domain_error  the field has no pressure > 0, for example
+CertifiedField certified(contact::SurfaceOperator& elasticity,
+                         const contact::SubmittedField& submitted,
+                         double rms_height, double claimed_error);
+
+/// The two lines above the table.
+std::string certificate_head();
+
+std::string certificate_line(const CertifiedField& field);
+
+/// The claims that do not hold, one line each.
+std::string broken_claims(const CertifiedField& field);
+
+bool all_hold(const CertifiedField& field);
+
+nlohmann::ordered_json certificate_json(const CertifiedField& field);
+
+} // namespace asperity::app

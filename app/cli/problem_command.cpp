@@ -1,0 +1,62 @@
+#include "app/cli/problem_command.hpp"
+
+#include "app/cli/asked_cases.hpp"
+#include "app/run/reference_answers.hpp"
+#include "base/folder_lock.hpp"
+#include "cases/text/case_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "exchange/problem_folder.hpp"
+
+namespace asperity::app {
+namespace {
+
+void print_answers(const AnsweredProblem& answered) {
+  const double height = answered.problem.rms_height;
+  fmt::print("method {}, {} by {} points\n{:>12} {:>12} {:>9} {:>10} {:>12} "
+             "{:>9}\n",
+             answered.method, answered.problem.grid.points_x,
+             answered.problem.grid.points_y, "p_0 [Pa]", "u/h_rms", "certified",
+             "area", "u, continuum", "estimated");
+  for (std::size_t i = 0; i < answered.answers.size(); ++i) {
+    const exchange::ProblemAnswer& answer = answered.answers[i];
+    fmt::print("{:>12.5g} {:>12.8f} {:>9.1e} {:>10.6f}",
+               answer.nominal_pressure, answer.mean_gap / height,
+               answer.mean_gap_error / height, answer.area_fraction);
+    if (i < answered.continuum.size())
+      fmt::print(" {:>12.8f} {:>9.1e}", answered.continuum[i].mean_gap / height,
+                 answered.continuum[i].mean_gap_error / height);
+    fmt::print("\n");
+  }
+}
+
+} // namespace
+
+ExitCode write_problem_of(const ProblemCommand& command) {
+  const Asked asked = read_asked(command.contact_case, command.overrides);
+  if (asked.cases.size() != 1)
+    throw cases::CaseError(fmt::format(
+        "{} is a collection; name one of its parts", command.contact_case));
+  const ReadCase& read = asked.cases.front();
+  const std::filesystem::path folder =
+      command.out.empty()
+          ? std::filesystem::path("out") / read.found.name / "problem"
+          : std::filesystem::path(command.out);
+  const FolderLock lock(folder, "problem " + read.found.name);
+  const AnsweredProblem answered =
+      answered_problem(read.contact_case, command.method);
+  // A map or spectrum that the case names is not part of the problem.
+  const bool is_complete = read.contact_case.surface.file.empty();
+  exchange::write_problem(answered.problem, answered.answers,
+                          answered.continuum,
+                          is_complete ? read.contact_case.text : "", folder);
+  print_answers(answered);
+  fmt::print("problem: {}\n", folder.string());
+  return exit_good;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,25 @@
+#pragma once
+
+// The command that hands out a case as a problem for other programs.
+
+#include "app/run/exit_code.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Options of `asperity problem`.
+struct ProblemCommand {
+  std::string contact_case; ///< case file, folder or shipped case
+  std::vector<std::string> overrides;
+  std::string method; ///< whose block is pressed; empty: the first suitable one
+  std::string out;    ///< folder; empty: out/<case>/problem
+};
+
+/// Writes the folder that exchange/problem_folder.hpp describes.
+/// @throws cases::CaseError  the case is invalid, is a collection, or has no
+///                           method with a surface operator
+ExitCode write_problem_of(const ProblemCommand& command);
+
+} // namespace asperity::app

@@ -1,0 +1,293 @@
+"""Problems that are handed out, and answers that come back: what a developer of
+another code does with the program, with numpy and h5py alone.
+
+Arguments: asperity, an empty folder.
+"""
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+import jsonschema
+import numpy
+
+CASE = """schema = 1
+title = "A small rough surface"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 64
+seed = 1
+rms_height = "3 nm"
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.5 length"
+wavelength_short = "8 h"
+[material]
+contact_modulus = "2 GPa"
+{material}
+[load]
+{load}
+[halfspace]
+{method}
+"""
+LOADS = 'nominal_pressure = ["0.002 E*", "0.02 E*"]'
+LAYERED = """poisson_ratio = 0.3
+[[material.layers]]
+thickness = "0.05 length"
+youngs_modulus = "10 GPa"
+poisson_ratio = 0.25
+"""
+
+
+def asperity(*arguments, expected=0):
+    done = subprocess.run(
+        [PROGRAM, *map(str, arguments)], cwd=FOLDER, text=True, timeout=300,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env=os.environ | {"ASPERITY_CACHE_SIZE": "0"})
+    assert done.returncode == expected, f"{arguments}: {done.returncode}\n{done.stdout}"
+    return done.stdout
+
+
+def problem_of(name, material="", load=LOADS, method=""):
+    folder = FOLDER / name
+    folder.mkdir()
+    case = folder / "case.toml"
+    case.write_text(CASE.format(material=material, load=load, method=method))
+    asperity("problem", case, "--out", folder / "problem")
+    return folder / "problem"
+
+
+def solved(problem):
+    """The pressures by the program itself, as another code's answer."""
+    out = problem.parent / "solved"
+    asperity("run", problem / "case.toml", "--set", "report.fields=100", "--no-report",
+             "--out", out)
+    with h5py.File(out / "result.h5") as file:
+        fields = file["methods/halfspace/0/fields"]
+        return [fields[step]["pressure"][...].astype(float)
+                for step in sorted(fields, key=int)]
+
+
+def submission(problem, pressures, name, extra="", each=lambda k: "", save=numpy.save,
+               ending=".npy"):
+    """A submission folder beside the problem."""
+    folder = problem.parent / name
+    folder.mkdir()
+    statement = json.loads((problem / "problem.json").read_text())
+    text = (f'problem = "{statement["name"]}"\ncode = "numpy code"\nversion = "1.0"\n'
+            'method = "copied"\naccuracy = "default"\nauthors = ["A. Name"]\n'
+            f'licence = "CC0-1.0"\n{extra}\n')
+    for k, (load, pressure) in enumerate(zip(statement["loads"], pressures)):
+        save(folder / f"p{k}{ending}", pressure)
+        text += (f'[[load]]\nnominal_pressure = {load["nominal_pressure [Pa]"]!r}\n'
+                 f'pressure = "p{k}{ending}"\n{each(k)}\n')
+    (folder / "submission.toml").write_text(text)
+    return folder
+
+
+def imported(problem, folder, expected=0):
+    out = folder / "out"
+    said = asperity("import", folder, "--problem", problem, "--out", out,
+                    expected=expected)
+    if expected == 2:
+        assert not (out / "result.h5").exists(), said
+        return said, None
+    return said, json.loads((out / "certificate.json").read_text())
+
+
+def check_problem(problem):
+    """The folder speaks for itself: schema, checksums, the equations."""
+    statement = json.loads((problem / "problem.json").read_text())
+    jsonschema.validate(statement,
+                        json.loads((problem / "problem.schema.json").read_text()))
+    names = {path.name for path in problem.iterdir()}
+    for line in (problem / "SHA256SUMS").read_text().splitlines():
+        digest, name = line.split()
+        assert hashlib.sha256((problem / name).read_bytes()).hexdigest() == digest, name
+        names.remove(name)
+    assert names == {"SHA256SUMS"}, names
+    heights = numpy.load(problem / "heights.npy")
+    assert heights.shape == (64, 64) and abs(heights.mean()) < 1e-20
+    assert numpy.array_equal(heights, numpy.loadtxt(problem / "heights.txt"))
+    with h5py.File(problem / "heights.h5") as file:
+        assert numpy.array_equal(heights, file["heights"][...])
+    reference = json.loads((problem / "reference.json").read_text())
+    for answer in reference["discrete"]["answers"]:
+        assert 0 <= answer["mean_gap_error [m]"] < 1e-6 * heights.std()
+    for answer, limit in zip(reference["discrete"]["answers"],
+                             reference["continuum"]["answers"]):
+        assert abs(answer["mean_gap [m]"] - limit["mean_gap [m]"]) < 0.01 * heights.std()
+        assert 0 < limit["mean_gap_error [m]"] < 0.01 * heights.std()
+    again = problem.parent / "again"
+    asperity("problem", problem.parent / "case.toml", "--out", again)
+    assert (again / "SHA256SUMS").read_text() == (problem / "SHA256SUMS").read_text()
+
+
+def check_example(problem, pressures):
+    """The example answer follows from the equations of the README, by numpy."""
+    statement = json.loads((problem / "problem.json").read_text())
+    grid, example = statement["grid"], statement["example"]
+    heights, p = numpy.load(problem / "heights.npy"), pressures[0]
+    qx = 2 * numpy.pi * numpy.fft.fftfreq(
+        grid["points_x"], grid["length_x [m]"] / grid["points_x"])
+    qy = 2 * numpy.pi * numpy.fft.fftfreq(
+        grid["points_y"], grid["length_y [m]"] / grid["points_y"])
+    q = numpy.hypot(qx[None, :], qy[:, None])
+    q[0, 0] = numpy.inf
+    w = numpy.fft.ifft2(numpy.fft.fft2(p) * 2 / (
+        statement["body"]["contact_modulus [Pa]"] * q)).real
+    # Single precision of the stored field limits the comparison to some 1e-6.
+    assert abs(p.mean() / example["nominal_pressure [Pa]"] - 1) < 1e-6
+    gap = (p * (heights - w)).sum() / p.sum()
+    assert abs(gap - example["mean_gap [m]"]) < 1e-6 * heights.std()
+    assert abs((p * w).mean() / 2 / example["elastic_energy [J/m^2]"] - 1) < 1e-6
+    assert abs((p > 0).mean() - example["contact_area_fraction [1]"]) < 3e-4
+    assert abs(p.max() / example["largest_pressure [Pa]"] - 1) < 1e-6
+
+
+def check_right_answers(problem, pressures):
+    said, certificate = imported(problem, submission(problem, pressures, "right"))
+    assert certificate["is_certified"] and "does not hold" not in said, said
+    for load in certificate["loads"]:
+        assert load["mean_gap_error [m]"] < 1e-6 * load["rms_height [m]"]
+        assert load["mistakes"] == []
+        assert load["mean_gap_low [m]"] <= load["mean_gap [m]"] + 1e-6 * load["rms_height [m]"]
+        assert 0 < load["area_fraction_corrected [1]"] < load["area_fraction [1]"]
+        assert load["contact_stiffness [Pa/m]"] > 0
+
+    def save_h5(path, array):
+        with h5py.File(path, "w") as file:
+            file["pressure"] = array
+    for ending, save in ((".h5", save_h5), (".txt", numpy.savetxt), (".csv", lambda path, array:
+                         numpy.savetxt(path, array, delimiter=","))):
+        _, other = imported(problem, submission(problem, pressures, "right" + ending,
+                                                save=save, ending=ending))
+        assert (other["loads"][0]["duality_gap [J/m^2]"]
+                == certificate["loads"][0]["duality_gap [J/m^2]"]), ending
+    out = problem.parent / "right/out"
+    # The import is a result: it can be certified, and reported beside others.
+    again = json.loads(asperity("certify", "--json", out))
+    assert len(again) == 2 and again[0]["method"] == "numpy-code-1.0-default", again
+    asperity("report", problem.parent / "solved", out, "--out", problem.parent / "both")
+    page = (problem.parent / "both/report.html").read_text()
+    assert "numpy-code-1.0-default" in page and "Certified errors" in page
+
+
+def check_faults(problem, pressures):
+    """Faults in a submission: what the program says, and its exit code."""
+    areas = [(p > 0).mean() for p in pressures]
+    for k, (name, sentence, change) in enumerate((
+            ("MPa", "it seems to be in MPa", lambda p: 1e-6 * p),
+            ("transposed", "transposed", lambda p: p.T),
+            ("shifted", "shifted by 61 rows and 0 columns",
+             lambda p: numpy.roll(p, 3, axis=0)),
+            ("noisy", "does not hold: the mean gap",
+             lambda p: p * numpy.random.default_rng(1).uniform(0, 2, p.shape)))):
+        said, _ = imported(problem, submission(
+            problem, [change(p) for p in pressures], f"fault-{k}"), expected=1)
+        assert sentence in said, (name, said)
+    for k, (claim, sentence) in enumerate((
+            (lambda k: "mean_gap = 1e-9", "does not hold: the mean gap"),
+            (lambda k: f"contact_area_fraction = {1.05 * areas[k]}",
+             "does not hold: the contact area fraction"),
+            (lambda k: "elastic_energy = 1.0", "does not hold: the elastic energy"))):
+        said, _ = imported(problem, submission(problem, pressures, f"claim-{k}", each=claim),
+                           expected=1)
+        assert sentence in said, said
+    said, _ = imported(problem, submission(problem, pressures, "exact",
+                                           extra="claimed_error = 1e-12"), expected=1)
+    assert "within 1e-12 h_rms" in said, said
+    for k, (change, sentence) in enumerate((
+            (lambda p: p[:32, :32], "has 32 rows and 32 columns, but the problem has 64"),
+            (lambda p: -p, "no pressure is > 0, so that nothing can be certified: the mean "
+             "pressure is -1 times the load: compression must be positive"),
+            (lambda p: p.ravel(), "must have 2: rows and columns"),
+            (lambda p: numpy.where(p > 0, p, numpy.nan), "not finite"),
+            (lambda p: p.astype(complex), "has numbers of type '<c16'"))):
+        said, _ = imported(problem, submission(problem, [change(p) for p in pressures],
+                                               f"no-field-{k}"), expected=2)
+        assert sentence in said, said
+
+
+def check_curve(problem):
+    """A code without fields is shown as submitted and has no certificate."""
+    folder = submission(problem, [], "curve", extra='[curve]\nfile = "curve.csv"')
+    (folder / "curve.csv").write_text(
+        "nominal_pressure [Pa],mean_gap [m],area_fraction [1]\n4e6,6e-9,0.02\n4e7,3e-9,0.2\n")
+    said, certificate = imported(problem, folder)
+    assert "as submitted" in said and not certificate["is_certified"], said
+
+
+def check_wrong_results(problem):
+    """A result whose mean gap is wrong does not pass `certify`."""
+    out = problem.parent / "wrong"
+    shutil.copytree(problem.parent / "right/out", out)
+    with h5py.File(out / "result.h5", "r+") as file:
+        curve = file["methods/numpy-code-1.0-default/0/curve"]
+        curve["mean_gap"][0] *= 1.01
+    said = asperity("certify", out, expected=1)
+    assert "does not hold" in said, said
+
+
+def check_layers():
+    """A layered slab with loads as mean gaps: the problem is certified with its
+    own body, here and by `certify`; the half-space of E* would not do."""
+    problem = problem_of("layered", LAYERED,
+                         'mean_gap = ["1 h_rms", "0.5 h_rms"]',
+                         'thickness = "0.5 length"\ntop = "sliding"')
+    body = json.loads((problem / "problem.json").read_text())["body"]
+    assert body["far_boundary"] == "sliding" and len(body["layers"]) == 1, body
+    pressures = solved(problem)
+    _, certificate = imported(problem, submission(problem, pressures, "right"))
+    for load in certificate["loads"]:
+        assert load["mean_gap_error [m]"] < 1e-6 * load["rms_height [m]"], load
+    again = json.loads(asperity("certify", "--json", problem.parent / "right/out"))
+    assert all(load["mean_gap_error [m]"] < 1e-6 * load["rms_height [m]"] for load in again)
+    half_space = problem.parent / "half-space"
+    shutil.copytree(problem, half_space)
+    statement = json.loads((problem / "problem.json").read_text())
+    statement["body"] |= {"thickness [m]": None, "far_boundary": None, "layers": []}
+    (half_space / "problem.json").write_text(json.dumps(statement))
+    (half_space / "case.toml").unlink()
+    said, _ = imported(half_space, submission(half_space, pressures, "wrong-body"), expected=1)
+    assert "of a modulus" in said or "does not hold" in said, said
+
+
+def check_refusals():
+    theory = FOLDER / "theory.toml"
+    theory.write_text(CASE.format(material="", load=LOADS, method="").replace(
+        "[halfspace]", "[theory]\ngamma = 0.4"))
+    said = asperity("problem", theory, expected=2)
+    assert "no half-space or condensed finite-element method" in said, said
+    said = asperity("problem", "wave-1d", "--method", "fem.none", expected=2)
+    assert "it has" in said, said
+    said = asperity("problem", "paper", expected=2)
+    assert "is a collection" in said, said
+    said = asperity("import", FOLDER, "--problem", FOLDER, expected=2)
+    assert "problem.json" in said, said
+    assert not (FOLDER / "out").exists()
+
+
+def main():
+    problem = problem_of("small")
+    check_problem(problem)
+    pressures = solved(problem)
+    check_example(problem, pressures)
+    check_right_answers(problem, pressures)
+    check_faults(problem, pressures)
+    check_curve(problem)
+    check_wrong_results(problem)
+    check_layers()
+    check_refusals()
+
+
+PROGRAM = sys.argv[1]
+FOLDER = pathlib.Path(sys.argv[2]).resolve()
+shutil.rmtree(FOLDER, ignore_errors=True)
+FOLDER.mkdir(parents=True)
+main()
