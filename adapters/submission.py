@@ -1,0 +1,79 @@
+"""What the adapters share: reads a problem folder, writes a submission folder.
+
+A code provides prepare(problem), which returns its version and a function
+solve(nominal_pressure, tolerance). This solves one load and returns the pressure
+[Pa] in the shape of the heights, whether it converged, and a dictionary of what the
+code itself computes: any of mean_gap [m], contact_area_fraction [1], elastic_energy
+[J/m^2] and iterations. run() does the rest.
+"""
+import argparse
+import dataclasses
+import json
+import pathlib
+import sys
+import time
+
+import numpy as np
+
+
+@dataclasses.dataclass
+class Problem:
+    name: str
+    heights: np.ndarray     # [m], [i, j] at y = i length_y / points_y, x = j length_x / points_x
+    length_x: float         # [m]
+    length_y: float         # [m]
+    contact_modulus: float  # E* = E / (1 - nu^2) [Pa]
+    loads: list             # nominal pressures [Pa]
+
+
+def read_problem(folder):
+    """The periodic half-space problem in `folder`; any other body is a ValueError."""
+    text = json.loads((folder / "problem.json").read_text(encoding="utf-8"))
+    if (text.get("format"), text.get("format_version")) != ("asperity-problem", 1):
+        raise ValueError("problem.json is not an asperity-problem of format version 1")
+    grid, body = text["grid"], text["body"]
+    if body["thickness [m]"] is not None or body.get("layers") or not grid["is_periodic"]:
+        raise ValueError("the body is layered, of finite thickness or not periodic, but this code "
+                         "solves the homogeneous periodic half-space only")
+    return Problem(text["name"], np.load(folder / "heights.npy"), grid["length_x [m]"],
+                   grid["length_y [m]"], body["contact_modulus [Pa]"],
+                   [load["nominal_pressure [Pa]"] for load in text["loads"]])
+
+
+def toml(**entries):
+    """Lines of TOML, which writes strings, lists and finite numbers as JSON does."""
+    return "".join(f"{key} = {json.dumps(value, ensure_ascii=False, allow_nan=False)}\n"
+                   for key, value in entries.items())
+
+
+def run(prepare, code, method, tolerances):
+    """Solves every load. Exit codes: 0 solved, 2 invalid problem, 3 a load did not converge."""
+    parser = argparse.ArgumentParser(description=f"Solve an Asperity problem by {code}.")
+    parser.add_argument("problem", metavar="PROBLEM_DIR", type=pathlib.Path)
+    parser.add_argument("submission", metavar="SUBMISSION_DIR", type=pathlib.Path)
+    parser.add_argument("--accuracy", choices=tolerances, default="default")
+    parser.add_argument("--tolerance", type=float, help="instead of that of the accuracy")
+    parser.add_argument("--author", action="append", help="may be repeated")
+    given = parser.parse_args()
+    try:
+        problem = read_problem(given.problem)
+    except (ValueError, OSError) as mistake:
+        print(f"{code}: {given.problem}: {mistake}", file=sys.stderr)
+        sys.exit(2)
+    version, solve = prepare(problem)
+    tolerance = tolerances[given.accuracy] if given.tolerance is None else given.tolerance
+    text = toml(problem=problem.name, code=code, version=version, method=method,
+                accuracy=given.accuracy, authors=given.author or ["anonymous"], licence="CC0-1.0")
+    given.submission.mkdir(parents=True, exist_ok=True)
+    exit_code = 0
+    for number, nominal_pressure in enumerate(problem.loads, start=1):
+        start, name = time.process_time(), f"pressure-{number}.npy"
+        pressure, converged, claims = solve(nominal_pressure, tolerance)
+        text += "\n[[load]]\n" + toml(nominal_pressure=nominal_pressure, pressure=name,
+                                      cpu_time=time.process_time() - start, **claims)
+        np.save(given.submission / name, np.ascontiguousarray(pressure))
+        if not converged:
+            print(f"{code}: load {number} did not converge", file=sys.stderr)
+            exit_code = 3
+    (given.submission / "submission.toml").write_text(text, encoding="utf-8")
+    sys.exit(exit_code)

@@ -1,0 +1,33 @@
+"""Problem folders as the tests of the adapters write them, and the start of an adapter."""
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+MODULUS = 2e9  # E* [Pa]
+
+
+def write_problem(folder, heights, length_x, length_y, loads, thickness=None, layers=(), version=1):
+    """What a solver needs of a problem folder: heights [m], lengths [m], loads [Pa]."""
+    folder.mkdir(parents=True)
+    np.save(folder / "heights.npy", heights)
+    points_y, points_x = heights.shape
+    problem = {
+        "format": "asperity-problem", "format_version": version, "name": folder.name,
+        "grid": {"points_x": points_x, "points_y": points_y, "length_x [m]": length_x,
+                 "length_y [m]": length_y, "is_periodic": True},
+        "body": {"contact_modulus [Pa]": MODULUS, "poisson_ratio": 0.3,
+                 "thickness [m]": thickness, "layers": list(layers)},
+        "loads": [{"load": number, "nominal_pressure [Pa]": float(load)}
+                  for number, load in enumerate(loads, start=1)]}
+    (folder / "problem.json").write_text(json.dumps(problem), encoding="utf-8")
+    return folder
+
+
+def start(adapter, problem, submission, *options):
+    return subprocess.run(
+        [sys.executable, adapter, problem, submission, *options], text=True, timeout=300,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1"})
