@@ -1,0 +1,55 @@
+"""Every adapter is short, compiles, and refuses what is no half-space, by exit code 2
+and a message, before it asks for the code that it calls.
+
+Arguments: the folder of the adapters, a folder for the problems.
+"""
+import pathlib
+import py_compile
+import shutil
+import sys
+
+import numpy as np
+
+from problem_folder import start, write_problem
+
+MOST_LINES = 79
+LAYER = {"thickness [m]": 1e-6, "youngs_modulus [Pa]": 1e9, "poisson_ratio": 0.3}
+
+
+def check_source(source):
+    lines = len(source.read_text(encoding="utf-8").splitlines())
+    assert lines <= MOST_LINES, f"{source.name} has {lines} lines, but at most {MOST_LINES} may be"
+    py_compile.compile(source, cfile=WORK / (source.name + "c"), doraise=True)
+
+
+def check_refused(adapter, problem, message):
+    submission = WORK / f"{adapter.stem}-{problem.name}"
+    done = start(adapter, problem, submission)
+    assert done.returncode == 2, (adapter.name, done.returncode, done.stdout)
+    assert message in done.stdout and "Traceback" not in done.stdout, (adapter.name, done.stdout)
+    assert not submission.exists(), f"{adapter.name} wrote a submission"
+
+
+def main():
+    sources = sorted(FOLDER.glob("*.py"))
+    adapters = [source for source in sources if source.name != "submission.py"]
+    assert len(adapters) == 4, sources
+    for source in sources:
+        check_source(source)
+    flat, side = np.zeros((4, 6)), (3e-6, 2e-6)
+    no_half_space = "the homogeneous periodic half-space only"
+    refused = (
+        (write_problem(WORK / "layered", flat, *side, [1e6], layers=[LAYER]), no_half_space),
+        (write_problem(WORK / "finite", flat, *side, [1e6], thickness=1e-6), no_half_space),
+        (write_problem(WORK / "future", flat, *side, [1e6], version=2), "format version 1"),
+        (WORK / "missing", "No such file"))
+    for problem, message in refused:
+        check_refused(FOLDER / "numpy_polonsky_keer.py", problem, message)
+    for adapter in adapters:
+        check_refused(adapter, *refused[0])
+
+
+FOLDER, WORK = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+main()
