@@ -1,5 +1,6 @@
-// Claims about cases/layered: its references are the two classical slopes of
-// the area at light load, with the modulus that its layers show to each wave.
+// Claims about cases/layered and cases/board/layered: their references are the
+// two classical slopes of the area at light load, with the modulus that the
+// layers show to each wave.
 #include "app/methods/continuum_block.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/reference.hpp"
@@ -16,9 +17,9 @@
 namespace asperity::app {
 namespace {
 
-double reference_of(const std::string& quantity) {
+double reference_of(const std::string& folder, const std::string& quantity) {
   for (const cases::ReferenceValue& reference :
-       cases::read_reference("cases/layered/reference.csv"))
+       cases::read_reference(folder + "/reference.csv"))
     if (reference.quantity == quantity)
       return reference.value;
   return std::numeric_limits<double>::quiet_NaN();
@@ -30,13 +31,18 @@ double reference_of(const std::string& quantity) {
 // variance)) then begins with sqrt(8/pi) over it; Bush, Gibson and Thomas have
 // sqrt(2 pi) for sqrt(8/pi). Tolerance: the five digits written, 5e-6/0.2,
 // times 2.5; the midpoint rule's error is below them.
-TEST(LayeredCase, HasTheSlopesOfItsLayers) {
-  const cases::Case read = cases::read_case("cases/layered/case.toml");
+class LayeredCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(LayeredCase, HasTheSlopesOfItsLayers) {
+  const cases::Case read = cases::read_case(GetParam() + "/case.toml");
   const cases::SurfaceSpec& surface = read.surface;
   const cases::Scales scales{read.material.contact_modulus, *surface.length,
                              *surface.length / *surface.points, 0.0};
+  const auto halfspace =
+      std::ranges::find(read.methods, "halfspace", &cases::MethodSpec::name);
+  ASSERT_NE(halfspace, read.methods.end());
   const contact::ElasticBlock block =
-      continuum_of(read.methods[1], read.material, scales);
+      continuum_of(*halfspace, read.material, scales);
   double slope = 0.0, stiffness = 0.0;
   const int n = 4000;
   const double span =
@@ -54,18 +60,21 @@ TEST(LayeredCase, HasTheSlopesOfItsLayers) {
   }
   const double root = std::sqrt(stiffness / slope);
 
-  EXPECT_EQ(read.methods[1].name, "halfspace");
-  EXPECT_NEAR(reference_of("kappa_persson") * root,
+  EXPECT_NEAR(reference_of(GetParam(), "kappa_persson") * root,
               std::sqrt(8.0 / std::numbers::pi), 7e-5);
-  EXPECT_NEAR(reference_of("kappa_bush_gibson_thomas") * root,
+  EXPECT_NEAR(reference_of(GetParam(), "kappa_bush_gibson_thomas") * root,
               std::sqrt(2.0 * std::numbers::pi), 7e-5);
 }
+
+INSTANTIATE_TEST_SUITE_P(ShippedCases, LayeredCase,
+                         testing::Values("cases/layered",
+                                         "cases/board/layered"));
 
 // Claim: a rim feels the coating where that is many spacings thick, and what
 // lies below where it is far less than one. Tolerances: q t = 39 hides the
 // bottom below rounding; at q t = 1.6e-4 the coating's share is some q t times
 // the ratio of the moduli.
-TEST(LayeredCase, ShowsItsRimsTheCoating) {
+TEST(LayeredBlock, ShowsItsRimsTheCoating) {
   contact::ElasticBlock block{2e9,
                               0.3,
                               std::numeric_limits<double>::infinity(),

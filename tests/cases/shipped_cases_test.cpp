@@ -47,6 +47,18 @@ const std::set<std::string> parts_of_paper = {"adhesion",
                                               "surface-atoms",
                                               "surface-polymer"};
 
+const std::set<std::string> parts_of_board = {"challenge",
+                                              "hertz",
+                                              "layered",
+                                              "near-full-contact",
+                                              "polymer",
+                                              "self-affine-h03",
+                                              "self-affine-h08-16",
+                                              "self-affine-h08-4",
+                                              "self-affine-h08-8",
+                                              "wave-1d",
+                                              "wave-2d"};
+
 const std::set<std::string> parts_of_peers = {"full-contact", "hertz",
                                               "westergaard"};
 
@@ -93,9 +105,10 @@ TEST(ShippedCases, AreTheFoldersThatAreThere) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(whole_blocks.begin(), whole_blocks.end());
-  expected.insert({"paper", "peers"});
+  expected.insert({"board", "paper", "peers"});
 
   EXPECT_EQ(folders_in("cases"), expected);
+  EXPECT_EQ(folders_in("cases/board"), parts_of_board);
   EXPECT_EQ(folders_in("cases/peers"), parts_of_peers);
   for (const std::string& part : parts_of_paper)
     EXPECT_TRUE(folders_in("cases/paper").contains(part)) << part;
@@ -140,6 +153,36 @@ TEST(ShippedCases, ReadThePeersProblems) {
     EXPECT_EQ(read_case(folder + "/case.toml").name, part);
     if (part != "full-contact") { // no count is published
       EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    }
+    for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
+      EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
+  }
+}
+
+// Claim: each benchmark problem is one that other programs can solve: one
+// surface, one half-space in hard contact, nominal pressures, and the answer to
+// each load is saved.
+TEST(ShippedCases, ReadTheBenchmarkProblems) {
+  const Collection collection =
+      read_collection("cases/board/collection.toml",
+                      {parts_of_board.begin(), parts_of_board.end()});
+  EXPECT_EQ(collection.parts.size(), parts_of_board.size());
+  for (const std::string& part : parts_of_board) {
+    const std::string folder = "cases/board/" + part;
+    const Case read = read_case(folder + "/case.toml");
+    std::ostringstream readme;
+    readme << std::ifstream(folder + "/README.md").rdbuf();
+
+    EXPECT_EQ(read.name, part);
+    ASSERT_EQ(read.methods.size(), 1U) << part;
+    EXPECT_EQ(read.methods.front().name, "halfspace") << part;
+    EXPECT_EQ(read.load.control, Control::nominal_pressure) << part;
+    EXPECT_GE(read.report.fields, std::ssize(read.load.targets)) << part;
+    EXPECT_EQ(read.surface.realizations, 1) << part;
+    EXPECT_EQ(read_case(folder + "/case.toml", quick_lines(folder)).name, part);
+    if (part != "near-full-contact") { // no number is published
+      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+      EXPECT_FALSE(read.expectations.empty()) << part;
     }
     for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
       EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
@@ -208,6 +251,42 @@ TEST(ShippedCases, GiveHertzsReferences) {
     EXPECT_NEAR(reference_of("hertz", "approach_" + name) /
                     (radius * radius / hertz.surface.radius),
                 1.0, 1e-14);
+  }
+}
+
+// Claim: the mean gaps of board/hertz are those of a paraboloid in a square
+// array, crest less a^2/R' - F/(pi E* L) (S - T a^2/(10 L^2)), with the crest
+// and the rms height of the case's nodes and 1/R' = 1/R + T F/(2 pi E* L^3).
+// Tolerance: the six decimals written.
+TEST(ShippedCases, GiveTheMeanGapsOfTheSquareArray) {
+  const Case read = shipped_case("board/hertz");
+  const SurfaceSpec& surface = read.surface;
+  const double side = *surface.length, modulus = read.material.contact_modulus;
+  double square = 0.0, fourth = 0.0; // means of x^2 and x^4
+  const int n = *surface.points;
+  for (int i = 0; i < n; ++i) {
+    const double x = side * (static_cast<double>(i) / n - 0.5);
+    square += x * x / n;
+    fourth += x * x * x * x / n;
+  }
+  const double crest = square / surface.radius;
+  const double rms_height =
+      std::sqrt((fourth - square * square) / 2.0) / surface.radius;
+  constexpr double s = 3.9002649200019564, t = 9.03362168310095;
+
+  for (const auto& [step, load] :
+       {std::pair<std::size_t, std::string>{1, "10 kPa"},
+        std::pair<std::size_t, std::string>{3, "300 kPa"}}) {
+    const double displacement = // F/(pi E* L)
+        pressure_of(read, step) * side / (pi * modulus);
+    const double radius =
+        1.0 / (1.0 / surface.radius + 0.5 * t * displacement / (side * side));
+    const double a = std::cbrt(0.75 * pi * displacement * side * radius);
+    const double approach =
+        a * a / radius - displacement * (s - t * a * a / (10.0 * side * side));
+
+    EXPECT_NEAR(reference_of("board/hertz", "reduced_mean_gap@p=" + load),
+                (crest - approach) / rms_height, 1e-6);
   }
 }
 
