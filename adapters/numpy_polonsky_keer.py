@@ -65,7 +65,7 @@ def prepare(problem):
                   "elastic_energy": float(energy), "iterations": iterations}
         return pressure, error <= tolerance, claims
 
-    return f"1 (numpy {np.__version__})", solve
+    return f"1.0-numpy-{np.__version__}", solve
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #include "app/cli/certify_command.hpp"
 
+#include "app/answers/certified_field.hpp"
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
-#include "app/cli/certified_field.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/elastic_method.hpp"
 #include "base/special_numbers.hpp"
@@ -175,11 +175,15 @@ ExitCode certify_results(const CertifyCommand& command) {
     results::require_readable(path);
     results.push_back(results::read_result(path));
   }
+  std::size_t name_width = 16;
+  for (const Result& result : results)
+    for (const results::MethodRecord& method : result.methods)
+      name_width = std::max(name_width, method.name.size());
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   bool is_certified = false;
   bool is_sound = true;
   if (!command.is_json)
-    fmt::print("{}", certificate_head());
+    fmt::print("{}", certificate_head(name_width));
   for (const Result& result : results) {
     Certifier certifier(result);
     certifier.run();
@@ -194,7 +198,8 @@ ExitCode certify_results(const CertifyCommand& command) {
       list.push_back(certificate_json(field));
       list.back()["result"] = result.path;
       if (!command.is_json)
-        fmt::print("{}{}", certificate_line(field), broken_claims(field));
+        fmt::print("{}{}", certificate_line(field, name_width),
+                   broken_claims(field));
     }
   }
   if (command.is_json)

@@ -1,7 +1,7 @@
 #include "app/cli/problem_command.hpp"
 
+#include "app/answers/reference_answers.hpp"
 #include "app/cli/asked_cases.hpp"
-#include "app/run/reference_answers.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/text/case_error.hpp"
 

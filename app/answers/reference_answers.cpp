@@ -1,4 +1,4 @@
-#include "app/run/reference_answers.hpp"
+#include "app/answers/reference_answers.hpp"
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"

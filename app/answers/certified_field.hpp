@@ -39,10 +39,11 @@ CertifiedField certified(contact::SurfaceOperator& elasticity,
                          const contact::SubmittedField& submitted,
                          double rms_height, double claimed_error);
 
-/// The two lines above the table.
-std::string certificate_head();
+/// The lines above the table.
+/// @param width  of the column of method names
+std::string certificate_head(std::size_t width);
 
-std::string certificate_line(const CertifiedField& field);
+std::string certificate_line(const CertifiedField& field, std::size_t width);
 
 /// The claims that do not hold, one line each.
 std::string broken_claims(const CertifiedField& field);

@@ -1,4 +1,4 @@
-#include "app/cli/certified_field.hpp"
+#include "app/answers/certified_field.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,28 +27,28 @@ CertifiedField certified(contact::SurfaceOperator& elasticity,
   return field;
 }
 
-std::string certificate_head() {
+std::string certificate_head(std::size_t width) {
   return fmt::format(
       "Lengths in h_rms. G/p_0, |p-p*|/|p| and |u-u*| are upper bounds; p* and "
       "u* are\nthe exact answer on this grid (docs/numerics/certificate.md).\n"
-      "  {:<16} {:>4} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} "
+      "  {:<{}} {:>4} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} "
       "{:>9}\n",
-      "method", "step", "p_0/E*", "load err", "tension", "overlap", "<p,|g|>",
-      "G/p_0", "|p-p*|/|p|", "u", "|u-u*|");
+      "method", width, "step", "p_0/E*", "load err", "tension", "overlap",
+      "<p,|g|>", "G/p_0", "|p-p*|/|p|", "u", "|u-u*|");
 }
 
-std::string certificate_line(const CertifiedField& field) {
+std::string certificate_line(const CertifiedField& field, std::size_t width) {
   const contact::FieldCheck& check = field.check;
   const double height = field.rms_height;
   const double load = field.nominal_pressure;
   return fmt::format(
-      "  {:<16} {:>4} {:>11.4e} {:>+9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
+      "  {:<{}} {:>4} {:>11.4e} {:>+9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
       "{:>10.1e} {:>+10.6f} {:>9.1e}\n",
-      field.method, field.step, load / field.contact_modulus, check.load_error,
-      check.largest_tension / load, check.largest_penetration / height,
-      check.complementarity / height, check.duality_gap / load / height,
-      check.pressure_error, field.mean_gap / height,
-      field.bounds.error / height);
+      field.method, width, field.step, load / field.contact_modulus,
+      check.load_error, check.largest_tension / load,
+      check.largest_penetration / height, check.complementarity / height,
+      check.duality_gap / load / height, check.pressure_error,
+      field.mean_gap / height, field.bounds.error / height);
 }
 
 std::string broken_claims(const CertifiedField& field) {

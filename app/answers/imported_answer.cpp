@@ -1,0 +1,203 @@
+#include "app/answers/imported_answer.hpp"
+
+#include "app/methods/continuum_block.hpp"
+#include "app/methods/curve_row.hpp"
+#include "base/special_numbers.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/observables/contact_stiffness.hpp"
+#include "surfaces/maps/statistics.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exchange/mistakes.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using exchange::Problem;
+using exchange::Submission;
+using exchange::SubmittedLoad;
+
+/// Name of the method in the result: "contactmechanics-1.8.3-default".
+std::string method_name(const Submission& submission) {
+  std::string name =
+      submission.code + "-" + submission.version + "-" + submission.accuracy;
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0 &&
+        std::string_view("-._").find(letter) == std::string_view::npos)
+      letter = '-';
+  return name;
+}
+
+} // namespace
+
+SurfaceOfCase surface_of(const Problem& problem) {
+  const surfaces::Statistics numbers =
+      surfaces::statistics({problem.grid, problem.heights});
+  SurfaceOfCase surface;
+  surface.record.grid = problem.grid;
+  surface.record.heights = problem.heights;
+  surface.record.rms_height = numbers.rms_height;
+  surface.record.rms_slope = numbers.rms_slope;
+  surface.record.rms_curvature = numbers.rms_curvature;
+  surface.record.skewness = numbers.skewness;
+  surface.record.kurtosis = numbers.kurtosis;
+  surface.record.highest = numbers.highest;
+  surface.scales = {problem.body.contact_modulus, problem.grid.length_x,
+                    problem.grid.spacing_x(), numbers.rms_height};
+  return surface;
+}
+
+namespace {
+
+/// The row and the gap that follow from a pressure.
+StepAnswer answer_of(contact::SurfaceOperator& elasticity,
+                     const Problem& problem, const SurfaceOfCase& surface,
+                     const CertifiedField& field, const SubmittedLoad& load) {
+  contact::ContactSolution solution;
+  solution.pressure = load.pressure;
+  for (double& value : solution.pressure)
+    value = std::max(value, 0.0);
+  solution.displacement.resize(load.pressure.size());
+  elasticity.displacement(solution.pressure, solution.displacement);
+  solution.nominal_pressure = field.nominal_pressure;
+  solution.mean_gap = field.check.mean_gap;
+  solution.gap_error = field.check.complementarity;
+  solution.iterations = load.iterations;
+  solution.converged = true;
+  solution.gap.reserve(load.pressure.size());
+  for (std::size_t i = 0; i < load.pressure.size(); ++i)
+    solution.gap.push_back(solution.mean_gap + solution.displacement[i] -
+                           problem.heights[i]);
+  StepAnswer answer =
+      observe(std::move(solution),
+              {{},
+               0.0,
+               results::halfspace_area_coefficients,
+               rim_modulus(problem.body, problem.grid.spacing_x())},
+              surface);
+  answer.row.step = static_cast<int>(load.load);
+  answer.row.certified_gap_error = field.bounds.error;
+  answer.row.cpu_time = std::isfinite(load.cpu_time) ? load.cpu_time : 0.0;
+  return answer;
+}
+
+/// Compares what the authors state with what the field says. Their mean gap is
+/// already compared with its bounds.
+void add_claims(const SubmittedLoad& load, CertifiedField& field) {
+  const auto add = [&](const char* name, double claimed, double found,
+                       double allowed) {
+    if (std::isfinite(claimed))
+      field.claims.push_back(
+          {fmt::format("the {} is {:.6g} (from the field {:.6g})", name,
+                       claimed, found),
+           std::abs(claimed - found) <= allowed * found});
+  };
+  add("contact area fraction", load.area_fraction, field.check.area_fraction,
+      1e-2);
+  add("elastic energy [J/m^2]", load.elastic_energy, field.check.elastic_energy,
+      1e-3);
+}
+
+ImportedLoad imported(contact::SurfaceOperator& elasticity,
+                      const Problem& problem, const SurfaceOfCase& surface,
+                      const Submission& submission, const SubmittedLoad& load) {
+  ImportedLoad done;
+  done.file = load.file.filename().string();
+  done.mistakes = recognised_mistakes(elasticity, problem, load);
+  if (!(std::ranges::max(load.pressure) > 0.0))
+    throw cases::CaseError(fmt::format(
+        "{}: no pressure is > 0, so that nothing can be certified: {}",
+        load.file.string(), fmt::join(done.mistakes, "; ")));
+  done.field = certified(elasticity,
+                         {problem.heights, 0.0, problem.loads[load.load],
+                          load.pressure, load.mean_gap},
+                         surface.record.rms_height, submission.claimed_error);
+  done.field.method = method_name(submission);
+  done.field.step = static_cast<int>(load.load);
+  done.field.contact_modulus = problem.body.contact_modulus;
+  add_claims(load, done.field);
+  done.answer = answer_of(elasticity, problem, surface, done.field, load);
+  return done;
+}
+
+void fill_stiffness(std::vector<ImportedLoad>& loads) {
+  std::vector<results::CurvePoint> rows;
+  rows.reserve(loads.size());
+  for (const ImportedLoad& load : loads)
+    rows.push_back(load.answer.row);
+  results::fill_contact_stiffness(rows);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    loads[i].answer.row = rows[i];
+}
+
+} // namespace
+
+bool ImportedLoad::is_sound() const {
+  return all_hold(field) && mistakes.empty();
+}
+
+bool ImportedAnswer::is_sound() const {
+  return std::ranges::all_of(loads, &ImportedLoad::is_sound);
+}
+
+ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
+                             const SurfaceOfCase& surface) {
+  ImportedAnswer answer;
+  answer.submission = exchange::read_submission(folder, problem);
+  answer.method = method_name(answer.submission);
+  contact::FourierOperator elasticity =
+      contact::halfspace_operator(problem.grid, problem.body);
+  for (const SubmittedLoad& load : answer.submission.loads)
+    require_grid(problem, load);
+  for (SubmittedLoad& load : answer.submission.loads) {
+    answer.loads.push_back(
+        imported(elasticity, problem, surface, answer.submission, load));
+    load.pressure = {};
+  }
+  std::ranges::sort(answer.loads, {},
+                    [](const ImportedLoad& load) { return load.field.step; });
+  fill_stiffness(answer.loads);
+  return answer;
+}
+
+nlohmann::ordered_json answer_json(const ImportedAnswer& answer) {
+  using Json = nlohmann::ordered_json;
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  const Submission& submission = answer.submission;
+  Json list = Json::array();
+  for (const ImportedLoad& load : answer.loads) {
+    Json one = certificate_json(load.field);
+    one["mistakes"] = load.mistakes;
+    const results::CurvePoint& row = load.answer.row;
+    one["area_fraction [1]"] = number(row.area_fraction);
+    one["area_fraction_corrected [1]"] = number(row.area_fraction_corrected);
+    one["area_fraction_fit [1]"] = number(row.area_fraction_fit);
+    one["area_fraction_moment [1]"] = number(row.area_fraction_moment);
+    one["contact_stiffness [Pa/m]"] = number(row.contact_stiffness);
+    one["cpu_time [s]"] = number(row.cpu_time);
+    one["iterations"] = row.iterations;
+    list.push_back(std::move(one));
+  }
+  return {{"problem", submission.problem},
+          {"code", submission.code},
+          {"version", submission.version},
+          {"method", submission.method},
+          {"accuracy", submission.accuracy},
+          {"authors", submission.authors},
+          {"licence", submission.licence},
+          {"machine", submission.machine},
+          {"claimed_error [h_rms]", submission.claimed_error},
+          {"is_certified", !answer.loads.empty()},
+          {"loads", list}};
+}
+
+} // namespace asperity::app

@@ -1,0 +1,55 @@
+#pragma once
+
+// The answer of another program to a problem, with everything that follows from
+// its fields: certificates, broken claims, typical mistakes, rows of a curve.
+
+#include "app/answers/certified_field.hpp"
+#include "app/methods/step_solver.hpp"
+#include "app/methods/surfaces_of_case.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exchange/submission.hpp"
+
+namespace asperity::app {
+
+/// One load: its certificate, the row and maps of the result, and the mistakes
+/// that were recognised.
+struct ImportedLoad {
+  std::string file; ///< name of the submitted file
+  CertifiedField field;
+  StepAnswer answer;
+  std::vector<std::string> mistakes;
+
+  /// Whether every claim holds and no mistake was recognised.
+  bool is_sound() const;
+};
+
+struct ImportedAnswer {
+  exchange::Submission submission; ///< its fields have been moved into `loads`
+  std::string method;              ///< "contactmechanics-1.8.3-default"
+  std::vector<ImportedLoad> loads; ///< ascending in load
+
+  bool is_sound() const;
+};
+
+/// The surface of a problem, with the statistics that a result records.
+SurfaceOfCase surface_of(const exchange::Problem& problem);
+
+/// Reads and certifies a submission. The contact stiffness follows from
+/// differences between the loads.
+/// @param surface  surface_of(problem)
+/// @throws cases::CaseError  the submission cannot be read, or a field cannot
+///                           be certified
+ImportedAnswer import_answer(const std::filesystem::path& folder,
+                             const exchange::Problem& problem,
+                             const SurfaceOfCase& surface);
+
+/// The content of certificate.json.
+nlohmann::ordered_json answer_json(const ImportedAnswer& answer);
+
+} // namespace asperity::app
