@@ -3,6 +3,8 @@
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "surfaces/formats/gwyddion_file.hpp"
 #include "surfaces/formats/npy.hpp"
@@ -146,6 +148,38 @@ void write_problem(const Problem& problem,
     sums += fmt::format("{}  {}\n", hash, file);
   write_file_atomically(folder / "SHA256SUMS", sums);
   write_file_atomically(folder / "problem.json", json);
+}
+
+References read_references(const fs::path& folder) {
+  const fs::path file = folder / "reference.json";
+  References found;
+  if (!fs::exists(file))
+    return found;
+  const auto number = [](const Json& answer, const char* name) {
+    const Json& member = answer.at(name);
+    return member.is_null() ? not_a_number : member.get<double>();
+  };
+  try {
+    const Json json =
+        Json::parse(cases::read_input_file(file, cases::largest_case_file));
+    for (const Json& answer : json.at("discrete").at("answers"))
+      found.discrete.push_back({number(answer, "nominal_pressure [Pa]"),
+                                number(answer, "mean_gap [m]"),
+                                number(answer, "mean_gap_error [m]"),
+                                number(answer, "contact_area_fraction [1]"),
+                                number(answer, "elastic_energy [J/m^2]"),
+                                number(answer, "largest_pressure [Pa]")});
+    for (const Json& answer : json.at("continuum").at("answers"))
+      found.continuum.push_back(
+          {number(answer, "nominal_pressure [Pa]"),
+           number(answer, "mean_gap [m]"), number(answer, "mean_gap_error [m]"),
+           number(answer, "contact_area_fraction [1]"),
+           number(answer, "contact_area_fraction_error [1]"),
+           answer.at("source").get<std::string>()});
+  } catch (const Json::exception& error) {
+    throw cases::CaseError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  return found;
 }
 
 } // namespace asperity::exchange

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "exchange/problem.hpp"
 
@@ -23,5 +24,15 @@ void write_problem(const Problem& problem,
                    std::span<const ContinuumAnswer> continuum,
                    const std::string& case_text,
                    const std::filesystem::path& folder);
+
+/// The content of reference.json.
+struct References {
+  std::vector<ProblemAnswer> discrete;
+  std::vector<ContinuumAnswer> continuum;
+};
+
+/// Reads reference.json of a folder; empty if there is none.
+/// @throws cases::CaseError  the file is damaged
+References read_references(const std::filesystem::path& folder);
 
 } // namespace asperity::exchange

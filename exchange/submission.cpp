@@ -205,8 +205,9 @@ void read_head(SubmissionTable& table, const Problem& problem,
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem) {
   const std::filesystem::path file = folder / "submission.toml";
-  const Node root = cases::parse_toml(
-      cases::read_input_file(file, cases::largest_case_file), file.string());
+  const Node root =
+      cases::parse_toml(cases::read_input_file(file, cases::largest_case_file),
+                        file.string(), "submission.toml");
   Mistakes mistakes;
   SubmissionTable table(root,
                         {"problem", "code", "version", "method", "accuracy",

@@ -41,7 +41,7 @@ ORDER = {
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "figures", "pages"],
-    "app": ["cache", "methods", "plan", "run", "answers", "cli"],
+    "app": ["cache", "methods", "plan", "run", "answers", "board", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }
 

@@ -1,5 +1,6 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
+#include "app/cli/board_command.hpp"
 #include "app/cli/certify_command.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/import_command.hpp"
@@ -232,6 +233,21 @@ void add_import(CLI::App& program, ImportCommand& import_answer,
       [&] { action = [&] { return import_submission(import_answer); }; });
 }
 
+void add_board(CLI::App& program, BoardCommand& board, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "board", "Certify the answers of many codes to problems\n"
+               "and build a static site that ranks them; exit 1\n"
+               "if one is not certified.");
+  command
+      ->add_option("folder", board.folder,
+                   "folder with problems and submissions")
+      ->required();
+  command->add_option("--out", board.out,
+                      "folder of the site (default: out/board-site)");
+  add_example(command, "board cases/board --out site");
+  command->callback([&] { action = [&] { return build_board(board); }; });
+}
+
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                     Action& action) {
   CLI::App* command = program.add_subcommand(
@@ -309,6 +325,8 @@ int run(int argc, char** argv) {
   add_problem(program, problem, action);
   ImportCommand imported;
   add_import(program, imported, action);
+  BoardCommand board;
+  add_board(program, board, action);
   bool is_to_clear = false;
   add_cache(program, is_to_clear, action);
   add_robustness(program, stress, action);

@@ -28,10 +28,11 @@ void Mistakes::throw_if_any(const std::string& where) const {
   throw CaseError(message);
 }
 
-void throw_mistake(const Place& place, const std::string& what) {
+void throw_mistake(const Place& place, const std::string& what,
+                   const std::string& where) {
   Mistakes mistakes;
   mistakes.add(place, what);
-  mistakes.throw_if_any();
+  mistakes.throw_if_any(where);
   std::abort(); // not reached, because there is one mistake
 }
 

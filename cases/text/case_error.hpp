@@ -49,6 +49,7 @@ private:
 /// Throws a single mistake.
 ///
 /// @throws CaseError  with this mistake only
-[[noreturn]] void throw_mistake(const Place& place, const std::string& what);
+[[noreturn]] void throw_mistake(const Place& place, const std::string& what,
+                                const std::string& where = "the case file");
 
 } // namespace asperity::cases

@@ -204,19 +204,20 @@ Node* table_for(Node& file, const std::vector<std::string>& keys,
 
 } // namespace
 
-Node parse_toml(const std::string& text, const std::string& path) {
+Node parse_toml(const std::string& text, const std::string& path,
+                const std::string& name) {
   if (const auto broken = broken_limit(text))
     throw_mistake(
         {broken->line == 0 ? path : path + ":" + std::to_string(broken->line),
          broken->line},
-        broken->what);
+        broken->what, name);
   std::istringstream stream(text);
   try {
     return node_from(toml::parse(stream, path), Source(text, path), "");
   } catch (const toml::syntax_error& error) {
     const int line = static_cast<int>(error.location().line());
     throw_mistake({path + ":" + std::to_string(line), line},
-                  "is not TOML: " + short_reason(error.what()));
+                  "is not TOML: " + short_reason(error.what()), name);
   }
 }
 

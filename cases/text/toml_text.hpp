@@ -13,9 +13,11 @@ namespace asperity::cases {
 /// Parses the whole file as one table.
 ///
 /// @param path  for messages only; the file is not opened
+/// @param name  what the text is, for messages
 /// @throws CaseError  the text is not TOML: "path:line: is not TOML: ...", or
 ///                    it breaks a limit of toml_limits.hpp
-Node parse_toml(const std::string& text, const std::string& path);
+Node parse_toml(const std::string& text, const std::string& path,
+                const std::string& name = "the case file");
 
 /// Parses one TOML value, such as 3, "14 nm" or { from = 1, to = 2 }.
 ///

@@ -286,8 +286,16 @@ def main():
     check_refusals()
 
 
-PROGRAM = sys.argv[1]
-FOLDER = pathlib.Path(sys.argv[2]).resolve()
-shutil.rmtree(FOLDER, ignore_errors=True)
-FOLDER.mkdir(parents=True)
-main()
+def start():
+    """The program and an empty folder, from the command line."""
+    global PROGRAM, FOLDER
+    PROGRAM = sys.argv[1]
+    FOLDER = pathlib.Path(sys.argv[2]).resolve()
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    return FOLDER
+
+
+if __name__ == "__main__":
+    start()
+    main()

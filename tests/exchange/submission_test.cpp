@@ -135,6 +135,7 @@ TEST_F(SubmissionFolder, NamesEveryMistake) {
   expect(head + "[[load]]\nnominal_pressure = 2e6\npressure = \"q.npy\"\n",
          "q.npy");
   expect(head + "load = 3\n", "neither [[load]]");
+  expect("code = [\n", "1 mistake(s) in submission.toml\n");
   expect("code = [\n", "is not TOML");
 }
 

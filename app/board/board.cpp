@@ -1,0 +1,185 @@
+#include "app/board/board.hpp"
+
+#include "app/answers/reference_answers.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "exchange/problem_folder.hpp"
+#include "exchange/submission.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders with a submission.toml, by problem.
+std::map<std::string, std::vector<fs::path>>
+submission_folders(const fs::path& root) {
+  std::map<std::string, std::vector<fs::path>> found;
+  if (fs::is_directory(root))
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(root))
+      if (entry.path().filename() == "submission.toml") {
+        const fs::path below = entry.path().lexically_relative(root);
+        found[below.begin()->string()].push_back(entry.path().parent_path());
+      }
+  if (found.empty())
+    throw cases::CaseError(fmt::format(
+        "{}: has no submission; expected <problem>/<code>/<version>/"
+        "submission.toml",
+        root.string()));
+  for (auto& [problem, folders] : found)
+    std::ranges::sort(folders);
+  return found;
+}
+
+/// Names of the sub-folders that state a problem.
+std::vector<std::string> stated_problems(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (fs::exists(entry.path() / "problem.json") ||
+        fs::exists(entry.path() / "case.toml"))
+      names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Reads a problem, or computes that of a case, and puts it into the site.
+BoardProblem board_problem(const fs::path& folder, const std::string& name,
+                           const fs::path& site) {
+  const std::vector<std::string> names = stated_problems(folder);
+  if (std::ranges::find(names, name) == names.end())
+    throw cases::CaseError(
+        fmt::format("{}: there are submissions to this problem, but no folder "
+                    "{} with a problem.json or case.toml; nearest: {}",
+                    (folder / "submissions" / name).string(),
+                    (folder / name).string(), cases::nearest(name, names)));
+  const fs::path home = folder / name;
+  const fs::path copy = site / "problems" / name;
+  if (fs::exists(home / "problem.json")) {
+    fs::create_directories(copy);
+    fs::copy(home, copy,
+             fs::copy_options::recursive |
+                 fs::copy_options::overwrite_existing);
+  } else {
+    const AnsweredProblem answered =
+        answered_problem(cases::read_case((home / "case.toml").string()), "");
+    exchange::write_problem(answered.problem, answered.answers,
+                            answered.continuum, "", copy);
+  }
+  BoardProblem read;
+  read.problem = exchange::read_problem(copy);
+  exchange::References references = exchange::read_references(copy);
+  read.answers = std::move(references.discrete);
+  read.continuum = std::move(references.continuum);
+  return read;
+}
+
+double largest_error(const ImportedAnswer& answer,
+                     double (*error)(const ImportedLoad&)) {
+  double largest = 0.0;
+  for (const ImportedLoad& load : answer.loads)
+    largest = std::max(largest, error(load));
+  return largest;
+}
+
+void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
+                 BoardEntry& entry) {
+  entry.loads = answer.loads.size();
+  entry.gap_error = largest_error(answer, [](const ImportedLoad& load) {
+    return load.field.bounds.error / load.field.rms_height;
+  });
+  entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
+    return load.field.check.pressure_error;
+  });
+  entry.cpu_time = 0.0;
+  for (const ImportedLoad& load : answer.loads) {
+    entry.cpu_time += load.answer.row.cpu_time;
+    entry.iterations += load.answer.row.iterations;
+    for (const Claim& claim : load.field.claims)
+      if (!claim.holds)
+        entry.reasons.push_back(fmt::format("{:.3g} Pa: does not hold: {}",
+                                            load.field.nominal_pressure,
+                                            claim.text));
+    for (const std::string& mistake : load.mistakes)
+      entry.reasons.push_back(fmt::format("{}: {}", load.file, mistake));
+  }
+  if (!(entry.cpu_time > 0.0))
+    entry.cpu_time = not_a_number;
+  if (entry.loads < problem.loads.size())
+    entry.reasons.push_back(fmt::format("{} of {} loads are missing",
+                                        problem.loads.size() - entry.loads,
+                                        problem.loads.size()));
+}
+
+BoardEntry board_entry(const fs::path& folder, const fs::path& root,
+                       const exchange::Problem& problem,
+                       const SurfaceOfCase& surface) {
+  BoardEntry entry;
+  entry.folder = folder.lexically_relative(root).string();
+  entry.problem = problem.name;
+  // <problem>/<code>/<version>, until the submission has been read.
+  const fs::path below = entry.folder;
+  entry.code = below.parent_path().filename().string();
+  entry.version = below.filename().string();
+  try {
+    const ImportedAnswer answer = import_answer(folder, problem, surface);
+    const exchange::Submission& submission = answer.submission;
+    entry.code = submission.code;
+    entry.version = submission.version;
+    entry.method = submission.method;
+    entry.accuracy = submission.accuracy;
+    for (const std::string& author : submission.authors)
+      entry.credit += author + ", ";
+    entry.credit += submission.licence;
+    entry.machine = submission.machine;
+    if (answer.loads.empty()) {
+      entry.state = BoardEntry::State::as_submitted;
+      return entry;
+    }
+    add_numbers(answer, problem, entry);
+    entry.state = entry.reasons.empty() ? BoardEntry::State::certified
+                                        : BoardEntry::State::failed;
+  } catch (const std::exception& error) {
+    entry.reasons.emplace_back(error.what());
+  }
+  return entry;
+}
+
+} // namespace
+
+std::vector<BoardProblem> read_board(const fs::path& folder,
+                                     const fs::path& site) {
+  const fs::path root = folder / "submissions";
+  std::vector<BoardProblem> board;
+  for (const auto& [name, folders] : submission_folders(root)) {
+    BoardProblem problem = board_problem(folder, name, site);
+    const SurfaceOfCase surface = surface_of(problem.problem);
+    for (const fs::path& submission : folders) {
+      problem.entries.push_back(
+          board_entry(submission, root, problem.problem, surface));
+      const BoardEntry& entry = problem.entries.back();
+      fmt::print("{:<60} {}\n", entry.folder,
+                 entry.state == BoardEntry::State::certified
+                     ? fmt::format("certified, {:.1e} h_rms", entry.gap_error)
+                 : entry.state == BoardEntry::State::as_submitted
+                     ? "as submitted"
+                     : "failed: " + entry.reasons.front());
+    }
+    std::ranges::stable_sort(problem.entries, [](const BoardEntry& a,
+                                                 const BoardEntry& b) {
+      return a.state != b.state ? a.state < b.state : a.gap_error < b.gap_error;
+    });
+    board.push_back(std::move(problem));
+  }
+  return board;
+}
+
+} // namespace asperity::app

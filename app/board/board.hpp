@@ -1,0 +1,62 @@
+#pragma once
+
+// The board: problems and the answers of many codes to them, read from folders
+// and certified. This file owns the layout of these folders and what is known
+// of each answer.
+
+#include "app/answers/imported_answer.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exchange/problem.hpp"
+
+namespace asperity::app {
+
+/// One submission as the board shows it.
+struct BoardEntry {
+  enum class State {
+    certified,    ///< every claim holds
+    as_submitted, ///< a curve without fields: not ranked
+    failed        ///< unreadable, a mistake, or a claim that does not hold
+  };
+  std::string folder; ///< below the folder of submissions
+  std::string problem;
+  std::string code;
+  std::string version;
+  std::string method;
+  std::string accuracy; ///< "default" or "best"
+  std::string credit;   ///< authors and licence
+  std::string machine;
+  State state = State::failed;
+  std::vector<std::string> reasons; ///< why it failed
+  std::size_t loads = 0;            ///< number of fields
+  double gap_error = not_a_number;  ///< largest bound over the loads [h_rms]
+  double pressure_error = not_a_number; ///< largest bound [1]
+  double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
+  int iterations = 0;                   ///< of all loads; 0: not stated
+};
+
+/// A problem, its reference answers and its entries.
+struct BoardProblem {
+  exchange::Problem problem;
+  std::vector<exchange::ProblemAnswer> answers;
+  std::vector<exchange::ContinuumAnswer> continuum;
+  std::vector<BoardEntry> entries; ///< certified first, in ascending error
+};
+
+/// Reads the problems that have an answer, and all answers:
+///
+///     FOLDER/<problem>/problem.json or case.toml
+///     FOLDER/submissions/<problem>/<code>/<version>/submission.toml
+///
+/// A problem that is given as a case is computed. Each problem is written into
+/// or copied to problems/<problem> of the site.
+/// @throws cases::CaseError  no submissions, or a problem that does not exist
+///                           or is invalid. A submission cannot cause an
+///                           exception: it becomes an entry that failed.
+std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
+                                     const std::filesystem::path& site);
+
+} // namespace asperity::app

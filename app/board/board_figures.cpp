@@ -1,0 +1,107 @@
+#include "app/board/board_figures.hpp"
+
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+namespace {
+
+constexpr int largest_side = 256; // nodes of the picture
+
+bool has_point(const BoardEntry& entry) {
+  return entry.state == BoardEntry::State::certified &&
+         std::isfinite(entry.cpu_time) && entry.gap_error > 0.0;
+}
+
+std::vector<std::string> codes_of(const std::vector<BoardEntry>& entries) {
+  std::vector<std::string> codes;
+  for (const BoardEntry& entry : entries)
+    if (has_point(entry) && std::ranges::find(codes, entry.code) == codes.end())
+      codes.push_back(entry.code);
+  std::ranges::sort(codes);
+  return codes;
+}
+
+} // namespace
+
+reports::Figure surface_figure(const exchange::Problem& problem) {
+  const Grid& grid = problem.grid;
+  const int step = (std::max(grid.points_x, grid.points_y) + largest_side - 1) /
+                   largest_side;
+  std::string csv;
+  for (int iy = 0; iy < grid.points_y; iy += step)
+    for (int ix = 0; ix < grid.points_x; ix += step)
+      csv += fmt::format(
+          "{:.4g}{}", problem.heights[grid.index(ix, iy)] / problem.rms_height,
+          ix + step < grid.points_x ? "," : "\n");
+  reports::Figure figure;
+  figure.name = "surface-" + reports::file_word(problem.name);
+  figure.title = "Heights over h_rms";
+  figure.caption = fmt::format(
+      "{} by {} nodes, {:.4g} by {:.4g} um; h_rms {:.4g} nm, rms slope {:.3g}."
+      " Positive towards the body.{}",
+      grid.points_x, grid.points_y, 1e6 * grid.length_x, 1e6 * grid.length_y,
+      1e9 * problem.rms_height, problem.rms_slope,
+      step > 1 ? fmt::format(" One node of {} by {} is drawn.", step, step)
+               : "");
+  figure.data = "h_rms [m]\n" + fmt::format("{}\n", problem.rms_height);
+  figure.maps.emplace_back("heights", csv);
+  figure.script = fmt::format(
+      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\n"
+      "set size ratio -1\nset colorbox\nset palette maxcolors 128 defined (0 "
+      "'#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n"
+      "set xlabel 'x [um]'\nset ylabel 'y [um]'\nset xrange [0:{:.6g}]\n"
+      "set yrange [0:{:.6g}]\nplot '{}-heights.csv' matrix using "
+      "(($1+0.5)*{:.9g}):(($2+0.5)*{:.9g}):3 with image notitle\n",
+      1e6 * grid.length_x, 1e6 * grid.length_y, figure.name,
+      1e6 * grid.spacing_x() * step, 1e6 * grid.spacing_y() * step);
+  return figure;
+}
+
+reports::Figure error_figure(const BoardProblem& problem) {
+  reports::Figure figure;
+  figure.name = "error-" + reports::file_word(problem.problem.name);
+  figure.title = "Certified error against CPU time";
+  figure.caption =
+      "Largest bound of the error of the mean gap over all loads, against the "
+      "CPU time of all loads as its authors state it. Open: default accuracy, "
+      "filled: best. Times of different machines are not comparable.";
+  const std::vector<std::string> codes = codes_of(problem.entries);
+  if (codes.empty())
+    figure.problem = "no certified answer states a CPU time";
+  reports::CsvTable table({"code", "index", "cpu_time [s]", "error [h_rms]"});
+  std::vector<std::string> parts;
+  const std::string file = "'" + figure.name + ".csv' ";
+  for (std::size_t c = 0; c < codes.size(); ++c)
+    for (const bool is_best : {false, true}) {
+      const std::size_t index = 2 * c + (is_best ? 1 : 0);
+      bool has_any = false;
+      for (const BoardEntry& entry : problem.entries)
+        if (has_point(entry) && entry.code == codes[c] &&
+            (entry.accuracy == "best") == is_best) {
+          table.add(
+              entry.code + " " + entry.version,
+              {static_cast<double>(index), entry.cpu_time, entry.gap_error});
+          has_any = true;
+        }
+      if (has_any)
+        parts.push_back(
+            file + reports::of_series(index, "$3:4") +
+            fmt::format(" with points linecolor rgb '{}' pointtype {} "
+                        "pointsize 0.9 linewidth 1.4 title ",
+                        reports::method_color(c), is_best ? 7 : 6) +
+            reports::gnuplot_text(codes[c] + (is_best ? ", best" : "")));
+    }
+  figure.data = table.text();
+  figure.script = "set logscale xy\nset format x '10^{%T}'\nset format y "
+                  "'10^{%T}'\nset xlabel 'CPU time [s]'\nset ylabel 'bound of "
+                  "|u - u*| / h_{rms}'\n" +
+                  (parts.empty() ? std::string() : reports::plot_of(parts));
+  return figure;
+}
+
+} // namespace asperity::app

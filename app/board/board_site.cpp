@@ -1,0 +1,325 @@
+#include "app/board/board_site.hpp"
+
+#include "app/board/board_figures.hpp"
+#include "app/board/board_page.hpp"
+#include "base/atomic_file.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string problem_page_name(const std::string& problem) {
+  return "problem-" + reports::file_word(problem) + ".html";
+}
+
+std::string code_page_name(const std::string& code) {
+  return "code-" + reports::file_word(code) + ".html";
+}
+
+BoardCell head(const std::string& text, const std::string& small = "",
+               bool is_number = true) {
+  return {text, "", "", small, is_number};
+}
+
+BoardCell error_cell(double error) {
+  return number_cell(error, "{:.1e}");
+}
+
+BoardCell time_cell(double seconds) {
+  return number_cell(seconds, "{:.3g}");
+}
+
+std::string accuracy_word(const BoardEntry& entry) {
+  return entry.accuracy.empty() ? "–" : entry.accuracy;
+}
+
+/// The certified entry of least error with this accuracy, or null.
+const BoardEntry* leading(const BoardProblem& problem,
+                          const std::string& accuracy) {
+  for (const BoardEntry& entry : problem.entries)
+    if (entry.state == BoardEntry::State::certified &&
+        entry.accuracy == accuracy)
+      return &entry;
+  return nullptr;
+}
+
+/// Certified entries, one row per code, version and method, with the numbers of
+/// default and best accuracy beside each other.
+BoardTable ranking(const BoardProblem& problem) {
+  BoardTable table;
+  table.heads = {
+      head("Code", "", false),     head("Default: |u-u*|", "bound [h_rms]"),
+      head("|p-p*|/|p|", "bound"), head("CPU time", "s"),
+      head("Iterations"),          head("Best: |u-u*|", "bound [h_rms]"),
+      head("|p-p*|/|p|", "bound"), head("CPU time", "s"),
+      head("Iterations")};
+  std::vector<std::string> order;
+  std::map<std::string, std::map<std::string, const BoardEntry*>> groups;
+  for (const BoardEntry& entry : problem.entries)
+    if (entry.state == BoardEntry::State::certified) {
+      const std::string group =
+          entry.code + "\n" + entry.version + "\n" + entry.method;
+      if (!groups.contains(group))
+        order.push_back(group);
+      groups[group].emplace(entry.accuracy, &entry);
+    }
+  for (const std::string& group : order) {
+    const auto& entries = groups[group];
+    const BoardEntry& any = *entries.begin()->second;
+    std::vector<BoardCell> row{{any.code + " " + any.version, "",
+                                code_page_name(any.code), any.method}};
+    for (const char* accuracy : {"default", "best"}) {
+      const auto found = entries.find(accuracy);
+      const BoardEntry none;
+      const BoardEntry& entry = found == entries.end() ? none : *found->second;
+      row.push_back(error_cell(entry.gap_error));
+      row.push_back(error_cell(entry.pressure_error));
+      row.push_back(time_cell(entry.cpu_time));
+      row.push_back(number_cell(
+          entry.iterations > 0 ? entry.iterations : not_a_number, "{:.0f}"));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+BoardTable unranked(const BoardProblem& problem, BoardEntry::State state) {
+  BoardTable table;
+  table.heads = {head("Submission", "", false), head("Accuracy", "", false),
+                 head("Reason", "", false)};
+  for (const BoardEntry& entry : problem.entries)
+    if (entry.state == state)
+      table.rows.push_back(
+          {{entry.folder, "", "", entry.code + " " + entry.version},
+           {accuracy_word(entry)},
+           {state == BoardEntry::State::as_submitted
+                ? std::string("a curve without pressure fields, as submitted")
+                : fmt::format("{}", fmt::join(entry.reasons, "; "))}});
+  return table;
+}
+
+BoardTable reference_table(const BoardProblem& problem) {
+  const double height = problem.problem.rms_height;
+  BoardTable table;
+  table.heads = {head("p_0", "Pa"),
+                 head("u", "this grid [h_rms]"),
+                 head("Bound", "[h_rms]"),
+                 head("A/A_0", "this grid"),
+                 head("u", "continuum [h_rms]"),
+                 head("Error", "estimated"),
+                 head("A/A_0", "continuum"),
+                 head("Error", "estimated")};
+  for (std::size_t i = 0; i < problem.answers.size(); ++i) {
+    const exchange::ProblemAnswer& answer = problem.answers[i];
+    const exchange::ContinuumAnswer limit = i < problem.continuum.size()
+                                                ? problem.continuum[i]
+                                                : exchange::ContinuumAnswer{};
+    table.rows.push_back({number_cell(answer.nominal_pressure, "{:.6g}"),
+                          number_cell(answer.mean_gap / height, "{:.7f}"),
+                          error_cell(answer.mean_gap_error / height),
+                          number_cell(answer.area_fraction, "{:.5f}"),
+                          number_cell(limit.mean_gap / height, "{:.6f}"),
+                          error_cell(limit.mean_gap_error / height),
+                          number_cell(limit.area_fraction, "{:.5f}"),
+                          error_cell(limit.area_fraction_error)});
+  }
+  return table;
+}
+
+std::string body_words(const contact::ElasticBlock& body) {
+  std::string words = fmt::format("E* = {:.4g} Pa", body.contact_modulus);
+  words += std::isinf(body.thickness)
+               ? ", half-space"
+               : fmt::format(", block of {:.4g} m", body.thickness);
+  if (!body.layers.empty())
+    words += fmt::format(" with {} bonded layer(s)", body.layers.size());
+  return words;
+}
+
+BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
+  const std::string folder = "problems/" + problem.problem.name + "/";
+  BoardPage page;
+  page.title = problem.problem.title;
+  page.lead = fmt::format(
+      "{}: {} by {} nodes, {} load(s), {}; frictionless, non-adhesive, hard "
+      "contact on a periodic cell.",
+      problem.problem.name, problem.problem.grid.points_x,
+      problem.problem.grid.points_y, problem.problem.loads.size(),
+      body_words(problem.problem.body));
+  page.home = "index.html";
+  BoardSection ranked{
+      "Certified answers",
+      "Largest bounds over all loads, in ascending order. They follow from the "
+      "submitted pressure fields alone. Differences between bounds below some "
+      "1e-6 h_rms say more about the bounds than about the answers. CPU times "
+      "and iterations are those "
+      "that "
+      "the authors state, summed over the loads.",
+      ranking(problem)};
+  ranked.figures.push_back(reports::draw(error_figure(problem), figures));
+  page.sections.push_back(std::move(ranked));
+  BoardSection failed{"Answers that are not certified",
+                      "A mistake was recognised, a claim does not hold, loads "
+                      "are missing, or the submission cannot be read.",
+                      unranked(problem, BoardEntry::State::failed)};
+  if (!failed.table.rows.empty())
+    page.sections.push_back(std::move(failed));
+  BoardSection curves{"As submitted",
+                      "Nothing bounds the error of a curve without fields.",
+                      unranked(problem, BoardEntry::State::as_submitted)};
+  if (!curves.table.rows.empty())
+    page.sections.push_back(std::move(curves));
+  page.sections.push_back(
+      {"Reference",
+       "On this grid: rigorous bounds. Continuum: estimates from finer grids, "
+       "or an exact solution (error 0).",
+       reference_table(problem),
+       {reports::draw(surface_figure(problem.problem), figures)}});
+  BoardTable files;
+  files.heads = {head("File", "", false)};
+  for (const char* file :
+       {"README.md", "problem.json", "heights.npy", "heights.h5", "heights.txt",
+        "heights.gwy", "reference.json", "SHA256SUMS"})
+    files.rows.push_back({{file, "", folder + file}});
+  page.sections.push_back(
+      {"Files", "Everything that another program needs.", files});
+  return page;
+}
+
+BoardPage code_page(const std::string& code,
+                    const std::vector<BoardProblem>& board) {
+  BoardPage page;
+  page.title = code;
+  page.lead = "All answers of this code.";
+  page.home = "index.html";
+  BoardTable table;
+  table.heads = {head("Problem", "", false),      head("Version", "", false),
+                 head("Accuracy", "", false),     head("State", "", false),
+                 head("|u-u*|", "bound [h_rms]"), head("|p-p*|/|p|", "bound"),
+                 head("CPU time", "s"),           head("Credit", "", false)};
+  for (const BoardProblem& problem : board)
+    for (const BoardEntry& entry : problem.entries)
+      if (entry.code == code)
+        table.rows.push_back(
+            {{entry.problem, "", problem_page_name(entry.problem)},
+             {entry.version, "", "", entry.method},
+             {accuracy_word(entry)},
+             {entry.state == BoardEntry::State::certified      ? "certified"
+              : entry.state == BoardEntry::State::as_submitted ? "as submitted"
+                                                               : "failed"},
+             error_cell(entry.gap_error),
+             error_cell(entry.pressure_error),
+             time_cell(entry.cpu_time),
+             {entry.credit, "", "", entry.machine}});
+  page.sections.push_back({"Answers", "", table});
+  return page;
+}
+
+BoardPage front_page(const std::vector<BoardProblem>& board) {
+  BoardPage page;
+  page.title = "Rough contact: certified answers";
+  page.lead =
+      "Contact problems, and the answers of many codes. A submission is a "
+      "pressure field; every error shown is a bound that follows from it, so "
+      "that nobody has to be trusted.";
+  BoardTable problems;
+  problems.heads = {head("Problem", "", false),
+                    head("Nodes"),
+                    head("Answers"),
+                    head("Certified"),
+                    head("Least |u-u*|, default", "bound [h_rms]"),
+                    head("Least |u-u*|, best", "bound [h_rms]")};
+  std::map<std::string, std::pair<int, int>> codes; // answers, certified
+  for (const BoardProblem& problem : board) {
+    int certified = 0;
+    for (const BoardEntry& entry : problem.entries) {
+      const bool holds = entry.state == BoardEntry::State::certified;
+      certified += holds ? 1 : 0;
+      ++codes[entry.code].first;
+      codes[entry.code].second += holds ? 1 : 0;
+    }
+    const auto least = [&](const char* accuracy) {
+      const BoardEntry* const entry = leading(problem, accuracy);
+      BoardCell cell =
+          error_cell(entry == nullptr ? not_a_number : entry->gap_error);
+      if (entry != nullptr)
+        cell.small = entry->code;
+      return cell;
+    };
+    problems.rows.push_back(
+        {{problem.problem.name, "", problem_page_name(problem.problem.name),
+          problem.problem.title},
+         number_cell(static_cast<double>(problem.problem.grid.size()),
+                     "{:.0f}"),
+         number_cell(static_cast<double>(problem.entries.size()), "{:.0f}"),
+         number_cell(certified, "{:.0f}"),
+         least("default"),
+         least("best")});
+  }
+  page.sections.push_back({"Problems", "", problems});
+  BoardTable list;
+  list.heads = {head("Code", "", false), head("Answers"), head("Certified")};
+  for (const auto& [code, counts] : codes)
+    list.rows.push_back({{code, "", code_page_name(code)},
+                         number_cell(counts.first, "{:.0f}"),
+                         number_cell(counts.second, "{:.0f}")});
+  page.sections.push_back({"Codes", "", list});
+  return page;
+}
+
+std::string json_text(const std::vector<BoardProblem>& board) {
+  using Json = nlohmann::ordered_json;
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  Json list = Json::array();
+  for (const BoardProblem& problem : board)
+    for (const BoardEntry& entry : problem.entries)
+      list.push_back(
+          {{"problem", entry.problem},
+           {"folder", entry.folder},
+           {"code", entry.code},
+           {"version", entry.version},
+           {"method", entry.method},
+           {"accuracy", entry.accuracy},
+           {"is_certified", entry.state == BoardEntry::State::certified},
+           {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
+           {"reasons", entry.reasons},
+           {"gap_error [h_rms]", number(entry.gap_error)},
+           {"pressure_error [1]", number(entry.pressure_error)},
+           {"cpu_time [s]", number(entry.cpu_time)},
+           {"iterations", entry.iterations}});
+  return list.dump(2) + "\n";
+}
+
+} // namespace
+
+void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file_atomically(site / name, text);
+  };
+  fs::create_directories(site / "figures");
+  std::set<std::string> codes;
+  for (const BoardProblem& problem : board) {
+    write(problem_page_name(problem.problem.name),
+          html_of(problem_page(problem, site / "figures")));
+    for (const BoardEntry& entry : problem.entries)
+      codes.insert(entry.code);
+  }
+  for (const std::string& code : codes)
+    write(code_page_name(code), html_of(code_page(code, board)));
+  write("board.json", json_text(board));
+  write("index.html", html_of(front_page(board)));
+}
+
+} // namespace asperity::app

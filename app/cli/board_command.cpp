@@ -1,0 +1,31 @@
+#include "app/cli/board_command.hpp"
+
+#include "app/board/board_site.hpp"
+#include "base/folder_lock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace asperity::app {
+
+ExitCode build_board(const BoardCommand& command) {
+  const std::filesystem::path site =
+      command.out.empty() ? std::filesystem::path("out/board-site")
+                          : std::filesystem::path(command.out);
+  const FolderLock lock(site, "board " + command.folder);
+  const std::vector<BoardProblem> board = read_board(command.folder, site);
+  write_site(board, site);
+  fmt::print("board: {}\n", (site / "index.html").string());
+  const bool has_failed =
+      std::ranges::any_of(board, [](const BoardProblem& problem) {
+        return std::ranges::any_of(
+            problem.entries, [](const BoardEntry& entry) {
+              return entry.state == BoardEntry::State::failed;
+            });
+      });
+  return has_failed ? exit_expectation_failed : exit_good;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,21 @@
+#pragma once
+
+// The command that builds the board: a static site of certified answers.
+
+#include "app/run/exit_code.hpp"
+
+#include <string>
+
+namespace asperity::app {
+
+/// Options of `asperity board`.
+struct BoardCommand {
+  std::string folder; ///< problems and submissions, see board/board.hpp
+  std::string out;    ///< folder of the site; empty: out/board-site
+};
+
+/// @return  exit_expectation_failed if a submission failed
+/// @throws cases::CaseError  there are no submissions, or a problem is invalid
+ExitCode build_board(const BoardCommand& command);
+
+} // namespace asperity::app

@@ -1,0 +1,148 @@
+"""The board: certified, failed and curve-only answers on a static site, whatever
+their authors write into them.
+
+Arguments: asperity, an empty folder.
+"""
+import html.parser
+import json
+import shutil
+
+import numpy
+
+import exchange_test as exchange
+
+HOSTILE = "<script>alert(1)</script>"
+
+
+class Page(html.parser.HTMLParser):
+    """Links, and the text of each cell of each row, of a page."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.rows, self.scripts, self.cell = [], [], 0, False
+        self.text = path.read_text(encoding="utf-8")
+        self.feed(self.text)
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        self.scripts += tag == "script"
+        if tag == "a":
+            self.links.append(attrs["href"])
+        if tag == "tr":
+            self.rows.append([])
+        if tag in ("td", "th"):
+            self.rows[-1].append("")
+            self.cell = True
+
+    def handle_endtag(self, tag):
+        self.cell = self.cell and tag not in ("td", "th")
+
+    def handle_data(self, data):
+        if self.cell:
+            self.rows[-1][-1] += data
+
+
+def change_head(folder, old, new):
+    path = folder / "submission.toml"
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def submissions(root, problem, pressures):
+    """One of each kind; returns the states that the board must find."""
+    noise = numpy.random.default_rng(1)
+    kinds = {
+        "good/1.0": (pressures, "certified"),
+        "good/1.0-best": (pressures, "certified"),
+        "rough/2": ([p * noise.uniform(0.999, 1.001, p.shape) for p in pressures], "certified"),
+        "flipped/1": ([p[::-1] for p in pressures], "failed"),
+        "partial/1": (pressures[:1], "failed"),
+        "broken/1": (pressures, "failed"),
+        "curve/1": ([], "as submitted"),
+    }
+    for name, (fields, _) in kinds.items():
+        made = exchange.submission(problem, fields, name.replace("/", "-"),
+                                   each=lambda k: f"cpu_time = {k + 1}\niterations = 7",
+                                   extra='[curve]\nfile = "c.csv"' if not fields else "")
+        change_head(made, 'code = "numpy code"', f'code = "{name.split("/")[0]}"')
+        folder = root / "submissions/small" / name
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        shutil.move(made, folder)
+    change_head(root / "submissions/small/good/1.0-best", '"default"', '"best"')
+    change_head(root / "submissions/small/flipped/1", 'method = "copied"',
+                f'method = "{HOSTILE}"')
+    change_head(root / "submissions/small/rough/2", 'code = "rough"', f'code = "{HOSTILE}"')
+    change_head(root / "submissions/small/broken/1", "licence", "license")
+    (root / "submissions/small/curve/1/c.csv").write_text(
+        "nominal_pressure [Pa],mean_gap [m],area_fraction [1]\n4e6,6e-9,0.02\n")
+    return {f"small/{name}": state for name, (_, state) in kinds.items()}
+
+
+def state_of(row):
+    return ("certified" if row["is_certified"] else
+            "as submitted" if row["is_as_submitted"] else "failed")
+
+
+def check_rows(site, expected):
+    rows = json.loads((site / "board.json").read_text())
+    found = {row["folder"]: state_of(row) for row in rows}
+    assert found == expected, found
+    by_folder = {row["folder"]: row for row in rows}
+    assert by_folder["small/good/1.0"]["cpu_time [s]"] == 3
+    assert by_folder["small/good/1.0"]["iterations"] == 14
+    assert any("1 of 2 loads are missing" in reason
+               for reason in by_folder["small/partial/1"]["reasons"])
+    assert "nearest: licence" in by_folder["small/broken/1"]["reasons"][0]
+    errors = [row["gap_error [h_rms]"] for row in rows if row["is_certified"]]
+    assert errors == sorted(errors) and errors[0] < 1e-6 < errors[-1] < 1e-3, errors
+
+
+def check_pages(site):
+    problem = Page(site / "problem-small.html")
+    leading = next(row for row in problem.rows if row[0].startswith("good 1.0"))
+    assert leading[1] == leading[5] and leading[3] == "3" and leading[4] == "14", leading
+    assert any(row[0].startswith("small/flipped/1") and "reverse order" in row[2]
+               for row in problem.rows if len(row) == 3), problem.rows
+    assert "data:image/svg" in problem.text and "could not be drawn" not in problem.text
+    front = Page(site / "index.html")
+    for page in site.glob("*.html"):
+        parsed = Page(page)
+        assert parsed.scripts == 1 and HOSTILE not in parsed.text, page  # our own
+        for link in parsed.links:
+            assert (site / link).exists(), (page, link)
+    assert ["small", "4096", "7", "3"] == [cell.split("A small")[0] for cell in front.rows[1][:4]]
+    codes = {row[0] for row in front.rows[2:]}
+    assert {"good", "flipped", "partial", "broken", "curve", HOSTILE} <= codes, codes
+
+
+def main():
+    folder = exchange.start()
+    problem = exchange.problem_of("small")
+    pressures = exchange.solved(problem)
+    board = folder / "board"
+    board.mkdir()
+    expected = submissions(board, problem, pressures)
+    said = exchange.asperity("board", board, "--out", "site", expected=2)
+    assert "no folder" in said and not (folder / "site/index.html").exists(), said
+    shutil.copytree(problem, board / "small")
+    exchange.asperity("board", board, "--out", "site", expected=1)
+    check_rows(folder / "site", expected)
+    check_pages(folder / "site")
+    # A problem that is given as a case is computed; without failures the exit
+    # code is 0, and the same numbers come out.
+    shutil.rmtree(board / "small")
+    (board / "small").mkdir()
+    shutil.copy(folder / "small/case.toml", board / "small/case.toml")
+    for name, state in expected.items():
+        if state == "failed":
+            shutil.rmtree(board / "submissions" / name)
+    exchange.asperity("board", board, "--out", "again")
+    again = json.loads((folder / "again/board.json").read_text())
+    first = json.loads((folder / "site/board.json").read_text())
+    assert again == [row for row in first if state_of(row) != "failed"]
+    said = exchange.asperity("board", folder / "small", expected=2)
+    assert "has no submission" in said, said
+
+
+main()
