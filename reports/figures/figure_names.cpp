@@ -21,6 +21,7 @@ const std::vector<std::string>& figure_names() {
                                                  "magnification-parts",
                                                  "magnification-separation",
                                                  "maps-",
+                                                 "pressure-difference-",
                                                  "pressure-distribution-",
                                                  "pressure-gap",
                                                  "separation-distributions-",

@@ -119,6 +119,10 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
     groups.push_back(figures_of_one(entries[i], i, has_many));
     groups.push_back(study_figures(entries[i], i, has_many));
   }
+  FigureGroup differences{"Differences of the pressures", "", {}};
+  add(differences.figures, "pressure-difference",
+      [&] { return difference_figures(entries); });
+  groups.push_back(std::move(differences));
   FigureGroup cost{"Cost", "", {}};
   add(cost.figures, "cost", [&] { return cost_figure(series); });
   groups.push_back(std::move(cost));

@@ -58,6 +58,11 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry);
 /// variant such as "fem.hard" is omitted if its base method "fem" has a figure.
 std::vector<Figure> map_figures(const ReportEntry& entry);
 
+/// Shows the difference of the pressure maps of two methods over p_0 at up to
+/// three loads at which both are saved on one grid: every method of the other
+/// results beside the first one of the first result that has maps.
+std::vector<Figure> difference_figures(std::span<const ReportEntry> entries);
+
 /// Plots iterations and CPU time per step against p/E*.
 std::optional<Figure> cost_figure(std::span<const Series> series);
 

@@ -124,7 +124,81 @@ Figure map_figure(const std::string& method,
   return figure;
 }
 
+/// Pairs of maps at one load on one grid: of a method and of the reference.
+using MapPairs =
+    std::vector<std::pair<const results::Fields*, const results::Fields*>>;
+
+MapPairs map_pairs(const results::MethodRecord& method,
+                   const results::MethodRecord& reference) {
+  MapPairs pairs;
+  for (const results::Fields* mine : whole_maps(method))
+    for (const results::Fields* other : whole_maps(reference))
+      if (mine->grid == other->grid &&
+          std::abs(mine->nominal_pressure - other->nominal_pressure) <=
+              1e-6 * other->nominal_pressure)
+        pairs.emplace_back(mine, other);
+  return pairs;
+}
+
+Figure difference_figure(const std::string& name, const std::string& reference,
+                         const MapPairs& pairs, double contact_modulus) {
+  const std::vector<std::size_t> chosen = three_of(pairs.size());
+  Figure figure;
+  figure.name = "pressure-difference-" + file_word(name);
+  figure.title = "Pressure of " + name + " less that of " + reference;
+  figure.width = 330 * static_cast<int>(chosen.size()) + 20;
+  figure.height = 330;
+  figure.script = fmt::format("{}{}set multiplot layout 1,{} margins "
+                              "0.05,0.92,0.08,0.9 spacing 0.11,0.05\n",
+                              map_style, height_palette, chosen.size());
+  CsvTable table({"map", "nominal_pressure [Pa]", "largest (p - p_ref)/p_0"});
+  for (const std::size_t i : chosen) {
+    const auto [mine, other] = pairs[i];
+    std::vector<double> difference = mine->pressure;
+    for (std::size_t k = 0; k < difference.size(); ++k)
+      difference[k] -= other->pressure[k];
+    const Picture picture =
+        picture_of(mine->grid, difference, mine->nominal_pressure);
+    const double span =
+        std::max({std::abs(picture.least), picture.largest, 1e-300});
+    const std::string suffix = std::to_string(i);
+    figure.maps.emplace_back(suffix, picture.csv);
+    table.add(suffix, {mine->nominal_pressure, span});
+    figure.script += fmt::format(
+        "set title {}\nset cbrange [{:.4g}:{:.4g}]\n",
+        gnuplot_markup(fmt::format("p / E* = {:.3g}",
+                                   mine->nominal_pressure / contact_modulus)),
+        -span, span);
+    figure.script +=
+        image_of(figure.name + "-" + suffix + ".csv", mine->grid, picture);
+  }
+  figure.script += "unset multiplot\n";
+  figure.caption = "Difference over the nominal pressure, at loads at which "
+                   "both maps are saved; averaged over blocks of nodes if the "
+                   "grid is larger than 256 x 256. Axes in µm.";
+  figure.data = table.text();
+  return figure;
+}
+
 } // namespace
+
+std::vector<Figure> difference_figures(std::span<const ReportEntry> entries) {
+  std::vector<Figure> figures;
+  const std::vector<results::MethodRecord>& own =
+      entries.front().result->methods;
+  const auto reference =
+      std::ranges::find_if(own, [](const results::MethodRecord& method) {
+        return !whole_maps(method).empty();
+      });
+  if (reference == own.end())
+    return figures;
+  for (const ReportEntry& entry : entries.subspan(1))
+    for (const results::MethodRecord& method : entry.result->methods)
+      if (const MapPairs pairs = map_pairs(method, *reference); !pairs.empty())
+        figures.push_back(difference_figure(method.name, reference->name, pairs,
+                                            entry.result->contact_modulus));
+  return figures;
+}
 
 std::vector<Figure> map_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;

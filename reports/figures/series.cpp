@@ -63,10 +63,38 @@ SeriesRow mean_of(const Sum& sum) {
   return row;
 }
 
-std::vector<SeriesRow> rows_of(const ReportEntry& entry,
+bool is_near(double one, double other, double relative) {
+  return std::abs(one - other) <= relative * std::abs(other);
+}
+
+/// Returns the theory with which a method is compared: that of its own result,
+/// or, for a method of another program, that of the first result on the same
+/// surface and modulus. Null if there is none.
+const MethodRecord* theory_for(std::span<const ReportEntry> entries,
+                               const ReportEntry& entry,
                                const MethodRecord& method) {
-  const MethodRecord* reference =
-      reference_theory(*entry.result, *entry.contact_case, method);
+  if (const MethodRecord* const own =
+          reference_theory(*entry.result, *entry.contact_case, method))
+    return own;
+  const SurfaceScales mine =
+      scales_of(*entry.result, *entry.contact_case, method, 0);
+  for (const ReportEntry& other : entries) {
+    const MethodRecord* const theory =
+        reference_theory(*other.result, *other.contact_case, method);
+    if (theory == nullptr || other.result->surfaces.empty())
+      continue;
+    const double height = other.result->surfaces.front().rms_height;
+    if (is_near(other.result->contact_modulus, mine.contact_modulus, 1e-6) &&
+        is_near(height, mine.rms_height, 1e-6))
+      return theory;
+  }
+  return nullptr;
+}
+
+std::vector<SeriesRow> rows_of(std::span<const ReportEntry> entries,
+                               const ReportEntry& entry,
+                               const MethodRecord& method) {
+  const MethodRecord* reference = theory_for(entries, entry, method);
   std::map<int, Sum> steps;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
     const SurfaceScales scales =
@@ -86,10 +114,6 @@ std::vector<SeriesRow> rows_of(const ReportEntry& entry,
   for (const auto& [step, sum] : steps)
     rows.push_back(mean_of(sum));
   return rows;
-}
-
-bool is_near(double one, double other, double relative) {
-  return std::abs(one - other) <= relative * std::abs(other);
 }
 
 bool would_lie_on(const Series& variant, const Series& method) {
@@ -138,7 +162,7 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
       series.entry = i;
       series.color = series.is_theory() ? i : colors++;
       series.method = &entry.summary.methods[m];
-      series.rows = rows_of(entry, record);
+      series.rows = rows_of(entries, entry, record);
       all.push_back(std::move(series));
     }
   }

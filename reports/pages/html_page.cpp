@@ -214,6 +214,13 @@ std::string html_page(std::span<const ReportEntry> entries,
   page.set("entries", list);
   page.set("groups", group_data(groups));
   page.set("fits", fit_rows(series));
+  if (has_many) {
+    const std::vector<Agreement> agreements = agreements_of(entries, series);
+    page.set("has_agreements", !agreements.empty());
+    page.set("agreements", agreement_rows(agreements));
+    if (!agreements.empty())
+      page.set("agreement_reference", agreements.front().reference);
+  }
   const List failed = noted_step_rows(entries, false);
   page.set("has_failed_steps", !failed.empty());
   page.set("failed_steps", failed);

@@ -4,6 +4,7 @@
 // result, and the tables of fits, failed steps and figures. It is internal to
 // the page.
 
+#include "reports/pages/agreement.hpp"
 #include "reports/pages/html_report.hpp"
 
 #include <kainjow/mustache.hpp>
@@ -36,6 +37,9 @@ kainjow::mustache::list fit_rows(std::span<const Series> series);
 
 /// Lists what the run did not compute, with the estimated cost.
 kainjow::mustache::list skipped_rows(const results::Result& result);
+
+/// Lists each method with its largest differences from the reference method.
+kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements);
 
 /// Lists the largest bound of the error of the mean gap of each method but the
 /// theories; the list is empty if there is none.

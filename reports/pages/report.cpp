@@ -5,9 +5,11 @@
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
+#include "reports/pages/agreement.hpp"
 #include "reports/pages/html_report.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <set>
 
@@ -35,6 +37,15 @@ std::filesystem::path own_folder(const std::filesystem::path& folder,
   for (int i = 2; !taken.insert(own / name).second; ++i)
     own = folder / std::to_string(i);
   return own;
+}
+
+void write_comparison(std::span<const ReportEntry> entries,
+                      const std::filesystem::path& folder) {
+  const std::vector<Series> series = series_of(entries);
+  const std::vector<Agreement> agreements = agreements_of(entries, series);
+  write_file_atomically(folder / "comparison.json",
+                        agreement_json(agreements).dump(2) + "\n");
+  write_file_atomically(folder / "comparison.csv", agreement_csv(agreements));
 }
 
 } // namespace
@@ -93,6 +104,8 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
         summary_json(entries.front().summary,
                      warnings_of(*entries.front().result,
                                  *entries.front().contact_case)));
+  else
+    write_comparison(entries, folder);
   write_file_atomically(folder / "report.html",
                         html_page(entries, drawn_groups));
   return problems;

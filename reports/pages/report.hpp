@@ -13,7 +13,8 @@
 namespace asperity::reports {
 
 /// Writes folder/report.html, folder/figures/* (SVG, CSV and gnuplot script of
-/// each figure) and, for a single result, folder/summary.json. Several results
+/// each figure) and, for a single result, folder/summary.json; for several,
+/// folder/comparison.json and comparison.csv (agreement.hpp). Several results
 /// share their curve figures; the maps of each are in a separate folder. A
 /// figure that cannot be drawn is listed in the report and is not an error.
 ///

@@ -176,6 +176,11 @@ def check_right_answers(problem, pressures):
     asperity("report", problem.parent / "solved", out, "--out", problem.parent / "both")
     page = (problem.parent / "both/report.html").read_text()
     assert "numpy-code-1.0-default" in page and "Certified errors" in page
+    theirs, = json.loads((problem.parent / "both/comparison.json").read_text())
+    assert "numpy-code" in theirs["method"] and len(theirs["rows"]) == 2, theirs
+    for row in theirs["rows"]:  # the same answer in single precision
+        assert abs(row["gap_difference [h_rms]"]) < 1e-6, row
+        assert row["pressure_difference [1]"] < 1e-6, row
 
 
 def check_faults(problem, pressures):

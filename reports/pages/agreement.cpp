@@ -1,0 +1,200 @@
+#include "reports/pages/agreement.hpp"
+
+#include "reports/analysis/comparison.hpp"
+#include "reports/numbers/fits.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/pages/published_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::Curve;
+using results::Fields;
+using results::MethodRecord;
+
+/// The record behind a series.
+const MethodRecord& record_of(std::span<const ReportEntry> entries,
+                              const Series& series) {
+  const std::vector<MethodRecord>& methods =
+      entries[series.entry].result->methods;
+  return *std::ranges::find(methods, series.method->name, &MethodRecord::name);
+}
+
+bool is_equal(double one, double other) {
+  return std::abs(one - other) <= 1e-6 * std::abs(other);
+}
+
+/// Says why two methods cannot be compared; empty if they can.
+std::string obstacle(std::span<const ReportEntry> entries, const Series& one,
+                     const Series& other) {
+  const results::Result& mine = *entries[one.entry].result;
+  const results::Result& theirs = *entries[other.entry].result;
+  if (!is_equal(mine.contact_modulus, theirs.contact_modulus))
+    return "another E*";
+  const results::SurfaceRecord* const a =
+      surface_of(mine, record_of(entries, one), 0);
+  const results::SurfaceRecord* const b =
+      surface_of(theirs, record_of(entries, other), 0);
+  if (a == nullptr || b == nullptr)
+    return "no surface is recorded";
+  if (!is_equal(a->rms_height, b->rms_height))
+    return "another surface";
+  return "";
+}
+
+/// rms(p - p_ref)/rms(p_ref) of the fields at one load; NaN if there are none.
+double difference_of_fields(const Curve& curve, const Curve& reference,
+                            const results::CurvePoint& point) {
+  const auto at_step = [&](const Fields& fields) {
+    return fields.step == point.step;
+  };
+  const auto mine = std::ranges::find_if(curve.fields, at_step);
+  if (mine == curve.fields.end())
+    return not_a_number;
+  for (const Fields& fields : reference.fields) {
+    if (!is_equal(fields.nominal_pressure, point.nominal_pressure) ||
+        fields.pressure.size() != mine->pressure.size() ||
+        !(fields.grid == mine->grid))
+      continue;
+    double difference = 0.0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < fields.pressure.size(); ++i) {
+      const double apart = mine->pressure[i] - fields.pressure[i];
+      difference += apart * apart;
+      size += fields.pressure[i] * fields.pressure[i];
+    }
+    return std::sqrt(difference / size);
+  }
+  return not_a_number;
+}
+
+void add_rows(const Curve& curve, const Curve& reference, int realization,
+              double rms_height, Agreement& agreement) {
+  const CurveFunction function(reference.points);
+  for (const results::CurvePoint& point : loading_rows(curve.points)) {
+    AgreementRow row;
+    row.realization = realization;
+    row.nominal_pressure = point.nominal_pressure;
+    row.gap_difference =
+        (point.mean_gap - function.gap(point.nominal_pressure)) / rms_height;
+    row.area_difference =
+        point.area_fraction / function.area_fraction(point.nominal_pressure) -
+        1.0;
+    row.pressure_difference = difference_of_fields(curve, reference, point);
+    row.certified_error = point.certified_gap_error / rms_height;
+    if (std::isfinite(row.gap_difference) || std::isfinite(row.area_difference))
+      agreement.rows.push_back(row);
+  }
+}
+
+Agreement agreement_of(std::span<const ReportEntry> entries,
+                       const Series& series, const Series& reference) {
+  Agreement agreement{
+      series.label, reference.label, obstacle(entries, reference, series), {}};
+  if (!agreement.problem.empty())
+    return agreement;
+  const MethodRecord& mine = record_of(entries, series);
+  const MethodRecord& other = record_of(entries, reference);
+  const std::size_t shared =
+      std::min(mine.realizations.size(), other.realizations.size());
+  for (std::size_t r = 0; r < shared; ++r) {
+    const results::SurfaceRecord* const surface =
+        surface_of(*entries[reference.entry].result, other, r);
+    if (surface != nullptr)
+      add_rows(mine.realizations[r], other.realizations[r], static_cast<int>(r),
+               surface->rms_height, agreement);
+  }
+  if (agreement.rows.empty())
+    agreement.problem = "no load lies within the loads of the reference";
+  return agreement;
+}
+
+std::string number_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1e}", value) : "–";
+}
+
+} // namespace
+
+double Agreement::largest(double AgreementRow::*number) const {
+  double found = not_a_number;
+  for (const AgreementRow& row : rows)
+    found = std::fmax(found, std::abs(row.*number));
+  return found;
+}
+
+std::vector<Agreement> agreements_of(std::span<const ReportEntry> entries,
+                                     std::span<const Series> series) {
+  std::vector<Agreement> agreements;
+  const auto reference = std::ranges::find_if(series, [](const Series& one) {
+    return !one.is_theory() && one.entry == 0 && !one.rows.empty();
+  });
+  if (reference == series.end())
+    return agreements;
+  for (const Series& one : series)
+    if (!one.is_theory() && &one != &*reference)
+      agreements.push_back(agreement_of(entries, one, *reference));
+  return agreements;
+}
+
+nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Agreement& agreement : agreements) {
+    Json rows = Json::array();
+    for (const AgreementRow& row : agreement.rows)
+      rows.push_back(
+          {{"realization", row.realization},
+           {"nominal_pressure [Pa]", json_number(row.nominal_pressure)},
+           {"gap_difference [h_rms]", json_number(row.gap_difference)},
+           {"area_difference [1]", json_number(row.area_difference)},
+           {"pressure_difference [1]", json_number(row.pressure_difference)},
+           {"certified_gap_error [h_rms]", json_number(row.certified_error)}});
+    list.push_back({{"method", agreement.method},
+                    {"reference", agreement.reference},
+                    {"problem", agreement.problem},
+                    {"rows", rows}});
+  }
+  return list;
+}
+
+std::string agreement_csv(std::span<const Agreement> agreements) {
+  CsvTable table({"method", "realization", "nominal_pressure [Pa]",
+                  "gap_difference [h_rms]", "area_difference [1]",
+                  "pressure_difference [1]", "certified_gap_error [h_rms]"});
+  for (const Agreement& agreement : agreements)
+    for (const AgreementRow& row : agreement.rows)
+      table.add(agreement.method,
+                {static_cast<double>(row.realization), row.nominal_pressure,
+                 row.gap_difference, row.area_difference,
+                 row.pressure_difference, row.certified_error});
+  return table.text();
+}
+
+kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements) {
+  kainjow::mustache::list rows;
+  for (const Agreement& agreement : agreements) {
+    kainjow::mustache::data row;
+    row.set("method", agreement.method);
+    row.set("loads", agreement.problem.empty()
+                         ? std::to_string(agreement.rows.size())
+                         : agreement.problem);
+    row.set("gap",
+            number_text(agreement.largest(&AgreementRow::gap_difference)));
+    row.set("area",
+            number_text(agreement.largest(&AgreementRow::area_difference)));
+    row.set("pressure",
+            number_text(agreement.largest(&AgreementRow::pressure_difference)));
+    row.set("certified",
+            number_text(agreement.largest(&AgreementRow::certified_error)));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+} // namespace asperity::reports
