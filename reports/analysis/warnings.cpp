@@ -118,12 +118,40 @@ void add_locking(const Result& result, const cases::Case& contact_case,
                         "material; do not judge other methods by them."});
 }
 
+/// Warns if steps of methods other than theories converged, all without load.
+void add_no_contact(const Result& result, std::vector<Warning>& warnings) {
+  double smallest_gap = std::numeric_limits<double>::infinity();
+  for (const results::MethodRecord& method : result.methods)
+    for (const results::Curve& curve : method.realizations)
+      for (const results::CurvePoint& point : curve.points) {
+        if (method.kind == "theory" ||
+            point.status != results::StepStatus::converged)
+          continue;
+        if (point.nominal_pressure > 0.0)
+          return;
+        smallest_gap = std::min(smallest_gap, point.mean_gap);
+      }
+  if (result.surfaces.empty() || !std::isfinite(smallest_gap))
+    return;
+  const SurfaceRecord& first = result.surfaces.front();
+  warnings.push_back(
+      {"no_contact",
+       fmt::format("No load step reaches contact: the smallest mean gap is "
+                   "{:.3g} h_rms, and the highest point lies {:.3g} h_rms "
+                   "above the mean plane.",
+                   smallest_gap / first.rms_height,
+                   first.highest / first.rms_height),
+       "All pressures are 0, so that curves and fits are empty and their "
+       "figures are left out."});
+}
+
 } // namespace
 
 std::vector<Warning> warnings_of(const Result& result,
                                  const cases::Case& contact_case) {
   std::vector<Warning> warnings;
   add_locking(result, contact_case, warnings);
+  add_no_contact(result, warnings);
   const cases::SurfaceKind kind = contact_case.surface.kind;
   const bool is_measured = kind == cases::SurfaceKind::measured;
   if (!is_measured && !surfaces::is_random(kind))

@@ -17,7 +17,7 @@ namespace asperity::reports {
 /// One assumption that a surface or a method violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
-                           ///< scan_lines, windowed or locking
+                           ///< scan_lines, windowed, locking or no_contact
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
 };
@@ -34,7 +34,7 @@ struct WarningLimits {
 };
 
 /// Returns the warnings at the top of a report: finite elements of the result
-/// that lock (cases/reader/locking.hpp), and assumptions about self-affine
+/// that lock (cases/reader/locking.hpp), curves without any contact, and assumptions about self-affine
 /// surfaces, surfaces given by a spectrum and measured ones (exact shapes need
 /// none). Moments and slopes are means over the realisations; quantities that
 /// need heights use realisation 0. A number that is not in the result causes no

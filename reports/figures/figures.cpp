@@ -1,5 +1,6 @@
 #include "reports/figures/figures.hpp"
 
+#include "reports/analysis/warnings.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "reports/figures/plot_parts.hpp"
 
@@ -47,6 +48,18 @@ std::string folder_name(std::size_t index, const std::string& name) {
   return fmt::format("{}-{}", index + 1, file_word(name));
 }
 
+/// True if steps converged and none has a load: a warning says so.
+bool has_no_contact(std::span<const ReportEntry> entries,
+                    std::span<const Series> series) {
+  return std::ranges::all_of(
+             series, [](const Series& one) { return one.rows.empty(); }) &&
+         std::ranges::any_of(entries, [](const ReportEntry& entry) {
+           return std::ranges::any_of(
+               warnings_of(*entry.result, *entry.contact_case),
+               [](const Warning& one) { return one.kind == "no_contact"; });
+         });
+}
+
 FigureGroup shared_curves(std::span<const ReportEntry> entries,
                           std::span<const Series> series) {
   FigureGroup group{"The curves", "", {}};
@@ -54,7 +67,7 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
       std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
         return !is_exact_shape(*e.contact_case);
       });
-  if (!has_rough)
+  if (!has_rough || has_no_contact(entries, series))
     return group;
   auto& figures = group.figures;
   add(figures, "pressure-gap",

@@ -57,6 +57,39 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
                                   "rms slope 0.9 (limit: 0.5).");
 }
 
+// Claim: curves without any contact are a warning and no failure of a figure;
+// if one step has a load, or none converged, there is no such warning.
+TEST_F(Warnings, NameCurvesWithoutContact) {
+  std::erase_if(result.methods, [](const results::MethodRecord& method) {
+    return method.kind == "theory";
+  });
+  for (results::MethodRecord& method : result.methods)
+    for (results::Curve& curve : method.realizations) {
+      curve.fields.clear();
+      for (results::CurvePoint& point : curve.points) {
+        point.nominal_pressure = 0.0;
+        point.mean_gap = 5.0 * result.surfaces[0].rms_height;
+      }
+    }
+  const std::vector<Warning> warnings = warnings_of(result, rough);
+  ASSERT_EQ(kinds(warnings), Names{"no_contact"});
+  EXPECT_NE(warnings[0].headline.find("the smallest mean gap is 5 h_rms"),
+            std::string::npos);
+  EXPECT_EQ(write(result), std::vector<std::string>{});
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find("No load step reaches contact"), std::string::npos);
+  EXPECT_EQ(html.find("could not be drawn"), std::string::npos);
+
+  results::Result loaded = result;
+  loaded.methods[0].realizations[0].points[3].nominal_pressure = 1e5;
+  EXPECT_EQ(kinds(warnings_of(loaded, rough)), Names{});
+  for (results::MethodRecord& method : result.methods)
+    for (results::Curve& curve : method.realizations)
+      for (results::CurvePoint& point : curve.points)
+        point.status = results::StepStatus::not_converged;
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+}
+
 // Claim: finite elements that lock are named if the result holds them.
 TEST_F(Warnings, NameElementsThatLock) {
   rough.material.poisson_ratio = 0.4999;
