@@ -116,9 +116,11 @@ std::vector<contact::LoadTarget> targets_of(const cases::Case& contact_case,
   std::ranges::sort(targets, [&](const auto& a, const auto& b) {
     return is_pressure ? a.amount < b.amount : a.amount > b.amount;
   });
-  const auto repeated =
-      std::ranges::unique(targets, {}, &contact::LoadTarget::amount);
-  targets.erase(repeated.begin(), repeated.end());
+  targets.erase(std::unique(targets.begin(), targets.end(),
+                            [](const auto& a, const auto& b) {
+                              return a.amount == b.amount;
+                            }),
+                targets.end());
   return targets;
 }
 
@@ -209,8 +211,9 @@ continuum_answers(const cases::Case& contact_case,
 } // namespace
 
 AnsweredProblem answered_problem(const cases::Case& contact_case,
-                                 const std::string& name) {
-  const cases::MethodSpec& method = method_of_problem(contact_case, name);
+                                 const std::string& method_name) {
+  const cases::MethodSpec& method =
+      method_of_problem(contact_case, method_name);
   if (contact_case.material.inclusion || contact_case.material.variation)
     throw cases::CaseError(
         fmt::format("{}: has a block that is not layered, which no problem can "

@@ -25,11 +25,11 @@ struct AnsweredProblem {
 /// the answers. The continuum is estimated from this grid and up to two finer
 /// ones of at most 1024 points per side, or is the exact solution of the shape
 /// on a half-space; a measured map is refined by interpolation.
-/// @param method  name of a half-space or condensed finite-element method;
-///                empty: the first one
+/// @param method_name  of a half-space or condensed finite-element method;
+///                     empty: the first one
 /// @throws cases::CaseError   no such method, or a block that is not layered
 /// @throws std::runtime_error  a solution did not converge
 AnsweredProblem answered_problem(const cases::Case& contact_case,
-                                 const std::string& method);
+                                 const std::string& method_name);
 
 } // namespace asperity::app

@@ -14,8 +14,6 @@
 namespace asperity::reports {
 namespace {
 
-using results::Curve;
-using results::Fields;
 using results::MethodRecord;
 
 /// The record behind a series.
@@ -49,15 +47,16 @@ std::string obstacle(std::span<const ReportEntry> entries, const Series& one,
 }
 
 /// rms(p - p_ref)/rms(p_ref) of the fields at one load; NaN if there are none.
-double difference_of_fields(const Curve& curve, const Curve& reference,
+double difference_of_fields(const results::Curve& curve,
+                            const results::Curve& reference,
                             const results::CurvePoint& point) {
-  const auto at_step = [&](const Fields& fields) {
+  const auto at_step = [&](const results::Fields& fields) {
     return fields.step == point.step;
   };
   const auto mine = std::ranges::find_if(curve.fields, at_step);
   if (mine == curve.fields.end())
     return not_a_number;
-  for (const Fields& fields : reference.fields) {
+  for (const results::Fields& fields : reference.fields) {
     if (!is_equal(fields.nominal_pressure, point.nominal_pressure) ||
         fields.pressure.size() != mine->pressure.size() ||
         !(fields.grid == mine->grid))
@@ -74,8 +73,8 @@ double difference_of_fields(const Curve& curve, const Curve& reference,
   return not_a_number;
 }
 
-void add_rows(const Curve& curve, const Curve& reference, int realization,
-              double rms_height, Agreement& agreement) {
+void add_rows(const results::Curve& curve, const results::Curve& reference,
+              int realization, double rms_height, Agreement& agreement) {
   const CurveFunction function(reference.points);
   for (const results::CurvePoint& point : loading_rows(curve.points)) {
     AgreementRow row;
