@@ -1,10 +1,8 @@
 """What the adapters share: reads a problem folder, writes a submission folder.
 
-A code provides prepare(problem), which returns its version and a function
-solve(nominal_pressure, tolerance). This solves one load and returns the pressure
-[Pa] in the shape of the heights, whether it converged, and a dictionary of what the
-code itself computes: any of mean_gap [m], contact_area_fraction [1], elastic_energy
-[J/m^2] and iterations. run() does the rest.
+A code provides prepare(problem), which returns its version and solve(nominal_pressure,
+tolerance). This returns the pressure [Pa], shaped as the heights, whether it converged, and any
+of mean_gap [m], contact_area_fraction [1], elastic_energy [J/m^2], iterations, cpu_time [s].
 """
 import argparse
 import dataclasses
@@ -24,20 +22,22 @@ class Problem:
     length_y: float         # [m]
     contact_modulus: float  # E* = E / (1 - nu^2) [Pa]
     loads: list             # nominal pressures [Pa]
+    folder: pathlib.Path    # that of the problem
 
 
-def read_problem(folder):
-    """The periodic half-space problem in `folder`; any other body is a ValueError."""
+def read_problem(folder, any_body):
+    """The problem in `folder`; a body that the code does not take is a ValueError."""
     text = json.loads((folder / "problem.json").read_text(encoding="utf-8"))
     if (text.get("format"), text.get("format_version")) != ("asperity-problem", 1):
         raise ValueError("problem.json is not an asperity-problem of format version 1")
     grid, body = text["grid"], text["body"]
-    if body["thickness [m]"] is not None or body.get("layers") or not grid["is_periodic"]:
+    is_half_space = body["thickness [m]"] is None and not body.get("layers")
+    if not grid["is_periodic"] or not (is_half_space or any_body):
         raise ValueError("the body is layered, of finite thickness or not periodic, but this code "
                          "solves the homogeneous periodic half-space only")
     return Problem(text["name"], np.load(folder / "heights.npy"), grid["length_x [m]"],
                    grid["length_y [m]"], body["contact_modulus [Pa]"],
-                   [load["nominal_pressure [Pa]"] for load in text["loads"]])
+                   [load["nominal_pressure [Pa]"] for load in text["loads"]], folder)
 
 
 def toml(**entries):
@@ -46,9 +46,9 @@ def toml(**entries):
                    for key, value in entries.items())
 
 
-def run(prepare, code, method, tolerances):
+def run(prepare, code, method, tolerances, any_body=False, parents=(), **head):
     """Solves every load. Exit codes: 0 solved, 2 invalid problem, 3 a load did not converge."""
-    parser = argparse.ArgumentParser(description=f"Solve an Asperity problem by {code}.")
+    parser = argparse.ArgumentParser(description=f"Solve a problem by {code}.", parents=parents)
     parser.add_argument("problem", metavar="PROBLEM_DIR", type=pathlib.Path)
     parser.add_argument("submission", metavar="SUBMISSION_DIR", type=pathlib.Path)
     parser.add_argument("--accuracy", choices=tolerances, default="default")
@@ -56,13 +56,13 @@ def run(prepare, code, method, tolerances):
     parser.add_argument("--author", action="append", help="may be repeated")
     given = parser.parse_args()
     try:
-        problem = read_problem(given.problem)
+        problem = read_problem(given.problem, any_body)
     except (ValueError, OSError) as mistake:
         print(f"{code}: {given.problem}: {mistake}", file=sys.stderr)
         sys.exit(2)
     version, solve = prepare(problem)
     tolerance = tolerances[given.accuracy] if given.tolerance is None else given.tolerance
-    text = toml(problem=problem.name, code=code, version=version, method=method,
+    text = toml(problem=problem.name, code=code, version=version, method=method, **head,
                 accuracy=given.accuracy, authors=given.author or ["anonymous"], licence="CC0-1.0")
     given.submission.mkdir(parents=True, exist_ok=True)
     exit_code = 0
@@ -70,7 +70,7 @@ def run(prepare, code, method, tolerances):
         start, name = time.process_time(), f"pressure-{number}.npy"
         pressure, converged, claims = solve(nominal_pressure, tolerance)
         text += "\n[[load]]\n" + toml(nominal_pressure=nominal_pressure, pressure=name,
-                                      cpu_time=time.process_time() - start, **claims)
+                                      **{"cpu_time": time.process_time() - start} | claims)
         np.save(given.submission / name, np.ascontiguousarray(pressure))
         if not converged:
             print(f"{code}: load {number} did not converge", file=sys.stderr)
