@@ -56,6 +56,7 @@ const std::set<std::string> parts_of_board = {"challenge",
                                               "self-affine-h08-16",
                                               "self-affine-h08-4",
                                               "self-affine-h08-8",
+                                              "self-affine-peer",
                                               "wave-1d",
                                               "wave-2d"};
 
