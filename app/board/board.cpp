@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "exchange/problem_folder.hpp"
 #include "exchange/submission.hpp"
@@ -113,10 +114,7 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
   }
   if (!(entry.cpu_time > 0.0))
     entry.cpu_time = not_a_number;
-  if (entry.loads < problem.loads.size())
-    entry.reasons.push_back(fmt::format("{} of {} loads are missing",
-                                        problem.loads.size() - entry.loads,
-                                        problem.loads.size()));
+  entry.missing_loads = problem.loads.size() - entry.loads;
 }
 
 BoardEntry board_entry(const fs::path& folder, const fs::path& root,
@@ -173,10 +171,11 @@ std::vector<BoardProblem> read_board(const fs::path& folder,
                      ? "as submitted"
                      : "failed: " + entry.reasons.front());
     }
-    std::ranges::stable_sort(problem.entries, [](const BoardEntry& a,
-                                                 const BoardEntry& b) {
-      return a.state != b.state ? a.state < b.state : a.gap_error < b.gap_error;
-    });
+    std::ranges::stable_sort(
+        problem.entries, [](const BoardEntry& a, const BoardEntry& b) {
+          return std::tie(a.state, a.missing_loads, a.gap_error) <
+                 std::tie(b.state, b.missing_loads, b.gap_error);
+        });
     board.push_back(std::move(problem));
   }
   return board;

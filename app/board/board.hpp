@@ -17,7 +17,7 @@ namespace asperity::app {
 /// One submission as the board shows it.
 struct BoardEntry {
   enum class State {
-    certified,    ///< every claim holds
+    certified,    ///< every claim about every field holds
     as_submitted, ///< a curve without fields: not ranked
     failed        ///< unreadable, a mistake, or a claim that does not hold
   };
@@ -32,6 +32,7 @@ struct BoardEntry {
   State state = State::failed;
   std::vector<std::string> reasons; ///< why it failed
   std::size_t loads = 0;            ///< number of fields
+  std::size_t missing_loads = 0;    ///< of the problem: shown after the others
   double gap_error = not_a_number;  ///< largest bound over the loads [h_rms]
   double pressure_error = not_a_number; ///< largest bound [1]
   double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
@@ -43,7 +44,8 @@ struct BoardProblem {
   exchange::Problem problem;
   std::vector<exchange::ProblemAnswer> answers;
   std::vector<exchange::ContinuumAnswer> continuum;
-  std::vector<BoardEntry> entries; ///< certified first, in ascending error
+  /// Certified first, then those with all loads, in ascending error.
+  std::vector<BoardEntry> entries;
 };
 
 /// Reads the problems that have an answer, and all answers:

@@ -48,7 +48,7 @@ const BoardEntry* leading(const BoardProblem& problem,
                           const std::string& accuracy) {
   for (const BoardEntry& entry : problem.entries)
     if (entry.state == BoardEntry::State::certified &&
-        entry.accuracy == accuracy)
+        entry.missing_loads == 0 && entry.accuracy == accuracy)
       return &entry;
   return nullptr;
 }
@@ -68,7 +68,8 @@ BoardTable ranking(const BoardProblem& problem) {
   for (const BoardEntry& entry : problem.entries)
     if (entry.state == BoardEntry::State::certified) {
       const std::string group =
-          entry.code + "\n" + entry.version + "\n" + entry.method;
+          fmt::format("{}\n{}\n{}\n{}", entry.code, entry.version, entry.method,
+                      entry.missing_loads);
       if (!groups.contains(group))
         order.push_back(group);
       groups[group].emplace(entry.accuracy, &entry);
@@ -76,8 +77,12 @@ BoardTable ranking(const BoardProblem& problem) {
   for (const std::string& group : order) {
     const auto& entries = groups[group];
     const BoardEntry& any = *entries.begin()->second;
-    std::vector<BoardCell> row{{any.code + " " + any.version, "",
-                                code_page_name(any.code), any.method}};
+    std::string words = any.method;
+    if (any.missing_loads > 0)
+      words += fmt::format("; {} of {} loads", any.loads,
+                           any.loads + any.missing_loads);
+    std::vector<BoardCell> row{
+        {any.code + " " + any.version, "", code_page_name(any.code), words}};
     for (const char* accuracy : {"default", "best"}) {
       const auto found = entries.find(accuracy);
       const BoardEntry none;
@@ -159,7 +164,8 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   page.home = "index.html";
   BoardSection ranked{
       "Certified answers",
-      "Largest bounds over all loads, in ascending order. They follow from the "
+      "Largest bounds over all loads, in ascending order; answers to a part of "
+      "the loads stand last. They follow from the "
       "submitted pressure fields alone. Differences between bounds below some "
       "1e-6 h_rms say more about the bounds than about the answers. CPU times "
       "and iterations are those "
@@ -169,8 +175,8 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   ranked.figures.push_back(reports::draw(error_figure(problem), figures));
   page.sections.push_back(std::move(ranked));
   BoardSection failed{"Answers that are not certified",
-                      "A mistake was recognised, a claim does not hold, loads "
-                      "are missing, or the submission cannot be read.",
+                      "A mistake was recognised, a claim does not hold, or the "
+                      "submission cannot be read.",
                       unranked(problem, BoardEntry::State::failed)};
   if (!failed.table.rows.empty())
     page.sections.push_back(std::move(failed));
@@ -295,6 +301,8 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"is_certified", entry.state == BoardEntry::State::certified},
            {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
            {"reasons", entry.reasons},
+           {"loads", entry.loads},
+           {"missing_loads", entry.missing_loads},
            {"gap_error [h_rms]", number(entry.gap_error)},
            {"pressure_error [1]", number(entry.pressure_error)},
            {"cpu_time [s]", number(entry.cpu_time)},
