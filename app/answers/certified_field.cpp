@@ -82,6 +82,7 @@ nlohmann::ordered_json certificate_json(const CertifiedField& field) {
           {"largest_penetration [m]", check.largest_penetration},
           {"rms_penetration [m]", check.rms_penetration},
           {"complementarity [m]", check.complementarity},
+          {"area_fraction [1]", check.area_fraction},
           {"elastic_energy [J/m^2]", check.elastic_energy},
           {"duality_gap [J/m^2]", check.duality_gap},
           {"pressure_error [1]", check.pressure_error},
