@@ -67,7 +67,7 @@ public:
   ProblemAnswer answer(const contact::LoadTarget& target) {
     contact::ContactSolution solution = sequence_.solve(target);
     if (!solution.converged || !(solution.nominal_pressure > 0.0))
-      throw std::runtime_error(fmt::format(
+      throw NoAnswer(fmt::format(
           "the problem has no answer at {:g}: {}", target.amount,
           solution.note.empty() ? "there is no contact" : solution.note));
     ProblemAnswer answer;

@@ -5,12 +5,18 @@
 
 #include "cases/types/case.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "exchange/problem.hpp"
 
 namespace asperity::app {
+
+/// A load at which the problem has no solution, or none was found.
+struct NoAnswer : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A problem with its reference answers.
 struct AnsweredProblem {
@@ -28,7 +34,8 @@ struct AnsweredProblem {
 /// @param method_name  of a half-space or condensed finite-element method;
 ///                     empty: the first one
 /// @throws cases::CaseError   no such method, or a block that is not layered
-/// @throws std::runtime_error  a solution did not converge
+/// @throws NoAnswer           there is no contact at a load, or a solution did
+///                            not converge
 AnsweredProblem answered_problem(const cases::Case& contact_case,
                                  const std::string& method_name);
 

@@ -3,6 +3,7 @@
 #include "app/board/board_figures.hpp"
 #include "app/board/board_page.hpp"
 #include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +23,12 @@ std::string problem_page_name(const std::string& problem) {
   return "problem-" + reports::file_word(problem) + ".html";
 }
 
+/// Two codes may have one file word, so a name that differs from its own has a
+/// part of its hash.
 std::string code_page_name(const std::string& code) {
-  return "code-" + reports::file_word(code) + ".html";
+  const std::string word = reports::file_word(code);
+  return "code-" + word +
+         (word == code ? "" : "-" + content_hash(code).substr(0, 8)) + ".html";
 }
 
 BoardCell head(const std::string& text, const std::string& small = "",

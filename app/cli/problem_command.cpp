@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "exchange/problem_folder.hpp"
 
@@ -47,14 +48,19 @@ ExitCode write_problem_of(const ProblemCommand& command) {
           ? std::filesystem::path("out") / read.found.name / "problem"
           : std::filesystem::path(command.out);
   const FolderLock lock(folder, "problem " + read.found.name);
-  const AnsweredProblem answered =
-      answered_problem(read.contact_case, command.method);
+  std::optional<AnsweredProblem> answered;
+  try {
+    answered = answered_problem(read.contact_case, command.method);
+  } catch (const NoAnswer& error) {
+    fmt::print(stderr, "{}: {}\n", read.contact_case.path, error.what());
+    return exit_not_converged;
+  }
   // A map or spectrum that the case names is not part of the problem.
   const bool is_complete = read.contact_case.surface.file.empty();
-  exchange::write_problem(answered.problem, answered.answers,
-                          answered.continuum,
+  exchange::write_problem(answered->problem, answered->answers,
+                          answered->continuum,
                           is_complete ? read.contact_case.text : "", folder);
-  print_answers(answered);
+  print_answers(*answered);
   fmt::print("problem: {}\n", folder.string());
   return exit_good;
 }

@@ -269,6 +269,9 @@ def check_refusals():
         "[halfspace]", "[theory]\ngamma = 0.4"))
     said = asperity("problem", theory, expected=2)
     assert "no half-space or condensed finite-element method" in said, said
+    said = asperity("problem", "wave-1d", "--set", 'load.nominal_pressure=', "--set",
+                    'load.mean_gap=["1 um"]', "--out", "apart", expected=3)
+    assert "there is no contact" in said and not (FOLDER / "apart").exists(), said
     said = asperity("problem", "wave-1d", "--method", "fem.none", expected=2)
     assert "it has" in said, said
     said = asperity("problem", "paper", expected=2)
