@@ -85,6 +85,8 @@ namespace {} // namespace
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method) {
   std::vector<const results::Fields*> whole;
+  if (method.realizations.empty())
+    return whole; // the run was interrupted before its first step
   for (const results::Fields& fields : method.realizations.front().fields)
     if (const std::size_t size = fields.grid.size();
         size > 0 && fields.pressure.size() == size &&

@@ -54,6 +54,7 @@ Hdf5Handle create_column(hid_t group, const std::string& name, hid_t type,
   const hsize_t unlimited = H5S_UNLIMITED;
   const Hdf5Handle space(H5Screate_simple(1, &empty, &unlimited), H5Sclose);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.id(), false); // equal data, equal bytes
   H5Pset_chunk(creation.id(), 1, &column_chunk);
   return {checked(H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT,
                              creation.id(), H5P_DEFAULT),
@@ -93,6 +94,7 @@ void Hdf5Group::write_map(const std::string& name, std::span<const double> map,
   const Hdf5Handle space(H5Screate_simple(2, extents.data(), nullptr),
                          H5Sclose);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.id(), false); // equal data, equal bytes
   if (number == Hdf5Number::float32_packed) {
     H5Pset_chunk(creation.id(), 2, extents.data());
     H5Pset_shuffle(creation.id());

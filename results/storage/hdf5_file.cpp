@@ -10,12 +10,14 @@ namespace asperity::results {
 namespace {
 
 /// Returns creation properties of groups and files that preserve the order of
-/// links and attributes.
+/// links and attributes, without times of creation, so that equal data have
+/// equal bytes.
 template <class SetAttributes>
 Hdf5Handle ordered(hid_t kind, SetAttributes set_attributes) {
   Hdf5Handle properties(H5Pcreate(kind), H5Pclose);
   const unsigned tracked = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
   H5Pset_link_creation_order(properties.id(), tracked);
+  H5Pset_obj_track_times(properties.id(), false);
   set_attributes(properties.id(), tracked);
   return properties;
 }

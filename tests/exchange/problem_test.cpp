@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "exchange/pressure_file.hpp"
 #include "exchange/problem.hpp"
@@ -113,6 +115,15 @@ TEST_F(ProblemFolder, HasChecksumsOfAllFiles) {
   const auto files =
       std::distance(fs::directory_iterator(folder), fs::directory_iterator());
   EXPECT_EQ(listed + 1, static_cast<std::size_t>(files));
+}
+
+// Claim: the same problem has the same bytes a second later. HDF5 stores the
+// times of its objects unless it is asked not to.
+TEST_F(ProblemFolder, DoesNotDependOnTheTime) {
+  const std::string before = text_of(folder / "SHA256SUMS");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  write();
+  EXPECT_EQ(text_of(folder / "SHA256SUMS"), before);
 }
 
 TEST_F(ProblemFolder, RefusesAWrongMember) {

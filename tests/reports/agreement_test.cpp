@@ -95,6 +95,21 @@ TEST_F(AgreementOfTwo, IsShown) {
             std::string::npos);
 }
 
+// Claim: results of runs that were interrupted before the first step of any
+// method have a report, alone and beside each other, without a comparison.
+TEST_F(AgreementOfTwo, IsNoneOfRunsWithoutSteps) {
+  for (results::Result* result : {&ours, &theirs})
+    for (results::MethodRecord& method : result->methods)
+      method.realizations.clear();
+  write(ours);
+  EXPECT_NE(text_of(folder / "report.html").find("</html>"), std::string::npos);
+  for (const Agreement& agreement : agreements())
+    EXPECT_TRUE(agreement.rows.empty());
+  write_report(entries, folder);
+  EXPECT_NE(text_of(folder / "report.html").find("</html>"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "comparison.json"), "[]\n");
+}
+
 // Claim: what cannot be compared is named and has no number.
 TEST_F(AgreementOfTwo, IsRefusedWithAReason) {
   theirs.contact_modulus *= 2.0;
