@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -58,8 +59,50 @@ const BoardEntry* leading(const BoardProblem& problem,
   return nullptr;
 }
 
-/// Certified entries, one row per code, version and method, with the numbers of
-/// default and best accuracy beside each other.
+/// One row of the ranking: the answers of a code at each accuracy.
+struct RankedAnswers {
+  const BoardEntry* at_default = nullptr;
+  const BoardEntry* at_best = nullptr;
+
+  const BoardEntry& any() const {
+    return at_default != nullptr ? *at_default : *at_best;
+  }
+
+  const BoardEntry*& at(const std::string& accuracy) {
+    return accuracy == "best" ? at_best : at_default;
+  }
+};
+
+/// Certified entries in their order. Answers of one version of a code to the
+/// same number of loads share a row, if their accuracies differ.
+std::vector<RankedAnswers> ranked_answers(const BoardProblem& problem) {
+  std::vector<RankedAnswers> rows;
+  for (const BoardEntry& entry : problem.entries) {
+    if (entry.state != BoardEntry::State::certified)
+      continue;
+    const auto found = std::ranges::find_if(rows, [&](RankedAnswers& row) {
+      return row.any().code == entry.code &&
+             row.any().version == entry.version &&
+             row.any().missing_loads == entry.missing_loads &&
+             row.at(entry.accuracy) == nullptr;
+    });
+    RankedAnswers& row = found == rows.end() ? rows.emplace_back() : *found;
+    row.at(entry.accuracy) = &entry;
+  }
+  return rows;
+}
+
+std::string method_words(const RankedAnswers& row) {
+  std::string words = row.any().method;
+  if (row.at_default != nullptr && row.at_best != nullptr &&
+      row.at_best->method != words)
+    words += " (default); " + row.at_best->method + " (best)";
+  if (row.any().missing_loads > 0)
+    words += fmt::format("; {} of {} loads", row.any().loads,
+                         row.any().loads + row.any().missing_loads);
+  return words;
+}
+
 BoardTable ranking(const BoardProblem& problem) {
   BoardTable table;
   table.heads = {
@@ -68,30 +111,14 @@ BoardTable ranking(const BoardProblem& problem) {
       head("Iterations"),          head("Best: |u-u*|", "bound [h_rms]"),
       head("|p-p*|/|p|", "bound"), head("CPU time", "s"),
       head("Iterations")};
-  std::vector<std::string> order;
-  std::map<std::string, std::map<std::string, const BoardEntry*>> groups;
-  for (const BoardEntry& entry : problem.entries)
-    if (entry.state == BoardEntry::State::certified) {
-      const std::string group =
-          fmt::format("{}\n{}\n{}\n{}", entry.code, entry.version, entry.method,
-                      entry.missing_loads);
-      if (!groups.contains(group))
-        order.push_back(group);
-      groups[group].emplace(entry.accuracy, &entry);
-    }
-  for (const std::string& group : order) {
-    const auto& entries = groups[group];
-    const BoardEntry& any = *entries.begin()->second;
-    std::string words = any.method;
-    if (any.missing_loads > 0)
-      words += fmt::format("; {} of {} loads", any.loads,
-                           any.loads + any.missing_loads);
-    std::vector<BoardCell> row{
-        {any.code + " " + any.version, "", code_page_name(any.code), words}};
-    for (const char* accuracy : {"default", "best"}) {
-      const auto found = entries.find(accuracy);
-      const BoardEntry none;
-      const BoardEntry& entry = found == entries.end() ? none : *found->second;
+  const BoardEntry none;
+  for (const RankedAnswers& answers : ranked_answers(problem)) {
+    const BoardEntry& any = answers.any();
+    std::vector<BoardCell> row{{any.code + " " + any.version, "",
+                                code_page_name(any.code),
+                                method_words(answers)}};
+    for (const BoardEntry* answer : {answers.at_default, answers.at_best}) {
+      const BoardEntry& entry = answer == nullptr ? none : *answer;
       row.push_back(error_cell(entry.gap_error));
       row.push_back(error_cell(entry.pressure_error));
       row.push_back(time_cell(entry.cpu_time));
