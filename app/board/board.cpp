@@ -77,6 +77,11 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
   }
   BoardProblem read;
   read.problem = exchange::read_problem(copy);
+  if (read.problem.name != name)
+    throw cases::CaseError(fmt::format(
+        "{}: states the problem \"{}\", but its folder is {}: both must be the "
+        "same",
+        home.string(), read.problem.name, name));
   exchange::References references = exchange::read_references(copy);
   read.answers = std::move(references.discrete);
   read.continuum = std::move(references.continuum);

@@ -146,6 +146,13 @@ def main():
     again = json.loads((folder / "again/board.json").read_text())
     first = json.loads((folder / "site/board.json").read_text())
     assert again == [row for row in first if state_of(row) != "failed"]
+    (board / "other").mkdir()
+    statement = json.loads((problem / "problem.json").read_text()) | {"name": "another"}
+    shutil.copytree(problem, board / "other", dirs_exist_ok=True)
+    (board / "other/problem.json").write_text(json.dumps(statement))
+    shutil.copytree(board / "submissions/small/good", board / "submissions/other/good")
+    said = exchange.asperity("board", board, expected=2)
+    assert 'states the problem "another", but its folder is other' in said, said
     said = exchange.asperity("board", folder / "small", expected=2)
     assert "has no submission" in said, said
 
