@@ -30,10 +30,15 @@ struct CertifiedField {
   contact::FieldCheck check;
   contact::SeparationBounds bounds;
   std::vector<Claim> claims;
+
+  /// A bound of the error of the mean gap that follows from the pressure [m],
+  /// whatever mean gap is submitted with it.
+  double error_of_field() const;
 };
 
-/// Certifies a field, and claims that its mean gap is within
-/// claimed_error h_rms of the exact one.
+/// Certifies a field, and claims that its mean gap is within claimed_error
+/// h_rms of the exact one: the submitted one, and that which follows from the
+/// pressure, so that a right number does not hide a wrong field.
 /// @throws std::domain_error  the field has no pressure > 0, for example
 CertifiedField certified(contact::SurfaceOperator& elasticity,
                          const contact::SubmittedField& submitted,

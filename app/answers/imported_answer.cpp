@@ -83,7 +83,7 @@ StepAnswer answer_of(contact::SurfaceOperator& elasticity,
                rim_modulus(problem.body, problem.grid.spacing_x())},
               surface);
   answer.row.step = static_cast<int>(load.load);
-  answer.row.certified_gap_error = field.bounds.error;
+  answer.row.certified_gap_error = field.error_of_field();
   answer.row.cpu_time = std::isfinite(load.cpu_time) ? load.cpu_time : 0.0;
   return answer;
 }

@@ -100,7 +100,7 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
                  BoardEntry& entry) {
   entry.loads = answer.loads.size();
   entry.gap_error = largest_error(answer, [](const ImportedLoad& load) {
-    return load.field.bounds.error / load.field.rms_height;
+    return load.field.error_of_field() / load.field.rms_height;
   });
   entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
     return load.field.check.pressure_error;

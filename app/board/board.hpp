@@ -33,7 +33,8 @@ struct BoardEntry {
   std::vector<std::string> reasons; ///< why it failed
   std::size_t loads = 0;            ///< number of fields
   std::size_t missing_loads = 0;    ///< of the problem: shown after the others
-  double gap_error = not_a_number;  ///< largest bound over the loads [h_rms]
+  double gap_error = not_a_number;  ///< of the mean gaps that follow from the
+                                    ///< fields: largest bound [h_rms]
   double pressure_error = not_a_number; ///< largest bound [1]
   double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
   int iterations = 0;                   ///< of all loads; 0: not stated

@@ -51,7 +51,8 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
       "Certified answers",
       "Largest bounds over all loads, in ascending order; answers to a part of "
       "the loads stand last. They follow from the "
-      "submitted pressure fields alone. Differences between bounds below some "
+      "submitted pressure fields alone, as does the mean gap u. Differences "
+      "between bounds below some "
       "1e-6 h_rms say more about the bounds than about the answers. CPU times "
       "and iterations are those "
       "that "

@@ -58,6 +58,8 @@ def submissions(root, problem, pressures):
         "good/1.0-again": (pressures, "certified"),
         "rough/2": ([p * noise.uniform(0.999, 1.001, p.shape) for p in pressures], "certified"),
         "flipped/1": ([p[::-1] for p in pressures], "failed"),
+        "copied/1": ([q * (p.mean() / q.mean()) for p in pressures
+                      for q in (p * noise.uniform(0.9, 1.1, p.shape),)], "certified"),
         "partial/1": (pressures[:1], "certified"),
         "broken/1": (pressures, "failed"),
         "curve/1": ([], "as submitted"),
@@ -75,6 +77,12 @@ def submissions(root, problem, pressures):
                 f'method = "{HOSTILE}"')
     change_head(root / "submissions/small/rough/2", 'code = "rough"', f'code = "{HOSTILE}"')
     change_head(root / "submissions/small/broken/1", "licence", "license")
+    # The right mean gaps beside poor fields.
+    statement = json.loads((problem / "reference.json").read_text())
+    for k, answer in enumerate(statement["discrete"]["answers"]):
+        change_head(root / "submissions/small/copied/1", f'pressure = "p{k}.npy"',
+                    f'pressure = "p{k}.npy"\nmean_gap = {answer["mean_gap [m]"]!r}')
+    change_head(root / "submissions/small/copied/1", "licence", "claimed_error = 0.1\nlicence")
     (root / "submissions/small/curve/1/c.csv").write_text(
         "nominal_pressure [Pa],mean_gap [m],area_fraction [1]\n4e6,6e-9,0.02\n")
     return {f"small/{name}": state for name, (_, state) in kinds.items()}
@@ -98,6 +106,8 @@ def check_rows(site, expected):
     certified = [row for row in rows if row["is_certified"]]
     assert certified[-1] == partial  # after the others, whatever its error is
     errors = [row["gap_error [h_rms]"] for row in certified[:-1]]
+    assert certified[-2]["code"] == "copied" and errors[-1] > 1e-3, certified[-2]
+    errors.pop()
     assert errors == sorted(errors) and errors[0] < 1e-6 < errors[-1] < 1e-3, errors
 
 
@@ -116,7 +126,7 @@ def check_pages(site):
         assert parsed.scripts == 1 and HOSTILE not in parsed.text, page  # our own
         for link in parsed.links:
             assert (site / link).exists(), (page, link)
-    assert ["small", "4096", "8", "5"] == [cell.split("A small")[0] for cell in front.rows[1][:4]]
+    assert ["small", "4096", "9", "6"] == [cell.split("A small")[0] for cell in front.rows[1][:4]]
     codes = {row[0] for row in front.rows[2:]}
     assert {"good", "flipped", "partial", "broken", "curve", HOSTILE} <= codes, codes
 
