@@ -50,13 +50,11 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   BoardSection ranked{
       "Certified answers",
       "Largest bounds over all loads, in ascending order; answers to a part of "
-      "the loads stand last. They follow from the "
-      "submitted pressure fields alone, as does the mean gap u. Differences "
-      "between bounds below some "
+      "the loads stand last. They follow from the submitted pressure fields "
+      "alone, as does the mean gap u. Differences between bounds below some "
       "1e-6 h_rms say more about the bounds than about the answers. CPU times "
-      "and iterations are those "
-      "that "
-      "the authors state, summed over the loads.",
+      "and iterations are those that the authors state, summed over the "
+      "loads.",
       ranking(problem)};
   ranked.figures.push_back(reports::draw(error_figure(problem), figures));
   page.sections.push_back(std::move(ranked));
