@@ -251,6 +251,8 @@ Problem read_problem(const std::filesystem::path& folder) {
                   members.count("/grid/points_y"),
                   members.number("/grid/length_x [m]", 0.0),
                   members.number("/grid/length_y [m]", 0.0)};
+  if (members.at("/grid/is_periodic", "true") != true)
+    members.refuse("/grid/is_periodic", "true");
   problem.rms_slope = members.number("/heights/rms_slope [1]", 0.0);
   problem.body = read_body(members);
   for (std::size_t i = 0; i < members.list_size("/loads"); ++i)

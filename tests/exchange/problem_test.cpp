@@ -145,10 +145,15 @@ TEST_F(ProblemFolder, RefusesAWrongMember) {
          "has 64 rows and 64 columns, but problem.json states 32 and 64");
   expect("\"length_x [m]\": 6.4e-05", "\"length_x [m]\": -1",
          "/grid/length_x [m] is -1, but must be a number > 0");
+  expect("\"is_periodic\": true", "\"is_periodic\": false",
+         "/grid/is_periodic is false, but must be true");
   expect("1000000000.0", "\"1 GPa\"",
          "/body/contact_modulus [Pa] is \"1 GPa\", but must be a number > 0");
   expect("\"poisson_ratio [1]\": 0.3", "\"poisson_ratio [1]\": 0.6",
          "is 0.6, but must be a number between -1 and 0.5");
+  EXPECT_EQ(
+      message_with("\"poisson_ratio [1]\": 0.3", "\"poisson_ratio [1]\": 0.5"),
+      "no error");
   expect("\"sliding\"", "\"glued\"",
          "/body/far_boundary is \"glued\", but must be clamped, sliding or");
   expect("\"youngs_modulus [Pa]\": 5000000000.0", "\"E\": 1",
