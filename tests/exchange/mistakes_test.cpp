@@ -1,5 +1,5 @@
-// Claims about exchange/mistakes.hpp: each of thirty faults that are planted in
-// a correct answer is named, and a correct answer has none.
+// Claims about exchange/mistakes.hpp: each of 31 faults that are planted in a
+// correct answer is named, and a correct answer has none.
 #include "cases/text/case_error.hpp"
 
 #include <gtest/gtest.h>
@@ -131,6 +131,9 @@ std::vector<Fault> faults_of_place() {
           "shifted by a row", [](auto i, auto j) { return at(i + 1, j); },
           "shifted by 1 rows and 0 columns"),
       moved(
+          "shifted by columns", [](auto i, auto j) { return at(i, j + 3); },
+          "shifted by 0 rows and 3 columns"),
+      moved(
           "centred", [](auto i, auto j) { return at(i + 32, j + 32); },
           "shifted by 32 rows and 32 columns"),
       another(
@@ -208,7 +211,7 @@ TEST_F(Mistakes, AreNamed) {
       EXPECT_NE(all.find(fault.sentence), std::string::npos)
           << fault.name << ": " << all;
     }
-  EXPECT_EQ(planted, 30U);
+  EXPECT_EQ(planted, 31U);
 }
 
 // Claim: answers with errors that a solver leaves have no mistake: tolerances
