@@ -96,15 +96,17 @@ std::string reference_json(const Problem& problem,
 std::string body_text(const contact::ElasticBlock& body) {
   if (std::isinf(body.thickness) && body.layers.empty())
     return half_space_text;
-  return fmt::format(
-      "The body is a block of {} layer(s) bonded to a {}; `body` in "
-      "problem.json "
-      "has all moduli and\nthicknesses, from the contact surface downwards.\n",
-      body.layers.size(),
+  std::string text =
       std::isinf(body.thickness)
-          ? std::string("half-space")
-          : fmt::format("base; the thickness of all is {:g} m",
-                        body.thickness));
+          ? std::string("The body is a half-space")
+          : fmt::format("The body is a block {:g} m thick", body.thickness);
+  if (!body.layers.empty())
+    text += fmt::format(", of which {} bonded layer(s) at the contact surface "
+                        "have other moduli",
+                        body.layers.size());
+  return text +
+         "; `body` in problem.json has all\nmoduli, thicknesses (from the "
+         "contact surface downwards) and the far boundary.\n";
 }
 
 } // namespace

@@ -106,6 +106,21 @@ TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
   EXPECT_NE(gwy.find(numbers), std::string::npos);
 }
 
+// Claim: the README says what the body is, also of a slab without layers.
+TEST_F(ProblemFolder, SaysWhatTheBodyIs) {
+  EXPECT_NE(text_of(folder / "README.md")
+                .find("a block 3e-05 m thick, of which 1 bonded layer(s)"),
+            std::string::npos);
+  problem.body.layers.clear();
+  write();
+  EXPECT_NE(text_of(folder / "README.md").find("a block 3e-05 m thick; `body`"),
+            std::string::npos);
+  problem.body.thickness = infinity;
+  write();
+  EXPECT_NE(text_of(folder / "README.md").find("an elastic half-space"),
+            std::string::npos);
+}
+
 // Claim: SHA256SUMS names every other file with its hash.
 TEST_F(ProblemFolder, HasChecksumsOfAllFiles) {
   std::istringstream sums(text_of(folder / "SHA256SUMS"));
