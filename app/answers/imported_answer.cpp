@@ -4,8 +4,8 @@
 #include "app/methods/curve_row.hpp"
 #include "base/special_numbers.hpp"
 #include "cases/text/case_error.hpp"
+#include "reports/pages/published_json.hpp"
 #include "results/observables/contact_stiffness.hpp"
-#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,20 +38,8 @@ std::string method_name(const Submission& submission) {
 } // namespace
 
 SurfaceOfCase surface_of(const Problem& problem) {
-  const surfaces::Statistics numbers =
-      surfaces::statistics({problem.grid, problem.heights});
-  SurfaceOfCase surface;
-  surface.record.grid = problem.grid;
-  surface.record.heights = problem.heights;
-  surface.record.rms_height = numbers.rms_height;
-  surface.record.rms_slope = numbers.rms_slope;
-  surface.record.rms_curvature = numbers.rms_curvature;
-  surface.record.skewness = numbers.skewness;
-  surface.record.kurtosis = numbers.kurtosis;
-  surface.record.highest = numbers.highest;
-  surface.scales = {problem.body.contact_modulus, problem.grid.length_x,
-                    problem.grid.spacing_x(), numbers.rms_height};
-  return surface;
+  return surface_of_map({problem.grid, problem.heights},
+                        problem.body.contact_modulus);
 }
 
 namespace {
@@ -68,13 +56,16 @@ StepAnswer answer_of(contact::SurfaceOperator& elasticity,
   elasticity.displacement(solution.pressure, solution.displacement);
   solution.nominal_pressure = field.nominal_pressure;
   solution.mean_gap = field.check.mean_gap;
-  solution.gap_error = field.check.complementarity;
   solution.iterations = load.iterations;
   solution.converged = true;
   solution.gap.reserve(load.pressure.size());
-  for (std::size_t i = 0; i < load.pressure.size(); ++i)
-    solution.gap.push_back(solution.mean_gap + solution.displacement[i] -
-                           problem.heights[i]);
+  for (std::size_t i = 0; i < load.pressure.size(); ++i) {
+    const double gap =
+        solution.mean_gap + solution.displacement[i] - problem.heights[i];
+    solution.gap.push_back(gap);
+    const double violation = solution.pressure[i] > 0.0 ? std::abs(gap) : -gap;
+    solution.gap_error = std::max(solution.gap_error, violation);
+  }
   StepAnswer answer =
       observe(std::move(solution),
               {{},
@@ -169,21 +160,21 @@ ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
 
 nlohmann::ordered_json answer_json(const ImportedAnswer& answer) {
   using Json = nlohmann::ordered_json;
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   const Submission& submission = answer.submission;
   Json list = Json::array();
   for (const ImportedLoad& load : answer.loads) {
     Json one = certificate_json(load.field);
     one["mistakes"] = load.mistakes;
     const results::CurvePoint& row = load.answer.row;
-    one["area_fraction [1]"] = number(row.area_fraction);
-    one["area_fraction_corrected [1]"] = number(row.area_fraction_corrected);
-    one["area_fraction_fit [1]"] = number(row.area_fraction_fit);
-    one["area_fraction_moment [1]"] = number(row.area_fraction_moment);
-    one["contact_stiffness [Pa/m]"] = number(row.contact_stiffness);
-    one["cpu_time [s]"] = number(row.cpu_time);
+    one["area_fraction [1]"] = reports::json_number(row.area_fraction);
+    one["area_fraction_corrected [1]"] =
+        reports::json_number(row.area_fraction_corrected);
+    one["area_fraction_fit [1]"] = reports::json_number(row.area_fraction_fit);
+    one["area_fraction_moment [1]"] =
+        reports::json_number(row.area_fraction_moment);
+    one["contact_stiffness [Pa/m]"] =
+        reports::json_number(row.contact_stiffness);
+    one["cpu_time [s]"] = reports::json_number(row.cpu_time);
     one["iterations"] = row.iterations;
     list.push_back(std::move(one));
   }

@@ -3,6 +3,7 @@
 #include "app/board/board_figures.hpp"
 #include "app/board/board_tables.hpp"
 #include "base/atomic_file.hpp"
+#include "reports/pages/published_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -169,9 +170,6 @@ BoardPage front_page(const std::vector<BoardProblem>& board) {
 
 std::string json_text(const std::vector<BoardProblem>& board) {
   using Json = nlohmann::ordered_json;
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   Json list = Json::array();
   for (const BoardProblem& problem : board)
     for (const BoardEntry& entry : problem.entries)
@@ -187,9 +185,9 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"reasons", entry.reasons},
            {"loads", entry.loads},
            {"missing_loads", entry.missing_loads},
-           {"gap_error [h_rms]", number(entry.gap_error)},
-           {"pressure_error [1]", number(entry.pressure_error)},
-           {"cpu_time [s]", number(entry.cpu_time)},
+           {"gap_error [h_rms]", reports::json_number(entry.gap_error)},
+           {"pressure_error [1]", reports::json_number(entry.pressure_error)},
+           {"cpu_time [s]", reports::json_number(entry.cpu_time)},
            {"iterations", entry.iterations}});
   return list.dump(2) + "\n";
 }

@@ -30,19 +30,25 @@ results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
 
 SurfaceOfCase as_taken(const cases::Case& contact_case,
                        const surfaces::HeightMap& map) {
-  SurfaceOfCase surface;
-  surface.record = record_of(map);
+  SurfaceOfCase surface =
+      surface_of_map(map, contact_case.material.contact_modulus);
   if (!(surface.record.rms_height > 0.0))
     throw cases::CaseError(contact_case.path +
                            ": the surface is flat; there is no roughness "
                            "to press on");
-  surface.scales = {contact_case.material.contact_modulus,
-                    surface.record.grid.length_x,
-                    surface.record.grid.spacing_x(), surface.record.rms_height};
   return surface;
 }
 
 } // namespace
+
+SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
+                             double contact_modulus) {
+  SurfaceOfCase surface;
+  surface.record = record_of(map);
+  surface.scales = {contact_modulus, map.grid.length_x, map.grid.spacing_x(),
+                    surface.record.rms_height};
+  return surface;
+}
 
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
   return std::ranges::any_of(methods, &cases::MethodSpec::needs_surface);

@@ -5,6 +5,7 @@
 
 #include "cases/types/case.hpp"
 #include "results/types/result.hpp"
+#include "surfaces/maps/height_map.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
 #include <map>
@@ -18,6 +19,11 @@ struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
   cases::Scales scales;          ///< scales of this surface
 };
+
+/// Returns the surface of a map with its statistics.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
+                             double contact_modulus);
 
 /// Returns true if one of the methods needs heights. Only a theory that uses
 /// the formula of the spectrum does not.
