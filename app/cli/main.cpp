@@ -1,10 +1,8 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
-#include "app/cli/board_command.hpp"
-#include "app/cli/certify_command.hpp"
+#include "app/cli/answer_commands.hpp"
+#include "app/cli/command_parts.hpp"
 #include "app/cli/commands.hpp"
-#include "app/cli/import_command.hpp"
-#include "app/cli/problem_command.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
@@ -18,7 +16,6 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <stdexcept>
 #include <system_error>
 
@@ -26,16 +23,6 @@
 
 namespace asperity::app {
 namespace {
-
-/// The chosen command, which is called after the command line is parsed.
-using Action = std::function<ExitCode()>;
-
-/// Adds an example line to the help of a command, before the footer that all
-/// commands share.
-void add_example(CLI::App* command, const std::string& line) {
-  command->footer("example:\n  asperity " + line + "\n\n" +
-                  command->get_footer());
-}
 
 void add_run(CLI::App& program, RunCommand& run, Action& action) {
   CLI::App* command = program.add_subcommand(
@@ -51,11 +38,7 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
                    "run only these methods, given by name or kind:\n"
                    "fem,theory")
       ->delimiter(',');
-  command
-      ->add_option("--set", run.overrides,
-                   "override a key of the case file, e.g.\n"
-                   "surface.points=128; may be repeated")
-      ->allow_extra_args(false);
+  add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
                     "compute the steps missing from an earlier run");
@@ -97,11 +80,7 @@ void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
                    "run only these methods, given by name or kind:\n"
                    "fem,theory")
       ->delimiter(',');
-  command
-      ->add_option("--set", bench.overrides,
-                   "override a key of the case file, e.g.\n"
-                   "surface.points=128; may be repeated")
-      ->allow_extra_args(false);
+  add_overrides(command, bench.overrides);
   command->add_option("--out", bench.out,
                       "output folder (default: out/<case>/bench)");
   command
@@ -172,80 +151,6 @@ void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
   command->add_flag("--clear", is_to_clear, "remove all entries first");
   add_example(command, "cache");
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
-}
-
-void add_certify(CLI::App& program, CertifyCommand& certify, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "certify", "Bound the errors of the pressure fields of\n"
-                 "results, of any program; exit 1 if a mean gap\n"
-                 "may be wrong by more than 1e-3 h_rms.");
-  command->add_option("result", certify.results, "results (files or folders)")
-      ->required();
-  command->add_flag("--json", certify.is_json,
-                    "print all numbers as JSON instead of a table");
-  add_example(command, "certify out/polymer");
-  command->callback([&] { action = [&] { return certify_results(certify); }; });
-}
-
-void add_problem(CLI::App& program, ProblemCommand& problem, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "problem", "Write the contact problem of a case as a folder\n"
-                 "that any other program can read: problem.json,\n"
-                 "heights, checksums and reference answers.");
-  command
-      ->add_option("case", problem.contact_case,
-                   "case file, its folder or shipped case")
-      ->required();
-  command->add_option("--out", problem.out,
-                      "folder to write (default: out/<case>/problem)");
-  command
-      ->add_option("--set", problem.overrides,
-                   "override a key of the case file, e.g.\n"
-                   "surface.points=128; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--method", problem.method,
-                      "half-space or condensed finite-element method\n"
-                      "whose block is pressed (default: the first)");
-  add_example(command, "problem wave-1d --out wave-1d-problem");
-  command->callback(
-      [&] { action = [&] { return write_problem_of(problem); }; });
-}
-
-void add_import(CLI::App& program, ImportCommand& import_answer,
-                Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "import", "Read another program's answer to a problem,\n"
-                "certify it, name typical mistakes and write it\n"
-                "as a result; exit 1 if a claim does not hold.");
-  command
-      ->add_option("submission", import_answer.submission,
-                   "folder with submission.toml")
-      ->required();
-  command
-      ->add_option("--problem", import_answer.problem,
-                   "folder with problem.json, as asperity problem\n"
-                   "writes it")
-      ->required();
-  command->add_option("--out", import_answer.out,
-                      "output folder (default: out/<code>-<problem>)");
-  add_example(command, "import answers/mycode --problem wave-1d-problem");
-  command->callback(
-      [&] { action = [&] { return import_submission(import_answer); }; });
-}
-
-void add_board(CLI::App& program, BoardCommand& board, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "board", "Certify the answers of many codes to problems\n"
-               "and build a static site that ranks them; exit 1\n"
-               "if one is not certified.");
-  command
-      ->add_option("folder", board.folder,
-                   "folder with problems and submissions")
-      ->required();
-  command->add_option("--out", board.out,
-                      "folder of the site (default: out/board-site)");
-  add_example(command, "board cases/board --out site");
-  command->callback([&] { action = [&] { return build_board(board); }; });
 }
 
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
@@ -319,14 +224,8 @@ int run(int argc, char** argv) {
   add_bench(program, bench, action);
   add_report(program, paths, out, action);
   add_check(program, paths, out, run.uses_cache, action);
-  CertifyCommand certify;
-  add_certify(program, certify, action);
-  ProblemCommand problem;
-  add_problem(program, problem, action);
-  ImportCommand imported;
-  add_import(program, imported, action);
-  BoardCommand board;
-  add_board(program, board, action);
+  AnswerCommands answers;
+  add_answer_commands(program, answers, action);
   bool is_to_clear = false;
   add_cache(program, is_to_clear, action);
   add_robustness(program, stress, action);
