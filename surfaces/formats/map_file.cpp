@@ -165,7 +165,7 @@ HeightMap read_height_map_text(std::string_view text, const std::string& name,
 
 HeightMap read_height_map(const std::string& path, cases::MapFormat format,
                           const MapScale& scale) {
-  return from_table(read_number_file(path), format, scale);
+  return read_scan(path, {format, {}, scale}).map;
 }
 
 } // namespace asperity::surfaces

@@ -4,20 +4,12 @@
 // by Gwyddion and by scripts, including headers, length units and the
 // orientation of a matrix.
 
-#include "cases/types/case.hpp"
-#include "surfaces/maps/height_map.hpp"
+#include "surfaces/formats/scan.hpp"
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace asperity::surfaces {
-
-/// Scales that a case gives for a map because the file does not contain them.
-struct MapScale {
-  std::optional<double> length;      ///< side length in x [m] > 0
-  std::optional<double> height_unit; ///< [m] per unit of the numbers > 0
-};
 
 /// Reads a matrix of heights without levelling it or removing its mean. Columns
 /// go along x, rows along y, starting with the first line; a map may be
@@ -41,7 +33,6 @@ struct MapScale {
 /// @param format  automatic: Gwyddion if a comment contains a width
 /// @throws cases::CaseError  with name:line of the error in the file, or the
 ///                           key of the case that is missing or superfluous
-///                           the key of the case that is missing or too much
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                cases::MapFormat format, const MapScale& scale);
 HeightMap read_height_map(const std::string& path, cases::MapFormat format,

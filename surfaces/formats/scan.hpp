@@ -1,0 +1,70 @@
+#pragma once
+
+// This file reads one channel of an instrument file of any supported format. It
+// defines what a reader returns and which questions it is asked.
+
+#include "cases/types/case.hpp"
+#include "surfaces/maps/height_map.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// Scales that a case gives for a map because the file does not contain them.
+struct MapScale {
+  std::optional<double> length;      ///< side length in x [m] > 0
+  std::optional<double> height_unit; ///< [m] per unit of the numbers > 0
+};
+
+/// One channel of an instrument file as measured: not levelled, and missing
+/// points not filled.
+struct Scan {
+  /// Rows and columns as in the file, the first row at y = 0; pixels need not
+  /// be square. Every height is finite; those of missing points are 0.
+  HeightMap map;
+  /// 1 for each missing point, else 0; empty if no point is missing.
+  std::vector<char> is_missing;
+  std::string channel; ///< title of the channel; may be empty
+  std::string reader;  ///< which reader answered, e.g. "own reader of X3P"
+};
+
+/// What a case says about its map file.
+struct ScanRequest {
+  cases::MapFormat format = cases::MapFormat::automatic;
+  /// Title of the channel; empty: the only channel, or the first one that
+  /// contains heights.
+  std::optional<std::string> channel = {};
+  MapScale scale = {};
+};
+
+/// One channel of a file, for lists.
+struct ChannelInfo {
+  std::string title; ///< may be empty
+  std::string unit;  ///< of the values as written in the file; may be empty
+  int points_x = 0;
+  int points_y = 0;
+};
+
+/// Number of missing points.
+std::size_t count_missing(const Scan& scan);
+
+/// Reads a channel of a file.
+/// @throws cases::CaseError  the file is not a regular file, too large, of an
+///                           unknown format or malformed (with its line or the
+///                           part of the file), it has no such channel, or a
+///                           key of the case is missing or superfluous
+Scan read_scan(const std::string& path, const ScanRequest& request);
+
+/// Reads a channel from the bytes of a file in the same way.
+/// @param name  of the file, for messages
+Scan read_scan_bytes(std::string_view bytes, const std::string& name,
+                     const ScanRequest& request);
+
+/// Lists the channels of a file, also those that contain no heights.
+/// @throws cases::CaseError  as read_scan
+std::vector<ChannelInfo> list_channels(const std::string& path);
+
+} // namespace asperity::surfaces
