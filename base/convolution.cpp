@@ -67,7 +67,12 @@ struct Convolution<Real>::Plans {
 
 template <class Real>
 Convolution<Real>::Convolution(const Grid& grid, int threads)
+    : Convolution(grid, grid, threads) {}
+
+template <class Real>
+Convolution<Real>::Convolution(const Grid& grid, const Grid& held, int threads)
     : grid_(grid),
+      held_(held),
       threads_(threads),
       row_stride_(rounded_up(grid.half_spectrum_columns())),
       column_stride_(rounded_up(static_cast<std::size_t>(grid.points_y))),
@@ -101,7 +106,7 @@ template <class Real>
 void Convolution<Real>::prepare(Scratch& scratch) const {
   const auto workers = static_cast<std::size_t>(threads_);
   scratch.spectrum_.resize(row_stride_ *
-                           static_cast<std::size_t>(grid_.points_y));
+                           static_cast<std::size_t>(held_.points_y));
   scratch.columns_.resize(workers * block_width * column_stride_);
   scratch.rows_.resize(workers *
                        rounded_up(static_cast<std::size_t>(grid_.points_x)));
@@ -110,30 +115,32 @@ void Convolution<Real>::prepare(Scratch& scratch) const {
 template <class Real>
 void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
                               Scratch& scratch, std::span<Real> answer) const {
-  assert(field.size() == grid_.size() && answer.size() == grid_.size());
+  assert(field.size() == held_.size() && answer.size() == held_.size());
   prepare(scratch);
   const auto width = static_cast<std::size_t>(grid_.points_x);
-  const int turns = (grid_.points_y + rows_a_turn - 1) / rows_a_turn;
+  const auto held_width = static_cast<std::size_t>(held_.points_x);
+  const int turns = (held_.points_y + rows_a_turn - 1) / rows_a_turn;
   const auto each_row = [&](const auto& do_row) {
     parallel_turns(turns, threads_, [&](int turn, int worker) {
       Real* const row =
           &scratch.rows_[static_cast<std::size_t>(worker) * rounded_up(width)];
-      const int end = std::min(grid_.points_y, (turn + 1) * rows_a_turn);
+      const int end = std::min(held_.points_y, (turn + 1) * rows_a_turn);
       for (int iy = turn * rows_a_turn; iy < end; ++iy) {
         const auto at = static_cast<std::size_t>(iy);
-        do_row(at * width, row, as_fftw(&scratch.spectrum_[at * row_stride_]));
+        do_row(at * held_width, row, as_fftw(&scratch.spectrum_[at * row_stride_]));
       }
     });
   };
 
   each_row([&](std::size_t first, Real* row, auto* modes) {
-    std::copy_n(&field[first], width, row);
+    std::copy_n(&field[first], held_width, row);
+    std::fill(row + held_width, row + width, Real{0});
     Plans::Library::forward_row(plans_->row, row, modes);
   });
   transform_columns(symbol, scratch);
   each_row([&](std::size_t first, Real* row, auto* modes) {
     Plans::Library::backward_row(plans_->row_back, modes, row);
-    std::copy_n(row, width, &answer[first]);
+    std::copy_n(row, held_width, &answer[first]);
   });
 }
 
@@ -141,6 +148,7 @@ template <class Real>
 void Convolution<Real>::transform_columns(const Symbol& symbol,
                                           Scratch& scratch) const {
   const auto height = static_cast<std::size_t>(grid_.points_y);
+  const auto held_height = static_cast<std::size_t>(held_.points_y);
   const std::size_t block_size = block_width * column_stride_;
   const int blocks = static_cast<int>(row_stride_ / block_width);
   parallel_turns(blocks, threads_, [&](int turn, int worker) {
@@ -149,9 +157,12 @@ void Convolution<Real>::transform_columns(const Symbol& symbol,
         &scratch.columns_[static_cast<std::size_t>(worker) * block_size];
     std::complex<Real>* const spectrum =
         &scratch.spectrum_[block * block_width];
-    for (std::size_t jy = 0; jy < height; ++jy)
+    for (std::size_t jy = 0; jy < held_height; ++jy)
       for (std::size_t k = 0; k < block_width; ++k)
         columns[k * column_stride_ + jy] = spectrum[jy * row_stride_ + k];
+    for (std::size_t k = 0; k < block_width; ++k)
+      std::fill(columns + k * column_stride_ + held_height,
+                columns + k * column_stride_ + height, std::complex<Real>{});
 
     Plans::Library::columns(plans_->columns, as_fftw(columns),
                             as_fftw(columns));
@@ -161,7 +172,7 @@ void Convolution<Real>::transform_columns(const Symbol& symbol,
     Plans::Library::columns(plans_->columns_back, as_fftw(columns),
                             as_fftw(columns));
 
-    for (std::size_t jy = 0; jy < height; ++jy)
+    for (std::size_t jy = 0; jy < held_height; ++jy)
       for (std::size_t k = 0; k < block_width; ++k)
         spectrum[jy * row_stride_ + k] = columns[k * column_stride_ + jy];
   });

@@ -23,6 +23,11 @@ namespace asperity {
 /// and because of FFTW_ESTIMATE it is the same in every run. Real is float or
 /// double.
 ///
+/// A field may occupy the first rows and columns of the grid only and be 0
+/// elsewhere, as in a convolution without periodic images: the rows of zeros are
+/// then neither stored nor transformed, and the answer is computed on the same
+/// part of the grid.
+///
 /// An instance is immutable: threads may share it, each with its own Scratch.
 template <class Real>
 class Convolution {
@@ -44,6 +49,10 @@ public:
 
   /// @param threads  >= 1, used by each application
   explicit Convolution(const Grid& grid, int threads = 1);
+
+  /// @param held  points of the part that a field occupies, at most those of
+  ///              the grid; its lengths are not read
+  Convolution(const Grid& grid, const Grid& held, int threads);
   ~Convolution();
   Convolution(Convolution&&) noexcept;
   Convolution& operator=(Convolution&&) noexcept;
@@ -58,8 +67,8 @@ public:
   Symbol arranged(std::span<const double> multiplier) const;
 
   /// Applies the convolution.
-  /// @param field   grid.size() values
-  /// @param answer  grid.size() values, overwritten; may be `field`
+  /// @param field   held.size() values, by default grid.size()
+  /// @param answer  as many values, overwritten; may be `field`
   /// @par Accuracy  roundoff of Real: a few ulp of the largest |multiplier|
   ///                times the rms of the field, at every wavevector
   void apply(std::span<const Real> field, const Symbol& symbol,
@@ -71,6 +80,7 @@ private:
   void transform_columns(const Symbol& symbol, Scratch& scratch) const;
 
   Grid grid_;
+  Grid held_;
   int threads_;
   std::size_t row_stride_;    ///< complex values per row of the spectrum
   std::size_t column_stride_; ///< values per column of a block

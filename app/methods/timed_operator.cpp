@@ -51,6 +51,10 @@ double TimedOperator::short_wave_compliance() const {
   return measured_->short_wave_compliance();
 }
 
+bool TimedOperator::is_periodic() const {
+  return measured_->is_periodic();
+}
+
 bool TimedOperator::is_shift_invariant() const {
   return measured_->is_shift_invariant();
 }

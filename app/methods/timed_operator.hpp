@@ -34,6 +34,7 @@ public:
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
   double short_wave_compliance() const override;
+  bool is_periodic() const override;
   bool is_shift_invariant() const override;
   int threads() const override;
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;

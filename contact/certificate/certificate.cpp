@@ -91,7 +91,8 @@ struct Feasible {
   std::vector<double> pressure;
   std::vector<double> displacement; ///< (C + c) p [m]
   std::vector<double> excess;       ///< h - (C + c) p [m]
-  double separation = 0.0;          ///< smallest u with gap >= 0 everywhere [m]
+  double lift = 0.0;       ///< mean of C p; 0 on a periodic surface [m]
+  double separation = 0.0; ///< smallest u with gap >= 0 everywhere [m]
   double roundoff = 0.0;            ///< of any value of displacement [m]
 };
 
@@ -112,6 +113,9 @@ Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
   const std::size_t nodes = pressure.size();
   answer.displacement.resize(nodes);
   elasticity.displacement(pressure, answer.displacement);
+  if (!elasticity.is_periodic())
+    answer.lift =
+        Weighted(elasticity.nodal_weights()).mean_of(answer.displacement);
   answer.excess.resize(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
     answer.displacement[i] += problem.local_compliance * pressure[i];
@@ -141,6 +145,19 @@ double separation_error(double duality_gap, double twice_stored,
                           ? distance * size
                           : duality_gap + 0.25 * twice_stored;
   return work / mean_pressure;
+}
+
+/// Bounds |<C (p - p*)>|, by which G leaves the mean gap undetermined besides
+/// the separation: it is the product of p - p* and 1 in the energy norm. 0 on a
+/// periodic surface.
+double lift_error(SurfaceOperator& elasticity, const Weighted& weighted,
+                  double duality_gap) {
+  if (elasticity.is_periodic())
+    return 0.0;
+  const std::vector<double> ones(elasticity.grid().size(), 1.0);
+  std::vector<double> displacement(ones.size());
+  elasticity.displacement(ones, displacement);
+  return std::sqrt(2.0 * duality_gap * weighted.mean_of(displacement));
 }
 
 ContactSolution solve(SurfaceOperator& elasticity,
@@ -209,7 +226,8 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   const std::size_t nodes = answer.pressure.size();
   const double separation = weighted.product(answer.pressure, answer.excess) /
                             submitted.nominal_pressure;
-  check.mean_gap = separation - weighted.mean_of(submitted.heights);
+  check.mean_gap =
+      separation + answer.lift - weighted.mean_of(submitted.heights);
   std::vector<double> touching(nodes), work(nodes), overlap(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
     const double gap = separation - answer.excess[i];
@@ -235,8 +253,10 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                                      2.0 * answer.roundoff
                                : 0.0;
   check.mean_gap_error =
-      deviation + separation_error(check.duality_gap, twice_stored,
-                                   submitted.nominal_pressure);
+      deviation +
+      separation_error(check.duality_gap, twice_stored,
+                       submitted.nominal_pressure) +
+      lift_error(elasticity, weighted, check.duality_gap);
   return check;
 }
 
@@ -264,14 +284,18 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const double mean_height = weighted.mean_of(submitted.heights);
   const double low =
       weighted.product(punch.pressure, submitted.heights) / load -
-      largest_of(punch.displacement) - mean_height;
-  bounds.low = low - 2.0 * punch.roundoff;
-  bounds.high = low + 2.0 * punch.roundoff +
+      largest_of(punch.displacement) - mean_height + answer.lift;
+  const double roundoff =
+      2.0 * punch.roundoff +
+      lift_error(elasticity, weighted, bounds.polished_gap);
+  bounds.low = low - roundoff;
+  bounds.high = low + roundoff +
                 excess_of_high(answer, punch, bounds.polished_gap / load);
   const double claimed =
       std::isfinite(submitted.mean_gap)
           ? submitted.mean_gap
-          : weighted.product(first.pressure, first.excess) / load - mean_height;
+          : weighted.product(first.pressure, first.excess) / load +
+                first.lift - mean_height;
   bounds.error =
       std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
   return bounds;

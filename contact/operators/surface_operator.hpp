@@ -11,13 +11,16 @@
 
 namespace asperity::contact {
 
-/// A linear, symmetric surface compliance of a periodic surface, positive
-/// definite on fields of zero mean.
+/// A linear, symmetric surface compliance, positive definite on fields of zero
+/// mean.
 ///
 /// Sign and gauge: `pressure` >= 0 pushes the block away from the rigid
-/// counter-surface; `displacement` is positive in the same direction. The mean
-/// of the displacement, weighted by nodal_weights(), is removed, so that the
-/// mean gap equals the separation of the mean planes.
+/// counter-surface; `displacement` is positive in the same direction. On a
+/// periodic surface the mean of the displacement, weighted by nodal_weights(),
+/// is removed, so that the mean gap equals the separation of the mean planes. On
+/// a surface with free boundaries the displacement vanishes at infinity, and
+/// only loads by pressure can be prescribed: a prescribed mean gap would not be
+/// the minimum of an energy.
 /// Symmetry means: sum_i weight_i p_i (C q)_i = sum_i weight_i (C p)_i q_i.
 ///
 /// The methods are not const because operators own scratch memory: use one
@@ -30,10 +33,15 @@ public:
 
   virtual const Grid& grid() const = 0;
 
+  /// Whether the surface continues periodically; otherwise it is pressed inside
+  /// the rectangle of the grid only, and its displacement vanishes at infinity.
+  virtual bool is_periodic() const { return true; }
+
   /// Area of each node relative to the mean area; empty if all are equal.
   virtual std::span<const double> nodal_weights() const = 0;
 
-  /// Computes displacement = C pressure [m], without its mean.
+  /// Computes displacement = C pressure [m]; if it is periodic, without its
+  /// mean.
   /// @param pressure     grid().size() values [Pa]
   /// @param displacement grid().size() values, overwritten
   virtual void displacement(std::span<const double> pressure,

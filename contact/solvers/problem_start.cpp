@@ -71,6 +71,10 @@ starting_pressure(const SurfaceOperator& elasticity,
                   std::span<const double> initial_pressure) {
   const std::size_t nodes = elasticity.grid().size();
   require_problem(problem, target, nodes);
+  if (target.kind == LoadTarget::Kind::mean_gap && !elasticity.is_periodic())
+    refuse_argument("mean_gap", target.amount,
+                    "replaced by a nominal pressure: the operator has free "
+                    "boundaries");
   if (is_apart(problem.heights, elasticity.nodal_weights(), target))
     return std::vector<double>(nodes, 0.0);
   std::vector<double> pressure;

@@ -38,7 +38,7 @@ struct LoadTarget {
 struct ContactSolution {
   std::vector<double> pressure;     ///< p [Pa] >= 0
   std::vector<double> gap;          ///< [m]; -c p where in contact
-  std::vector<double> displacement; ///< C p [m], mean 0
+  std::vector<double> displacement; ///< C p [m], see SurfaceOperator
   double nominal_pressure = 0.0;    ///< mean of p [Pa]
   double mean_gap = 0.0;            ///< mean of the gap [m]
   double gap_error = 0.0; ///< largest violation, see gap_tolerance [m]
@@ -68,7 +68,8 @@ struct ContactSolution {
 /// @param initial_pressure initial guess [Pa], grid.size() values >= 0 with at
 ///                         least one positive, or empty for a uniform pressure
 /// @throws std::domain_error  a size or a number is outside its range; the
-///         prescribed mean gap is impossible in hard contact (<= 0)
+///         prescribed mean gap is impossible in hard contact (<= 0) or the
+///         operator has free boundaries
 /// @par Accuracy  The discrete problem is solved to gap_tolerance; the mean
 ///            pressure (or gap) is exact to roundoff.
 /// @see  I. A. Polonsky, L. M. Keer, Wear 231, 206 (1999) for the

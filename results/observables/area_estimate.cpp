@@ -22,35 +22,35 @@ struct Rim {
 
 class Contact {
 public:
-  Contact(const Grid& grid, std::span<const double> pressure)
-      : grid_(grid), pressure_(pressure) {
+  Contact(const Grid& grid, std::span<const double> pressure, Border border)
+      : grid_(grid), pressure_(pressure), border_(border) {
     require_size("pressure", pressure.size(), grid.size());
   }
 
-  bool holds(std::size_t node) const { return pressure_[node] > 0.0; }
+  bool holds(std::size_t node) const {
+    return node != beyond && pressure_[node] > 0.0;
+  }
 
   std::size_t n_nodes() const {
     return static_cast<std::size_t>(std::count_if(
         pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; }));
   }
 
-  /// Calls visit(node, right, above, across) with the neighbours of every node.
+  /// Calls visit(node, right, above, across) with the corners of every square of
+  /// neighbours. Squares cross the border, beyond which a node is `beyond`
+  /// unless the map is periodic.
   template <class Visit>
   void for_each_square(Visit visit) const {
-    for (int iy = 0; iy < grid_.points_y; ++iy) {
-      const int above = iy + 1 == grid_.points_y ? 0 : iy + 1;
-      for (int ix = 0; ix < grid_.points_x; ++ix) {
-        const int right = ix + 1 == grid_.points_x ? 0 : ix + 1;
-        visit(grid_.index(ix, iy), grid_.index(right, iy),
-              grid_.index(ix, above), grid_.index(right, above));
-      }
-    }
+    const int first = border_ == Border::periodic ? 0 : -1;
+    for (int iy = first; iy < grid_.points_y; ++iy)
+      for (int ix = first; ix < grid_.points_x; ++ix)
+        visit(at(ix, iy), at(ix + 1, iy), at(ix, iy + 1), at(ix + 1, iy + 1));
   }
 
   Rim rim(std::span<const double> gap, double contact_modulus) const {
     Rim rim;
     const auto add = [&](std::size_t a, std::size_t b, double spacing) {
-      if (holds(a) == holds(b))
+      if (holds(a) == holds(b) || a == beyond || b == beyond)
         return;
       const std::size_t inside = holds(a) ? a : b;
       const std::size_t outside = holds(a) ? b : a;
@@ -68,8 +68,21 @@ public:
   }
 
 private:
+  static constexpr std::size_t beyond = static_cast<std::size_t>(-1);
+
+  /// The node at these indices, from -1 to the number of points.
+  std::size_t at(int ix, int iy) const {
+    const bool is_inside =
+        ix >= 0 && iy >= 0 && ix < grid_.points_x && iy < grid_.points_y;
+    if (!is_inside && border_ == Border::free)
+      return beyond;
+    return grid_.index(ix == grid_.points_x ? 0 : ix,
+                       iy == grid_.points_y ? 0 : iy);
+  }
+
   const Grid& grid_;
   std::span<const double> pressure_;
+  Border border_;
 };
 
 /// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
@@ -100,17 +113,18 @@ double boundary_share(double pressure_inside, double gap_outside,
 }
 
 double line_area_fraction(const Grid& grid, std::span<const double> pressure,
-                          std::span<const double> gap, double contact_modulus) {
-  const Contact contact(grid, pressure);
+                          std::span<const double> gap, double contact_modulus,
+                          Border border) {
+  const Contact contact(grid, pressure, border);
   require_size("gap", gap.size(), grid.size());
   const double share = line_share(contact, contact.rim(gap, contact_modulus),
                                   static_cast<double>(grid.size()));
   return std::clamp(share, 0.0, 1.0);
 }
 
-double euler_characteristic(const Grid& grid,
-                            std::span<const double> pressure) {
-  const Contact contact(grid, pressure);
+double euler_characteristic(const Grid& grid, std::span<const double> pressure,
+                            Border border) {
+  const Contact contact(grid, pressure, border);
   long twists = 0; // n_1 - n_3
   contact.for_each_square([&](std::size_t node, std::size_t right,
                               std::size_t above, std::size_t across) {
@@ -138,15 +152,16 @@ Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
                                  double contact_modulus,
-                                 const AreaCoefficients& coefficients) {
-  const Contact contact(grid, pressure);
+                                 const AreaCoefficients& coefficients,
+                                 Border border) {
+  const Contact contact(grid, pressure, border);
   require_size("gap", gap.size(), grid.size());
   const auto n = static_cast<double>(grid.size());
   const Rim rim = contact.rim(gap, contact_modulus);
   const double share =
       line_share(contact, rim, n) -
       coefficients.perimeter * static_cast<double>(rim.pairs) / n +
-      coefficients.euler * euler_characteristic(grid, pressure) / n;
+      coefficients.euler * euler_characteristic(grid, pressure, border) / n;
   const double counted = static_cast<double>(contact.n_nodes()) / n;
   if (share < least_corrected_share * counted)
     return {Observed::none,

@@ -12,8 +12,10 @@
 namespace asperity::results {
 
 /// Every map here has grid.size() values in the order of Grid, and a node is in
-/// contact where its pressure is > 0. Each function throws std::domain_error if
-/// the size of a map is not that of the grid.
+/// contact where its pressure is > 0. Beyond a free border there is neither
+/// contact nor a gap: a contact that reaches it ends with its last cell. Each
+/// function throws std::domain_error if the size of a map is not that of the
+/// grid.
 
 /// Returns the fraction t of the interval between a node in contact and its
 /// open neighbour that is in contact. Near the boundary of a smooth contact, at
@@ -58,10 +60,11 @@ double boundary_share(double pressure_inside, double gap_outside,
 /// @return     [1] 0..1
 /// @par Accuracy  first order in the spacing, see (A.5)
 double line_area_fraction(const Grid& grid, std::span<const double> pressure,
-                          std::span<const double> gap, double contact_modulus);
+                          std::span<const double> gap, double contact_modulus,
+                          Border border = Border::periodic);
 
 /// Returns the Euler characteristic of the contact area, i.e. the number of
-/// patches minus the number of holes on the periodic surface:
+/// patches minus the number of holes:
 ///
 ///     chi = (n_1 - n_3)/4,                                               (A.4)
 ///
@@ -69,7 +72,8 @@ double line_area_fraction(const Grid& grid, std::span<const double> pressure,
 /// in contact. Two nodes that touch only across a corner count as half
 /// connected.
 /// @return  0 without contact and in full contact
-double euler_characteristic(const Grid& grid, std::span<const double> pressure);
+double euler_characteristic(const Grid& grid, std::span<const double> pressure,
+                            Border border = Border::periodic);
 
 /// Coefficients of an operator in (A.5), which correct the line area to first
 /// order (per pair at the contact boundary) and second order (per patch) in the
@@ -126,6 +130,7 @@ Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
                                  double contact_modulus,
-                                 const AreaCoefficients& coefficients);
+                                 const AreaCoefficients& coefficients,
+                                 Border border = Border::periodic);
 
 } // namespace asperity::results

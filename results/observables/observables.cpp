@@ -41,19 +41,31 @@ double counted_area_fraction(std::span<const double> pressure,
                                       // roundoff
 }
 
-double contact_perimeter(const Grid& grid, std::span<const double> pressure) {
+double contact_perimeter(const Grid& grid, std::span<const double> pressure,
+                         Border border) {
   require_size("pressure", pressure.size(), grid.size());
+  const auto holds = [&](int ix, int iy) {
+    return pressure[grid.index(ix, iy)] > 0.0;
+  };
+  const int nx = grid.points_x;
+  const int ny = grid.points_y;
   std::size_t pairs_x = 0;
   std::size_t pairs_y = 0;
-  for (int iy = 0; iy < grid.points_y; ++iy) {
-    const int next_y = iy + 1 == grid.points_y ? 0 : iy + 1;
-    for (int ix = 0; ix < grid.points_x; ++ix) {
-      const int next_x = ix + 1 == grid.points_x ? 0 : ix + 1;
-      const bool here = pressure[grid.index(ix, iy)] > 0.0;
-      pairs_x += here != (pressure[grid.index(next_x, iy)] > 0.0);
-      pairs_y += here != (pressure[grid.index(ix, next_y)] > 0.0);
+  for (int iy = 0; iy < ny; ++iy)
+    for (int ix = 0; ix < nx; ++ix) {
+      if (ix + 1 < nx)
+        pairs_x += holds(ix, iy) != holds(ix + 1, iy);
+      if (iy + 1 < ny)
+        pairs_y += holds(ix, iy) != holds(ix, iy + 1);
     }
-  }
+  const auto across = [&](bool last, bool first) {
+    return static_cast<std::size_t>(
+        border == Border::periodic ? last != first : last + first);
+  };
+  for (int iy = 0; iy < ny; ++iy)
+    pairs_x += across(holds(nx - 1, iy), holds(0, iy));
+  for (int ix = 0; ix < nx; ++ix)
+    pairs_y += across(holds(ix, ny - 1), holds(ix, 0));
   return (static_cast<double>(pairs_x) * grid.spacing_y() +
           static_cast<double>(pairs_y) * grid.spacing_x()) /
          grid.area();

@@ -24,6 +24,10 @@ struct Observed {
   std::string reason; ///< why not; empty if it is determined
 };
 
+/// What lies beyond the border of a map: its periodic continuation, or a surface
+/// that carries no pressure.
+enum class Border { periodic, free };
+
 /// Every map here has grid.size() values in the order of Grid. `weights` are
 /// the areas of the nodes relative to their mean (mean 1, as
 /// contact::SurfaceOperator::nodal_weights); empty if all are equal. A node is
@@ -48,9 +52,10 @@ double counted_area_fraction(std::span<const double> pressure,
 ///
 ///     S_d = (n_x h_y + n_y h_x) / A_0
 ///
-/// Here n_x (n_y) is the number of pairs of neighbours in x (y), including
-/// periodic ones, of which exactly one is in contact. Each such pair has an
-/// edge of length h_y (h_x) between its cells.
+/// Here n_x (n_y) is the number of pairs of neighbours in x (y), including those
+/// across the border, of which exactly one is in contact. Each such pair has an
+/// edge of length h_y (h_x) between its cells. Nodes beyond a free border are not
+/// in contact.
 ///
 /// A boundary made of cell edges is longer than the smooth curve it represents,
 /// by a factor 4/pi on average over directions. The perimeter of an isotropic
@@ -60,7 +65,8 @@ double counted_area_fraction(std::span<const double> pressure,
 /// @throws std::domain_error  the size of the map is not that of the grid
 /// @see  V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161
 ///       (2017)
-double contact_perimeter(const Grid& grid, std::span<const double> pressure);
+double contact_perimeter(const Grid& grid, std::span<const double> pressure,
+                         Border border = Border::periodic);
 
 /// Returns pi/4 S_d [1/m], the length per nominal area of an isotropic smooth
 /// curve whose representation on the grid has the length S_d.

@@ -1,0 +1,70 @@
+#pragma once
+
+// This file contains the surface operator of an infinite half-space that is
+// pressed inside a rectangle only: free boundaries, without periodic images.
+
+#include "base/convolution.hpp"
+#include "contact/operators/surface_operator.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::contact {
+
+/// Displacement [m] of the surface of a half-space at the distance (x, y) from
+/// the centre of a rectangle with the sides `side_x` and `side_y`, for a
+/// uniform pressure of 1 Pa on it: the integral of 1/(pi E* r).
+/// @param contact_modulus  E* [Pa] > 0
+/// @see  K. L. Johnson, Contact Mechanics (1985), Eq. (3.25)
+double rectangle_displacement(double x, double y, double side_x, double side_y,
+                              double contact_modulus);
+
+/// The half-space under a pressure that is 0 outside the rectangle of the grid
+/// and uniform in the cell around each node. The displacement, which vanishes
+/// at infinity, is the sum of rectangle_displacement() over the nodes, without
+/// approximation: the convolution is periodic on a grid of twice as many points
+/// in both directions, whose added nodes have no pressure.
+/// @see  R. W. Hockney, Methods Comput. Phys. 9, 135 (1970); S. Liu, Q. Wang,
+///       G. Liu, Wear 243, 101 (2000)
+class FreeHalfspace final : public SurfaceOperator {
+public:
+  /// @param contact_modulus  E* [Pa] > 0
+  /// @param threads          as for FourierOperator
+  /// @throws std::domain_error  an argument is outside its range
+  FreeHalfspace(const Grid& grid, double contact_modulus, int threads = 1);
+
+  std::unique_ptr<SurfaceOperator> clone() const override;
+
+  const Grid& grid() const override;
+
+  bool is_periodic() const override { return false; }
+
+  std::span<const double> nodal_weights() const override { return {}; }
+
+  void displacement(std::span<const double> pressure,
+                    std::span<double> displacement) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+
+  /// The estimate is that of a periodic half-space on the same grid: it differs
+  /// from the inverse by the images only.
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
+  double short_wave_compliance() const override;
+  int threads() const override;
+
+  /// The operator on half the points per side; null if the number of points is
+  /// odd or the coarse grid would have fewer than 32 points per side.
+  std::unique_ptr<SurfaceOperator> coarsened() const override;
+
+private:
+  struct Shared; // immutable: transforms and symbol, shared by all clones
+  explicit FreeHalfspace(std::shared_ptr<const Shared> shared);
+
+  std::shared_ptr<const Shared> shared_;
+  Convolution<double>::Scratch exact_scratch_;
+  Convolution<float>::Scratch scratch_;
+  std::unique_ptr<SurfaceOperator> periodic_; ///< for pressure_estimate()
+};
+
+} // namespace asperity::contact
