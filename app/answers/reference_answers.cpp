@@ -186,7 +186,7 @@ continuum_answers(const cases::Case& contact_case,
     for (const ProblemAnswer& answer : answered.answers) {
       const reports::ExactPoint exact = reports::exact_point(
           contact_case.surface, answered.problem.body.contact_modulus,
-          answer.nominal_pressure, 0.0);
+          answer.nominal_pressure, 0.0, false);
       continuum.push_back({answer.nominal_pressure, exact.mean_gap, 0.0,
                            exact.area_fraction, 0.0, "Westergaard (1939)"});
     }
@@ -219,6 +219,12 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
         fmt::format("{}: has a block that is not layered, which no problem can "
                     "describe",
                     contact_case.path));
+  const auto* half = std::get_if<cases::HalfspaceSettings>(&method.settings);
+  if (half != nullptr && half->has_free_boundaries)
+    throw cases::CaseError(
+        fmt::format("{}: {} has free boundaries, but a problem is periodic: "
+                    "{}.boundaries = \"periodic\" is allowed",
+                    contact_case.path, method.name, method.name));
   const CaseSurfaces surfaces(contact_case, {method});
   const SurfaceOfCase& surface = surfaces.of(method, 0);
   AnsweredProblem answered;

@@ -32,14 +32,15 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   results::RowObserver observe(row);
   observe("area_fraction",
           [&] { return results::counted_area_fraction(pressure, weights); });
-  observe("contact_perimeter",
-          [&] { return results::contact_perimeter(grid, pressure); });
+  observe("contact_perimeter", [&] {
+    return results::contact_perimeter(grid, pressure, observation.border);
+  });
   row.area_fraction_corrected = results::Observed::none;
   if (observation.has_rim)
     observe("area_fraction_corrected", [&] {
-      return results::corrected_area_fraction(grid, pressure, solution.gap,
-                                              observation.contact_modulus,
-                                              observation.area_coefficients);
+      return results::corrected_area_fraction(
+          grid, pressure, solution.gap, observation.contact_modulus,
+          observation.area_coefficients, observation.border);
     });
   observe_pressure_fits(observe, pressure, weights);
   observe("elastic_energy", [&] {

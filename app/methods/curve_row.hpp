@@ -21,6 +21,7 @@ struct Observation {
   results::AreaCoefficients area_coefficients; ///< of the operator
   double contact_modulus = 0.0; ///< effective E* at the contact boundary [Pa]
   bool has_rim = true;          ///< false: the caller sets the corrected area
+  results::Border border = results::Border::periodic;
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure

@@ -6,6 +6,7 @@
 #include "app/methods/timed_operator.hpp"
 #include "base/cpu_clock.hpp"
 #include "contact/certificate/certificate.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
 
@@ -69,10 +70,16 @@ public:
     const int transforms = solution.transforms;
     const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
-    StepAnswer answer = observe(std::move(solution),
-                                {weights_, sequence_.local_compliance(),
-                                 area_coefficients_, rim_modulus_},
-                                surface_);
+    StepAnswer answer =
+        observe(std::move(solution),
+                {.nodal_weights = weights_,
+                 .local_compliance = sequence_.local_compliance(),
+                 .area_coefficients = area_coefficients_,
+                 .contact_modulus = rim_modulus_,
+                 .border = sequence_.elasticity().is_periodic()
+                               ? results::Border::periodic
+                               : results::Border::free},
+                surface_);
     certify(answer);
     answer.row.observation_time = clock.seconds();
     answer.row.transforms = transforms;
@@ -135,6 +142,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const double modulus = rim_modulus(
       continuum_of(method, material_, surface.scales), surface.scales.spacing);
   Face face = shared_operator(method, surface, threads);
+  const bool is_free = !face.elasticity->is_periodic();
   return std::make_unique<OperatorSolver>(
       std::move(face.elasticity),
       SolverSetting{block != nullptr
@@ -142,6 +150,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                         : std::get<HalfspaceSettings>(method.settings).contact,
                     surface,
                     block != nullptr ? area_coefficients(*block)
+                    : is_free        ? results::free_area_coefficients
                                      : results::halfspace_area_coefficients,
                     modulus, threads, face.saved_setup_time});
 }
@@ -163,7 +172,12 @@ SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
                               const SurfaceOfCase& surface, int threads) {
   const Grid& grid = surface.record.grid;
-  if (std::holds_alternative<HalfspaceSettings>(method.settings))
+  const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
+  if (half != nullptr && half->has_free_boundaries)
+    return {std::make_unique<contact::FreeHalfspace>(
+                grid, material_.contact_modulus, threads),
+            0.0};
+  if (half != nullptr)
     return {std::make_unique<contact::FourierOperator>(
                 grid,
                 contact::block_compliance(

@@ -69,8 +69,9 @@ MethodDescription describe(const FemSettings& settings) {
 
 MethodDescription describe(const HalfspaceSettings& settings) {
   return {"halfspace",
-          fmt::format("continuum {}, spectral, {}",
+          fmt::format("continuum {}, spectral, {}{}",
                       settings.thickness ? "slab" : "half-space",
+                      settings.has_free_boundaries ? "free boundaries, " : "",
                       in_words(settings.contact)),
           false};
 }

@@ -5,8 +5,10 @@
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity::app {
 namespace {
@@ -39,7 +41,33 @@ SurfaceOfCase as_taken(const cases::Case& contact_case,
   return surface;
 }
 
+bool presses_single_map(const cases::Case& contact_case,
+                        const cases::MethodSpec& method) {
+  const auto* half = std::get_if<cases::HalfspaceSettings>(&method.settings);
+  return half != nullptr && half->has_free_boundaries &&
+         contact_case.surface.kind == cases::SurfaceKind::measured;
+}
+
+/// Returns the measured map without its periodic continuation. Slope, curvature
+/// and spectrum are those of the continuation: a step at the border, which no
+/// method presses, would dominate them.
+SurfaceOfCase single_map(const cases::Case& contact_case,
+                         const SurfaceOfCase& continued) {
+  surfaces::HeightMap map = surfaces::levelled_map(contact_case.surface);
+  surfaces::remove_mean(map);
+  SurfaceOfCase surface = continued;
+  surface.record.grid = map.grid;
+  surface.record.heights = std::move(map.heights);
+  surface.scales.length = map.grid.length_x;
+  return surface;
+}
+
 } // namespace
+
+bool has_own_surface(const cases::Case& contact_case,
+                     const cases::MethodSpec& method) {
+  return method.magnification || presses_single_map(contact_case, method);
+}
 
 SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus) {
@@ -69,6 +97,10 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
   for (int r = 0; r < contact_case.surface.realizations; ++r)
     whole_.push_back(as_taken(
         contact_case, surfaces::build_surface(contact_case.surface, r)));
+  if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
+        return presses_single_map(contact_case, method);
+      }))
+    single_map_ = single_map(contact_case, whole_.front());
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || !method.needs_surface() ||
         magnified_.contains(*method.magnification))
@@ -90,8 +122,9 @@ const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
 const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
                                       int realization) const {
   const auto r = static_cast<std::size_t>(realization);
-  return method.magnification ? magnified_.at(*method.magnification).at(r)
-                              : whole_.at(r);
+  if (method.magnification)
+    return magnified_.at(*method.magnification).at(r);
+  return presses_single_map(case_, method) ? single_map_.value() : whole_.at(r);
 }
 
 results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,

@@ -34,8 +34,15 @@ bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
 std::optional<double> highest_wavevector(const cases::Case& contact_case,
                                          const cases::MethodSpec& method);
 
-/// The surfaces of a case: one per realisation, and one more per realisation
-/// for each magnification that a method uses.
+/// Returns true if the surface of the method is not that of the case: roughness
+/// above a magnification is left out, or a measured map is pressed once,
+/// without its periodic continuation.
+bool has_own_surface(const cases::Case& contact_case,
+                     const cases::MethodSpec& method);
+
+/// The surfaces of a case: one per realisation, one more per realisation for
+/// each magnification that a method uses, and the measured map itself if a
+/// half-space has free boundaries.
 class CaseSurfaces {
 public:
   /// Builds the surfaces that the methods need, possibly none. The case must
@@ -61,6 +68,7 @@ private:
   const cases::Case& case_;
   std::vector<SurfaceOfCase> whole_;
   std::map<double, std::vector<SurfaceOfCase>> magnified_;
+  std::optional<SurfaceOfCase> single_map_; ///< without continuation
 };
 
 /// Return the height spectrum for a theory: the formula up to the magnification

@@ -101,7 +101,14 @@ MethodCost cost_of_settings(const cases::TheorySettings&,
 
 MethodCost cost_of_settings(const cases::HalfspaceSettings& settings,
                             const CostInput& input) {
-  return cost_on_face(settings.contact, input);
+  if (!settings.has_free_boundaries ||
+      input.contact_case.surface.kind == cases::SurfaceKind::measured)
+    return cost_on_face(settings.contact, input); // mirrored: twice the points
+  Grid padded = input.grid;
+  padded.points_x *= 2;
+  padded.points_y *= 2;
+  return cost_on_face(settings.contact,
+                      {input.contact_case, padded, input.rates});
 }
 
 /// A sort of the heights, no transform.

@@ -105,7 +105,7 @@ void Run::begin() {
   for (const MethodSpec& method : methods_) {
     const MethodDescription description = describe(method, case_.material);
     writer_.begin_method(method.name, description.kind, description.text);
-    if (method.magnification)
+    if (has_own_surface(case_, method))
       for (int r = 0; r < n_realizations(case_, method); ++r)
         writer_.record_own_surface(method.name, r,
                                    surfaces_.record_of(method, r));

@@ -93,6 +93,32 @@ const Node* method_node(const Node& file, const std::string& name) {
   return variant ? variant : base;
 }
 
+/// Reports what a half-space with free boundaries cannot have.
+void check_free_boundaries(const Node& file, const Case& read,
+                           Mistakes& mistakes) {
+  for (const MethodSpec& method : read.methods) {
+    const auto* const half = std::get_if<HalfspaceSettings>(&method.settings);
+    if (!half || !half->has_free_boundaries)
+      continue;
+    const auto refuse = [&](const char* what) {
+      const Node& found = entry_of(file, method.name, "boundaries");
+      mistakes.add(found.place,
+                   fmt::format("{} has free boundaries (here or by "
+                               "surface.edges = \"free\"), but {}; boundaries "
+                               "= \"periodic\" allows it",
+                               method.name, what));
+    };
+    if (read.load.control == Control::mean_gap)
+      refuse("[load] prescribes mean gaps: please prescribe nominal_pressure");
+    if (!read.material.layers.empty())
+      refuse("[material] has layers");
+    if (read.report.stress_inside)
+      refuse("report.stress_inside computes the stress of a periodic block");
+    if (method.magnification)
+      refuse("its magnification needs a periodic surface");
+  }
+}
+
 } // namespace
 
 const Node& entry_of(const Node& file, const std::string& name,
@@ -116,6 +142,7 @@ MdSettings read_md(TableReader& table) {
 
 void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
   check_block(file, read, mistakes);
+  check_free_boundaries(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
     const auto* const md = std::get_if<MdSettings>(&method.settings);
     const double nu = read.material.poisson_ratio.value_or(0.25);

@@ -7,6 +7,14 @@
 namespace asperity::cases {
 namespace {
 
+enum class Boundaries { periodic, free };
+
+bool has_free_edges(const Node& file) {
+  const Node* const surface = file.find("surface");
+  const Node* const edges = surface ? surface->find("edges") : nullptr;
+  return edges && edges->text == "free";
+}
+
 ContactSettings read_contact(TableReader& table) {
   ContactSettings contact;
   contact.law = table.choice("contact", contact.law);
@@ -22,7 +30,8 @@ ContactSettings read_contact(TableReader& table) {
 /// The properties of the case that determine which keys of a method are valid.
 struct MethodSurroundings {
   SurfaceKind surface;
-  bool has_mesh; ///< whether the case has a [mesh]
+  bool has_mesh;       ///< whether the case has a [mesh]
+  bool has_free_edges; ///< surface.edges = "free"
 };
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
@@ -41,12 +50,20 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                  "have a formula");
 }
 
-void read_settings(TableReader& table, const MethodSurroundings&,
+void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    HalfspaceSettings& halfspace) {
   halfspace.contact = read_contact(table);
   if (table.has("thickness"))
     halfspace.thickness = table.quantity("thickness");
   halfspace.top = table.choice("top", halfspace.top);
+  halfspace.has_free_boundaries = surroundings.has_free_edges;
+  if (table.has("boundaries"))
+    halfspace.has_free_boundaries =
+        table.choice("boundaries", Boundaries::periodic) == Boundaries::free;
+  if (halfspace.has_free_boundaries && halfspace.thickness)
+    table.refuse(*table.node().find("thickness"),
+                 "free boundaries need a half-space of infinite thickness; "
+                 "boundaries = \"periodic\" allows a slab");
 }
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
@@ -169,7 +186,8 @@ void read_family(const Node& node, const std::string& kind,
 std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
                                      Mistakes& mistakes) {
   std::vector<std::vector<MethodSpec>> ranks(2); // methods, then their variants
-  const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr};
+  const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr,
+                                        has_free_edges(file)};
   bool has_any = false;
   for (const Table& table : vocabulary()) {
     const Node* const node = table.is_method ? file.find(table.name) : nullptr;

@@ -34,6 +34,7 @@ struct SurfaceReader {
   void check_wavevectors();
   void read_map();
   void read_window();
+  void read_edges();
   void read_wave();
   const Node& node_of(const std::string& wavevector,
                       const std::string& wavelength) const;
@@ -120,6 +121,7 @@ double SurfaceReader::wavevector_of(const std::string& wavevector,
 }
 
 void SurfaceReader::read_random() {
+  read_edges();
   if (table.has("seed")) {
     const Node& seed = *table.node().find("seed");
     if (seed.type != NodeType::integer || seed.integer < 0)
@@ -208,7 +210,9 @@ void SurfaceReader::read_window() {
 void SurfaceReader::read_map() {
   spec.format = table.choice("format", spec.format);
   spec.level = table.choice("level", spec.level);
-  spec.edges = table.choice("edges", spec.edges);
+  spec.edges = Edges::mirror;
+  if (table.has("edges"))
+    spec.edges = table.choice("edges", spec.edges);
   read_window();
   if (table.has("height_unit"))
     spec.height_unit = table.number("height_unit");
@@ -223,6 +227,17 @@ void SurfaceReader::read_map() {
     if (spec.format == MapFormat::gwyddion && table.has(key))
       table.refuse(*table.node().find(key),
                    "a gwyddion map contains it: remove this key");
+}
+
+/// Reads the edges of a surface that is periodic by itself.
+void SurfaceReader::read_edges() {
+  if (!table.has("edges"))
+    return;
+  spec.edges = table.choice("edges", spec.edges);
+  if (spec.edges == Edges::window || spec.edges == Edges::mirror)
+    table.refuse(*table.node().find("edges"),
+                 "only a measured map is continued in this way; allowed here: "
+                 "\"periodic\", \"free\"");
 }
 
 void SurfaceReader::read_wave() {
@@ -263,6 +278,7 @@ SurfaceSpec read_surface(const Node& node, const std::string& folder,
     reader.read_map();
     break;
   case SurfaceKind::sphere:
+    reader.read_edges();
     reader.spec.radius = reader.length_of("radius");
     break;
   case SurfaceKind::wave_1d:

@@ -157,6 +157,16 @@ Table halfspace_table() {
                .example = "\"1 length\"",
                .description = "Thickness of the slab."},
               top_key(),
+              {.name = "boundaries",
+               .type = ValueType::word,
+               .words = {"periodic", "free"},
+               .when = "default: free with surface.edges = \"free\", else "
+                       "periodic",
+               .example = "\"free\"",
+               .description =
+                   "Whether the surface continues periodically, or is pressed "
+                   "once on an infinite half-space. Free boundaries need loads "
+                   "by nominal pressure and a uniform half-space."},
           })};
 }
 

@@ -175,14 +175,18 @@ std::vector<Key> file_keys() {
                       "the second-order form (bow, which includes the tilt)."},
       {.name = "edges",
        .type = ValueType::word,
-       .words = {"periodic", "window", "mirror"},
-       .kinds = kind,
-       .fallback = "\"mirror\"",
+       .words = {"periodic", "window", "mirror", "free"},
+       .when = "default: mirror for measured maps, else periodic",
+       .kinds = {"measured", "self-affine", "spectrum", "sphere"},
        .example = "\"mirror\"",
        .show = Show::no,
-       .description = "How the map becomes periodic: it is periodic already, "
-                      "it is multiplied by a window (for spectra), or it is "
-                      "continued by its mirror images."},
+       .description =
+           "How the surface continues beyond its border: periodically, "
+           "multiplied by a window (maps only, for spectra), by its mirror "
+           "images (maps only), or not at all. With free, half-spaces have "
+           "free "
+           "boundaries; methods that need a periodic surface use the mirror "
+           "images of a map, and the periodic continuation of other kinds."},
       {.name = "press_windowed_map",
        .type = ValueType::boolean,
        .kinds = kind,

@@ -26,7 +26,7 @@ enum class SurfaceKind {
 enum class Amplitudes { spectrum, gaussian };
 enum class MapFormat { automatic, plain, gwyddion };
 enum class Levelling { none, plane, bow };
-enum class Edges { periodic, window, mirror };
+enum class Edges { periodic, window, mirror, free };
 
 /// [surface]. Lengths [m], wavevectors [rad/m]. Members that a kind does not
 /// use stay empty: the length and points of a measured map come from its file.
@@ -51,7 +51,9 @@ struct SurfaceSpec {
                     ///< relative to the working directory by the reader
   MapFormat format = MapFormat::automatic;
   Levelling level = Levelling::plane;
-  Edges edges = Edges::periodic;
+  Edges edges = Edges::periodic; ///< free: half-spaces have free boundaries,
+                                 ///< and the surface of all other methods is
+                                 ///< continued, a map by its mirror images
   std::optional<double> height_unit; ///< m per unit of the numbers in a plain
                                      ///< file
 

@@ -51,6 +51,9 @@ struct HalfspaceSettings {
   std::optional<Quantity> thickness; ///< none: half-space [m]
   TopFace top = TopFace::clamped;    ///< far boundary of a block of finite
                                      ///< thickness
+  /// The surface is pressed once on an infinite half-space, without its
+  /// periodic continuation.
+  bool has_free_boundaries = false;
 
   static constexpr const char* kind = "halfspace";
 

@@ -28,10 +28,8 @@ std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus,
   std::vector<double> kernel(wide.size());
   for (int iy = 0; iy < wide.points_y; ++iy)
     for (int ix = 0; ix < wide.points_x; ++ix) {
-      const double x =
-          signed_wavenumber(ix, wide.points_x) * grid.spacing_x();
-      const double y =
-          signed_wavenumber(iy, wide.points_y) * grid.spacing_y();
+      const double x = signed_wavenumber(ix, wide.points_x) * grid.spacing_x();
+      const double y = signed_wavenumber(iy, wide.points_y) * grid.spacing_y();
       kernel[wide.index(ix, iy)] = rectangle_displacement(
           x, y, grid.spacing_x(), grid.spacing_y(), contact_modulus);
     }

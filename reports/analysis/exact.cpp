@@ -16,7 +16,7 @@ using results::CurvePoint;
 
 // Converts a row of a method into the quantities of the exact solution.
 ExactPoint answer_of(const CurvePoint& point, const cases::SurfaceSpec& surface,
-                     double contact_modulus, double surface_top) {
+                     double contact_modulus, double surface_top, bool is_free) {
   ExactPoint answer;
   answer.mean_gap = point.mean_gap;
   answer.area_fraction = point.area_fraction_corrected;
@@ -25,9 +25,10 @@ ExactPoint answer_of(const CurvePoint& point, const cases::SurfaceSpec& surface,
   const double side = surface.length.value_or(not_a_number);
   answer.contact_radius =
       side * std::sqrt(answer.area_fraction / std::numbers::pi);
-  answer.approach = surface_top - point.mean_gap +
-                    periodic_approach(point.nominal_pressure * side * side,
-                                      side, contact_modulus);
+  answer.approach =
+      surface_top - point.mean_gap +
+      approach_excess(surface, contact_modulus,
+                      point.nominal_pressure * side * side, is_free);
   return answer;
 }
 
@@ -53,7 +54,7 @@ Estimate largest_estimate(double largest, const char* missing) {
 
 LargestErrors errors_of(const results::Result& result,
                         const cases::SurfaceSpec& surface,
-                        const results::MethodRecord& method) {
+                        const results::MethodRecord& method, bool is_free) {
   const double modulus = result.contact_modulus;
   const results::SurfaceRecord* map = surface_of(result, method, 0);
   const double top = map == nullptr ? not_a_number : map->highest;
@@ -61,8 +62,8 @@ LargestErrors errors_of(const results::Result& result,
   for (const CurvePoint& row :
        loading_rows(method.realizations.front().points)) {
     const ExactPoint exact =
-        exact_point(surface, modulus, row.nominal_pressure, top);
-    const ExactPoint answer = answer_of(row, surface, modulus, top);
+        exact_point(surface, modulus, row.nominal_pressure, top, is_free);
+    const ExactPoint answer = answer_of(row, surface, modulus, top, is_free);
     const double height = surface.kind == SurfaceKind::sphere
                               ? exact.approach
                               : surface.amplitude;
@@ -84,7 +85,8 @@ void add_exact_quantities(const results::Result& result,
   if (method.kind == "theory" || method.realizations.empty())
     return; // Persson's theory does not apply to a single shape
   const cases::SurfaceSpec& surface = contact_case.surface;
-  const LargestErrors errors = errors_of(result, surface, method);
+  const LargestErrors errors = errors_of(
+      result, surface, method, has_free_boundaries(contact_case, method));
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
       errors.area_fraction, "no load has an exact contact fraction");

@@ -14,20 +14,26 @@ struct ExactPoint {
   double area_fraction = not_a_number;  ///< [1]
   double contact_radius = not_a_number; ///< sphere [m]
   double approach = not_a_number;       ///< sphere, isolated [m]
+  /// Sphere with free boundaries, per nominal area [J/m^2].
+  double elastic_energy = not_a_number;
 };
 
 /// @param surface_top  highest point above the mean plane [m]: the mean gap of
 ///     the sphere at first contact
+/// @param is_free      the sphere is pressed once, on an infinite half-space
 ExactPoint exact_point(const cases::SurfaceSpec& surface,
                        double contact_modulus, double nominal_pressure,
-                       double surface_top);
+                       double surface_top, bool is_free);
 
-/// Returns the difference [m] between the approach of an isolated contact and
-/// that of a periodic square array of contacts whose uniform displacement is
-/// removed; see the lattice constant in the theory module.
-/// @param load    force F per cell [N]
-/// @param length  side of the cell [m]
-double periodic_approach(double load, double length, double contact_modulus);
+/// Returns what the sum of approach and mean gap of a sphere exceeds the height
+/// of its top by [m]. With free boundaries it is the mean displacement of the
+/// surface, over the nodes of the map. Of a periodic square array of contacts,
+/// whose mean displacement is removed, it is the difference between the
+/// approach of an isolated contact and that of the array; see the lattice
+/// constant in the theory module.
+/// @param load  force F on the sphere [N]
+double approach_excess(const cases::SurfaceSpec& sphere, double contact_modulus,
+                       double load, bool is_free);
 
 /// Adds area_error and, for waves, mean_gap_error in units of the amplitude;
 /// for the sphere, the relative errors contact_radius_error and approach_error.

@@ -12,7 +12,8 @@ namespace {
 using cases::SurfaceSpec;
 
 ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
-                     double nominal_pressure, double surface_top) {
+                     double nominal_pressure, double surface_top,
+                     bool is_free) {
   ExactPoint exact;
   if (!surface.length)
     return exact;
@@ -24,8 +25,10 @@ ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
   exact.approach = hertz.approach;
   exact.area_fraction = std::numbers::pi * hertz.contact_radius *
                         hertz.contact_radius / (side * side);
+  if (is_free)
+    exact.elastic_energy = hertz.elastic_energy / (side * side);
   exact.mean_gap = surface_top - hertz.approach +
-                   periodic_approach(load, side, contact_modulus);
+                   approach_excess(surface, contact_modulus, load, is_free);
   return exact;
 }
 
@@ -55,10 +58,12 @@ ExactPoint on_wave_2d(const SurfaceSpec& surface, double contact_modulus,
 } // namespace
 
 ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
-                       double nominal_pressure, double surface_top) {
+                       double nominal_pressure, double surface_top,
+                       bool is_free) {
   switch (surface.kind) {
   case cases::SurfaceKind::sphere:
-    return on_sphere(surface, contact_modulus, nominal_pressure, surface_top);
+    return on_sphere(surface, contact_modulus, nominal_pressure, surface_top,
+                     is_free);
   case cases::SurfaceKind::wave_1d:
     return on_wave_1d(surface, contact_modulus, nominal_pressure);
   case cases::SurfaceKind::wave_2d:
@@ -68,8 +73,20 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
   }
 }
 
-double periodic_approach(double load, double length, double contact_modulus) {
-  return theory::square_array_approach(load, contact_modulus, length);
+double approach_excess(const SurfaceSpec& sphere, double contact_modulus,
+                       double load, bool is_free) {
+  const double side = sphere.length.value_or(not_a_number);
+  if (!is_free)
+    return theory::square_array_approach(load, contact_modulus, side);
+  const theory::HertzContact hertz =
+      theory::hertz_contact(load, sphere.radius, contact_modulus);
+  const int points = sphere.points.value_or(0);
+  double sum = 0.0;
+  for (int iy = 0; iy < points; ++iy)
+    for (int ix = 0; ix < points; ++ix)
+      sum += theory::hertz_displacement(
+          hertz, std::hypot(ix - points / 2, iy - points / 2) * side / points);
+  return sum / (static_cast<double>(points) * points);
 }
 
 } // namespace asperity::reports

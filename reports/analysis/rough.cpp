@@ -35,10 +35,15 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
     return theory_of_formula(contact_case.surface, result.contact_modulus,
                              highest);
   }
-  if (!method.realizations[realization].own_surface &&
-      realization >= result.surfaces.size())
+  // A map without its periodic continuation has no spectrum: only roughness
+  // above a magnification makes another theory.
+  if (!magnification_of(contact_case, method) &&
+      realization < result.surfaces.size())
+    return theory_of_surface(result.surfaces[realization],
+                             result.contact_modulus);
+  if (!method.realizations[realization].own_surface)
     return {};
-  return theory_of_surface(*surface_of(result, method, realization),
+  return theory_of_surface(*method.realizations[realization].own_surface,
                            result.contact_modulus);
 }
 

@@ -72,6 +72,16 @@ SurfaceScales scales_of(const results::Result& result,
   return scales;
 }
 
+bool has_free_boundaries(const cases::Case& contact_case,
+                         const results::MethodRecord& method) {
+  for (const cases::MethodSpec& spec : contact_case.methods)
+    if (const auto* half =
+            std::get_if<cases::HalfspaceSettings>(&spec.settings);
+        half != nullptr && spec.name == method.name)
+      return half->has_free_boundaries;
+  return false;
+}
+
 std::optional<double> magnification_of(const cases::Case& contact_case,
                                        const results::MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)

@@ -131,6 +131,11 @@ SurfaceScales scales_of(const results::Result& result,
                         const results::MethodRecord& method,
                         std::size_t realization);
 
+/// Returns true if the method presses the surface once on an infinite
+/// half-space.
+bool has_free_boundaries(const cases::Case& contact_case,
+                         const results::MethodRecord& method);
+
 /// Returns the magnification at which a method of the case resolves the
 /// surface; empty if it resolves all of the roughness.
 std::optional<double> magnification_of(const cases::Case& contact_case,

@@ -52,12 +52,13 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
   const double top = entry.result->surfaces.empty()
                          ? not_a_number
                          : entry.result->surfaces.front().highest;
+  const bool is_free = entry.contact_case->surface.edges == cases::Edges::free;
   const Range range = pressures_of(series);
   for (int k = 0; k <= 300; ++k) {
     const double pressure =
         range.low * std::pow(range.high / range.low, k / 300.0);
     const ExactPoint exact = exact_point(entry.contact_case->surface, modulus,
-                                         pressure * modulus, top);
+                                         pressure * modulus, top, is_free);
     table.add("exact", {0.0, pressure, curves.of_exact(exact) / curves.unit});
   }
   std::vector<std::string> plots{

@@ -63,7 +63,7 @@ HeightMap mirrored(const HeightMap& map) {
 HeightMap with_edges(HeightMap map, cases::Edges edges) {
   if (edges == cases::Edges::window)
     map = windowed(std::move(map));
-  else if (edges == cases::Edges::mirror)
+  else if (edges == cases::Edges::mirror || edges == cases::Edges::free)
     map = mirrored(map);
   remove_mean(map);
   return map;

@@ -8,7 +8,8 @@
 
 namespace asperity::surfaces {
 
-/// Makes the map periodic; the mean of the result is 0.
+/// Makes the map periodic; the mean of the result is 0. `free` is the mirror,
+/// as for all methods that need a periodic surface.
 ///
 ///     periodic  unchanged, with any step at the periodic boundary
 ///     window    w(x) (h(x) - sum w h / sum w), the Hann window in 2-D,

@@ -163,7 +163,7 @@ TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
   };
 
   const auto exact = [&](double load) {
-    return exact_point(surface, contact_modulus, load * full, 0.0);
+    return exact_point(surface, contact_modulus, load * full, 0.0, false);
   };
 
   EXPECT_NEAR(exact(1e-3).area_fraction / light(1e-3) - 1.0, 0.0075, 0.00075);

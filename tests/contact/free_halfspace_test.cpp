@@ -1,0 +1,208 @@
+// Claims about contact/operators/free_halfspace.hpp: the displacement is the
+// sum over pressed cells, and Hertzian contacts have no periodic images.
+#include "contact/certificate/certificate.hpp"
+#include "contact/operators/free_halfspace.hpp"
+#include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/solver.hpp"
+#include "theory/exact/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/contact/scenes.hpp"
+
+namespace asperity::contact {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double modulus = 2.0;
+
+std::vector<double> random_field(std::size_t size) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  std::vector<double> field(size);
+  for (double& one : field)
+    one = value(random);
+  return field;
+}
+
+/// A paraboloid of radius 10 with its apex at (x, y), on a square of side 1.
+std::vector<double> paraboloid(const Grid& grid, double x, double y) {
+  std::vector<double> heights(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      heights[grid.index(ix, iy)] = -(std::pow(ix * grid.spacing_x() - x, 2) +
+                                      std::pow(iy * grid.spacing_y() - y, 2)) /
+                                    20.0;
+  return heights;
+}
+
+ContactSolution pressed(const Grid& grid, const std::vector<double>& heights,
+                        double load, double tolerance) {
+  LoadSequence sequence(std::make_unique<FreeHalfspace>(grid, modulus), heights,
+                        Interface{}, tolerance, 500);
+  return sequence.solve({LoadTarget::Kind::nominal_pressure, load});
+}
+
+TEST(RectangleDisplacement, HasItsKnownValues) {
+  // At the centre of a square of side s: 4 s ln(1 + sqrt 2)/(pi E*).
+  EXPECT_NEAR(rectangle_displacement(0.0, 0.0, 0.5, 0.5, modulus),
+              4.0 * 0.5 * std::log(1.0 + std::sqrt(2.0)) / (pi * modulus),
+              1e-15);
+  // Far away it is that of a point load.
+  EXPECT_NEAR(rectangle_displacement(300.0, -400.0, 0.5, 0.2, modulus),
+              0.1 / (pi * modulus * 500.0), 1e-9 * 0.1 / (pi * modulus));
+  // Four quarters make a rectangle.
+  EXPECT_NEAR(rectangle_displacement(0.3, 0.1, 0.4, 0.2, modulus),
+              rectangle_displacement(0.2, 0.05, 0.2, 0.1, modulus) +
+                  rectangle_displacement(0.4, 0.05, 0.2, 0.1, modulus) +
+                  rectangle_displacement(0.2, 0.15, 0.2, 0.1, modulus) +
+                  rectangle_displacement(0.4, 0.15, 0.2, 0.1, modulus),
+              1e-15);
+  EXPECT_THROW(rectangle_displacement(0.0, 0.0, 0.0, 1.0, 1.0),
+               std::domain_error);
+}
+
+TEST(FreeHalfspaceOperator, IsTheSumOverPressedCells) {
+  const Grid grid{9, 6, 1.8, 0.6}; // cells of 0.2 by 0.1
+  FreeHalfspace elasticity(grid, modulus);
+  EXPECT_FALSE(elasticity.is_periodic());
+  const std::vector<double> pressure = random_field(grid.size());
+  std::vector<double> displacement(grid.size());
+  elasticity.displacement(pressure, displacement);
+  const std::vector<float> change(pressure.begin(), pressure.end());
+  std::vector<float> single(grid.size());
+  elasticity.displacement_change(change, single);
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      double sum = 0.0;
+      for (int jy = 0; jy < grid.points_y; ++jy)
+        for (int jx = 0; jx < grid.points_x; ++jx)
+          sum += pressure[grid.index(jx, jy)] *
+                 rectangle_displacement(0.2 * (ix - jx), 0.1 * (iy - jy), 0.2,
+                                        0.1, modulus);
+      EXPECT_NEAR(displacement[grid.index(ix, iy)], sum, 1e-15);
+      EXPECT_NEAR(single[grid.index(ix, iy)], sum, 1e-7);
+    }
+}
+
+TEST(FreeHalfspaceOperator, HasTheSameBitsOnAnyNumberOfThreads) {
+  const Grid grid{50, 38, 1.0, 1.0};
+  const std::vector<double> pressure = random_field(grid.size());
+  std::vector<double> one(grid.size()), three(grid.size());
+  FreeHalfspace(grid, modulus, 1).displacement(pressure, one);
+  FreeHalfspace(grid, modulus, 3).clone()->displacement(pressure, three);
+  EXPECT_EQ(one, three);
+}
+
+TEST(FreeHalfspaceOperator, IsCoarsenedOnTheSameRectangle) {
+  const FreeHalfspace fine({64, 128, 1.0, 2.0}, modulus);
+  const auto coarse = fine.coarsened();
+  ASSERT_NE(coarse, nullptr);
+  EXPECT_EQ(coarse->grid(), (Grid{32, 64, 1.0, 2.0}));
+  EXPECT_FALSE(coarse->is_periodic());
+  EXPECT_EQ(coarse->coarsened(), nullptr);
+}
+
+TEST(FreeHertz, HasNoPeriodicImages) {
+  const Grid grid{128, 128, 1.0, 1.0};
+  for (const double radius : {0.12, 0.25, 0.45}) {
+    const double load = theory::hertz_load(radius, 10.0, modulus);
+    const theory::HertzContact hertz =
+        theory::hertz_contact(load, 10.0, modulus);
+    const std::vector<double> heights = paraboloid(grid, 0.5, 0.5);
+    const ContactSolution answer = pressed(grid, heights, load, 1e-9);
+    ASSERT_TRUE(answer.converged);
+    EXPECT_LE(answer.iterations, 12);
+    double worst = 0.0;
+    double energy = 0.0;
+    for (int iy = 0; iy < 128; ++iy)
+      for (int ix = 0; ix < 128; ++ix) {
+        const std::size_t node = grid.index(ix, iy);
+        const double r = std::hypot(ix / 128.0 - 0.5, iy / 128.0 - 0.5);
+        worst = std::max(worst, std::abs(answer.displacement[node] -
+                                         theory::hertz_displacement(hertz, r)));
+        energy += 0.5 * answer.pressure[node] * answer.displacement[node] /
+                  static_cast<double>(grid.size());
+      }
+    EXPECT_LE(worst, 1e-3 * hertz.approach) << radius;
+    EXPECT_NEAR(energy, hertz.elastic_energy, 1e-3 * hertz.elastic_energy);
+  }
+}
+
+TEST(FreeHertz, DoesNotDependOnThePlaceInTheMap) {
+  const Grid grid{96, 96, 1.0, 1.0};
+  const double load = theory::hertz_load(0.1, 10.0, modulus);
+  const ContactSolution centre =
+      pressed(grid, paraboloid(grid, 0.5, 0.5), load, 1e-12);
+  const ContactSolution corner =
+      pressed(grid, paraboloid(grid, 13.0 / 96, 83.0 / 96), load, 1e-12);
+  ASSERT_TRUE(centre.converged && corner.converged);
+  const double peak = *std::ranges::max_element(centre.pressure);
+  EXPECT_GT(peak, 0.0);
+  for (int y = -12; y <= 12; ++y)
+    for (int x = -12; x <= 12; ++x)
+      EXPECT_NEAR(centre.pressure[grid.index(48 + x, 48 + y)],
+                  corner.pressure[grid.index(13 + x, 83 + y)], 1e-6 * peak);
+}
+
+TEST(FreeContact, IsSolvedAsByTheMethodWithoutPreconditioner) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  FreeHalfspace elasticity(grid, modulus);
+  // The last contact touches the whole border.
+  for (const double compliance : {0.0, 0.01})
+    for (const double load : {0.02, 0.2, 8.0}) {
+      const ContactProblem problem{heights, compliance, 1e-9, 5000};
+      const LoadTarget target{LoadTarget::Kind::nominal_pressure, load};
+      const ContactSolution fast = solve_contact(elasticity, problem, target);
+      const ContactSolution slow = polonsky_keer(elasticity, problem, target);
+      ASSERT_TRUE(fast.converged && slow.converged) << load;
+      EXPECT_LE(fast.iterations, 40) << load;
+      EXPECT_NEAR(fast.mean_gap, slow.mean_gap, 1e-8);
+      EXPECT_LE(scenes::complementarity_error(elasticity, problem, fast), 2e-9);
+    }
+}
+
+TEST(FreeContact, RefusesAPrescribedMeanGap) {
+  const Grid grid{8, 8, 1.0, 1.0};
+  FreeHalfspace elasticity(grid, modulus);
+  const std::vector<double> heights = paraboloid(grid, 0.5, 0.5);
+  EXPECT_THROW(solve_contact(elasticity, {heights, 0.0, 1e-9},
+                             {LoadTarget::Kind::mean_gap, 0.01}),
+               std::domain_error);
+}
+
+TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
+  const Grid grid{48, 48, 1.0, 1.0};
+  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  FreeHalfspace elasticity(grid, modulus);
+  const LoadTarget target{LoadTarget::Kind::nominal_pressure, 0.1};
+  const ContactSolution exact =
+      polonsky_keer(elasticity, {heights, 0.0, 1e-12, 20000}, target);
+  ASSERT_TRUE(exact.converged);
+  for (const double noise : {0.0, 1e-3, 0.1}) {
+    std::vector<double> pressure = exact.pressure;
+    const std::vector<double> random = random_field(pressure.size());
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+      pressure[i] *= 1.0 + noise * random[i];
+    const SubmittedField field{heights, 0.0, 0.1, pressure};
+    const FieldCheck check = check_field(elasticity, field);
+    EXPECT_LE(std::abs(check.mean_gap - exact.mean_gap), check.mean_gap_error);
+    EXPECT_NEAR(check.mean_gap, exact.mean_gap, noise * noise + 1e-9);
+    const SeparationBounds bounds = bound_separation(elasticity, field);
+    EXPECT_LE(bounds.low, exact.mean_gap);
+    EXPECT_GE(bounds.high, exact.mean_gap);
+    EXPECT_LE(bounds.high - bounds.low, 1e-4 * scenes::rms(heights));
+  }
+}
+
+} // namespace
+} // namespace asperity::contact
