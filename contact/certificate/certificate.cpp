@@ -157,7 +157,7 @@ double lift_error(SurfaceOperator& elasticity, const Weighted& weighted,
   const std::vector<double> ones(elasticity.grid().size(), 1.0);
   std::vector<double> displacement(ones.size());
   elasticity.displacement(ones, displacement);
-  return std::sqrt(2.0 * duality_gap * weighted.mean_of(displacement));
+  return std::sqrt(duality_gap * weighted.mean_of(displacement));
 }
 
 ContactSolution solve(SurfaceOperator& elasticity,

@@ -2,11 +2,9 @@
 
 #include "base/fourier.hpp"
 #include "base/require.hpp"
-#include "contact/operators/halfspace.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -21,9 +19,9 @@ Grid padded(const Grid& grid) {
 
 /// The symbol of the convolution on the padded grid: the transform of the
 /// displacement around one pressed cell, which is real because the displacement
-/// is even in x and y.
-std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus,
-                                     int threads) {
+/// is even in x and y. It is positive: that of the continuum, which is, differs
+/// from it by a few per cent at long and by half at the shortest waves.
+std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus) {
   const Grid wide = padded(grid);
   std::vector<double> kernel(wide.size());
   for (int iy = 0; iy < wide.points_y; ++iy)
@@ -33,7 +31,7 @@ std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus,
       kernel[wide.index(ix, iy)] = rectangle_displacement(
           x, y, grid.spacing_x(), grid.spacing_y(), contact_modulus);
     }
-  RealFourier fourier(wide, threads);
+  const RealFourier fourier(wide); // the same bits on any number of threads
   std::vector<std::complex<double>> spectrum(wide.half_spectrum_size());
   fourier.forward(kernel, spectrum);
   std::vector<double> symbol;
@@ -41,16 +39,6 @@ std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus,
   for (const std::complex<double>& value : spectrum)
     symbol.push_back(value.real());
   return symbol;
-}
-
-/// The periodic half-space on the same grid.
-FourierOperator periodic_halfspace(const Grid& grid, double contact_modulus,
-                                   int threads) {
-  return halfspace_operator(
-      grid,
-      {.contact_modulus = contact_modulus,
-       .thickness = std::numeric_limits<double>::infinity()},
-      threads);
 }
 
 } // namespace
@@ -79,23 +67,20 @@ double rectangle_displacement(double x, double y, double side_x, double side_y,
 struct FreeHalfspace::Shared {
   Grid grid;
   double contact_modulus;
+  std::vector<double> compliance; ///< symbol on the padded grid [m/Pa] > 0
   Convolution<double> exact;
   Convolution<float> convolution;
   Convolution<double>::Symbol exact_symbol;
   Convolution<float>::Symbol symbol;
-  FourierOperator periodic;
 
   Shared(const Grid& grid_, double contact_modulus_, int threads)
       : grid(grid_),
         contact_modulus(contact_modulus_),
+        compliance(rectangle_symbol(grid_, contact_modulus_)),
         exact(padded(grid_), grid_, threads),
         convolution(padded(grid_), grid_, threads),
-        periodic(periodic_halfspace(grid_, contact_modulus_, threads)) {
-    const std::vector<double> values =
-        rectangle_symbol(grid_, contact_modulus_, threads);
-    exact_symbol = exact.arranged(values);
-    symbol = convolution.arranged(values);
-  }
+        exact_symbol(exact.arranged(compliance)),
+        symbol(convolution.arranged(compliance)) {}
 };
 
 FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
@@ -104,7 +89,7 @@ FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
           std::make_shared<const Shared>(grid, contact_modulus, threads)) {}
 
 FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)), periodic_(shared_->periodic.clone()) {}
+    : shared_(std::move(shared)) {}
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::clone() const {
   return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_));
@@ -119,7 +104,8 @@ int FreeHalfspace::threads() const {
 }
 
 double FreeHalfspace::short_wave_compliance() const {
-  return shared_->periodic.short_wave_compliance();
+  return shared_
+      ->compliance[static_cast<std::size_t>(shared_->grid.points_x) / 2];
 }
 
 void FreeHalfspace::displacement(std::span<const double> pressure,
@@ -137,7 +123,15 @@ void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
 void FreeHalfspace::pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
                                       std::span<float> pressure) {
-  periodic_->pressure_estimate(gap, local_compliance, pressure);
+  require_not_negative("local_compliance", local_compliance, "m/Pa");
+  if (inverted_compliance_ != local_compliance) {
+    std::vector<double> inverse = shared_->compliance;
+    for (double& value : inverse)
+      value = 1.0 / (value + local_compliance);
+    inverse_ = shared_->convolution.arranged(inverse);
+    inverted_compliance_ = local_compliance;
+  }
+  shared_->convolution.apply(gap, inverse_, scratch_, pressure);
 }
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {

@@ -46,8 +46,9 @@ public:
   void displacement_change(std::span<const float> pressure_change,
                            std::span<float> displacement_change) override;
 
-  /// The estimate is that of a periodic half-space on the same grid: it differs
-  /// from the inverse by the images only.
+  /// The estimate inverts the convolution on the grid of twice as many points,
+  /// for a gap that is 0 beyond the border. It is exact but for the pressure
+  /// that this needs there.
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
   double short_wave_compliance() const override;
@@ -64,7 +65,8 @@ private:
   std::shared_ptr<const Shared> shared_;
   Convolution<double>::Scratch exact_scratch_;
   Convolution<float>::Scratch scratch_;
-  std::unique_ptr<SurfaceOperator> periodic_; ///< for pressure_estimate()
+  double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
+  Convolution<float>::Symbol inverse_;
 };
 
 } // namespace asperity::contact

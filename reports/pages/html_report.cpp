@@ -242,6 +242,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   const List block_costs = block_cost_rows(*entry.result);
   page.set("has_whole_block", !block_costs.empty());
   page.set("block_costs", block_costs);
+  const List boundaries = boundary_rows(entry);
+  page.set("has_boundaries", !boundaries.empty());
+  page.set("boundaries", boundaries);
   const List certified = certified_rows(entry);
   page.set("has_certified", !certified.empty());
   page.set("certified", certified);

@@ -45,6 +45,11 @@ kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements);
 /// theories; the list is empty if there is none.
 kainjow::mustache::list certified_rows(const ReportEntry& entry);
 
+/// Lists area, mean gap and iterations at each load step of the first half-space
+/// with free boundaries beside the first periodic one, on realisation 0; the
+/// list is empty if one of them is missing.
+kainjow::mustache::list boundary_rows(const ReportEntry& entry);
+
 /// Lists the cost of each finite-element method and of the half-space method if
 /// one of them solved a full 3-D block; otherwise the list is empty.
 kainjow::mustache::list block_cost_rows(const results::Result& result);

@@ -145,6 +145,58 @@ TEST(SurfaceKinds, NeedALengthForRelativeLengths) {
             "surface.length and surface.points\n");
 }
 
+// Claim: a half-space has free boundaries if the surface or its own table says
+// so; the table decides where both do.
+TEST(FreeBoundaries, AreThoseOfTheSurfaceOrOfTheMethod) {
+  const std::string sphere =
+      "kind = \"sphere\"\nradius = 1\nlength = 1\npoints = 8\n";
+  const auto is_free = [&](const std::string& edges,
+                           const std::string& boundaries) {
+    const Case read =
+        read_case_text(shape_case(sphere + edges) + boundaries, "case.toml");
+    return std::get<HalfspaceSettings>(read.methods[0].settings)
+        .has_free_boundaries;
+  };
+  EXPECT_FALSE(is_free("", ""));
+  EXPECT_TRUE(is_free("edges = \"free\"\n", ""));
+  EXPECT_TRUE(is_free("", "boundaries = \"free\"\n"));
+  EXPECT_FALSE(is_free("edges = \"free\"\n", "boundaries = \"periodic\"\n"));
+  EXPECT_EQ(surface_of(sphere).edges, Edges::periodic);
+  EXPECT_EQ(surface_of(sphere + "edges = \"free\"\n").edges, Edges::free);
+}
+
+TEST(FreeBoundaries, RefuseWhatNeedsAPeriodicSurface) {
+  const std::string sphere =
+      "kind = \"sphere\"\nradius = 1\nlength = 1\npoints = 8\n";
+  const std::string free = shape_case(sphere + "edges = \"free\"\n");
+  const std::string start = "  case.toml:12: halfspace has free boundaries "
+                            "(here or by surface.edges = "
+                            "\"free\"), but ";
+  const std::string end = "; boundaries = \"periodic\" allows it\n";
+  EXPECT_EQ(mistakes_of(free), "");
+  EXPECT_EQ(mistakes_of(free, {"material.poisson_ratio=0.3",
+                               "report.stress_inside=true"}),
+            start +
+                "report.stress_inside computes the stress of a periodic "
+                "block" +
+                end);
+  EXPECT_EQ(
+      mistakes_of(free + "[report]\nfields = 0\n", {"load={mean_gap=[1e-9]}"}),
+      start +
+          "[load] prescribes mean gaps: please prescribe "
+          "nominal_pressure" +
+          end);
+  EXPECT_EQ(
+      mistakes_of(shape_case(sphere + "edges = \"mirror\"\n")),
+      "  case.toml:7: surface.edges = \"mirror\", but only a measured map "
+      "is continued in this way; allowed here: \"periodic\", \"free\"\n");
+  EXPECT_EQ(mistakes_of(free + "thickness = \"1 length\"\n",
+                        {"material.poisson_ratio=0.3"}),
+            "  case.toml:13: halfspace.thickness = \"1 length\", but free "
+            "boundaries need a half-space of infinite thickness; boundaries = "
+            "\"periodic\" allows a slab\n");
+}
+
 // Claim: a word stands for the enumerator of its name: the vocabulary's order
 // is that of case.hpp.
 TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
@@ -165,6 +217,7 @@ TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
   EXPECT_EQ(word("surface", "format", MapFormat::plain), "plain");
   EXPECT_EQ(word("surface", "level", Levelling::plane), "plane");
   EXPECT_EQ(word("surface", "edges", Edges::window), "window");
+  EXPECT_EQ(word("surface", "edges", Edges::free), "free");
   EXPECT_EQ(word("fem", "contact", ContactLaw::penalty), "penalty");
   EXPECT_EQ(word("fem", "contact", ContactLaw::hard), "hard");
   EXPECT_EQ(word("fem", "contact", ContactLaw::augmented), "augmented");

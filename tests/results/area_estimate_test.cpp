@@ -214,6 +214,26 @@ TEST(EulerNumber, CountsPatchesLessHoles) {
   EXPECT_EQ(euler([](double, double) { return true; }), 0.0);
 }
 
+// Claim: beyond a free border there is no contact: full contact is one patch, a
+// strip too, and contacts on opposite sides of the map are two. The border has
+// no gap, so the lines of a contact that reaches it end with its cells.
+TEST(FreeBorder, EndsAContact) {
+  const Grid grid{12, 8, 1.2, 0.8};
+  const auto euler = [&](auto is_inside) {
+    return euler_characteristic(grid, shape(grid, is_inside), Border::free);
+  };
+  EXPECT_EQ(euler([](double, double) { return true; }), 1.0);
+  EXPECT_EQ(euler([](double x, double) { return x < 0.5; }), 1.0);
+  EXPECT_EQ(euler([](double x, double) { return x < 0.25 || x > 0.85; }), 2.0);
+  EXPECT_EQ(euler([](double x, double y) {
+              return std::abs(x - 0.6) > 0.15 || std::abs(y - 0.4) > 0.15;
+            }),
+            0.0); // a frame around a hole
+  const std::vector<double> full(grid.size(), modulus);
+  const std::vector<double> no_gap(grid.size(), 0.0);
+  EXPECT_EQ(line_area_fraction(grid, full, no_gap, modulus, Border::free), 1.0);
+}
+
 // Claim: contact and its complement have opposite Euler's numbers on a periodic
 // face, whose own is 0. Exact: quarters of whole numbers.
 RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {

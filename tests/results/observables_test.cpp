@@ -36,6 +36,25 @@ TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
     }
 }
 
+// Claim: beyond a free border there is no contact, so that the border of a
+// contact that reaches it counts: full contact has the perimeter of the map,
+// and a rectangle in one corner its own.
+TEST(ContactPerimeter, IncludesAFreeBorder) {
+  const Grid grid{20, 12, 2.0, 3.0};
+  EXPECT_NEAR(
+      contact_perimeter(grid, std::vector<double>(240, 2.0), Border::free),
+      2.0 * (2.0 + 3.0) / grid.area(), 4 * epsilon);
+  std::vector<double> pressure(240, 0.0);
+  for (const int iy : {0, 1, 2})
+    for (const int ix : {16, 17, 18, 19})
+      pressure[grid.index(ix, iy)] = 1.0;
+  EXPECT_NEAR(contact_perimeter(grid, pressure, Border::free),
+              2.0 * (0.4 + 0.75) / grid.area(), 4 * epsilon);
+  pressure[grid.index(0, 0)] = 1.0; // no neighbour across the border
+  EXPECT_NEAR(contact_perimeter(grid, pressure, Border::free),
+              2.0 * (0.4 + 0.75 + 0.1 + 0.25) / grid.area(), 4 * epsilon);
+}
+
 TEST(ContactPerimeter, VanishesWithoutContactAndInFullContact) {
   const Grid grid{8, 8, 1.0, 1.0};
 

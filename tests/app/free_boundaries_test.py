@@ -1,0 +1,142 @@
+"""Free boundaries from a map to a report: the half-space presses the map itself,
+other methods its mirror images; the report compares the two, a second run finds
+every step in the cache, and a Hertzian contact has no periodic images.
+
+Arguments: asperity, an empty folder.
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+PROGRAM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+MAP_CASE = """schema = 1
+[surface]
+kind = "measured"
+file = "map.txt"
+level = "plane"
+edges = "free"
+[material]
+contact_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["0.001 E*", "0.01 E*", "0.05 E*"]
+[theory]
+gamma = 0.4
+[halfspace]
+[halfspace.mirror]
+boundaries = "periodic"
+[fem]
+element = "Q1"
+[report]
+fields = 3
+"""
+SPHERE_CASE = """schema = 1
+[surface]
+kind = "sphere"
+length = "1 mm"
+points = 256
+radius = "10 length"
+edges = "free"
+[material]
+contact_modulus = "2 GPa"
+[load]
+# Contact radii of 0.1 and 0.4 lengths.
+nominal_pressure = ["1.3333333333333334e-4 E*", "8.533333333333333e-3 E*"]
+[halfspace]
+[expect]
+approach_error = { below = 1e-3 }
+contact_radius_error = { below = 2e-3 }
+"""
+
+
+def asperity(*arguments, expected=0):
+    answer = subprocess.run(
+        [PROGRAM, *map(str, arguments)], cwd=FOLDER, text=True, timeout=300,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env=os.environ | {"ASPERITY_CACHE": str(FOLDER / "cache")})
+    assert answer.returncode == expected, (arguments, answer.stdout)
+    return answer.stdout
+
+
+def write_map():
+    """Rough heights of 48 by 32 points on 4.8 by 1.6 um, with a tilt."""
+    random = numpy.random.default_rng(5)
+    spectrum = numpy.fft.rfft2(random.standard_normal((32, 48)))
+    fx = numpy.fft.rfftfreq(48)[None, :]
+    fy = 0.5 * numpy.fft.fftfreq(32)[:, None]
+    spectrum *= (numpy.hypot(fx, fy) + 0.04) ** -1.8
+    heights = numpy.fft.irfft2(spectrum, s=(32, 48))
+    heights *= 5.0 / heights.std()
+    heights += 0.5 * numpy.arange(48)[None, :]
+    numpy.savetxt(FOLDER / "map.txt", heights,
+                  header="Width: 4.8 um\nHeight: 1.6 um\nValue units: nm")
+
+
+def check_map():
+    (FOLDER / "map.toml").write_text(MAP_CASE)
+    text = asperity("run", "map.toml", "--out", "map")
+    assert "12 steps: 12 computed" in text, text
+    with h5py.File(FOLDER / "map" / "result.h5") as file:
+        mirrored = file["surfaces/0/heights"][...]
+        own = file["methods/halfspace/0/surface"]
+        heights = own["heights"][...]
+        assert mirrored.shape == (64, 96) and heights.shape == (32, 48)
+        # The mean is removed from each map: they differ by its roundoff.
+        numpy.testing.assert_allclose(mirrored[:32, :48], heights, rtol=0,
+                                      atol=1e-22)
+        numpy.testing.assert_allclose(mirrored[32:, 48:], heights[::-1, ::-1],
+                                      rtol=0, atol=1e-22)
+        pressure = file["methods/halfspace/0/fields/0/pressure"]
+        assert pressure.shape == (32, 48)
+        for method in ("halfspace.mirror", "fem"):
+            group = file[f"methods/{method}/0"]
+            assert "surface" not in group
+            assert group["fields/0/pressure"].shape == (64, 96)
+        free = file["methods/halfspace/0/curve/area_fraction"][...]
+        mirror = file["methods/halfspace.mirror/0/curve/area_fraction"][...]
+        bound = file["methods/halfspace/0/curve/certified_gap_error"][...]
+    assert numpy.all(bound < 1e-2 * heights.std()), bound
+    # The boundaries matter, but do not dominate.
+    difference = numpy.abs(mirror / free - 1.0)
+    assert numpy.all(difference > 1e-3) and numpy.all(difference < 0.3), difference
+    page = (FOLDER / "map" / "report.html").read_text()
+    assert "Free and periodic boundaries" in page
+    assert f"{100 * free[1]:.3g} %" in page and f"{100 * mirror[1]:.3g} %" in page
+    again = asperity("run", "map.toml", "--out", "again", "--no-report")
+    assert "0 computed, 12 from the cache" in again, again
+    certified = json.loads(asperity("certify", "map", "--json"))
+    assert "halfspace" in json.dumps(certified)
+
+
+def check_refusals():
+    text = asperity("problem", "map.toml", expected=2)
+    assert "halfspace.boundaries = \"periodic\" is allowed" in text, text
+    text = asperity("run", "map.toml", "--set", "load={mean_gap=[1e-9]}", "--out",
+                    "refused", expected=2)
+    assert "please prescribe nominal_pressure" in text, text
+    assert not (FOLDER / "refused").exists()
+
+
+def check_sphere():
+    (FOLDER / "sphere.toml").write_text(SPHERE_CASE)
+    text = asperity("run", "sphere.toml", "--out", "sphere")
+    assert text.count("\nok ") == 2, text
+    # With periodic images the same check fails at this load.
+    text = asperity("run", "sphere.toml", "--set", 'surface.edges="periodic"',
+                    "--out", "images", expected=1)
+    assert "approach_error" in text, text
+
+
+shutil.rmtree(FOLDER, ignore_errors=True)
+FOLDER.mkdir(parents=True)
+write_map()
+check_map()
+check_refusals()
+check_sphere()
+print("free boundaries: as described")
