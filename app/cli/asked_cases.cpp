@@ -1,6 +1,8 @@
 #include "app/cli/asked_cases.hpp"
 
+#include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "reports/pages/paper_report.hpp"
@@ -39,10 +41,33 @@ ReadCase read_with_reference(const FoundCase& found,
   return read;
 }
 
+/// The case of a map, which has no case file.
+Asked asked_map(const MapOfCase& map,
+                const std::vector<std::string>& overrides) {
+  const std::filesystem::path file =
+      std::filesystem::path(map.file).replace_extension();
+  Asked asked;
+  asked.cases.push_back(
+      {{{}, file.filename().string()},
+       cases::read_case_text(map_case_text(map), file.string(), overrides),
+       "",
+       overrides});
+  asked.found.cases.push_back(asked.cases.front().found);
+  return asked;
+}
+
 } // namespace
 
 Asked read_asked(const std::string& word,
-                 const std::vector<std::string>& overrides, bool is_quick) {
+                 const std::vector<std::string>& overrides, bool is_quick,
+                 const std::string& contact_modulus) {
+  if (is_map_file(word))
+    return asked_map({word, contact_modulus}, overrides);
+  if (!contact_modulus.empty())
+    throw cases::CaseError(
+        fmt::format("--contact-modulus applies only to a measured map, but {} "
+                    "is a case: please use --set material.contact_modulus=...",
+                    word));
   Asked asked{find_cases(word), {}};
   for (const FoundCase& found : asked.found.cases)
     asked.cases.push_back(read_with_reference(found, overrides, is_quick));

@@ -27,13 +27,18 @@ struct Asked {
 
 /// Finds and reads the cases that an argument refers to.
 ///
-/// @param word       case file, folder, shipped case or collection
+/// @param word       case file, folder, shipped case, collection or map file
 /// @param overrides  "key.path=value" entries that are applied to every case
 /// @param is_quick   if true, the case's quick.set is applied before
 ///                   `overrides`
-/// @throws cases::CaseError  the argument matches no case, or a case is invalid
+/// @param contact_modulus  E* for a measured map, which may stand for a case;
+///                   "" if none is given
+/// @throws cases::CaseError  the argument matches no case, a case is invalid,
+/// or
+///                   a map has no contact modulus
 Asked read_asked(const std::string& word,
                  const std::vector<std::string>& overrides = {},
-                 bool is_quick = false);
+                 bool is_quick = false,
+                 const std::string& contact_modulus = "");
 
 } // namespace asperity::app

@@ -99,6 +99,9 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
 /// error.
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
+  if (read.found.file.empty())
+    throw cases::CaseError("--target-error needs a case file: asperity new "
+                           "NAME --map FILE writes one");
   cases::Case asked = read.contact_case;
   asked.methods = chosen_methods(asked, options.methods, options.is_exact);
   TargetRun target(asked, read.found.file, read.overrides, options.folder,
@@ -163,7 +166,8 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
 ExitCode run_cases(const RunCommand& command) {
   std::vector<Asked> all;
   for (const std::string& word : command.cases)
-    all.push_back(read_asked(word, command.overrides, command.is_quick));
+    all.push_back(read_asked(word, command.overrides, command.is_quick,
+                             command.contact_modulus));
   catch_interrupts();
   Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
   ExitCode end = exit_good;

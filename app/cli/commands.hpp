@@ -4,6 +4,7 @@
 // an exit code.
 
 #include "app/run/exit_code.hpp"
+#include "app/run/map_case.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +12,8 @@
 namespace asperity::app {
 
 struct RunCommand {
-  std::vector<std::string> cases; ///< files, folders or names of shipped cases
+  std::vector<std::string> cases; ///< files, folders or names of shipped cases,
+                                  ///< or map files
   std::vector<std::string> methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   std::string out; ///< empty: out/<case>; with several cases, each gets its own
@@ -23,7 +25,8 @@ struct RunCommand {
   std::string target_error = {}; ///< e.g. "1%"; empty: the settings of the case
   bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
-  bool is_dry = false; ///< print the plan without running anything
+  std::string contact_modulus = {}; ///< E* for map files, e.g. "2 GPa"
+  bool is_dry = false;              ///< print the plan without running anything
 };
 
 /// Runs cases. All cases are read before the first one is run. A collection
@@ -50,10 +53,18 @@ ExitCode show_cache(bool is_to_clear);
 
 ExitCode list_cases();
 
-/// Writes the file name/case.toml.
+struct NewCommand {
+  std::string name;                   ///< folder to create
+  MapOfCase map = {};                 ///< without a file: the template
+  std::vector<std::string> overrides; ///< "key.path=value"
+};
+
+/// Writes the file name/case.toml: a template, or the case of a map.
 ///
-/// @throws cases::CaseError  the file exists already
-ExitCode new_case(const std::string& name);
+/// @throws cases::CaseError  the file exists already, the map cannot be read,
+/// or
+///                           the case is invalid
+ExitCode new_case(const NewCommand& made);
 
 ExitCode print_schema();
 

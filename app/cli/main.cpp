@@ -31,13 +31,16 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
   command
       ->add_option("case", run.cases,
                    "case files, their folders, shipped cases or\n"
-                   "collections (see 'asperity list')")
+                   "collections (see 'asperity list'), or measured\n"
+                   "maps")
       ->required();
   command
       ->add_option("--methods", run.methods,
                    "run only these methods, given by name or kind:\n"
                    "fem,theory")
       ->delimiter(',');
+  command->add_option("--contact-modulus", run.contact_modulus,
+                      "E* of the block under a map file, e.g. \"2 GPa\"");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
@@ -186,7 +189,22 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
       [&] { action = [&] { return run_robustness(robustness); }; });
 }
 
-void add_small_commands(CLI::App& program, std::string& name, Action& action) {
+void add_new(CLI::App& program, NewCommand& made, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "new", "Write a commented case file to start from.");
+  command->add_option("name", made.name, "folder to create for case.toml")
+      ->required();
+  command->add_option("--map", made.map.file,
+                      "the case presses this measured map, with loads\n"
+                      "that suit it");
+  command->add_option("--contact-modulus", made.map.contact_modulus,
+                      "E* of the block, with --map, e.g. \"2 GPa\"");
+  add_overrides(command, made.overrides);
+  add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");
+  command->callback([&] { action = [&] { return new_case(made); }; });
+}
+
+void add_small_commands(CLI::App& program, Action& action) {
   CLI::App* list = program.add_subcommand("list", "List the shipped cases.");
   add_example(list, "list");
   list->callback([&] { action = list_cases; });
@@ -194,12 +212,6 @@ void add_small_commands(CLI::App& program, std::string& name, Action& action) {
       program.add_subcommand("schema", "Print the JSON Schema of a case file.");
   add_example(schema, "schema > case.schema.json");
   schema->callback([&] { action = print_schema; });
-  CLI::App* command = program.add_subcommand(
-      "new", "Write a commented case file to start from.");
-  command->add_option("name", name, "folder to create for case.toml")
-      ->required();
-  add_example(command, "new my-case");
-  command->callback([&] { action = [&] { return new_case(name); }; });
 }
 
 int run(int argc, char** argv) {
@@ -229,7 +241,9 @@ int run(int argc, char** argv) {
   bool is_to_clear = false;
   add_cache(program, is_to_clear, action);
   add_robustness(program, stress, action);
-  add_small_commands(program, out, action);
+  NewCommand made;
+  add_new(program, made, action);
+  add_small_commands(program, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

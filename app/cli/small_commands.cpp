@@ -4,8 +4,13 @@
 #include "app/run/case_library.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_schema.hpp"
+#include "cases/reader/case_text.hpp"
 #include "cases/reader/documents.hpp"
+#include "cases/reader/read_case.hpp"
 #include "cases/text/case_error.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +19,23 @@
 namespace asperity::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads the map, so that a case is written only if it can be run, and prints
+/// what the loads of the case follow from.
+void print_map(const cases::SurfaceSpec& surface) {
+  const surfaces::HeightMap map = surfaces::levelled_map(surface);
+  const surfaces::Statistics numbers =
+      surfaces::statistics(surfaces::with_edges(map, surface.edges));
+  fmt::print("{}: {} x {} points, {:.4g} x {:.4g} um, h_rms = {:.4g} um, h' = "
+             "{:.4g}\n",
+             surface.file, map.grid.points_x, map.grid.points_y,
+             1e6 * map.grid.length_x, 1e6 * map.grid.length_y,
+             1e6 * numbers.rms_height, numbers.rms_slope);
+}
+
+} // namespace
 
 ExitCode show_cache(bool is_to_clear) {
   Cache cache(cache_folder(), cache_size());
@@ -33,15 +55,24 @@ ExitCode list_cases() {
   return exit_good;
 }
 
-ExitCode new_case(const std::string& name) {
-  const fs::path file = fs::path(name) / "case.toml";
+ExitCode new_case(const NewCommand& made) {
+  const fs::path file = fs::path(made.name) / "case.toml";
   if (fs::exists(file))
     throw cases::CaseError(file.string() +
                            " already exists; choose another name");
+  const bool has_map = !made.map.file.empty();
+  if (!has_map && !made.map.contact_modulus.empty())
+    throw cases::CaseError("--contact-modulus needs --map");
+  const std::string text = cases::text_with_overrides(
+      has_map ? map_case_text(made.map)
+              : cases::case_template(fs::path(made.name).filename().string()),
+      made.overrides);
+  const cases::Case read = cases::read_case_text(text, file.string());
+  if (has_map)
+    print_map(read.surface);
   fs::create_directories(file.parent_path());
-  write_file_atomically(
-      file, cases::case_template(fs::path(name).filename().string()));
-  fmt::print("{}\nrun it with: asperity run {}\n", file.string(), name);
+  write_file_atomically(file, text);
+  fmt::print("{}\nrun it with: asperity run {}\n", file.string(), made.name);
   return exit_good;
 }
 

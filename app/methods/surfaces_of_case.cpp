@@ -74,7 +74,7 @@ SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
   SurfaceOfCase surface;
   surface.record = record_of(map);
   surface.scales = {contact_modulus, map.grid.length_x, map.grid.spacing_x(),
-                    surface.record.rms_height};
+                    surface.record.rms_height, surface.record.rms_slope};
   return surface;
 }
 
@@ -162,7 +162,8 @@ cases::Scales formula_scales(const cases::Case& contact_case,
   const double length = contact_case.surface.length.value_or(0.0);
   const int points = contact_case.surface.points.value_or(0);
   return {contact_case.material.contact_modulus, length,
-          points > 0 ? length / points : 0.0, spectrum.rms_height()};
+          points > 0 ? length / points : 0.0, spectrum.rms_height(),
+          spectrum.rms_slope()};
 }
 
 } // namespace asperity::app

@@ -3,10 +3,13 @@
 #include "cases/text/nearest.hpp"
 #include "cases/text/toml_text.hpp"
 
+#include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace asperity::cases {
 namespace {
@@ -19,15 +22,38 @@ std::string table_of_key(const std::string& key) {
   return "";
 }
 
-double interpolated(const Quantity& from, const Quantity& to, double fraction,
-                    bool is_logarithmic) {
+/// The words of load.sweep.spacing.
+enum class Spacing { log, linear, area };
+
+/// Largest pressure of equally spaced areas [E* h'], at which the area differs
+/// by 2e-9 from full contact.
+constexpr double highest_by_area = 3.0;
+
+/// Contact area at a pressure [E* h'], Eq. (4) of Yang and Persson (2008) on
+/// all scales.
+double contact_area(double pressure) {
+  return std::erf(std::numbers::sqrt2 * pressure);
+}
+
+double interpolated(double from, double to, double fraction, Spacing spacing) {
   if (fraction == 0.0)
-    return from.value;
+    return from;
   if (fraction == 1.0)
-    return to.value;
-  if (is_logarithmic)
-    return from.value * std::pow(to.value / from.value, fraction);
-  return from.value + (to.value - from.value) * fraction;
+    return to;
+  const auto by_ratio = [&](double first, double last) {
+    return first * std::pow(last / first, fraction);
+  };
+  switch (spacing) {
+  case Spacing::log:
+    return by_ratio(from, to);
+  case Spacing::area:
+    return boost::math::erf_inv(
+               by_ratio(contact_area(from), contact_area(to))) /
+           std::numbers::sqrt2;
+  case Spacing::linear:
+    break;
+  }
+  return from + (to - from) * fraction;
 }
 
 } // namespace
@@ -189,21 +215,36 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
   const Quantity from = from_node ? quantity_in(*from_node, key) : Quantity{};
   const Quantity to = to_node ? quantity_in(*to_node, key) : Quantity{};
   const int steps = part.integer("steps");
-  const std::optional<int> spacing = part.word("spacing");
-  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !spacing)
+  const std::optional<int> word = part.word("spacing");
+  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
     return {};
+  const auto spacing = static_cast<Spacing>(*word);
   if (from.yardstick != to.yardstick) {
     refuse(*to_node,
            "must have the same kind of unit as from: both in SI or both in " +
                std::string("the same unit of the problem"));
     return {};
   }
+  if (spacing == Spacing::area) {
+    if (from.yardstick != ReferenceUnit::contact_modulus_times_slope) {
+      refuse(*from_node, "spacing = \"area\" needs pressures in E* h'");
+      return {};
+    }
+    for (const auto& [end, value] :
+         {std::pair(from_node, from.value), std::pair(to_node, to.value)})
+      if (value > highest_by_area) {
+        refuse(*end, fmt::format("spacing = \"area\" needs pressures of at "
+                                  "most {} E* h', where contact is complete",
+                                  highest_by_area));
+        return {};
+      }
+  }
   std::vector<Quantity> targets;
   targets.reserve(static_cast<std::size_t>(steps));
   for (int step = 0; step < steps; ++step)
     targets.push_back(
-        {interpolated(from, to, static_cast<double>(step) / (steps - 1),
-                      *spacing == 0),
+        {interpolated(from.value, to.value,
+                      static_cast<double>(step) / (steps - 1), spacing),
          from.yardstick});
   return targets;
 }

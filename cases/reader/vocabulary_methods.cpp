@@ -64,13 +64,15 @@ Table load_table() {
                .type = ValueType::program,
                .dimension = Dimension::pressure,
                .range = positive(),
-               .yardsticks = {ReferenceUnit::contact_modulus},
+               .yardsticks = {ReferenceUnit::contact_modulus,
+                              ReferenceUnit::contact_modulus_times_slope},
                .need = Need::conditional,
                .when = "this or mean_gap",
                .example = "{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
                           "spacing = \"log\" }",
                .show = Show::yes,
-               .description = "Load divided by the nominal area."},
+               .description = "Load divided by the nominal area; h' is the rms "
+                              "slope of the realisation."},
               {.name = "mean_gap",
                .type = ValueType::program,
                .dimension = Dimension::length,
@@ -114,10 +116,13 @@ Table sweep_table() {
                .description = "Number of values."},
               {.name = "spacing",
                .type = ValueType::word,
-               .words = {"log", "linear"},
+               .words = {"log", "linear", "area"},
                .need = Need::always,
                .example = "\"log\"",
-               .description = "Equal ratios, or equal differences."},
+               .description =
+                   "Equal ratios or differences of the values, or equal ratios "
+                   "of the contact areas erf(2^(1/2) p/(E* h')) by Persson's "
+                   "theory, for pressures of up to 3 E* h'."},
           }};
 }
 

@@ -29,6 +29,9 @@ double Quantity::in_si(const Scales& scales) const {
   case ReferenceUnit::contact_modulus_per_spacing:
     return value * known("contact_modulus", scales.contact_modulus, "Pa") /
            known("spacing", scales.spacing, "m");
+  case ReferenceUnit::contact_modulus_times_slope:
+    return value * known("contact_modulus", scales.contact_modulus, "Pa") *
+           known("rms_slope", scales.rms_slope, "1");
   }
   throw std::domain_error("yardstick is none of the known ones");
 }

@@ -12,6 +12,7 @@ enum class ReferenceUnit {
   spacing,                     ///< "h", distance between neighbouring nodes [m]
   rms_height,                  ///< "h_rms" of the realisation [m]
   contact_modulus_per_spacing, ///< "E*/h" [Pa/m]
+  contact_modulus_times_slope, ///< "E* h'" of the realisation [Pa]
 };
 
 /// The values of the reference units for one realisation of the surface.
@@ -20,6 +21,7 @@ struct Scales {
   double length = 0.0;          ///< [m]
   double spacing = 0.0;         ///< h [m]
   double rms_height = 0.0;      ///< h_rms [m]
+  double rms_slope = 0.0;       ///< h', both directions [1]
 };
 
 /// A number with its reference unit: "0.3 E*" is {0.3, contact_modulus}. It is

@@ -70,6 +70,7 @@ const std::vector<Unit>& units() {
       {"1/m", wavevector},
       {"Pa/m", stiffness},
       {"E*", pressure, 1.0, 1.0, ReferenceUnit::contact_modulus},
+      {"E* h'", pressure, 1.0, 1.0, ReferenceUnit::contact_modulus_times_slope},
       {"length", length, 1.0, 1.0, ReferenceUnit::length},
       {"h", length, 1.0, 1.0, ReferenceUnit::spacing},
       {"h_rms", length, 1.0, 1.0, ReferenceUnit::rms_height},

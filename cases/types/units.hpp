@@ -52,7 +52,7 @@ std::string dimension_name(Dimension dimension);
 std::string si_unit(Dimension dimension);
 
 /// Returns the symbol of a reference unit: "E*", "length", "h", "h_rms",
-/// "E*/h"; "" for si.
+/// "E*/h", "E* h'"; "" for si.
 std::string yardstick_symbol(ReferenceUnit yardstick);
 
 /// Returns true if the unit may follow a number of that dimension, given the

@@ -1,5 +1,7 @@
 // Claims about how the program answers mistakes: in words, with exit code 2,
 // and with nothing half-written.
+#include <cmath>
+
 #include "tests/app/program.hpp"
 
 namespace asperity::app {
@@ -134,6 +136,57 @@ TEST_F(Messages, NewCaseRunsAndIsNeverOverwritten) {
   EXPECT_TRUE(says(again, "already exists")) << again.output;
   EXPECT_NE(done.exit_code, 2) << done.output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/mine/report.html"));
+}
+
+/// 24 x 16 heights [nm] with a tilt, in the text format of Gwyddion.
+std::string map_text() {
+  std::string text = "# Width: 2.4 um\n# Height: 1.6 um\n# Value units: nm\n";
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 24; ++ix)
+      text += std::to_string(0.5 * ix + 4.0 * std::sin(1.1 * ix) *
+                                            std::cos(0.9 * iy + 0.2 * ix)) +
+              (ix == 23 ? "\n" : "\t");
+  return text;
+}
+
+// Claim: a map runs without a case file, with loads that bring it from light to
+// nearly full contact; the case that `new` writes of it has the same numbers.
+TEST_F(Messages, AMapRunsWithoutACase) {
+  write("map.asc", map_text());
+  const Ended ran =
+      run("run map.asc --contact-modulus '2 GPa' --set load.cycle=load");
+  ASSERT_EQ(ran.exit_code, 0) << ran.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/map/report.html"));
+  EXPECT_TRUE(says(ran, "24 steps: 24 computed")) << ran.output;
+
+  const Ended made = run("new mine --map map.asc --contact-modulus '2 GPa'");
+  ASSERT_EQ(made.exit_code, 0) << made.output;
+  EXPECT_TRUE(says(made, "24 x 16 points, 2.4 x 1.6 um")) << made.output;
+  EXPECT_TRUE(says(made, "run it with: asperity run mine")) << made.output;
+  const Ended again = run("run mine --no-report");
+  EXPECT_TRUE(says(again, "0 computed, 24 from the cache")) << again.output;
+}
+
+TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
+  write("map.asc", map_text());
+  write("small.toml", small_case);
+  const Ended without = run("run map.asc");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_TRUE(says(without, "map.asc is no case file (.toml); to press it as a "
+                            "measured map, please add --contact-modulus"))
+      << without.output;
+  const Ended with_case = run("run small.toml --contact-modulus '2 GPa'");
+  EXPECT_EQ(with_case.exit_code, 2);
+  EXPECT_TRUE(says(with_case, "--set material.contact_modulus=..."))
+      << with_case.output;
+  const Ended unit = run("run map.asc --contact-modulus '2 GPb'");
+  EXPECT_EQ(unit.exit_code, 2);
+  EXPECT_TRUE(says(unit, "material.contact_modulus")) << unit.output;
+  write("plain.asc", "1 2 3\n2 4 1\n5 2 2\n");
+  EXPECT_EQ(run("new plain --map plain.asc --contact-modulus 2e9").exit_code,
+            2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "plain"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {

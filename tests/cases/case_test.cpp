@@ -9,12 +9,15 @@
 namespace asperity::cases {
 namespace {
 
-constexpr Scales scales{2e9, 1e-5, 2e-8, 3.4e-8};
+constexpr Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
 // Claim: a quantity is its number times its yardstick. Exact: one product.
 TEST(Quantity, IsItsNumberTimesItsYardstick) {
   EXPECT_EQ((Quantity{7.0, ReferenceUnit::si}.in_si(scales)), 7.0);
   EXPECT_EQ((Quantity{0.5, ReferenceUnit::contact_modulus}.in_si(scales)), 1e9);
+  EXPECT_EQ(
+      (Quantity{0.5, ReferenceUnit::contact_modulus_times_slope}.in_si(scales)),
+      0.25e9);
   EXPECT_EQ((Quantity{2.0, ReferenceUnit::length}.in_si(scales)), 2e-5);
   EXPECT_EQ((Quantity{2.0, ReferenceUnit::spacing}.in_si(scales)), 4e-8);
   EXPECT_EQ((Quantity{0.5, ReferenceUnit::rms_height}.in_si(scales)), 1.7e-8);

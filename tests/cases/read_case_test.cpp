@@ -63,6 +63,42 @@ TEST(ReadCase, SpacesALoadProgramAsAsked) {
   EXPECT_DOUBLE_EQ(linear.targets[1].value, 0.0505);
 }
 
+// Claim: with spacing = "area" the ratio of successive contact areas
+// erf(sqrt(2) p) is constant. Tolerance: the roundoff of erf and its inverse.
+TEST(ReadCase, SpacesContactAreasEvenly) {
+  const std::string program = "load.nominal_pressure={from=\"0.01 E* h'\", "
+                              "to=\"2 E* h'\", steps=9, spacing=\"area\"}";
+  const std::vector<Quantity> loads = rough({program}).load.targets;
+
+  ASSERT_EQ(loads.size(), 9U);
+  EXPECT_EQ(loads.front().value, 0.01);
+  EXPECT_EQ(loads.back().value, 2.0);
+  const auto area = [&](std::size_t step) {
+    EXPECT_EQ(loads[step].yardstick,
+              ReferenceUnit::contact_modulus_times_slope);
+    return std::erf(std::sqrt(2.0) * loads[step].value);
+  };
+  const double ratio = std::pow(area(8) / area(0), 1.0 / 8.0);
+  EXPECT_GT(ratio, 1.5);
+  for (std::size_t step = 0; step + 1 < loads.size(); ++step)
+    EXPECT_NEAR(area(step + 1) / area(step), ratio, 1e-8) << step;
+}
+
+TEST(ReadCase, RefusesAreasOfPressuresThatHaveNone) {
+  const auto refusal = [](const std::string& from, const std::string& to) {
+    return mistakes_of(contact_case,
+                       {"load.nominal_pressure={from=\"" + from + "\", to=\"" +
+                        to + "\", steps=3, spacing=\"area\"}"});
+  };
+  EXPECT_EQ(refusal("0.01 E*", "0.1 E*"),
+            "  --set: load.nominal_pressure.from = \"0.01 E*\", but spacing = "
+            "\"area\" needs pressures in E* h'\n");
+  EXPECT_EQ(refusal("0.01 E* h'", "4 E* h'"),
+            "  --set: load.nominal_pressure.to = \"4 E* h'\", but spacing = "
+            "\"area\" needs pressures of at most 3 E* h', where contact is "
+            "complete\n");
+}
+
 TEST(ReadCase, WritesTheWayBackOut) {
   const LoadingPath load =
       rough({"load.nominal_pressure=[1e6, \"2 MPa\", \"0.5 E*\"]",

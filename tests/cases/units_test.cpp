@@ -65,6 +65,13 @@ TEST(Units, KeepTheProblemsOwnYardsticks) {
   const QuantityReading gap = read_quantity(" 2\th_rms ", Dimension::length,
                                             {ReferenceUnit::rms_height});
 
+  const QuantityReading by_slope =
+      read_quantity("0.3 E* h'", Dimension::pressure,
+                    {ReferenceUnit::contact_modulus_times_slope});
+
+  EXPECT_EQ(by_slope.quantity->value, 0.3);
+  EXPECT_EQ(by_slope.quantity->yardstick,
+            ReferenceUnit::contact_modulus_times_slope);
   EXPECT_EQ(load.quantity->value, 0.3);
   EXPECT_EQ(load.quantity->yardstick, ReferenceUnit::contact_modulus);
   EXPECT_EQ(penalty.quantity->value, 100.0);
