@@ -33,7 +33,7 @@ poisson_ratio = 0.3 # needed by [fem] only
 
 [load]
 # Twelve steps of equal ratios of the contact area; h' is the rms slope.
-nominal_pressure = {{ from = "0.01 E* h'", to = "2 E* h'", steps = 12, spacing = "area" }}
+nominal_pressure = {{ from = "0.01 E* h'", to = "1 E* h'", steps = 12, spacing = "area" }}
 
 # Persson's theory with the spectrum of the map.
 [theory]
