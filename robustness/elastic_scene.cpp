@@ -1,3 +1,4 @@
+#include "cases/reader/locking.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -67,6 +68,7 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
   const ComplianceRange range = compliance_range(grid, displace);
   AskedContact asked{surface.map.heights, judge->nodal_weights()};
   asked.gap_tolerance = relative_tolerance * surface.height_scale;
+  asked.may_lose_contact = may_lose_contact(scene);
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
 
@@ -163,6 +165,21 @@ void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
 }
 
 } // namespace
+
+bool may_lose_contact(const Scene& scene) {
+  constexpr double plate = 0.05; // thickness [lengths]
+  if (scene.family != Family::halfspace && scene.thickness < plate &&
+      scene.top == cases::TopFace::pressure)
+    return true;
+  const bool is_block = scene.family == Family::full_block;
+  if (!is_block && scene.family != Family::condensed_q1 &&
+      scene.family != Family::condensed_q2)
+    return false;
+  const bool is_q2 =
+      is_block ? scene.degree == 2 : scene.family == Family::condensed_q2;
+  return scene.poisson_ratio >=
+         cases::locking_ratio(is_q2 ? cases::Element::q2 : cases::Element::q1);
+}
 
 fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
                                 int degree, int threads) {

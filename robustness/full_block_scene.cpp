@@ -38,6 +38,7 @@ AskedContact asked_of_block(const Scene& scene, std::span<const double> heights,
                             const fem::FullBlock& block,
                             const ComplianceRange& range, double spring) {
   AskedContact asked{heights, block.nodal_weights()};
+  asked.may_lose_contact = may_lose_contact(scene);
   asked.local_compliance =
       scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
   asked.long_wave_compliance = range.longest;

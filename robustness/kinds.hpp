@@ -40,6 +40,11 @@ std::vector<contact::LoadTarget> targets_of(const Scene& scene,
                                             double height_scale);
 std::size_t load_step(const Scene& scene);
 
+/// Returns true if a larger load may open contact: the block is a plate,
+/// thinner than 1/20 length with a traction-free back, which bends over its
+/// asperities, or its elements are nearly incompressible and lock.
+bool may_lose_contact(const Scene& scene);
+
 /// Returns the finite-element request of an instance, of degree 1 or 2. The
 /// cells of the surface layer are cubic or, in a thin block, half as high.
 fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
