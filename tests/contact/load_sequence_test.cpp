@@ -186,5 +186,31 @@ TEST_F(Sequence, AugmentedPenaltyEndsAtTheHardWall) {
   }
 }
 
+// Claim: one deep node in a flat surface, which is the last to touch, makes the
+// multipliers converge too slowly; hard contact, which has the same answer,
+// finishes them and says so.
+TEST(AugmentedContact, IsFinishedByHardContact) {
+  const Grid grid{32, 32, 1.0, 1.0};
+  std::vector<double> heights(grid.size(), 1.0 / 1024.0);
+  heights[grid.index(16, 16)] -= 1.0;
+  const double scale = scenes::rms(heights);
+  FourierOperator elasticity = halfspace_operator(
+      grid, {.contact_modulus = 1.0,
+             .thickness = std::numeric_limits<double>::infinity()});
+  const ContactProblem problem{heights, 0.02 / 32.0, 1e-8 * scale};
+  const LoadTarget target{LoadTarget::Kind::mean_gap, 0.01 * scale};
+
+  const ContactSolution answer =
+      solve_augmented(elasticity, problem, target, {});
+
+  EXPECT_TRUE(answer.converged);
+  EXPECT_NE(answer.note.find("finished by the solver of hard contact"),
+            std::string::npos)
+      << answer.note;
+  EXPECT_LE(scenes::complementarity_error(
+                elasticity, {heights, 0.0, problem.gap_tolerance}, answer),
+            1.1 * problem.gap_tolerance);
+}
+
 } // namespace
 } // namespace asperity::contact
