@@ -44,7 +44,7 @@ md::AtomRequest request_of(const Scene& scene) {
 StepSummary summary_of(const Scene& scene, const md::AtomStep& step) {
   StepSummary summary;
   summary.nominal_pressure = step.nominal_pressure;
-  summary.mean_gap = step.mean_gap;
+  summary.mean_gap = summary.separation = step.mean_gap;
   summary.energy = step.elastic_energy + step.interface_energy;
   // Residual forces displace the longest wave most, by L/(pi E*) per unit of
   // pressure.

@@ -39,6 +39,7 @@ void take_method(const cases::HalfspaceSettings& half,
   if (half.thickness)
     scene.thickness = half.thickness->in_si(scales) / scales.length;
   scene.top = half.top;
+  scene.has_free_boundaries = half.has_free_boundaries;
   take_contact(half.contact, scales, scene);
 }
 

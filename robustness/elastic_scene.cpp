@@ -1,4 +1,5 @@
 #include "cases/reader/locking.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -69,6 +70,8 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
   AskedContact asked{surface.map.heights, judge->nodal_weights()};
   asked.gap_tolerance = relative_tolerance * surface.height_scale;
   asked.may_lose_contact = may_lose_contact(scene);
+  if (!judge->is_periodic())
+    asked.border = results::Border::free;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
 
@@ -212,6 +215,9 @@ operator_of(const Scene& scene, const Grid& grid, int threads) {
       scene.family == Family::condensed_q2)
     return fem::load_fem_module().condensed(block_request(
         scene, grid, scene.family == Family::condensed_q1 ? 1 : 2, threads));
+  if (scene.has_free_boundaries)
+    return std::make_unique<contact::FreeHalfspace>(grid, scene.contact_modulus,
+                                                    threads);
   contact::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
                               std::numeric_limits<double>::infinity(),
                               far_face_of(scene.top)};

@@ -41,6 +41,7 @@ enum class Stream {
   path,
   threads,
   later_flaw,
+  boundaries,
 };
 
 /// Lattice spacing of the block of atoms in Sec. 4 of Yang and Persson (2008)
@@ -222,6 +223,7 @@ Scene draw_scene(std::uint64_t seed, int index) {
       Stream::control, {{cases::Control::nominal_pressure, 7.0},
                         {cases::Control::mean_gap, 3.0}});
   scene.load = draw_load(draw, scene);
+  scene.has_free_boundaries = draw.uniform(Stream::boundaries, 0.0, 3.0) < 1.0;
   scene.program = draw.pick<Program>(
       Stream::program, {Program::increments, Program::jump, Program::cycle});
   scene.twin =
@@ -271,6 +273,9 @@ Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
 
 Scene within_reach(Scene scene) {
   const bool is_full = scene.family == Family::full_block;
+  if (scene.family != Family::halfspace ||
+      scene.control == cases::Control::mean_gap)
+    scene.has_free_boundaries = false;
   if (is_full || scene.family == Family::atoms) {
     scene.points = scene.points <= 48 ? 8 : 16;
     scene.twin = Twin::none;

@@ -99,6 +99,7 @@ struct Scene {
   cases::ContactLaw law = cases::ContactLaw::hard;
   cases::Control control = cases::Control::nominal_pressure;
   cases::TopFace top = cases::TopFace::clamped;
+  bool has_free_boundaries = false; ///< of a half-space under pressure control
   Program program = Program::increments;
   Twin twin = Twin::none;
   Flaw flaw = Flaw::none;

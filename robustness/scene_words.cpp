@@ -92,6 +92,8 @@ std::string in_words(const Scene& scene) {
       scene.points, scene.length, scene.hurst, scene.roll_off,
       scene.shortest_wave, scene.rms_slope, scene.contact_modulus,
       scene.poisson_ratio, scene.thickness, name_of(scene.top), scene.growth);
+  if (scene.has_free_boundaries)
+    words += "free boundaries, ";
   if (scene.family == Family::full_block)
     words += fmt::format("Q{}, ", scene.degree);
   if (scene.coating_stiffness != 1.0)

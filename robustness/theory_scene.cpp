@@ -22,6 +22,7 @@ StepSummary summary_of(const theory::PerssonContact& contact,
   StepSummary summary;
   summary.nominal_pressure = nominal_pressure;
   summary.mean_gap = contact.mean_gap(nominal_pressure);
+  summary.separation = summary.mean_gap;
   summary.energy = contact.elastic_energy(nominal_pressure);
   summary.area = contact.area_fraction(nominal_pressure);
   summary.tolerance = relative_accuracy * summary.mean_gap;

@@ -5,6 +5,7 @@
 // tolerances.
 
 #include "contact/solvers/solver.hpp"
+#include "results/observables/observables.hpp"
 
 #include <functional>
 #include <optional>
@@ -37,6 +38,7 @@ struct AskedContact {
   /// The exact answer may lose nodes under increasing load, as a bent plate or
   /// elements that lock do.
   bool may_lose_contact = false;
+  results::Border border = results::Border::periodic;
 };
 
 /// Returns the rounding of a gap [m]: 64 eps times the sum of the largest
@@ -76,6 +78,8 @@ verify_certificate(const AskedContact& asked,
 struct StepSummary {
   double nominal_pressure = 0.0; ///< [Pa]
   double mean_gap = 0.0;         ///< [m]
+  /// Of the undeformed mean planes [m]; on a periodic surface the mean gap.
+  double separation = 0.0;
   /// Energy of block and interface springs per nominal area [J/m^2]
   double energy = 0.0;
   double area = 0.0; ///< counted contact area [1]
@@ -90,7 +94,7 @@ StepSummary summary_of(const AskedContact& asked,
 
 /// Verifies, for two solutions a, b with p_a <= p_b:
 ///
-/// monotone gap   u_b <= u_a
+/// monotone gap   u_b <= u_a, with the separation u
 /// monotone area  A_b >= A_a, unless contact may be lost
 /// energy         p_a (u_a - u_b) <= U_b - U_a <= p_b (u_a - u_b)
 ///

@@ -55,9 +55,9 @@ std::optional<Failure> verify_ranges(const Grid& grid,
                                      double contact_modulus) {
   const auto& [pressure, gap] = std::tie(solution.pressure, solution.gap);
   const auto counted = results::counted_area_fraction(pressure, asked.weights);
-  const auto corrected =
-      results::corrected_area_fraction(grid, pressure, gap, contact_modulus,
-                                       results::halfspace_area_coefficients);
+  const auto corrected = results::corrected_area_fraction(
+      grid, pressure, gap, contact_modulus,
+      results::halfspace_area_coefficients, asked.border);
   const auto fit = results::fit_pressure_distribution(pressure, asked.weights);
   const auto moment = results::pressure_fit_by_moment(pressure, asked.weights);
   const double energy =
@@ -70,7 +70,8 @@ std::optional<Failure> verify_ranges(const Grid& grid,
       Ranged{"corrected area", corrected.value, 0.0, 1.0, true},
       Ranged{"fitted area", fit.area_fraction, 0.0, 1.0, true},
       Ranged{"area by moment", moment.area_fraction, 0.0, 1.0, true},
-      Ranged{"perimeter", results::contact_perimeter(grid, pressure), 0.0,
+      Ranged{"perimeter",
+             results::contact_perimeter(grid, pressure, asked.border), 0.0,
              longest * (1.0 + 1e-12), false},
       Ranged{"elastic energy", energy, -rounding_of_energy(asked, solution),
              infinity, false},

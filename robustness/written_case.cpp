@@ -173,6 +173,8 @@ std::string method_text(const Scene& scene, const CaseNumbers& numbers) {
         number(depth), number(numbers.growth), number(numbers.thickness));
   } else {
     text = "[halfspace]\n";
+    if (scene.has_free_boundaries)
+      text += "boundaries = \"free\"\n";
     if (numbers.is_slab)
       text += "thickness = " + number(numbers.thickness) + "\n";
   }

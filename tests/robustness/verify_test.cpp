@@ -171,7 +171,7 @@ protected:
 };
 
 TEST_F(VerifyPair, SeesAGapThatOpensUnderLoad) {
-  more_.mean_gap = less_.mean_gap + 1e-8;
+  more_.separation = less_.separation + 1e-8;
   EXPECT_EQ(failing_pair(), "monotone gap");
 }
 
