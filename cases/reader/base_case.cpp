@@ -87,17 +87,6 @@ void move_paths(const Node& base, const fs::path& base_folder,
     }
 }
 
-// Returns the parsed text with all overrides applied, for inspection.
-Node seen(const StackedText& stacked) {
-  Node file = parse_toml(stacked.text, stacked.path);
-  Mistakes ignored; // reported when the case is read
-  for (const std::string& entry : overrides_in(stacked.text))
-    apply_override(file, entry, ignored);
-  for (const LaidOver& over : stacked.overrides)
-    apply_override(file, over.entry, ignored, over.place);
-  return file;
-}
-
 StackedText read_level(const std::string& path, const Place& asked_at,
                        int level) {
   if (level > deepest)
@@ -118,7 +107,7 @@ StackedText read_level(const std::string& path, const Place& asked_at,
   const Place place = base->place;
   const std::vector<std::string> own_lines = overrides_in(stacked.text);
   stacked = read_level(base_path.lexically_normal().string(), place, level + 1);
-  move_paths(seen(stacked), named.parent_path(), stacked.overrides);
+  move_paths(parsed(stacked), named.parent_path(), stacked.overrides);
   std::erase_if(file.entries,
                 [](const NodeEntry& entry) { return entry.key == "base"; });
   flatten(file, "", stacked.overrides);
@@ -128,6 +117,16 @@ StackedText read_level(const std::string& path, const Place& asked_at,
 }
 
 } // namespace
+
+Node parsed(const StackedText& stacked) {
+  Node file = parse_toml(stacked.text, stacked.path);
+  Mistakes ignored; // reported when the case is read
+  for (const std::string& entry : overrides_in(stacked.text))
+    apply_override(file, entry, ignored);
+  for (const LaidOver& over : stacked.overrides)
+    apply_override(file, over.entry, ignored, over.place);
+  return file;
+}
 
 StackedText read_stacked(const std::string& path) {
   return read_level(path, {path, 0}, 0);

@@ -4,6 +4,7 @@
 // Combines the files into one text that does not depend on any of them.
 
 #include "cases/text/case_error.hpp"
+#include "cases/text/node.hpp"
 
 #include <string>
 #include <vector>
@@ -34,5 +35,11 @@ struct StackedText {
 /// @throws CaseError  a file cannot be opened or is not TOML; `base` is not the
 ///                    first key, is not a string, or refers back to itself
 StackedText read_stacked(const std::string& path);
+
+/// Returns the parsed text with all overrides applied, for inspection. An
+/// override that cannot be applied is left out; reading the case reports it.
+///
+/// @throws CaseError  the text is not TOML
+Node parsed(const StackedText& stacked);
 
 } // namespace asperity::cases

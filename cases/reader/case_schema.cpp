@@ -154,6 +154,10 @@ Json table_schema(const Table& table, bool is_variant) {
   if (table.name == "expect")
     schema["patternProperties"][at_load_pattern()] =
         value_schema(table.keys.front());
+  if (table.name == "sweep") // any key of the case, in quotes or as a table
+    schema["additionalProperties"] = {
+        {"anyOf",
+         {{{"type", "array"}, {"minItems", 1}}, {{"type", "object"}}}}};
   if (table.is_method && !is_variant)
     schema["patternProperties"][variant_name_pattern(table)] = {
         {"$ref", "#/$defs/" + table.name + ".variant"}};

@@ -15,12 +15,6 @@
 namespace asperity::cases {
 namespace {
 
-std::string name_of(const std::filesystem::path& path) {
-  if (path.filename() != "case.toml")
-    return path.stem().string();
-  return std::filesystem::absolute(path).parent_path().filename().string();
-}
-
 std::vector<std::string> table_names() {
   std::vector<std::string> names;
   for (const Table& table : vocabulary())
@@ -143,7 +137,7 @@ void require_files(const Case& read) {
 Case read_text(const StackedText& stacked, const std::string& path) {
   Case read;
   read.path = path;
-  read.name = name_of(path);
+  read.name = case_name(path);
   std::vector<std::string> entries;
   for (const LaidOver& over : stacked.overrides)
     entries.push_back(over.entry);
@@ -161,6 +155,10 @@ Case read_text(const StackedText& stacked, const std::string& path) {
   for (const LaidOver& over : stacked.overrides)
     apply_override(file, over.entry, mistakes, over.place);
 
+  if (const Node* const sweep = file.find("sweep"))
+    mistakes.add(sweep->place,
+                 "[sweep] describes many cases, but one case is needed here: "
+                 "--set sweep= removes the table");
   read_top(file, read, mistakes);
   read_tables(file, read, mistakes);
   mistakes.throw_if_any();
@@ -174,13 +172,23 @@ void add(StackedText& stacked, const std::vector<std::string>& overrides) {
 
 } // namespace
 
+std::string case_name(const std::filesystem::path& path) {
+  if (path.filename() != "case.toml")
+    return path.stem().string();
+  return std::filesystem::absolute(path).parent_path().filename().string();
+}
+
+Case read_stacked_case(const StackedText& stacked, const std::string& path) {
+  Case read = read_text(stacked, path);
+  require_files(read);
+  return read;
+}
+
 Case read_case(const std::string& path,
                const std::vector<std::string>& overrides) {
   StackedText stacked = read_stacked(path);
   add(stacked, overrides);
-  Case read = read_text(stacked, path);
-  require_files(read);
-  return read;
+  return read_stacked_case(stacked, path);
 }
 
 Case read_case_text(const std::string& text, const std::string& path,

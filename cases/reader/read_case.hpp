@@ -6,10 +6,13 @@
 #include "cases/text/case_error.hpp"
 #include "cases/types/case.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace asperity::cases {
+
+struct StackedText;
 
 /// Value for `fields = "all"`; it exceeds the number of steps of any loading
 /// path.
@@ -28,6 +31,15 @@ inline constexpr int all_fields = 1000000;
 ///                    a map or spectrum file named in the case does not exist.
 Case read_case(const std::string& path,
                const std::vector<std::string>& overrides = {});
+
+/// Returns the name of the case in a file: that of its folder if the file is
+/// called case.toml, otherwise that of the file without ending.
+std::string case_name(const std::filesystem::path& path);
+
+/// Reads the case that base_case.hpp has put together for the file at `path`.
+///
+/// @throws CaseError  as read_case()
+Case read_stacked_case(const StackedText& stacked, const std::string& path);
 
 /// Reads a case from a text. `path` determines the folder of relative file
 /// names, the name of the case and the place in messages; nothing is opened.

@@ -141,6 +141,7 @@ std::vector<Table> all_tables() {
   tables.push_back(report_table());
   tables.push_back(expect_table());
   tables.push_back(band_table());
+  tables.push_back(case_sweep_table());
   return tables;
 }
 

@@ -116,5 +116,6 @@ std::vector<Table> block_tables();
 std::vector<Key> whole_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();
 std::vector<Table> study_tables();
+Table case_sweep_table();
 
 } // namespace asperity::cases

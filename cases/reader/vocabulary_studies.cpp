@@ -151,6 +151,27 @@ Table adhesion_table() {
 
 } // namespace
 
+Table case_sweep_table() {
+  return {
+      .name = "sweep",
+      .when = "Optional.",
+      .description =
+          "Parameter sweep: this file describes many cases, its points "
+          "(docs/reference/sweeps.md). Every other key names a key of the case "
+          "with its table, in quotes, and lists its values: "
+          "\"surface.hurst\" = [0.5, 0.7, 0.9].",
+      .keys = {
+          {.name = "combine",
+           .type = ValueType::word,
+           .words = {"product", "zip"},
+           .fallback = "\"product\"",
+           .example = "\"product\"",
+           .show = Show::no,
+           .description = "Points: every value of each key with every value of "
+                          "the others, or the lists side by side."},
+      }};
+}
+
 std::vector<Table> study_tables() {
   return {magnification_table(), leak_table(), adhesion_table()};
 }

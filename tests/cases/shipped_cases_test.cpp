@@ -367,6 +367,7 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "surface.height_unit",
                                            "surface.press_windowed_map",
                                            "surface.rescale",
+                                           "sweep.combine",
                                            "winkler.stiffness"}));
 }
 
