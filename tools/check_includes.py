@@ -40,8 +40,8 @@ ORDER = {
     "surfaces": ["maps", "formats", "."],
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
-    "reports": [".", "numbers", "analysis", "figures", "pages"],
-    "app": ["cache", "methods", "plan", "run", "answers", "board", "cli"],
+    "reports": [".", "numbers", "analysis", "figures", "pages", "sweeps"],
+    "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace asperity::app {
 namespace {
 
@@ -56,7 +58,41 @@ Asked asked_map(const MapOfCase& map,
   return asked;
 }
 
+AskedSweep read_sweep_called(const FoundCase& found,
+                             std::vector<std::string> overrides,
+                             bool is_quick) {
+  const std::string file = found.file.string();
+  if (is_quick) {
+    std::vector<std::string> quick = quick_overrides(found.file);
+    if (quick.empty())
+      fmt::print("{}: there is no quick.set next to the case file; the full "
+                 "sweep runs\n",
+                 file);
+    else
+      quick.push_back(
+          title_override(cases::read_sweep(file).title + reports::quick_mark));
+    overrides.insert(overrides.begin(), quick.begin(), quick.end());
+  }
+  AskedSweep asked{found, cases::read_sweep(file, overrides), overrides};
+  (void)reference_text_of(asked.sweep.points.front().contact_case); // mistakes
+  return asked;
+}
+
 } // namespace
+
+Asked read_asked_or_sweep(const std::string& word,
+                          const std::vector<std::string>& overrides,
+                          bool is_quick, const std::string& contact_modulus) {
+  if (is_map_file(word) || !contact_modulus.empty())
+    return read_asked(word, overrides, is_quick, contact_modulus);
+  FoundCases found = find_cases(word);
+  if (!found.collection.empty() ||
+      !cases::is_sweep(found.cases.front().file.string(), overrides))
+    return read_asked(word, overrides, is_quick);
+  AskedSweep sweep =
+      read_sweep_called(found.cases.front(), overrides, is_quick);
+  return {std::move(found), {}, std::move(sweep)};
+}
 
 Asked read_asked(const std::string& word,
                  const std::vector<std::string>& overrides, bool is_quick,

@@ -4,8 +4,10 @@
 // that belong to them, are read before anything runs.
 
 #include "app/run/case_library.hpp"
+#include "cases/reader/sweep.hpp"
 #include "cases/types/case.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +21,18 @@ struct ReadCase {
   std::vector<std::string> overrides = {};
 };
 
+/// A case file with a [sweep] and all of its points.
+struct AskedSweep {
+  FoundCase found;
+  cases::CaseSweep sweep;
+  std::vector<std::string> overrides; ///< including those of quick.set
+};
+
 /// The cases that one argument of the command line refers to.
 struct Asked {
   FoundCases found;
-  std::vector<ReadCase> cases;
+  std::vector<ReadCase> cases; ///< empty for a sweep
+  std::optional<AskedSweep> sweep = {};
 };
 
 /// Finds and reads the cases that an argument refers to.
@@ -40,5 +50,11 @@ Asked read_asked(const std::string& word,
                  const std::vector<std::string>& overrides = {},
                  bool is_quick = false,
                  const std::string& contact_modulus = "");
+
+/// Does the same for commands that also accept a sweep.
+Asked read_asked_or_sweep(const std::string& word,
+                          const std::vector<std::string>& overrides = {},
+                          bool is_quick = false,
+                          const std::string& contact_modulus = "");
 
 } // namespace asperity::app

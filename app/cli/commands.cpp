@@ -4,6 +4,7 @@
 #include "app/cli/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/collection.hpp"
+#include "app/cli/sweep_commands.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/plan/plan.hpp"
 #include "app/run/case_library.hpp"
@@ -83,7 +84,8 @@ fs::path folder_of(const std::string& name, const RunCommand& command) {
 }
 
 bool is_result(const fs::path& path) {
-  return path.extension() == ".h5" || fs::exists(path / "result.h5");
+  return path.extension() == ".h5" || fs::exists(path / "result.h5") ||
+         is_sweep_folder(path);
 }
 
 RunOptions options_of(const ReadCase& read, const fs::path& folder,
@@ -123,6 +125,8 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
 }
 
 void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {
+  if (asked.sweep)
+    print_sweep_plan(*asked.sweep, command);
   for (const ReadCase& read : asked.cases)
     fmt::print("{}", plan_text(make_plan(read.contact_case,
                                          options_of(read, {}, command, cache)),
@@ -131,6 +135,9 @@ void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {
 
 ExitCode run_asked(const Asked& asked, const RunCommand& command,
                    Cache& cache) {
+  if (asked.sweep)
+    return run_asked_sweep(*asked.sweep, command,
+                           folder_of(asked.sweep->sweep.name, command));
   const bool is_collection = !asked.found.collection.empty();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
@@ -166,8 +173,8 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command,
 ExitCode run_cases(const RunCommand& command) {
   std::vector<Asked> all;
   for (const std::string& word : command.cases)
-    all.push_back(read_asked(word, command.overrides, command.is_quick,
-                             command.contact_modulus));
+    all.push_back(read_asked_or_sweep(word, command.overrides, command.is_quick,
+                                      command.contact_modulus));
   catch_interrupts();
   Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
   ExitCode end = exit_good;
@@ -185,6 +192,16 @@ ExitCode run_cases(const RunCommand& command) {
 
 ExitCode report_results(const std::vector<std::string>& paths,
                         const std::string& out) {
+  for (const std::string& path : paths)
+    if (is_sweep_folder(path)) {
+      if (paths.size() > 1)
+        throw cases::CaseError(path +
+                               " is a sweep, whose report is written by "
+                               "itself; to compare points, give their "
+                               "folders: " +
+                               path + "/points/000");
+      return report_sweep(path, out);
+    }
   std::vector<results::Result> read;
   read.reserve(paths.size());
   for (const std::string& path : paths)
@@ -205,8 +222,11 @@ ExitCode report_results(const std::vector<std::string>& paths,
 
 namespace {
 
-void check_cases(const Asked& asked, Cache& cache, Checks& checks) {
+void check_cases(const Asked& asked, bool uses_cache, Cache& cache,
+                 Checks& checks) {
   catch_interrupts();
+  if (asked.sweep)
+    check_asked_sweep(*asked.sweep, uses_cache, checks);
   for (const auto& [found, contact_case, reference, overrides] : asked.cases) {
     const fs::path folder = fs::path("out") / found.name;
     const FolderLock lock(folder, "check " + found.name);
@@ -227,16 +247,18 @@ ExitCode check_targets(const std::vector<std::string>& targets,
   std::map<std::string, Asked> to_run;
   for (const std::string& target : targets)
     if (!is_result(target))
-      to_run.emplace(target, read_asked(target));
+      to_run.emplace(target, read_asked_or_sweep(target));
   Checks checks;
   try {
     for (const std::string& target : targets) {
       const auto asked = to_run.find(target);
-      if (asked == to_run.end()) {
+      if (asked == to_run.end() && is_sweep_folder(target)) {
+        check_sweep_folder(target, checks);
+      } else if (asked == to_run.end()) {
         results::require_readable(target);
         checks.add(summary_of(results::read_result(target)));
       } else {
-        check_cases(asked->second, cache, checks);
+        check_cases(asked->second, uses_cache, cache, checks);
       }
       if (is_interrupted())
         break;

@@ -115,13 +115,18 @@ void add_up_times(Plan& plan) {
 
 Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                int largest_probe) {
+  MachineRates rates(largest_probe);
+  return make_plan(contact_case, options, rates);
+}
+
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
+               MachineRates& rates) {
   const std::vector<MethodSpec> methods =
       chosen_methods(contact_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(contact_case, methods);
   if (const auto& variation = contact_case.material.variation;
       variation && variation->kind == cases::VariationKind::table)
     fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
-  MachineRates rates(largest_probe);
   const CaseKeys keys(contact_case, program_identity());
   Cache none;
   Cache& cache = options.cache != nullptr ? *options.cache : none;

@@ -3,6 +3,7 @@
 // The plan of a run: jobs, predicted time and memory, and what is cached.
 // Making a plan computes no results and writes nothing.
 
+#include "app/plan/machine_rates.hpp"
 #include "app/plan/run_options.hpp"
 #include "app/plan/skipped.hpp"
 
@@ -48,6 +49,15 @@ struct Plan {
 ///                           factors that cannot be read
 Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                int largest_probe = 1024);
+
+/// Does the same with rates that several plans share.
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
+               MachineRates& rates);
+
+/// Formats a time as "12 s", "3 min" or "1.5 h", and a size as "12 MB" or "1.5
+/// GB"; "?" if it is unknown (NaN).
+std::string time_text(double seconds);
+std::string size_text(double bytes);
 
 /// Computes cpu_time and wall_time from the times of the parts and the number
 /// of threads. Methods share the threads, except that those marked runs_alone

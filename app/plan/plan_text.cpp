@@ -9,6 +9,14 @@
 namespace asperity::app {
 namespace {
 
+std::string grid_text(const Grid& grid) {
+  return grid.points_x == 0
+             ? "formula"
+             : fmt::format("{} x {}", grid.points_x, grid.points_y);
+}
+
+} // namespace
+
 std::string time_text(double seconds) {
   if (std::isnan(seconds))
     return "?";
@@ -24,14 +32,6 @@ std::string size_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes)
                      : fmt::format("{:.3g} GB", 1e-9 * bytes);
 }
-
-std::string grid_text(const Grid& grid) {
-  return grid.points_x == 0
-             ? "formula"
-             : fmt::format("{} x {}", grid.points_x, grid.points_y);
-}
-
-} // namespace
 
 std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
   std::string text =

@@ -2,6 +2,7 @@
 
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/reader/sweep.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
 #include "cases/text/nearest.hpp"
@@ -140,9 +141,11 @@ std::vector<ShippedCase> shipped_cases() {
     const fs::path folder = library_folder() / word;
     if (is_collection(folder))
       found.push_back({word, "collection of all the parts below"});
+    else if (const std::string file = (folder / "case.toml").string();
+             cases::is_sweep(file))
+      found.push_back({word, cases::read_sweep(file).title});
     else
-      found.push_back(
-          {word, cases::read_case((folder / "case.toml").string()).title});
+      found.push_back({word, cases::read_case(file).title});
   }
   return found;
 }

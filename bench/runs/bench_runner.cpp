@@ -1,5 +1,6 @@
 #include "bench/runs/bench_runner.hpp"
 
+#include "app/run/child_run.hpp"
 #include "app/run/exit_code.hpp"
 #include "app/run/interrupt.hpp"
 #include "base/cpu_clock.hpp"
@@ -15,7 +16,6 @@
 #include <utility>
 
 #include "bench/analysis/bench_answer.hpp"
-#include "bench/runs/child_run.hpp"
 
 namespace asperity::app {
 namespace {

@@ -279,6 +279,13 @@ std::string point_label(const std::vector<SweptKey>& keys,
   return label;
 }
 
+std::string point_content(const std::string& text) {
+  Node file = parsed({text, "point", {}});
+  std::erase_if(file.entries,
+                [](const NodeEntry& entry) { return entry.key == "sweep"; });
+  return toml_value(file);
+}
+
 bool is_sweep(const std::string& path,
               const std::vector<std::string>& overrides) {
   return parsed(stacked_with(path, overrides)).find("sweep") != nullptr;

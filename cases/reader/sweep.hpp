@@ -47,6 +47,14 @@ struct CaseSweep {
 std::string point_label(const std::vector<SweptKey>& keys,
                         const std::vector<std::size_t>& choice);
 
+/// Returns what the text of a point says, without [sweep] and the form in which
+/// it is written: two points with equal contents are the same case, also if
+/// they belong to different sweeps.
+///
+/// @param text  Case::text
+/// @throws CaseError  the text is not TOML
+std::string point_content(const std::string& text);
+
 /// Returns true if the case file, after its overrides, has a [sweep].
 ///
 /// @throws CaseError  the file cannot be read, or is not TOML

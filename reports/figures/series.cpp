@@ -19,6 +19,8 @@ using results::MethodRecord;
 
 struct Sum {
   SeriesRow row;
+  std::vector<FittedValue> gaps; ///< of the realisations
+  std::vector<FittedValue> areas;
   int count = 0;
   int with_theory = 0;
 };
@@ -31,6 +33,8 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
   row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
   row.gap_high = sum.count == 0 ? gap : std::max(row.gap_high, gap);
   const double area = point.area_fraction;
+  sum.gaps.push_back({.value = gap});
+  sum.areas.push_back({.value = area});
   row.area_low = sum.count == 0 ? area : std::min(row.area_low, area);
   row.area_high = sum.count == 0 ? area : std::max(row.area_high, area);
   const double pressure = point.nominal_pressure / scales.contact_modulus;
@@ -58,6 +62,8 @@ SeriesRow mean_of(const Sum& sum) {
                          &row.area, &row.area_corrected, &row.area_fit,
                          &row.theory_area, &row.iterations, &row.cpu_time})
     *number /= count;
+  row.gap_interval = mean_over_realizations(sum.gaps).half_width;
+  row.area_interval = mean_over_realizations(sum.areas).half_width;
   row.theory_gap =
       sum.with_theory == sum.count ? row.theory_gap / count : not_a_number;
   return row;

@@ -21,17 +21,20 @@ struct ReportEntry {
 
 /// One load step over the realisations of a method: mean, minimum and maximum.
 struct SeriesRow {
-  double pressure = 0.0;       ///< p/E* [1]
-  double pressure_slope = 0.0; ///< p/(E* h') [1]
-  double gap = 0.0;            ///< u/h_rms [1]
-  double gap_low = 0.0;        ///< minimum over the realisations
-  double gap_high = 0.0;       ///< maximum over the realisations
-  double area = 0.0;           ///< counted [1]
+  double pressure = 0.0;              ///< p/E* [1]
+  double pressure_slope = 0.0;        ///< p/(E* h') [1]
+  double gap = 0.0;                   ///< u/h_rms [1]
+  double gap_low = 0.0;               ///< minimum over the realisations
+  double gap_high = 0.0;              ///< maximum over the realisations
+  double gap_interval = not_a_number; ///< half-width of the 95 % interval of
+                                      ///< the mean; NaN: one realisation
+  double area = 0.0;                  ///< counted [1]
   double area_low = 0.0;
   double area_high = 0.0;
-  double area_corrected = 0.0;      ///< [1]
-  double area_fit = 0.0;            ///< Eq. (21) of the fit [1]; NaN: none
-  double theory_gap = not_a_number; ///< u/h_rms of the reference theory
+  double area_interval = not_a_number; ///< as gap_interval
+  double area_corrected = 0.0;         ///< [1]
+  double area_fit = 0.0;               ///< Eq. (21) of the fit [1]; NaN: none
+  double theory_gap = not_a_number;    ///< u/h_rms of the reference theory
   double theory_area = 0.0; ///< A/A_0 of the reference theory; NaN: none
   double iterations = 0.0;  ///< mean [1]
   double cpu_time = 0.0;    ///< mean [s]

@@ -1,4 +1,4 @@
-#include "bench/runs/child_run.hpp"
+#include "app/run/child_run.hpp"
 
 #include "app/run/interrupt.hpp"
 

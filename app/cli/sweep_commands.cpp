@@ -1,0 +1,151 @@
+#include "app/cli/sweep_commands.hpp"
+
+#include "app/cache/cache.hpp"
+#include "app/run/interrupt.hpp"
+#include "app/sweeps/sweep_plan.hpp"
+#include "app/sweeps/sweep_run.hpp"
+#include "base/folder_lock.hpp"
+#include "cases/text/case_error.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/sweeps/sweep_report.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int cost_probe_points = 1024; // as for the plan of one case
+
+void print_undrawn(const reports::SweepReport& report) {
+  for (const std::string& failure : report.undrawn)
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+}
+
+/// Prints what is not as expected, and returns the exit code of all points.
+ExitCode print_findings(const reports::SweepRecord& record,
+                        const reports::SweepReport& report) {
+  ExitCode end = exit_good;
+  int judged = 0;
+  int met = 0;
+  for (const auto& result : report.results) {
+    if (!result->has_result())
+      continue;
+    end = worse(end, exit_code_of(result->summary));
+    for (const reports::Verdict& verdict : result->summary.verdicts) {
+      if (verdict.outcome == reports::Outcome::skipped)
+        continue;
+      ++judged;
+      met += verdict.is_passed() ? 1 : 0;
+      if (!verdict.is_passed())
+        fmt::print("point {:03}, {}: {}\n", result->point,
+                   record.label(result->point), reports::check_line(verdict));
+    }
+  }
+  if (judged > 0)
+    fmt::print("{} of {} expectations are met\n", met, judged);
+  return end;
+}
+
+SweepOutcome run_to(const AskedSweep& asked, const RunCommand& command,
+                    const fs::path& folder) {
+  SweepRunOptions options{
+      asked.found.file, asked.overrides, command.methods, command.is_exact,
+      folder,           command.resume,  command.threads, command.uses_cache};
+  fmt::print("{}: {}\n", asked.sweep.name, asked.sweep.title);
+  return run_sweep(asked.sweep, options);
+}
+
+/// Adds the findings at all points; a point without a result is a problem.
+void add_checks(
+    const reports::SweepRecord& record,
+    const std::vector<std::unique_ptr<reports::SweptResult>>& results,
+    Checks& checks) {
+  for (const auto& result : results) {
+    const std::string name =
+        fmt::format("{}, point {:03}, {}", record.case_name, result->point,
+                    record.label(result->point));
+    if (result->has_result()) {
+      reports::Summary summary = result->summary;
+      summary.case_name = name;
+      checks.add(std::move(summary));
+    }
+    if (!result->problem.empty()) {
+      fmt::print("{}: {}\n", name, result->problem);
+      checks.add_problem(name, result->problem,
+                         is_interrupted() ? exit_interrupted
+                                          : exit_expectation_failed);
+    }
+  }
+}
+
+} // namespace
+
+bool is_sweep_folder(const fs::path& folder) {
+  return fs::exists(folder / reports::sweep_file) &&
+         !fs::exists(folder / "result.h5");
+}
+
+void print_sweep_plan(const AskedSweep& asked, const RunCommand& command) {
+  RunOptions options{{}, command.methods, command.resume, command.threads};
+  options.is_exact = command.is_exact;
+  Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
+  options.cache = &cache;
+  fmt::print("{}", sweep_plan_text(
+                       make_sweep_plan(asked.sweep, options, cost_probe_points),
+                       asked.sweep));
+}
+
+ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
+                         const fs::path& folder) {
+  if (!command.target_error.empty())
+    throw cases::CaseError("--target-error: " + asked.sweep.path +
+                           " is a sweep, but a target error is met for one "
+                           "case; --set sweep= removes the sweep");
+  const FolderLock lock(folder, "run " + asked.sweep.name);
+  const SweepOutcome outcome = run_to(asked, command, folder);
+  ExitCode end = outcome.worst;
+  if (!command.no_report) {
+    const reports::SweepReport report =
+        reports::write_sweep_report(outcome.record, folder, folder, true);
+    print_undrawn(report);
+    end = worse(end, print_findings(outcome.record, report));
+    fmt::print("report: {}\n", (folder / "report.html").string());
+  }
+  if (outcome.is_interrupted) {
+    fmt::print("interrupted; continue with --resume\n");
+    return exit_interrupted;
+  }
+  return end;
+}
+
+ExitCode report_sweep(const fs::path& folder, const std::string& out) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  const fs::path target = out.empty() ? folder : fs::path(out);
+  const FolderLock lock(target, "report");
+  print_undrawn(reports::write_sweep_report(record, folder, target, false));
+  fmt::print("report: {}\n", (target / "report.html").string());
+  return exit_good;
+}
+
+void check_sweep_folder(const fs::path& folder, Checks& checks) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  add_checks(record, reports::read_swept_results(record, folder, false),
+             checks);
+}
+
+void check_asked_sweep(const AskedSweep& asked, bool uses_cache,
+                       Checks& checks) {
+  const fs::path folder = fs::path("out") / asked.sweep.name;
+  const FolderLock lock(folder, "check " + asked.sweep.name);
+  RunCommand command;
+  command.uses_cache = uses_cache;
+  const SweepOutcome outcome = run_to(asked, command, folder);
+  const reports::SweepReport report =
+      reports::write_sweep_report(outcome.record, folder, folder, true);
+  print_undrawn(report);
+  add_checks(outcome.record, report.results, checks);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,40 @@
+#pragma once
+
+// What the commands run, check and report do with a sweep.
+
+#include "app/cli/asked_cases.hpp"
+#include "app/cli/checks.hpp"
+#include "app/cli/commands.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace asperity::app {
+
+/// Returns true for a folder with the results of a sweep.
+bool is_sweep_folder(const std::filesystem::path& folder);
+
+/// Prints the points of a sweep with their predicted cost.
+void print_sweep_plan(const AskedSweep& asked, const RunCommand& command);
+
+/// Runs a sweep into a folder, writes its report and prints the expectations
+/// that are not met.
+///
+/// @throws cases::CaseError  --target-error, which is about one case; otherwise
+///                           as run_sweep()
+ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
+                         const std::filesystem::path& folder);
+
+/// Rewrites the report of a sweep.
+///
+/// @param out  folder of the report; empty: that of the sweep
+ExitCode report_sweep(const std::filesystem::path& folder,
+                      const std::string& out);
+
+/// Checks the expectations of all points of a sweep that has run, or runs it
+/// into out/<case> first.
+void check_sweep_folder(const std::filesystem::path& folder, Checks& checks);
+void check_asked_sweep(const AskedSweep& asked, bool uses_cache,
+                       Checks& checks);
+
+} // namespace asperity::app

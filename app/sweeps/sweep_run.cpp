@@ -1,0 +1,280 @@
+#include "app/sweeps/sweep_run.hpp"
+
+#include "app/cache/cache.hpp"
+#include "app/cache/case_keys.hpp"
+#include "app/methods/chosen.hpp"
+#include "app/methods/worker_pool.hpp"
+#include "app/run/child_run.hpp"
+#include "app/run/interrupt.hpp"
+#include "app/run/last_run.hpp"
+#include "app/sweeps/memory_budget.hpp"
+#include "app/sweeps/sweep_plan.hpp"
+#include "base/atomic_file.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/provenance.hpp"
+#include "results/result_reader.hpp"
+#include "results/result_writer.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int memory_probe_points = 64; // small, because times are not needed
+
+reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
+  reports::SweepRecord record{
+      sweep.name, sweep.title, sweep.combine, sweep.keys, {}};
+  for (const cases::SweptPoint& point : sweep.points)
+    record.points.push_back(
+        {point.choice, cases::case_hash(point.contact_case)});
+  return record;
+}
+
+/// Keeps the points of an earlier sweep under another name.
+void put_points_aside(const fs::path& folder) {
+  const fs::path points = folder / "points";
+  const fs::path previous = folder / "points.previous";
+  if (fs::exists(points)) {
+    fs::remove_all(previous);
+    fs::rename(points, previous);
+    fmt::print("the points of the previous sweep are saved in {}\n",
+               previous.string());
+  }
+  for (const char* name : {reports::sweep_file, "sweep.csv"})
+    fs::remove(folder / name);
+}
+
+/// Returns the last lines of a log in one line, for messages.
+std::string end_of_log(const fs::path& log) {
+  std::ifstream stream(log);
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty())
+      lines.push_back(line);
+  constexpr std::size_t most_lines = 3;
+  std::string text;
+  for (std::size_t i = lines.size() - std::min(lines.size(), most_lines);
+       i < lines.size(); ++i)
+    text += (text.empty() ? "" : "; ") + lines[i].substr(0, 300);
+  return text;
+}
+
+enum class PointState { missing, to_resume, complete };
+
+/// What an earlier sweep has computed of a point.
+struct EarlierPoint {
+  PointState state = PointState::missing;
+  std::string case_hash = {}; ///< of the result
+};
+
+bool has_all_steps(const results::Result& result,
+                   const cases::Case& contact_case,
+                   const std::vector<cases::MethodSpec>& methods) {
+  const results::StepsDone done = results::steps_done(result);
+  for (const cases::MethodSpec& method : methods)
+    for (int r = 0; r < n_realizations(contact_case, method); ++r) {
+      const auto found = done.find({method.name, r});
+      if (found == done.end() ||
+          found->second.size() != contact_case.load.targets.size())
+        return false;
+    }
+  return result.status == "complete";
+}
+
+/// A result of another case, other inputs or another program counts as missing,
+/// as does an incomplete one whose case is written differently, because the run
+/// would refuse to resume it.
+EarlierPoint earlier_point(const cases::Case& contact_case,
+                           const std::vector<cases::MethodSpec>& methods,
+                           const fs::path& folder) {
+  if (!fs::exists(folder / "result.h5"))
+    return {};
+  try {
+    const results::Result result = results::read_result(folder);
+    results::Inputs inputs = input_hashes(contact_case);
+    inputs["program"] = results::build_stamp();
+    if (results::inputs_of(result) != inputs ||
+        cases::point_content(result.case_text) !=
+            cases::point_content(contact_case.text))
+      return {};
+    if (has_all_steps(result, contact_case, methods))
+      return {PointState::complete, result.case_hash};
+    if (result.case_hash == cases::case_hash(contact_case))
+      return {PointState::to_resume, result.case_hash};
+  } catch (const cases::CaseError&) { // damaged: it is computed again
+  }
+  return {};
+}
+
+class SweepRun {
+public:
+  SweepRun(const cases::CaseSweep& sweep, const SweepRunOptions& options,
+           SweepPlan plan)
+      : sweep_(sweep),
+        options_(options),
+        plan_(std::move(plan)),
+        budget_(plan_.available_memory),
+        outcome_{record_of(sweep)} {}
+
+  SweepOutcome execute() {
+    prepare();
+    std::vector<WorkerPool::Job> jobs;
+    for (std::size_t i = 0; i < sweep_.points.size(); ++i)
+      jobs.push_back([this, i] { run_point(i); });
+    start_ = Clock::now();
+    WorkerPool(plan_.threads).run(jobs);
+    outcome_.is_interrupted = is_interrupted();
+    return std::move(outcome_);
+  }
+
+private:
+  void prepare() {
+    put_last_run_aside(options_.folder); // of one case
+    remove_report(options_.folder);
+    if (!options_.resume)
+      put_points_aside(options_.folder);
+    write_file_atomically(options_.folder / reports::sweep_file,
+                          reports::record_json(outcome_.record).dump(2) + "\n");
+    std::set<std::string> warnings;
+    for (const Plan& point : plan_.points)
+      warnings.insert(point.warnings.begin(), point.warnings.end());
+    for (const std::string& warning : warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+  }
+
+  void run_point(std::size_t i) {
+    if (is_interrupted()) {
+      outcome_.record.points[i].problem = "has not run, because the sweep was "
+                                          "interrupted";
+      return;
+    }
+    const fs::path folder = options_.folder / reports::point_folder(i);
+    fs::create_directories(folder);
+    const cases::Case& contact_case = sweep_.points[i].contact_case;
+    const EarlierPoint earlier =
+        options_.resume
+            ? earlier_point(contact_case,
+                            chosen_methods(contact_case, options_.methods,
+                                           options_.is_exact),
+                            folder)
+            : EarlierPoint{};
+    if (earlier.state == PointState::complete) {
+      outcome_.record.points[i].case_hash = earlier.case_hash;
+      finish(i, ChildEnd{0, "", 0.0, 0.0}, "is complete already");
+      return;
+    }
+    const MemoryBudget::Share share(budget_, plan_.points[i].memory);
+    const ChildEnd end =
+        run_self(words_of(i, earlier.state), folder / "log.txt");
+    finish(i, end, "");
+  }
+
+  /// The last points share the threads that would otherwise be idle.
+  int threads_of(std::size_t i) const {
+    const std::size_t left = sweep_.points.size() - i;
+    const auto workers =
+        std::min(left, static_cast<std::size_t>(plan_.beside()));
+    return std::max(1, plan_.threads / static_cast<int>(workers));
+  }
+
+  std::vector<std::string> words_of(std::size_t i, PointState state) const {
+    std::vector<std::string> words{
+        "run",
+        options_.case_file.string(),
+        "--no-report",
+        "--out",
+        (options_.folder / reports::point_folder(i)).string(),
+        "--threads",
+        std::to_string(threads_of(i))};
+    const auto add = [&](const std::vector<std::string>& more) {
+      words.insert(words.end(), more.begin(), more.end());
+    };
+    for (const std::string& entry : options_.overrides)
+      add({"--set", entry});
+    for (const std::string& entry : sweep_.points[i].overrides)
+      add({"--set", entry});
+    for (const std::string& method : options_.methods)
+      add({"--methods", method});
+    if (options_.is_exact)
+      add({"--exactly"});
+    if (!options_.uses_cache)
+      add({"--no-cache"});
+    if (state == PointState::to_resume)
+      add({"--resume"});
+    return words;
+  }
+
+  void finish(std::size_t i, const ChildEnd& end, const std::string& remark) {
+    const std::lock_guard lock(mutex_);
+    const auto code = static_cast<ExitCode>(
+        end.exit_code < 0 || end.exit_code > exit_interrupted ? exit_internal
+                                                              : end.exit_code);
+    reports::PointRecord& point = outcome_.record.points[i];
+    if (code == exit_interrupted)
+      point.problem = "was interrupted";
+    else if (code != exit_good && code != exit_not_converged)
+      point.problem = fmt::format(
+          "{}: {}", end.failure,
+          end_of_log(options_.folder / reports::point_folder(i) / "log.txt"));
+    outcome_.worst = std::max(outcome_.worst, code);
+    ++n_done_;
+    const std::string words =
+        !point.problem.empty()       ? point.problem
+        : code == exit_not_converged ? "some steps did not converge"
+        : !remark.empty()            ? remark
+                                     : fmt::format("{:.1f} s", end.wall_time);
+    fmt::print("{:>4}/{} point {:03}  {}  {}{}\n", n_done_,
+               sweep_.points.size(), i, outcome_.record.label(i), words,
+               remaining_words());
+    std::fflush(stdout);
+  }
+
+  std::string remaining_words() const {
+    const double elapsed =
+        std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::size_t left = sweep_.points.size() - n_done_;
+    if (left == 0 || elapsed < 10.0)
+      return "";
+    return fmt::format("; about {} left",
+                       time_text(elapsed / static_cast<double>(n_done_) *
+                                 static_cast<double>(left)));
+  }
+
+  const cases::CaseSweep& sweep_;
+  const SweepRunOptions& options_;
+  SweepPlan plan_;
+  MemoryBudget budget_;
+  std::mutex mutex_; ///< for the following
+  SweepOutcome outcome_;
+  std::size_t n_done_ = 0;
+  Clock::time_point start_;
+};
+
+} // namespace
+
+SweepOutcome run_sweep(const cases::CaseSweep& sweep,
+                       const SweepRunOptions& options) {
+  RunOptions run{{}, options.methods, options.resume, options.threads};
+  run.is_exact = options.is_exact;
+  Cache cache(cache_folder(), options.uses_cache ? cache_size() : 0);
+  run.cache = &cache;
+  return SweepRun(sweep, options,
+                  make_sweep_plan(sweep, run, memory_probe_points))
+      .execute();
+}
+
+} // namespace asperity::app

@@ -1,0 +1,86 @@
+#include "reports/sweeps/sweep_axis.hpp"
+
+#include "reports/figures/gnuplot.hpp"
+#include "reports/sweeps/sweep_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace asperity::reports {
+namespace {
+
+struct NumberWithUnit {
+  double number = 0.0;
+  std::string unit;
+};
+
+/// Reads "14 nm" or 0.5; nothing for anything else.
+std::optional<NumberWithUnit> number_in(const std::string& label) {
+  NumberWithUnit read;
+  const char* const end = label.data() + label.size();
+  const auto [rest, error] = std::from_chars(label.data(), end, read.number);
+  if (error != std::errc{} || !std::isfinite(read.number))
+    return std::nullopt;
+  read.unit.assign(rest, end);
+  if (!read.unit.empty() && read.unit.front() == ' ')
+    read.unit.erase(0, 1);
+  return read;
+}
+
+} // namespace
+
+FigureAxis axis_of(const cases::SweptKey& key) {
+  FigureAxis axis;
+  axis.is_numeric = true;
+  std::string unit;
+  for (const std::string& value : key.values) {
+    axis.labels.push_back(value_label(value));
+    const auto number = number_in(axis.labels.back());
+    if (!number || (!axis.positions.empty() && number->unit != unit))
+      axis.is_numeric = false;
+    axis.positions.push_back(number ? number->number : 0.0);
+    unit = number ? number->unit : "";
+  }
+  axis.title = key.key;
+  if (!axis.is_numeric)
+    for (std::size_t i = 0; i < axis.positions.size(); ++i)
+      axis.positions[i] = static_cast<double>(i);
+  else if (!unit.empty())
+    axis.title += " [" + unit + "]";
+  const auto [low, high] = std::ranges::minmax(axis.positions);
+  axis.is_log = axis.is_numeric && low > 0.0 && high > 20.0 * low;
+  return axis;
+}
+
+std::string scale_color(std::size_t i, std::size_t n) {
+  // Five colours of the scale "viridis" without its lightest end.
+  constexpr std::array<std::array<double, 3>, 5> anchors{{{68, 1, 84},
+                                                          {59, 82, 139},
+                                                          {33, 145, 140},
+                                                          {94, 201, 98},
+                                                          {224, 200, 32}}};
+  const double place =
+      n < 2 ? 1.0 : 4.0 * static_cast<double>(i) / static_cast<double>(n - 1);
+  const auto lower = std::min<std::size_t>(3, static_cast<std::size_t>(place));
+  const double share = place - static_cast<double>(lower);
+  std::array<int, 3> rgb{};
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = static_cast<int>(std::lround((1.0 - share) * anchors[lower][c] +
+                                          share * anchors[lower + 1][c]));
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+}
+
+std::string tick_labels(const FigureAxis& axis, const std::string& axis_name) {
+  std::string ticks;
+  for (std::size_t i = 0; i < axis.labels.size(); ++i)
+    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ",
+                         gnuplot_text(axis.labels[i].substr(0, 24)), i);
+  return fmt::format("set {}tics ({})\n", axis_name, ticks);
+}
+
+} // namespace asperity::reports

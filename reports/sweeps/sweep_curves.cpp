@@ -1,0 +1,197 @@
+// The loading curves of all points of a sweep in one figure per method.
+#include "reports/figures/plot_parts.hpp"
+#include "reports/sweeps/sweep_axis.hpp"
+#include "reports/sweeps/sweep_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using Results = std::vector<std::unique_ptr<SweptResult>>;
+
+/// Which observable a figure shows against which.
+enum class CurveKind { pressure_gap, area_pressure };
+
+/// A point of a curve in the coordinates of the figure, with the half-width of
+/// the 95 % interval of the observable; NaN: there is none.
+struct CurveRow {
+  double x = 0.0;
+  double y = 0.0;
+  double half_width = not_a_number;
+};
+
+CurveRow row_of(const SeriesRow& row, CurveKind kind) {
+  return kind == CurveKind::pressure_gap
+             ? CurveRow{row.gap, std::log10(row.pressure), row.gap_interval}
+             : CurveRow{row.pressure, row.area, row.area_interval};
+}
+
+/// Returns the band of a curve as a closed polygon: one block of rows, which
+/// gnuplot selects by its index. Empty if a row has no interval.
+std::string band_of(const std::vector<SeriesRow>& rows, CurveKind kind) {
+  std::string there;
+  std::string back;
+  for (const SeriesRow& one : rows) {
+    const CurveRow row = row_of(one, kind);
+    if (!std::isfinite(row.half_width))
+      return "";
+    const bool is_gap = kind == CurveKind::pressure_gap;
+    const double low = is_gap ? row.x - row.half_width
+                              : std::max(row.y - row.half_width, 1e-3 * row.y);
+    const double high = (is_gap ? row.x : row.y) + row.half_width;
+    there += is_gap ? fmt::format("{:.8g},{:.8g}\n", low, row.y)
+                    : fmt::format("{:.8g},{:.8g}\n", row.x, low);
+    back.insert(0, is_gap ? fmt::format("{:.8g},{:.8g}\n", high, row.y)
+                          : fmt::format("{:.8g},{:.8g}\n", row.x, high));
+  }
+  return rows.size() < 2 ? "" : there + back;
+}
+
+/// Assembles the curves of one method.
+class CurveFigure {
+public:
+  CurveFigure(const SweepRecord& record, const std::string& method,
+              CurveKind kind)
+      : record_(record), kind_(kind), method_(method) {
+    const bool is_gap = kind == CurveKind::pressure_gap;
+    figure_.name =
+        fmt::format("sweep-{}-{}", is_gap ? "pressure-gap" : "area-pressure",
+                    file_word(method));
+    figure_.title = fmt::format("{}: {}",
+                                is_gap ? "Pressure against separation"
+                                       : "Contact area against pressure",
+                                method);
+    for (const cases::SweptKey& key : record.keys)
+      axes_.push_back(axis_of(key));
+  }
+
+  void add(const SweptResult& result, const Series& series) {
+    if (series.rows.empty())
+      return;
+    const std::size_t index = n_curves_++;
+    for (const SeriesRow& one : series.rows) {
+      const CurveRow row = row_of(one, kind_);
+      table_.add(record_.label(result.point),
+                 {static_cast<double>(index), row.x, row.y, row.half_width});
+    }
+    const std::vector<std::size_t>& choice =
+        record_.points[result.point].choice;
+    if (const std::string band = band_of(series.rows, kind_); !band.empty()) {
+      bands_ += (n_bands_ == 0 ? "" : "\n\n") + band;
+      band_plots_.push_back(fmt::format(
+          "'{}-bands.csv' index {} using 1:2 with filledcurves closed "
+          "fillcolor "
+          "rgb '{}' fillstyle transparent solid 0.18 noborder notitle",
+          figure_.name, n_bands_++, color(choice)));
+    }
+    line_plots_.push_back(fmt::format(
+        "'{}.csv' {} with lines linewidth 1.4 dashtype {} linecolor "
+        "rgb '{}' {}",
+        figure_.name, of_series(index, "$3:4"), dash(choice), color(choice),
+        key_entry(choice)));
+  }
+
+  bool is_empty() const { return n_curves_ == 0; }
+
+  Figure take() && {
+    const bool is_gap = kind_ == CurveKind::pressure_gap;
+    figure_.data = table_.text();
+    if (n_bands_ > 0)
+      figure_.maps.emplace_back("bands", bands_);
+    figure_.caption = caption();
+    figure_.script =
+        is_gap ? "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
+                     "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") + "\n"
+               : "set logscale xy\nset format xy '10^{%T}'\nset xlabel " +
+                     gnuplot_markup("p / E*") + "\nset ylabel " +
+                     gnuplot_markup("A / A_0") + "\n";
+    std::vector<std::string> plots = std::move(band_plots_);
+    plots.insert(plots.end(), line_plots_.begin(), line_plots_.end());
+    figure_.script += "set key maxcols 2\n" + plot_of(plots);
+    return std::move(figure_);
+  }
+
+private:
+  std::string color(const std::vector<std::size_t>& choice) const {
+    return scale_color(choice[0], axes_[0].labels.size());
+  }
+
+  /// The second key of a zip has one value per value of the first, and no dash
+  /// type of its own.
+  std::size_t dash(const std::vector<std::size_t>& choice) const {
+    return has_dashes() ? 1 + choice[1] % 5 : 1;
+  }
+
+  bool has_dashes() const {
+    return axes_.size() > 1 && record_.combine == cases::Combine::product;
+  }
+
+  /// The key has one entry per value of the first swept key, at most ten, and
+  /// one per value of the second.
+  std::string key_entry(const std::vector<std::size_t>& choice) {
+    const std::size_t n = axes_[0].labels.size();
+    const std::size_t stride = (n + 9) / 10;
+    std::string title;
+    if (choice[0] % stride == 0 &&
+        !std::exchange(colors_shown_[choice[0]], true))
+      title = axes_[0].labels[choice[0]];
+    if (has_dashes() && !std::exchange(dashes_shown_[choice[1]], true))
+      title += (title.empty() ? "" : ", ") + axes_[1].labels[choice[1]];
+    return title.empty() ? "notitle" : "title " + gnuplot_text(title);
+  }
+
+  std::string caption() const {
+    std::string words = fmt::format(
+        "One line per point; the colour is the value of {}, from "
+        "{} (dark) to {}",
+        record_.keys[0].key, axes_[0].labels.front(), axes_[0].labels.back());
+    if (has_dashes())
+      words += fmt::format(", the dash type that of {}", record_.keys[1].key);
+    for (std::size_t k = has_dashes() ? 2 : 1; k < axes_.size(); ++k)
+      words += fmt::format("; {} also varies", record_.keys[k].key);
+    words += n_bands_ > 0 ? ". Bands: 95 % interval of the mean over the "
+                            "realisations."
+                          : ". There are no bands, because each point has one "
+                            "realisation.";
+    return words;
+  }
+
+  const SweepRecord& record_;
+  CurveKind kind_;
+  std::string method_;
+  std::vector<FigureAxis> axes_;
+  Figure figure_;
+  CsvTable table_{{"curve", "index", "x", "y", "half-width of 95 % interval"}};
+  std::string bands_;
+  std::vector<std::string> band_plots_;
+  std::vector<std::string> line_plots_;
+  std::map<std::size_t, bool> colors_shown_;
+  std::map<std::size_t, bool> dashes_shown_;
+  std::size_t n_curves_ = 0;
+  std::size_t n_bands_ = 0;
+};
+
+} // namespace
+
+std::vector<Figure> sweep_curve_figures(const SweepRecord& record,
+                                        const Results& results) {
+  std::vector<Figure> figures;
+  for (const CurveKind kind :
+       {CurveKind::pressure_gap, CurveKind::area_pressure})
+    for (const std::string& method : swept_methods(results)) {
+      CurveFigure figure(record, method, kind);
+      for (const auto& result : results)
+        for (const Series& series : result->series)
+          if (series.label == method)
+            figure.add(*result, series);
+      if (!figure.is_empty())
+        figures.push_back(std::move(figure).take());
+    }
+  return figures;
+}
+
+} // namespace asperity::reports

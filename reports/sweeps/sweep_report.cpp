@@ -1,0 +1,213 @@
+#include "reports/sweeps/sweep_report.hpp"
+
+#include "base/atomic_file.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/numbers/number_text.hpp"
+#include "reports/pages/html_report.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/report_template.hpp"
+#include "reports/sweeps/sweep_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+using Results = std::vector<std::unique_ptr<SweptResult>>;
+
+/// Quantities that the table of the page shows; sweep.csv has all of them.
+constexpr std::size_t most_columns = 5;
+
+List text_cells(const std::vector<std::string>& texts) {
+  List cells;
+  for (const std::string& text : texts)
+    cells.push_back(text_item(text));
+  return cells;
+}
+
+std::vector<std::string> shown_quantities(const Results& results) {
+  std::vector<std::string> names = swept_quantities(results);
+  std::erase(names, "penetration");
+  names.resize(std::min(names.size(), most_columns));
+  return names;
+}
+
+/// Returns the verdicts on one point: "3 of 4 met".
+std::string verdict_words(const SweptResult& result) {
+  if (!result.has_result() || result.summary.n_judged() == 0)
+    return "–";
+  const auto met = std::ranges::count_if(
+      result.summary.verdicts, [](const Verdict& verdict) {
+        return verdict.outcome != Outcome::skipped && verdict.is_passed();
+      });
+  return fmt::format("{} of {} met", met, result.summary.n_judged());
+}
+
+/// One row per point and method.
+List point_rows(const SweepRecord& record, const Results& results,
+                const std::vector<std::string>& quantities) {
+  List rows;
+  for (const auto& result : results) {
+    std::vector<std::string> values;
+    for (std::size_t k = 0; k < record.keys.size(); ++k)
+      values.push_back(value_label(
+          record.keys[k].values[record.points[result->point].choice[k]]));
+    const auto add = [&](const std::string& method, const List& cells) {
+      Value row;
+      row.set("point", std::to_string(result->point));
+      row.set("folder", point_folder(result->point).string());
+      row.set("values", text_cells(values));
+      row.set("method", method);
+      row.set("cells", cells);
+      row.set("verdicts", verdict_words(*result));
+      row.set("class", result->has_result() && !result->summary.all_ok()
+                           ? "failed"
+                           : "");
+      row.set("problem", result->problem);
+      rows.push_back(row);
+    };
+    for (const MethodSummary& method : result->summary.methods) {
+      List cells;
+      for (const std::string& name : quantities) {
+        const Estimate* const estimate =
+            swept_estimate(*result, method.name, name);
+        cells.push_back(
+            text_item(estimate == nullptr ? "–" : number_text(*estimate)));
+      }
+      add(method.name, cells);
+    }
+    if (result->summary.methods.empty())
+      add("–", text_cells(std::vector<std::string>(quantities.size(), "–")));
+  }
+  return rows;
+}
+
+/// Lists the expectations that a point does not meet.
+List failed_rows(const SweepRecord& record, const Results& results) {
+  List rows;
+  for (const auto& result : results)
+    for (const Verdict& verdict : result->summary.verdicts) {
+      if (verdict.outcome == Outcome::skipped || verdict.is_passed())
+        continue;
+      Value row;
+      row.set("label", record.label(result->point));
+      row.set("line", check_line(verdict));
+      rows.push_back(row);
+    }
+  return rows;
+}
+
+List key_rows(const SweepRecord& record) {
+  List rows;
+  for (const cases::SweptKey& key : record.keys) {
+    std::string values;
+    for (const std::string& value : key.values)
+      values += (values.empty() ? "" : ", ") + value_label(value);
+    Value row;
+    row.set("key", key.key);
+    row.set("values", values);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void set_banner(Value& page, const Results& results) {
+  std::size_t incomplete = 0;
+  std::size_t judged = 0;
+  std::size_t bad = 0;
+  for (const auto& result : results) {
+    incomplete += result->problem.empty() ? 0 : 1;
+    if (result->has_result() && result->summary.n_judged() > 0) {
+      ++judged;
+      bad += result->summary.all_ok() ? 0 : 1;
+    }
+  }
+  std::string words =
+      judged == 0 ? "The case states no expectation."
+      : bad == 0 ? fmt::format("All expectations are met at {} points.", judged)
+                 : fmt::format("Expectations are not met at {} of {} points.",
+                               bad, judged);
+  if (incomplete > 0)
+    words += fmt::format(" {} of {} points are not complete.", incomplete,
+                         results.size());
+  page.set("banner", words);
+  page.set("banner_class", bad > 0 || incomplete > 0 ? "bad"
+                           : judged == 0             ? "none"
+                                                     : "");
+}
+
+DrawnGroup drawn_group(const std::string& heading,
+                       const std::vector<Figure>& figures,
+                       const std::filesystem::path& folder,
+                       const std::string& gnuplot,
+                       std::vector<std::string>& undrawn) {
+  DrawnGroup group{heading, {}};
+  for (const Figure& figure : figures) {
+    group.figures.push_back(draw(figure, folder / "figures", gnuplot));
+    if (!group.figures.back().problem.empty())
+      undrawn.push_back(
+          fmt::format("{}: {}", figure.name, group.figures.back().problem));
+  }
+  return group;
+}
+
+std::string page_text(const SweepRecord& record, const Results& results,
+                      const std::vector<DrawnGroup>& groups) {
+  const std::vector<std::string> quantities = shown_quantities(results);
+  Value page;
+  page.set("style", shared_style());
+  page.set("title", record.title);
+  page.set("lead",
+           fmt::format("Case {}: {} points, {}.", record.case_name,
+                       record.points.size(),
+                       record.combine == cases::Combine::zip
+                           ? "the lists of values side by side"
+                           : "every value of each key with every value of the "
+                             "others"));
+  set_banner(page, results);
+  page.set("keys", key_rows(record));
+  std::vector<std::string> heads;
+  for (const cases::SweptKey& key : record.keys)
+    heads.push_back(key.key);
+  page.set("value_heads", text_cells(heads));
+  page.set("quantity_heads", text_cells(quantities));
+  page.set("rows", point_rows(record, results, quantities));
+  const List failed = failed_rows(record, results);
+  page.set("has_failed", !failed.empty());
+  page.set("failed", failed);
+  page.set("groups", group_data(groups));
+  kainjow::mustache::mustache view{std::string(sweep_template)};
+  return view.render(page);
+}
+
+} // namespace
+
+SweepReport write_sweep_report(const SweepRecord& record,
+                               const std::filesystem::path& folder,
+                               const std::filesystem::path& out,
+                               bool is_trusted, const std::string& gnuplot) {
+  SweepReport report{read_swept_results(record, folder, is_trusted), {}};
+  const Results& results = report.results;
+  const auto drawn = [&](const char* heading,
+                         const std::vector<Figure>& figures) {
+    return drawn_group(heading, figures, out, gnuplot, report.undrawn);
+  };
+  std::vector<DrawnGroup> groups;
+  groups.push_back(drawn("The curves", sweep_curve_figures(record, results)));
+  groups.push_back(drawn("Quantities", sweep_trend_figures(record, results)));
+  groups.push_back(
+      drawn("Maps over both keys", sweep_heat_maps(record, results)));
+  std::erase_if(groups,
+                [](const DrawnGroup& group) { return group.figures.empty(); });
+  write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
+  write_file_atomically(out / "report.html",
+                        page_text(record, results, groups));
+  write_file_atomically(folder / sweep_file, sweep_json(record, results));
+  return report;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,34 @@
+#pragma once
+
+// This file writes the report on a sweep: sweep.json, sweep.csv, report.html
+// and its figures.
+
+#include "reports/sweeps/swept_results.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+struct SweepReport {
+  std::vector<std::unique_ptr<SweptResult>> results;
+  std::vector<std::string> undrawn; ///< figures that could not be drawn, "name:
+                                    ///< why"
+};
+
+/// Reads the results of all points and writes out/sweep.csv, report.html and
+/// figures/, and sweep.json beside the results. Points without a result are
+/// listed as such.
+///
+/// @param folder      that of the sweep, with the results below points/
+/// @param is_trusted  as for read_swept_results()
+/// @param gnuplot     name or path of the program
+/// @throws std::system_error  the folder cannot be written
+SweepReport write_sweep_report(const SweepRecord& record,
+                               const std::filesystem::path& folder,
+                               const std::filesystem::path& out,
+                               bool is_trusted,
+                               const std::string& gnuplot = "gnuplot");
+
+} // namespace asperity::reports

@@ -1,0 +1,214 @@
+// Quantities of a sweep against the swept keys: lines and heat maps.
+#include "reports/figures/plot_parts.hpp"
+#include "reports/sweeps/sweep_axis.hpp"
+#include "reports/sweeps/sweep_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace asperity::reports {
+namespace {
+
+using Results = std::vector<std::unique_ptr<SweptResult>>;
+
+constexpr std::size_t most_trends = 8;
+constexpr std::size_t most_heat_maps = 8;
+constexpr std::size_t most_lines = 24;
+
+/// Quantities whose dependence on the swept keys is shown in the table only.
+bool is_drawn_quantity(const std::string& name) {
+  constexpr std::array<std::string_view, 3> others{"iterations_max",
+                                                   "penetration", "epsilon"};
+  return std::ranges::find(others, name) == others.end();
+}
+
+double value_at(const SweptResult& result, const std::string& method,
+                const std::string& quantity_name) {
+  const Estimate* const estimate =
+      swept_estimate(result, method, quantity_name);
+  return estimate == nullptr ? not_a_number : estimate->value;
+}
+
+/// True if the values of the method differ by more than 1e-3 of their size.
+bool is_varied(const Results& results, const std::string& method,
+               const std::string& quantity_name) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& result : results)
+    if (const double value = value_at(*result, method, quantity_name);
+        std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  return high - low > 1e-3 * std::max(std::abs(low), std::abs(high));
+}
+
+/// One line of a trend: a method, and the values of all keys but the first.
+std::string line_of(const SweepRecord& record, std::size_t point,
+                    const std::string& method) {
+  std::string name = method;
+  if (record.combine == cases::Combine::product)
+    for (std::size_t k = 1; k < record.keys.size(); ++k)
+      name += fmt::format(
+          ", {}",
+          axis_of(record.keys[k]).labels[record.points[point].choice[k]]);
+  return name;
+}
+
+/// One line of a trend with its rows.
+struct TrendLine {
+  std::string name;
+  std::size_t method = 0;  ///< index of its method, which gives its colour
+  std::size_t variant = 0; ///< index among the lines of the method
+  std::vector<std::vector<double>> rows; ///< position, value, half-width
+};
+
+/// Returns the lines of all methods. The rows of a line follow each other, in
+/// the order of the first key.
+std::vector<TrendLine> trend_lines(const SweepRecord& record,
+                                   const Results& results,
+                                   const FigureAxis& axis,
+                                   const std::string& quantity_name) {
+  std::vector<TrendLine> lines;
+  const std::vector<std::string> methods = swept_methods(results);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::size_t variants = 0;
+    for (const auto& result : results) {
+      const Estimate* const estimate =
+          swept_estimate(*result, methods[m], quantity_name);
+      if (estimate == nullptr || !estimate->has_value())
+        continue;
+      const std::string name = line_of(record, result->point, methods[m]);
+      auto line = std::ranges::find(lines, name, &TrendLine::name);
+      if (line == lines.end())
+        line = lines.insert(lines.end(), {name, m, variants++, {}});
+      line->rows.push_back(
+          {axis.positions[record.points[result->point].choice[0]],
+           estimate->value,
+           estimate->has_interval() ? estimate->half_width : 0.0});
+    }
+  }
+  return lines;
+}
+
+Figure trend_figure(const SweepRecord& record, const Results& results,
+                    const std::string& quantity_name) {
+  Figure figure;
+  figure.name = "sweep-" + file_word(quantity_name);
+  figure.title = quantity_name + " against " + record.keys[0].key;
+  const FigureAxis axis = axis_of(record.keys[0]);
+  CsvTable table({"line", "index", axis.title, quantity_name,
+                  "half-width of 95 % interval"});
+  std::vector<std::string> parts;
+  const std::vector<TrendLine> lines =
+      trend_lines(record, results, axis, quantity_name);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const std::vector<double>& row : lines[i].rows)
+      table.add(lines[i].name,
+                {static_cast<double>(i), row[0], row[1], row[2]});
+    const bool is_theory = lines[i].name.starts_with("theory");
+    parts.push_back(fmt::format(
+        "'{}.csv' {} with yerrorlines linecolor rgb '{}' dashtype {} pointtype "
+        "{} pointsize 0.7 linewidth 1.2 title {}",
+        figure.name, of_series(i, "$3:4:5"),
+        is_theory ? "#222222" : method_color(lines[i].method),
+        1 + lines[i].variant % 5, 4 + 2 * (lines[i].method % 5),
+        gnuplot_text(lines[i].name)));
+  }
+  if (lines.size() > most_lines)
+    figure.problem = fmt::format("it would have {} lines; the numbers are in "
+                                 "sweep.csv",
+                                 lines.size());
+  figure.caption = "Bars: 95 % interval; where there is none, the point has "
+                   "one realisation without an error of its own.";
+  figure.script =
+      "set xlabel " + gnuplot_text(axis.title) + "\nset ylabel " +
+      gnuplot_text(quantity_name) + "\n" +
+      (axis.is_log ? "set logscale x\n" : "") +
+      (axis.is_numeric ? "" : tick_labels(axis, "x")) +
+      "set offsets graph 0.04, graph 0.04, graph 0.08, graph 0.08\n" +
+      "set key maxcols 2\n" + plot_of(parts);
+  figure.data = table.text();
+  return figure;
+}
+
+Figure heat_map(const SweepRecord& record, const Results& results,
+                const std::string& quantity_name, const std::string& method) {
+  Figure figure;
+  figure.name =
+      file_word(fmt::format("sweep-map-{}-{}", method, quantity_name));
+  figure.title = quantity_name + ": " + method;
+  const FigureAxis across = axis_of(record.keys[0]);
+  const FigureAxis up = axis_of(record.keys[1]);
+  CsvTable table({"cell", "x", "y", quantity_name,
+                  "half-width of 95 % "
+                  "interval"});
+  std::string labels;
+  for (const auto& result : results) {
+    const Estimate* const estimate =
+        swept_estimate(*result, method, quantity_name);
+    if (estimate == nullptr || !estimate->has_value())
+      continue;
+    const std::vector<std::size_t>& choice =
+        record.points[result->point].choice;
+    table.add(record.label(result->point),
+              {static_cast<double>(choice[0]), static_cast<double>(choice[1]),
+               estimate->value, estimate->half_width});
+    if (across.labels.size() <= 8)
+      labels +=
+          fmt::format("set label {} at {},{} center front font ',10' "
+                      "textcolor rgb '#ffffff'\n",
+                      gnuplot_text(fmt::format("{:.3g}", estimate->value)),
+                      choice[0], choice[1]);
+  }
+  figure.caption = "One cell per point, coloured by the value of the method; "
+                   "white: no value. The intervals are in the table.";
+  figure.script = fmt::format(
+      "set xlabel {}\nset ylabel {}\n{}{}set xrange [-0.5:{}]\nset yrange "
+      "[-0.5:{}]\nunset grid\nset palette defined (0 '#440154', 1 '#3b528b', 2 "
+      "'#21918c', 3 '#3f9a4d')\nset cblabel {}\n{}plot '{}.csv' using 2:3:"
+      "(0.5):(0.5):4 with boxxyerror palette fillstyle solid noborder "
+      "notitle\n",
+      gnuplot_text(record.keys[0].key), gnuplot_text(record.keys[1].key),
+      tick_labels(across, "x"), tick_labels(up, "y"),
+      static_cast<double>(across.labels.size()) - 0.5,
+      static_cast<double>(up.labels.size()) - 0.5, gnuplot_text(quantity_name),
+      labels, figure.name);
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> sweep_trend_figures(const SweepRecord& record,
+                                        const Results& results) {
+  std::vector<Figure> figures;
+  const std::vector<std::string> methods = swept_methods(results);
+  for (const std::string& name : swept_quantities(results))
+    if (figures.size() < most_trends && is_drawn_quantity(name) &&
+        std::ranges::any_of(methods, [&](const std::string& method) {
+          return is_varied(results, method, name);
+        }))
+      figures.push_back(trend_figure(record, results, name));
+  return figures;
+}
+
+std::vector<Figure> sweep_heat_maps(const SweepRecord& record,
+                                    const Results& results) {
+  std::vector<Figure> figures;
+  if (record.keys.size() != 2 || record.combine != cases::Combine::product)
+    return figures;
+  for (const std::string& name : swept_quantities(results))
+    for (const std::string& method : swept_methods(results))
+      if (figures.size() < most_heat_maps && is_drawn_quantity(name) &&
+          is_varied(results, method, name))
+        figures.push_back(heat_map(record, results, name, method));
+  return figures;
+}
+
+} // namespace asperity::reports

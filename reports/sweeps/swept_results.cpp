@@ -1,0 +1,201 @@
+#include "reports/sweeps/swept_results.hpp"
+
+#include "cases/text/case_error.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/pages/published_json.hpp"
+#include "reports/pages/report.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Results = std::vector<std::unique_ptr<SweptResult>>;
+
+/// The quantities that figures show first.
+constexpr std::array<std::string_view, 6> first_quantities{
+    "gamma_slope",          "kappa", "area_scale",
+    "area_scale_corrected", "beta",  "gamma_theory"};
+
+std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
+                                        std::size_t point,
+                                        const std::filesystem::path& folder,
+                                        bool is_trusted) {
+  auto swept = std::make_unique<SweptResult>();
+  swept->point = point;
+  swept->status = "missing";
+  swept->problem = record.points[point].problem;
+  const std::filesystem::path file = folder / "result.h5";
+  if (!std::filesystem::exists(file)) {
+    if (swept->problem.empty())
+      swept->problem = "has not run yet";
+    return swept;
+  }
+  try {
+    if (!is_trusted)
+      results::require_readable(file);
+    const results::Result result = results::read_result(file);
+    if (result.case_hash != record.points[point].case_hash) {
+      swept->problem = "its folder has the result of another case";
+      return swept;
+    }
+    const cases::Case contact_case = case_of(result);
+    ReportEntry entry = entry_of(result, contact_case);
+    swept->series = series_of({&entry, 1});
+    swept->summary = std::move(entry.summary);
+    for (Series& series : swept->series) // the methods moved with the summary
+      series.method = &*std::ranges::find(swept->summary.methods, series.label,
+                                          &MethodSummary::name);
+    swept->status = result.status;
+    if (result.status != "complete" && swept->problem.empty())
+      swept->problem = "is not complete (" + result.status + ")";
+  } catch (const cases::CaseError& error) {
+    swept->problem = error.what();
+  }
+  return swept;
+}
+
+/// Returns text as one cell of a CSV file, in quotes where it needs them.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == text.npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"')
+      quoted += '"';
+    quoted += letter == '\n' || letter == '\r' ? ' ' : letter;
+  }
+  return quoted + "\"";
+}
+
+std::string csv_number(double number) {
+  return std::isfinite(number) ? fmt::format("{:.10g}", number) : "nan";
+}
+
+/// Returns the verdict on a quantity of a method; "" if nothing is expected of
+/// it.
+std::string verdict_word(const Summary& summary, const std::string& method,
+                         const std::string& quantity) {
+  for (const Verdict& verdict : summary.verdicts)
+    if (verdict.method == method && verdict.quantity == quantity)
+      return outcome_word(verdict.outcome);
+  return "";
+}
+
+Json quantities_json(const Summary& summary) {
+  Json methods = Json::object();
+  for (const MethodSummary& method : summary.methods)
+    for (const auto& [name, estimate] : method.quantities)
+      methods[method.name][name] = {
+          {"value", json_number(estimate.value)},
+          {"half_width_95", json_number(estimate.half_width)},
+          {"realizations", estimate.realizations},
+          {"remark", estimate.remark}};
+  return methods;
+}
+
+} // namespace
+
+Results read_swept_results(const SweepRecord& record,
+                           const std::filesystem::path& folder,
+                           bool is_trusted) {
+  Results all;
+  for (std::size_t i = 0; i < record.points.size(); ++i)
+    all.push_back(read_point(record, i, folder / point_folder(i), is_trusted));
+  return all;
+}
+
+std::vector<std::string> swept_quantities(const Results& results) {
+  std::set<std::string> found;
+  for (const auto& result : results)
+    for (const MethodSummary& method : result->summary.methods)
+      for (const auto& [name, estimate] : method.quantities)
+        found.insert(name);
+  std::vector<std::string> ordered;
+  for (const std::string_view name : first_quantities)
+    if (const auto first = found.find(std::string(name));
+        first != found.end()) {
+      ordered.push_back(*first);
+      found.erase(first);
+    }
+  ordered.insert(ordered.end(), found.begin(), found.end());
+  return ordered;
+}
+
+std::vector<std::string> swept_methods(const Results& results) {
+  std::vector<std::string> names;
+  for (const auto& result : results)
+    for (const MethodSummary& method : result->summary.methods)
+      if (std::ranges::find(names, method.name) == names.end())
+        names.push_back(method.name);
+  return names;
+}
+
+const Estimate* swept_estimate(const SweptResult& result,
+                               const std::string& method,
+                               const std::string& quantity) {
+  for (const MethodSummary& one : result.summary.methods)
+    if (one.name == method)
+      if (const auto found = one.quantities.find(quantity);
+          found != one.quantities.end())
+        return &found->second;
+  return nullptr;
+}
+
+std::string sweep_csv(const SweepRecord& record, const Results& results) {
+  std::string text = "point";
+  for (const cases::SweptKey& key : record.keys)
+    text += "," + csv_cell(key.key);
+  text += ",status,method,quantity,value,half_width_95,realizations,verdict,"
+          "remark\n";
+  for (const auto& result : results) {
+    std::string head = std::to_string(result->point);
+    for (std::size_t k = 0; k < record.keys.size(); ++k)
+      head +=
+          "," +
+          csv_cell(value_label(
+              record.keys[k].values[record.points[result->point].choice[k]]));
+    head += "," + result->status;
+    if (!result->has_result())
+      text += head + ",,,nan,nan,0,," + csv_cell(result->problem) + "\n";
+    for (const MethodSummary& method : result->summary.methods)
+      for (const auto& [name, estimate] : method.quantities)
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{}\n", head, csv_cell(method.name),
+            csv_cell(name), csv_number(estimate.value),
+            csv_number(estimate.half_width), estimate.realizations,
+            verdict_word(result->summary, method.name, name),
+            csv_cell(estimate.remark));
+  }
+  return text;
+}
+
+std::string sweep_json(const SweepRecord& record, const Results& results) {
+  Json json = record_json(record);
+  for (const auto& result : results) {
+    Json& point = json["points"][result->point];
+    point["status"] = result->status;
+    point["all_ok"] = result->has_result() && result->summary.all_ok();
+    point["methods"] = quantities_json(result->summary);
+    Json verdicts = Json::array();
+    for (const Verdict& verdict : result->summary.verdicts)
+      verdicts.push_back({{"quantity", verdict.quantity},
+                          {"method", verdict.method},
+                          {"verdict", outcome_word(verdict.outcome)},
+                          {"line", check_line(verdict)}});
+    point["expectations"] = verdicts;
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,65 @@
+#pragma once
+
+// This file reads the results of the points of a sweep, one at a time and
+// without their fields, and lists their quantities as a table.
+
+#include "reports/figures/series.hpp"
+#include "reports/sweeps/sweep_record.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// What the report needs of one point. A point that has no result has a
+/// problem, and neither summary nor series.
+struct SweptResult {
+  std::size_t point = 0;
+  std::string status;  ///< of the result: complete | interrupted | running; or
+                       ///< missing
+  std::string problem; ///< why there is no complete result; "" if there is
+  Summary summary;
+  std::vector<Series> series; ///< of this point, whose methods point into
+                              ///< `summary`
+
+  bool has_result() const { return status != "missing"; }
+};
+
+/// Reads the results of all points. Each is read and evaluated by itself, so
+/// that the fields of one point at most are in memory.
+///
+/// @param is_trusted  false: each file is read in a child process first
+///                    (results/trial_read.hpp)
+/// @return  one entry per point, at stable addresses
+std::vector<std::unique_ptr<SweptResult>>
+read_swept_results(const SweepRecord& record,
+                   const std::filesystem::path& folder, bool is_trusted);
+
+/// Returns the names of all quantities of all points and methods: first those
+/// that the figures show first, then in alphabetical order.
+std::vector<std::string>
+swept_quantities(const std::vector<std::unique_ptr<SweptResult>>& results);
+
+/// Returns the names of all methods in the order of their first appearance.
+std::vector<std::string>
+swept_methods(const std::vector<std::unique_ptr<SweptResult>>& results);
+
+/// Returns the estimate of a quantity of a method, or null.
+const Estimate* swept_estimate(const SweptResult& result,
+                               const std::string& method,
+                               const std::string& quantity);
+
+/// Returns one row per point, method and quantity: the values of the swept
+/// keys, value, half_width_95, realizations, verdict and remark.
+std::string sweep_csv(const SweepRecord& record,
+                      const std::vector<std::unique_ptr<SweptResult>>& results);
+
+/// Returns sweep.json: the record with status, quantities and verdicts of each
+/// point.
+std::string
+sweep_json(const SweepRecord& record,
+           const std::vector<std::unique_ptr<SweptResult>>& results);
+
+} // namespace asperity::reports
