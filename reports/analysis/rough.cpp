@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace asperity::reports {
@@ -161,6 +162,53 @@ Estimate gap_deviation_of(const MethodRecord& method,
           comparison_gap_low, comparison_gap_high));
 }
 
+/// One load of all realisations: u/h_rms and its deviation from the theory.
+struct EnsembleLoad {
+  double reduced_gap = 0.0; ///< sum over the realisations
+  std::vector<FittedValue> deviations;
+};
+
+/// Returns the largest deviation of the mean over the realisations from the
+/// theory, with the interval of that mean. Loads that a realisation lacks are
+/// left out.
+Estimate mean_gap_deviation_of(const MethodRecord& method,
+                               const MethodRecord& reference,
+                               const std::vector<RealizationFits>& fits) {
+  constexpr double loads_per_unit = 1e6; // of ln p: equal to six digits
+  std::map<long long, EnsembleLoad> loads;
+  const std::size_t n = method.realizations.size();
+  for (std::size_t r = 0; r < n; ++r) {
+    const double height = fits[r].scales.rms_height;
+    const CurveFunction theory(curve_of(reference, r).points);
+    for (const Deviation& row :
+         deviations(method.realizations[r].points, theory)) {
+      if (!std::isfinite(row.reference_gap))
+        continue;
+      EnsembleLoad& load =
+          loads[std::llround(loads_per_unit * std::log(row.nominal_pressure))];
+      load.reduced_gap += row.gap / height;
+      load.deviations.push_back(
+          {.value = (row.gap - row.reference_gap) / height});
+    }
+  }
+  Estimate largest;
+  for (const auto& [key, load] : loads) {
+    const double gap = load.reduced_gap / static_cast<double>(n);
+    if (load.deviations.size() != n || gap < comparison_gap_low ||
+        gap > comparison_gap_high)
+      continue;
+    Estimate mean = mean_over_realizations(load.deviations);
+    mean.value = std::abs(mean.value);
+    if (!largest.has_value() || mean.value > largest.value)
+      largest = mean;
+  }
+  if (!largest.has_value())
+    largest.remark = fmt::format("no load that all realisations share has {} < "
+                                 "u/h_rms < {}",
+                                 comparison_gap_low, comparison_gap_high);
+  return largest;
+}
+
 Estimate pressure_difference_to(const MethodRecord& method,
                                 const MethodRecord& base) {
   std::vector<double> largest;
@@ -218,6 +266,8 @@ void add_rough_quantities(const Result& result, const cases::Case& contact_case,
     return;
   quantities["gap_deviation"] =
       gap_deviation_of(method, *reference, summary.fits);
+  quantities["mean_gap_deviation"] =
+      mean_gap_deviation_of(method, *reference, summary.fits);
   add_area_scales(method, *reference, result.contact_modulus, summary);
   quantities["area_excess"] =
       area_excess_of(method, *reference, &results::CurvePoint::area_fraction);

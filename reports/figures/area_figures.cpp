@@ -67,6 +67,7 @@ Figure area_figure(std::span<const Series> series) {
   const double scale =
       theory != nullptr ? quantity(*fitted, "area_scale").value : not_a_number;
   std::vector<std::string> plots;
+  Bands bands;
   const std::string file = "'area-pressure.csv' ";
   double furthest = 0.0;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -96,10 +97,15 @@ Figure area_figure(std::span<const Series> series) {
                     point_style(one) + " title " + gnuplot_text(one.legend));
     plots.push_back(file + of_series(i, "$3:5") + " with lines " +
                     line_style(one) + " notitle");
+    bands.add(area_band(one.rows), series_color(one));
   }
   if (plots.empty())
     figure.problem = "no load step converged";
+  bands.add_to(figure, plots);
   figure.caption = area_caption(fitted) + joined_words(series);
+  if (!bands.empty())
+    figure.caption += " Bands: 95 % interval of the mean counted area over the "
+                      "realisations.";
   figure.script =
       fmt::format("set xlabel {}\nset ylabel {}\nset xrange "
                   "[0:{:.6g}]\nset yrange [0:{}]\n{}",

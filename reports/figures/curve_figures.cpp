@@ -65,7 +65,7 @@ std::string gap_range(std::span<const Series> series) {
 /// @return  the plots of those that are drawn
 std::vector<std::string> add_gap_curves(std::span<const Series> series,
                                         const std::string& file,
-                                        CsvTable& table) {
+                                        CsvTable& table, Bands& bands) {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
@@ -79,9 +79,11 @@ std::vector<std::string> add_gap_curves(std::span<const Series> series,
     if (one.is_theory())
       plots.push_back(file + of_series(i, "$5:4") + " with lines " +
                       line_style(one) + title);
-    else
+    else {
       plots.push_back(file + of_series(i, "$5:4:6:7") + " with xerrorbars " +
                       point_style(one) + title);
+      bands.add(gap_band(one.rows), series_color(one));
+    }
   }
   return plots;
 }
@@ -118,9 +120,13 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
   CsvTable table({"curve", "index", "p/E* [1]", "log10 p/E* [1]", "u/h_rms [1]",
                   "least u/h_rms [1]", "largest u/h_rms [1]"});
   const std::string file = "'pressure-gap.csv' ";
-  std::vector<std::string> plots = add_gap_curves(series, file, table);
+  Bands bands;
+  std::vector<std::string> plots = add_gap_curves(series, file, table, bands);
+  bands.add_to(figure, plots);
   figure.caption = "Each marker is a load step, the mean over the "
                    "realisations; its bar spans their range.";
+  if (!bands.empty())
+    figure.caption += " Bands: 95 % interval of the mean.";
   const Series* fitted = first_numerical(series);
   if (fitted != nullptr && quantity(*fitted, "gamma_slope").has_value() &&
       quantity(*fitted, "beta").has_value()) {

@@ -33,6 +33,76 @@ double round_step(double step) {
   return 10.0 * power;
 }
 
+namespace {
+
+struct BandCorner {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Joins the lower side of a band with its upper side, which runs back.
+std::string polygon_of(const std::vector<BandCorner>& lower,
+                       const std::vector<BandCorner>& upper) {
+  std::string polygon;
+  const auto add = [&](const BandCorner& corner) {
+    polygon += fmt::format("{:.8g},{:.8g}\n", corner.x, corner.y);
+  };
+  if (lower.size() < 2)
+    return "";
+  std::ranges::for_each(lower, add);
+  std::for_each(upper.rbegin(), upper.rend(), add);
+  return polygon;
+}
+
+} // namespace
+
+std::string gap_band(std::span<const SeriesRow> rows) {
+  std::vector<BandCorner> lower;
+  std::vector<BandCorner> upper;
+  for (const SeriesRow& row : rows) {
+    if (!std::isfinite(row.gap_interval))
+      return "";
+    const double y = std::log10(row.pressure);
+    lower.push_back({row.gap - row.gap_interval, y});
+    upper.push_back({row.gap + row.gap_interval, y});
+  }
+  return polygon_of(lower, upper);
+}
+
+std::string area_band(std::span<const SeriesRow> rows) {
+  std::vector<BandCorner> lower;
+  std::vector<BandCorner> upper;
+  for (const SeriesRow& row : rows) {
+    if (!std::isfinite(row.area_interval))
+      return "";
+    // On a logarithmic axis the band has to end above zero.
+    lower.push_back({row.pressure,
+                     std::max(row.area - row.area_interval, 1e-3 * row.area)});
+    upper.push_back({row.pressure, row.area + row.area_interval});
+  }
+  return polygon_of(lower, upper);
+}
+
+void Bands::add(const std::string& polygon, const std::string& rgb) {
+  if (polygon.empty())
+    return;
+  polygons_ += (colors_.empty() ? "" : "\n\n") + polygon;
+  colors_.push_back(rgb);
+}
+
+void Bands::add_to(Figure& figure, std::vector<std::string>& plots) const {
+  if (empty())
+    return;
+  figure.maps.emplace_back("bands", polygons_);
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < colors_.size(); ++i)
+    first.push_back(fmt::format(
+        "'{}-bands.csv' index {} using 1:2 with filledcurves closed fillcolor "
+        "rgb '{}' fillstyle transparent solid 0.18 noborder notitle",
+        figure.name, i, colors_[i]));
+  plots.insert(plots.begin(), first.begin(), first.end());
+}
+
 std::string joined_words(std::span<const Series> series) {
   std::string names;
   for (const Series& one : series)

@@ -3,6 +3,7 @@
 // Helper functions that several figures share. They are internal to the
 // figures.
 
+#include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"
 
 #include <span>
@@ -22,6 +23,29 @@ std::string plot_of(const std::vector<std::string>& parts);
 /// Returns a tic spacing: the smallest of 1, 2, 5 times a power of ten that is
 /// not below `step`; 1 if `step` is not positive.
 double round_step(double step);
+
+/// Return the 95 % interval of the mean over the realisations around a curve,
+/// u/h_rms and log10 p/E*, or p/E* and A/A_0, as a closed polygon of rows
+/// "x,y"; empty if a row has no interval or there are fewer than two rows.
+std::string gap_band(std::span<const SeriesRow> rows);
+std::string area_band(std::span<const SeriesRow> rows);
+
+/// The bands of a figure, for Figure::maps and the start of its plots.
+class Bands {
+public:
+  /// Adds a polygon, unless it is empty.
+  void add(const std::string& polygon, const std::string& rgb);
+
+  /// Adds the file of the polygons to the figure and puts their plots before
+  /// the others.
+  void add_to(Figure& figure, std::vector<std::string>& plots) const;
+
+  bool empty() const { return colors_.empty(); }
+
+private:
+  std::string polygons_; ///< one block each, which gnuplot selects by its index
+  std::vector<std::string> colors_;
+};
 
 /// Returns a caption text that lists the variants that are not drawn; empty if
 /// all are drawn.

@@ -30,27 +30,6 @@ CurveRow row_of(const SeriesRow& row, CurveKind kind) {
              : CurveRow{row.pressure, row.area, row.area_interval};
 }
 
-/// Returns the band of a curve as a closed polygon: one block of rows, which
-/// gnuplot selects by its index. Empty if a row has no interval.
-std::string band_of(const std::vector<SeriesRow>& rows, CurveKind kind) {
-  std::string there;
-  std::string back;
-  for (const SeriesRow& one : rows) {
-    const CurveRow row = row_of(one, kind);
-    if (!std::isfinite(row.half_width))
-      return "";
-    const bool is_gap = kind == CurveKind::pressure_gap;
-    const double low = is_gap ? row.x - row.half_width
-                              : std::max(row.y - row.half_width, 1e-3 * row.y);
-    const double high = (is_gap ? row.x : row.y) + row.half_width;
-    there += is_gap ? fmt::format("{:.8g},{:.8g}\n", low, row.y)
-                    : fmt::format("{:.8g},{:.8g}\n", row.x, low);
-    back.insert(0, is_gap ? fmt::format("{:.8g},{:.8g}\n", high, row.y)
-                          : fmt::format("{:.8g},{:.8g}\n", row.x, high));
-  }
-  return rows.size() < 2 ? "" : there + back;
-}
-
 /// Assembles the curves of one method.
 class CurveFigure {
 public:
@@ -80,14 +59,9 @@ public:
     }
     const std::vector<std::size_t>& choice =
         record_.points[result.point].choice;
-    if (const std::string band = band_of(series.rows, kind_); !band.empty()) {
-      bands_ += (n_bands_ == 0 ? "" : "\n\n") + band;
-      band_plots_.push_back(fmt::format(
-          "'{}-bands.csv' index {} using 1:2 with filledcurves closed "
-          "fillcolor "
-          "rgb '{}' fillstyle transparent solid 0.18 noborder notitle",
-          figure_.name, n_bands_++, color(choice)));
-    }
+    bands_.add(kind_ == CurveKind::pressure_gap ? gap_band(series.rows)
+                                                : area_band(series.rows),
+               color(choice));
     line_plots_.push_back(fmt::format(
         "'{}.csv' {} with lines linewidth 1.4 dashtype {} linecolor "
         "rgb '{}' {}",
@@ -100,8 +74,6 @@ public:
   Figure take() && {
     const bool is_gap = kind_ == CurveKind::pressure_gap;
     figure_.data = table_.text();
-    if (n_bands_ > 0)
-      figure_.maps.emplace_back("bands", bands_);
     figure_.caption = caption();
     figure_.script =
         is_gap ? "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
@@ -109,9 +81,8 @@ public:
                : "set logscale xy\nset format xy '10^{%T}'\nset xlabel " +
                      gnuplot_markup("p / E*") + "\nset ylabel " +
                      gnuplot_markup("A / A_0") + "\n";
-    std::vector<std::string> plots = std::move(band_plots_);
-    plots.insert(plots.end(), line_plots_.begin(), line_plots_.end());
-    figure_.script += "set key maxcols 2\n" + plot_of(plots);
+    bands_.add_to(figure_, line_plots_);
+    figure_.script += "set key maxcols 2\n" + plot_of(line_plots_);
     return std::move(figure_);
   }
 
@@ -153,10 +124,11 @@ private:
       words += fmt::format(", the dash type that of {}", record_.keys[1].key);
     for (std::size_t k = has_dashes() ? 2 : 1; k < axes_.size(); ++k)
       words += fmt::format("; {} also varies", record_.keys[k].key);
-    words += n_bands_ > 0 ? ". Bands: 95 % interval of the mean over the "
-                            "realisations."
-                          : ". There are no bands, because each point has one "
-                            "realisation.";
+    words += !bands_.empty()
+                 ? ". Bands: 95 % interval of the mean over the "
+                   "realisations."
+                 : ". There are no bands, because each point has one "
+                   "realisation.";
     return words;
   }
 
@@ -166,13 +138,11 @@ private:
   std::vector<FigureAxis> axes_;
   Figure figure_;
   CsvTable table_{{"curve", "index", "x", "y", "half-width of 95 % interval"}};
-  std::string bands_;
-  std::vector<std::string> band_plots_;
+  Bands bands_;
   std::vector<std::string> line_plots_;
   std::map<std::size_t, bool> colors_shown_;
   std::map<std::size_t, bool> dashes_shown_;
   std::size_t n_curves_ = 0;
-  std::size_t n_bands_ = 0;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "synthetic.hpp"
@@ -50,6 +51,25 @@ TEST(SeriesOfAVariant, IsDrawnOnlyWhereItCanBeTold) {
   EXPECT_TRUE(is_variant_drawn([](auto& row) {
     row.status = results::StepStatus::not_converged; // its row is missing
   }));
+}
+
+// Claim: the band is Student's 95 % interval of the mean, 12.706 s/sqrt(2) for
+// two realisations, and there is none for one.
+TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
+  const cases::Case rough = synthetic::contact_case();
+  results::Result result = synthetic::rough_result(rough, 2);
+  std::vector<results::Curve>& curves = result.methods.back().realizations;
+  curves[0].points[5].area_fraction = 0.10;
+  curves[1].points[5].area_fraction = 0.12;
+  const ReportEntry two = entry_of(result, rough);
+  results::Result alone = synthetic::rough_result(rough, 1);
+  const ReportEntry one = entry_of(alone, rough);
+
+  const std::vector<Series> series = series_of(std::span(&two, 1));
+  const std::vector<Series> single = series_of(std::span(&one, 1));
+
+  EXPECT_NEAR(series.back().rows[5].area_interval, 12.7062 * 0.01, 1e-5);
+  EXPECT_FALSE(std::isfinite(single.back().rows[5].area_interval));
 }
 
 TEST(SeriesOfAVariant, StandsInTheLegendOfItsMethod) {

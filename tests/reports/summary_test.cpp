@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "synthetic.hpp"
 
 namespace asperity::reports {
@@ -30,10 +32,21 @@ protected:
 TEST_F(RoughSummary, FindsWhatTheMethodWasMadeWith) {
   EXPECT_NEAR(value_of(summary, "fem", "area_excess"), 0.25, 1e-12);
   EXPECT_NEAR(value_of(summary, "fem", "gap_deviation"), 0.02 * 1.2, 1e-12);
+  EXPECT_NEAR(value_of(summary, "fem", "mean_gap_deviation"), 0.02, 1e-12);
   EXPECT_NEAR(value_of(summary, "fem", "gamma_slope"),
               value_of(summary, "theory", "gamma_slope"), 1e-12);
   EXPECT_EQ(value_of(summary, "theory", "gamma_theory"), 0.38);
   EXPECT_EQ(value_of(summary, "fem", "iterations_max"), 35.0);
+}
+
+// Claim: the interval of the mean is Student's, 4.30265 s/sqrt(3) with s = 0.2
+// times the mean.
+TEST_F(RoughSummary, MeanDeviationHasTheIntervalOfTheMean) {
+  const Estimate& mean =
+      summary.methods.back().quantities.at("mean_gap_deviation");
+
+  EXPECT_NEAR(mean.half_width, 4.30265 * 0.2 * 0.02 / std::sqrt(3.0), 1e-7);
+  EXPECT_EQ(mean.realizations, 3);
 }
 
 // Claim: the theory's fitted slope lies within 10 % of its own limit u_0/h_rms
