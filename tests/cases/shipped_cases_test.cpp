@@ -2,6 +2,7 @@
 // complete, and its exact references are what its own numbers give.
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/reader/sweep.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/types/reference.hpp"
 
@@ -106,7 +107,7 @@ TEST(ShippedCases, AreTheFoldersThatAreThere) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(whole_blocks.begin(), whole_blocks.end());
-  expected.insert({"board", "paper", "peers"});
+  expected.insert({"board", "paper", "peers", "sweep-hurst"});
 
   EXPECT_EQ(folders_in("cases"), expected);
   EXPECT_EQ(folders_in("cases/board"), parts_of_board);
@@ -200,6 +201,15 @@ TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
     EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
     EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
+}
+
+TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
+  const CaseSweep sweep = read_sweep("cases/sweep-hurst/case.toml");
+
+  EXPECT_EQ(sweep.name, "sweep-hurst");
+  EXPECT_EQ(sweep.points.size(), 8U);
+  EXPECT_FALSE(read_reference("cases/sweep-hurst/reference.csv").empty());
+  EXPECT_TRUE(std::filesystem::exists("cases/sweep-hurst/README.md"));
 }
 
 TEST(ShippedCases, ReadTheWholeBlocksInFullAndQuickly) {
