@@ -94,6 +94,16 @@ void write_attribute(hid_t group, const std::string& name, hid_t type,
   checked(H5Awrite(attribute.id(), type, value), place, "write this attribute");
 }
 
+bool is_object(hid_t group, const std::string& name, H5I_type_t type) {
+  const hid_t id = H5Oopen(group, name.c_str(), H5P_DEFAULT);
+  if (id < 0) {
+    H5Eclear2(H5E_DEFAULT);
+    return false;
+  }
+  const Hdf5Handle object(id, H5Oclose);
+  return H5Iget_type(id) == type;
+}
+
 } // namespace
 
 std::mutex& hdf5_mutex() {
@@ -126,6 +136,14 @@ Hdf5Handle text_type() {
 
 bool Hdf5Group::has(const std::string& name) const {
   return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5Group::is_group(const std::string& name) const {
+  return is_object(handle_.id(), name, H5I_GROUP);
+}
+
+bool Hdf5Group::is_dataset(const std::string& name) const {
+  return is_object(handle_.id(), name, H5I_DATASET);
 }
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {

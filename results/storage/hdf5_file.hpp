@@ -74,6 +74,10 @@ public:
   Hdf5Group() = default;
 
   bool has(const std::string& name) const;
+  /// Returns whether the name is that of a group or of a dataset, without an
+  /// error if it is neither or if its link cannot be followed.
+  bool is_group(const std::string& name) const;
+  bool is_dataset(const std::string& name) const;
   Hdf5Group open(const std::string& name) const;
   Hdf5Group open_or_create(const std::string& name);
 
