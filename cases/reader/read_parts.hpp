@@ -27,6 +27,8 @@ Demands demands_of(const std::vector<MethodSpec>& methods);
 
 SurfaceSpec read_surface(const Node& node, const std::string& folder,
                          bool is_surface_built, Mistakes& mistakes);
+/// Reads the keys of a measured map; length has been read before.
+void read_map(TableReader& table, SurfaceSpec& spec);
 /// @param folder  folder to which file paths are relative
 MaterialSpec read_material(const Node& table, const std::string& folder,
                            bool is_poisson_needed, Mistakes& mistakes);

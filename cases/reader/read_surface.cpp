@@ -32,8 +32,6 @@ struct SurfaceReader {
   void check_order(const std::string& low, double q_low,
                    const std::string& high, double q_high);
   void check_wavevectors();
-  void read_map();
-  void read_window();
   void read_edges();
   void read_wave();
   const Node& node_of(const std::string& wavevector,
@@ -191,44 +189,6 @@ void SurfaceReader::check_wavevectors() {
             nyquist));
 }
 
-/// Requires an explicit confirmation for a windowed map, because its surface
-/// differs from the measured one.
-void SurfaceReader::read_window() {
-  const bool is_confirmed = table.boolean("press_windowed_map");
-  const Node* const edges = table.node().find("edges");
-  if (spec.edges == Edges::window && !is_confirmed)
-    table.refuse(
-        *edges,
-        "this needs press_windowed_map = true: a window is meant for spectra, "
-        "and the windowed map has 9/64 of the measured power and about 3/8 of "
-        "the rms height and slope; edges = \"mirror\" preserves both");
-  if (spec.edges != Edges::window && is_confirmed)
-    table.refuse(*table.node().find("press_windowed_map"),
-                 "this key applies only to edges = \"window\"");
-}
-
-void SurfaceReader::read_map() {
-  spec.format = table.choice("format", spec.format);
-  spec.level = table.choice("level", spec.level);
-  spec.edges = Edges::mirror;
-  if (table.has("edges"))
-    spec.edges = table.choice("edges", spec.edges);
-  read_window();
-  if (table.has("height_unit"))
-    spec.height_unit = table.number("height_unit");
-  if (spec.format == MapFormat::plain) {
-    if (!spec.length)
-      table.complain_missing("length", ", which a plain map does not contain");
-    if (!spec.height_unit)
-      table.complain_missing("height_unit",
-                             ", which a plain map does not contain");
-  }
-  for (const char* const key : {"length", "height_unit"})
-    if (spec.format == MapFormat::gwyddion && table.has(key))
-      table.refuse(*table.node().find(key),
-                   "a gwyddion map contains it: remove this key");
-}
-
 /// Reads the edges of a surface that is periodic by itself.
 void SurfaceReader::read_edges() {
   if (!table.has("edges"))
@@ -275,7 +235,7 @@ SurfaceSpec read_surface(const Node& node, const std::string& folder,
     reader.read_random();
     break;
   case SurfaceKind::measured:
-    reader.read_map();
+    read_map(reader.table, reader.spec);
     break;
   case SurfaceKind::sphere:
     reader.read_edges();

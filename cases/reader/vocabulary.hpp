@@ -110,6 +110,7 @@ void append_keys(std::vector<Key>& keys, const std::vector<Key>& more);
 
 /// The rows of the vocabulary, one function per file.
 Table surface_table();
+std::vector<Key> map_keys(); ///< part of [surface]: files and measured maps
 Table md_table();
 Table mesh_table();
 std::vector<Table> block_tables();

@@ -144,70 +144,6 @@ void add_cut_off(std::vector<Key>& keys, const CutOff& cut_off) {
        .description = cut_off.description + ", as a wavelength 2 pi / q."});
 }
 
-std::vector<Key> file_keys() {
-  const std::vector<std::string> kind = {"measured"};
-  return {
-      {.name = "file",
-       .type = ValueType::path,
-       .need = Need::always,
-       .kinds = {"measured", "spectrum"},
-       .example = "\"map.txt\"",
-       .show = Show::no,
-       .description =
-           "File of the map, or of the spectrum with the columns q [1/m], C "
-           "[m^4]; the path is relative to the case file's folder."},
-      {.name = "format",
-       .type = ValueType::word,
-       .words = {"auto", "plain", "gwyddion"},
-       .kinds = kind,
-       .fallback = "\"auto\"",
-       .example = "\"auto\"",
-       .show = Show::no,
-       .description = "Format of the map file."},
-      {.name = "level",
-       .type = ValueType::word,
-       .words = {"none", "plane", "bow"},
-       .need = Need::always,
-       .kinds = kind,
-       .example = "\"plane\"",
-       .show = Show::no,
-       .description = "Form removed from the map: none, the plane (tilt), or "
-                      "the second-order form (bow, which includes the tilt)."},
-      {.name = "edges",
-       .type = ValueType::word,
-       .words = {"periodic", "window", "mirror", "free"},
-       .when = "default: mirror for measured maps, else periodic",
-       .kinds = {"measured", "self-affine", "spectrum", "sphere"},
-       .example = "\"mirror\"",
-       .show = Show::no,
-       .description =
-           "How the surface continues beyond its border: periodically, "
-           "multiplied by a window (maps only, for spectra), by its mirror "
-           "images (maps only), or not at all. With free, half-spaces have "
-           "free "
-           "boundaries; methods that need a periodic surface use the mirror "
-           "images of a map, and the periodic continuation of other kinds."},
-      {.name = "press_windowed_map",
-       .type = ValueType::boolean,
-       .kinds = kind,
-       .fallback = "false",
-       .example = "true",
-       .show = Show::no,
-       .description = "Confirms edges = \"window\": the surface that is "
-                      "pressed then has 9/64 of the measured power."},
-      {.name = "height_unit",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .need = Need::conditional,
-       .when = "with format = \"plain\"",
-       .kinds = kind,
-       .example = "\"1 nm\"",
-       .show = Show::no,
-       .description =
-           "Height that corresponds to the number 1 in a plain map."},
-  };
-}
-
 std::vector<Key> shape_keys() {
   return {
       {.name = "radius",
@@ -261,7 +197,7 @@ Table surface_table() {
   add_cut_off(table.keys,
               {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
                "\"8 h\"", "q_1, high cut-off wavevector of the spectrum"});
-  append_keys(table.keys, file_keys());
+  append_keys(table.keys, map_keys());
   append_keys(table.keys, shape_keys());
   return table;
 }

@@ -24,9 +24,33 @@ enum class SurfaceKind {
   wave_2d
 };
 enum class Amplitudes { spectrum, gaussian };
-enum class MapFormat { automatic, plain, gwyddion };
-enum class Levelling { none, plane, bow };
+/// Formats of map files; `convert` is any other one, through the program
+/// Gwyddion.
+enum class MapFormat {
+  automatic,
+  plain,
+  gwyddion,
+  xyz,
+  sdf,
+  x3p,
+  npy,
+  hdf5,
+  gwy,
+  convert
+};
+enum class Levelling { none, plane, bow, sphere, cylinder };
+enum class LineAlignment { none, median };
+enum class Filling { harmonic, none };
 enum class Edges { periodic, window, mirror, free };
+
+/// Part of a measured map [m]: distances of its corner from the first column
+/// and row, and its sides.
+struct MapWindow {
+  double x = 0.0;
+  double y = 0.0;
+  double length_x = 0.0;
+  double length_y = 0.0;
+};
 
 /// [surface]. Lengths [m], wavevectors [rad/m]. Members that a kind does not
 /// use stay empty: the length and points of a measured map come from its file.
@@ -56,6 +80,15 @@ struct SurfaceSpec {
                                  ///< continued, a map by its mirror images
   std::optional<double> height_unit; ///< m per unit of the numbers in a plain
                                      ///< file
+
+  std::optional<std::string> channel; ///< title, or path of a dataset
+  std::optional<double> length_y;     ///< period in y > 0; empty: square pixels
+  std::optional<double> length_unit;  ///< m per unit of x and y of a list
+  std::optional<MapWindow> crop;      ///< part of the map that is used
+  LineAlignment align_lines = LineAlignment::none;
+  std::optional<double> spikes;     ///< threshold in robust standard deviations
+  Filling fill = Filling::harmonic; ///< of missing points
+  double max_missing = 0.05;        ///< largest fraction that is filled
 
   double radius = 0.0;     ///< sphere
   double amplitude = 0.0;  ///< waves

@@ -84,7 +84,8 @@ TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
 
 TEST(SurfaceKinds, AskAMapForItsLevelling) {
   EXPECT_EQ(mistakes_of(shape_case("kind = \"measured\"\nfile = \"m\"\n")),
-            "  case.toml:2: surface.level is missing: none | plane | bow\n");
+            "  case.toml:2: surface.level is missing: none | plane | bow | "
+            "sphere | cylinder\n");
 }
 
 // Claim: a map is mirrored unless the case says otherwise, and a windowed map,
