@@ -1,9 +1,12 @@
 #include "surfaces/measured_map.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/text/case_error.hpp"
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/scan.hpp"
+#include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/missing_points.hpp"
 #include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace asperity::surfaces {
 namespace {
@@ -43,13 +48,48 @@ MapRoughness rms_height_and_slope(const HeightMap& map) {
                     mean_square(0, 1, grid.spacing_y()))};
 }
 
-} // namespace
+/// Keeps the window of the case; a length of 0 reaches to the end of the map.
+void crop_to(FlaggedMap& map, cases::MapWindow window,
+             const std::string& file) {
+  const Grid& grid = map.map.grid;
+  if (window.length_x == 0.0)
+    window.length_x = grid.length_x - window.x;
+  if (window.length_y == 0.0)
+    window.length_y = grid.length_y - window.y;
+  try {
+    crop(map, window);
+  } catch (const std::domain_error& error) {
+    throw cases::CaseError(fmt::format("{}: {}", file, error.what()));
+  }
+}
 
-HeightMap levelled_map(const SurfaceSpec& surface) {
-  HeightMap map = read_height_map(surface.file, surface.format,
-                                  {surface.length, surface.height_unit});
+/// Refuses a map with too many points to be filled.
+void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
+  const auto missing = static_cast<double>(
+      std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
+  const double fraction = missing / static_cast<double>(map.map.grid.size());
+  if (missing > 0.0 && surface.fill == cases::Filling::none)
+    throw cases::CaseError(fmt::format(
+        "{}: {} of {} points are missing ({:.3g} %), and surface.fill = "
+        "\"none\" does not fill them",
+        surface.file, missing, map.map.grid.size(), 100.0 * fraction));
+  if (fraction > surface.max_missing || fraction == 1.0)
+    throw cases::CaseError(fmt::format(
+        "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
+        "surface.max_missing = {:.4g} may be filled; crop the map or raise "
+        "that limit",
+        surface.file, missing, map.map.grid.size(), fraction,
+        surface.max_missing));
+}
+
+void level_form(HeightMap& map, const SurfaceSpec& surface) {
   const double before = largest_magnitude(map);
-  remove_trend(map, surface.level);
+  try {
+    remove_trend(map, surface.level);
+  } catch (const std::domain_error& error) {
+    throw cases::CaseError(
+        fmt::format("{}: surface.level: {}", surface.file, error.what()));
+  }
   const double left = largest_magnitude(map);
   constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
   if (left <= rounding * before)
@@ -57,7 +97,52 @@ HeightMap levelled_map(const SurfaceSpec& surface) {
         "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
         "remain, the roundoff of the original {:.3g} m; there is no roughness",
         surface.file, left, before));
-  return map;
+}
+
+} // namespace
+
+MeasuredMap measured_map(const SurfaceSpec& surface) {
+  Scan scan =
+      read_scan(surface.file, {surface.format,
+                               surface.channel,
+                               {surface.length, surface.height_unit,
+                                surface.length_y, surface.length_unit}});
+  MeasuredMap measured{{}, scan.channel, scan.reader, 0, 0};
+  FlaggedMap map{std::move(scan.map), std::move(scan.is_missing)};
+  if (surface.crop)
+    crop_to(map, *surface.crop, surface.file);
+  measured.missing = static_cast<std::size_t>(
+      std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
+  if (measured.missing == map.map.grid.size())
+    require_few_missing(map, surface);
+  if (surface.align_lines == cases::LineAlignment::median)
+    align_lines(map);
+  if (surface.spikes)
+    measured.spikes = mark_spikes(map, *surface.spikes);
+  require_few_missing(map, surface);
+  fill_missing(map.map, map.is_missing);
+  level_form(map.map, surface);
+  measured.map = std::move(map.map);
+  return measured;
+}
+
+std::string description_of(const MeasuredMap& measured) {
+  const auto size = static_cast<double>(measured.map.grid.size());
+  std::string text = measured.reader;
+  if (!measured.channel.empty())
+    text = fmt::format("channel \"{}\", {}", printable(measured.channel), text);
+  if (measured.missing > 0)
+    text +=
+        fmt::format("; {} missing point(s) ({:.2g} %) filled", measured.missing,
+                    100.0 * static_cast<double>(measured.missing) / size);
+  if (measured.spikes > 0)
+    text += fmt::format("; {} spike(s) ({:.2g} %) replaced", measured.spikes,
+                        100.0 * static_cast<double>(measured.spikes) / size);
+  return text;
+}
+
+HeightMap levelled_map(const SurfaceSpec& surface) {
+  return measured_map(surface).map;
 }
 
 EdgeEffect edge_effect(const SurfaceSpec& surface) {

@@ -7,12 +7,35 @@
 #include "cases/types/case.hpp"
 #include "surfaces/maps/height_map.hpp"
 
+#include <string>
+
 namespace asperity::surfaces {
+
+/// A map of a case before its edge treatment, and how it was obtained.
+struct MeasuredMap {
+  HeightMap map;
+  std::string channel;     ///< title; may be empty
+  std::string reader;      ///< which reader answered (Scan::reader)
+  std::size_t missing = 0; ///< points without a height in the file
+  std::size_t spikes = 0;  ///< points that were removed as spikes
+};
+
+/// Reads the map of the case and prepares it, in this order: cropping,
+/// alignment of scan lines, removal of spikes, filling of missing points, and
+/// levelling ([surface] crop_x ..., align_lines, remove_spikes, fill, level).
+/// @throws cases::CaseError  the file is not a map, the window is not inside
+///                           it, more points are missing than max_missing, or
+///                           the map is flat
+MeasuredMap measured_map(const cases::SurfaceSpec& surface);
+
+/// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
+/// missing point(s) (0.04 %) filled".
+std::string description_of(const MeasuredMap& measured);
 
 /// The map of the case after levelling. A map that was a perfect plane is
 /// considered flat: levelling leaves only the roundoff of its heights, a few
 /// eps of the largest.
-/// @throws cases::CaseError  the file is not a map, or the map is flat
+/// @throws cases::CaseError  as measured_map
 HeightMap levelled_map(const cases::SurfaceSpec& surface);
 
 /// Roughness of a map that need not be periodic: the slope is computed from

@@ -15,7 +15,7 @@ MAY_INCLUDE = {
     "cases": {"base"},
     "theory": {"base"},
     "contact": {"base"},
-    "surfaces": {"base", "cases"},
+    "surfaces": {"base", "cases", "results/storage/hdf5_file.hpp"},
     "meshes": {"base", "cases", "surfaces"},
     "fem": {"base", "cases", "surfaces", "meshes", "contact"},
     "md": {"base", "cases", "surfaces"},

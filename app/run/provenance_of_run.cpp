@@ -32,6 +32,9 @@ results::Provenance provenance_at_start(const cases::Case& contact_case,
   facts.emplace_back("realizations",
                      std::to_string(contact_case.surface.realizations));
   facts.emplace_back("started", results::utc_now());
+  if (contact_case.surface.kind == cases::SurfaceKind::measured)
+    facts.emplace_back("map", surfaces::description_of(surfaces::measured_map(
+                                  contact_case.surface)));
   if (contact_case.surface.kind == cases::SurfaceKind::measured &&
       contact_case.surface.edges == cases::Edges::window)
     facts.emplace_back("window", effect_of_window(contact_case.surface));

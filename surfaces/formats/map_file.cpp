@@ -1,13 +1,15 @@
 #include "surfaces/formats/map_file.hpp"
 
 #include "base/plain_text.hpp"
-#include "base/require.hpp"
 #include "cases/text/case_error.hpp"
+#include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/text_header.hpp"
+#include "surfaces/formats/xyz_list.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -15,70 +17,24 @@
 namespace asperity::surfaces {
 namespace {
 
-constexpr const char* known_units = "m, mm, um, nm, pm, angstrom";
-
-/// Metres per unit; empty if the unit is not a length.
-std::optional<double> length_unit(std::string_view unit) {
-  static constexpr std::pair<std::string_view, double> units[] = {
-      {"m", 1.0},
-      {"mm", 1e-3},
-      {"um", 1e-6},
-      {"\xC2\xB5m", 1e-6}, // micro sign, UTF-8
-      {"\xCE\xBCm", 1e-6}, // Greek mu, UTF-8
-      {"\xB5m", 1e-6},     // micro sign, Latin-1
-      {"nm", 1e-9},
-      {"pm", 1e-12},
-      {"angstrom", 1e-10},
-      {"\xC3\x85", 1e-10},     // A with ring, UTF-8
-      {"\xE2\x84\xAB", 1e-10}, // Angstrom sign, UTF-8
-      {"\xC5", 1e-10},         // A with ring, Latin-1
-  };
-  for (const auto& [name, metres] : units)
-    if (unit == name)
-      return metres;
-  return std::nullopt;
-}
-
-/// The header line "<key>: <content>"; its line number is 0 if there is none.
-CommentLine header(const NumberTable& table, std::string_view key) {
-  for (const CommentLine& comment : table.comments) {
-    const std::string_view text = comment.text;
-    if (text.substr(0, key.size()) != key || text.substr(key.size(), 1) != ":")
-      continue;
-    const std::size_t content = text.find_first_not_of(" \t", key.size() + 1);
-    return {comment.line, content == std::string_view::npos
-                              ? std::string()
-                              : std::string(text.substr(content))};
-  }
-  return {};
-}
-
-/// Converts the header line of `key`, such as "20.0 um", to metres.
-double header_length(const NumberTable& table, const char* key) {
-  const CommentLine line = header(table, key);
+/// Converts a line such as "20.0 um" of Gwyddion's header to metres.
+double header_length(const NumberTable& table, const CommentLine& line,
+                     const char* key) {
   if (line.line == 0)
     throw cases::CaseError(fmt::format(
         "{}: no line '# {}: 20 um', which a Gwyddion text matrix begins with",
         table.name, key));
-  const std::string& text = line.text;
-  double number = 0.0;
-  const auto [stop, error] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  std::string_view unit(
-      stop, static_cast<std::size_t>(text.data() + text.size() - stop));
-  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-  const std::optional<double> metres = length_unit(unit);
-  if (error != std::errc{} || !metres || !std::isfinite(number) ||
-      number <= 0.0)
+  const std::optional<double> length = length_of_text(line.text);
+  if (!length || *length <= 0.0 || !std::isfinite(*length))
     refuse_line(table.name, line.line,
                 fmt::format("{}: found '{}', but must be a number > 0 and a "
                             "unit of {}",
-                            key, printable(text), known_units));
-  return number * *metres;
+                            key, printable(line.text), known_length_units));
+  return *length;
 }
 
-double header_height_unit(const NumberTable& table, const MapScale& scale) {
-  const CommentLine line = header(table, "Value units");
+double header_height_unit(const NumberTable& table, const CommentLine& line,
+                          const MapScale& scale) {
   if (line.line == 0) {
     if (!scale.height_unit)
       throw cases::CaseError(fmt::format(
@@ -95,52 +51,86 @@ double header_height_unit(const NumberTable& table, const MapScale& scale) {
   if (!metres)
     refuse_line(table.name, line.line,
                 fmt::format("Value units: found '{}', but must be one of {}",
-                            printable(line.text), known_units));
+                            printable(line.text), known_length_units));
   return *metres;
 }
 
-HeightMap from_gwyddion(NumberTable table, const Grid& points,
-                        const MapScale& scale) {
+Scan from_gwyddion(NumberTable table, const Grid& points,
+                   const MapScale& scale) {
+  const GwyddionHeader header = gwyddion_header(table);
   Grid grid = points;
-  grid.length_x = header_length(table, "Width");
-  grid.length_y = header_length(table, "Height");
-  if (scale.length)
-    throw cases::CaseError(fmt::format("surface.length = {:.6g} m, but must be "
-                                       "left out: line {} of {} gives '{}'",
-                                       *scale.length,
-                                       header(table, "Width").line, table.name,
-                                       printable(header(table, "Width").text)));
-  const double unit = header_height_unit(table, scale);
-  for (double& height : table.numbers)
-    height *= unit;
-  return {grid, std::move(table.numbers)};
+  grid.length_x = header_length(table, header.width, "Width");
+  grid.length_y = header_length(table, header.height, "Height");
+  for (const auto& [key, value] : {std::pair("length", scale.length),
+                                   std::pair("length_y", scale.length_y),
+                                   std::pair("length_unit", scale.length_unit)})
+    if (value)
+      throw cases::CaseError(fmt::format(
+          "surface.{} = {:.6g} m, but must be left out: line {} of {} gives "
+          "'{}'",
+          key, *value, header.width.line, table.name,
+          printable(header.width.text)));
+  const double unit = header_height_unit(table, header.value_units, scale);
+  Scan scan{{grid, std::move(table.numbers)},
+            {},
+            header.channel.text,
+            "own reader of Gwyddion text"};
+  multiply_heights(scan, unit);
+  mark_missing(scan, table.name);
+  return scan;
 }
 
-HeightMap from_plain(NumberTable table, const Grid& points,
-                     const MapScale& scale) {
-  if (!scale.length)
-    throw cases::CaseError(
-        fmt::format("surface.length is missing: {} is a plain matrix, which "
-                    "does not give its width",
-                    table.name));
-  if (!scale.height_unit)
-    throw cases::CaseError(
-        fmt::format("surface.height_unit is missing: {} is a plain matrix, "
-                    "which does not give the unit of its heights",
-                    table.name));
-  require_positive("length", *scale.length, "m");
-  Grid grid = points;
-  grid.length_x = *scale.length;
-  grid.length_y = *scale.length * grid.points_y / grid.points_x;
-  const double unit = *scale.height_unit;
-  require_positive("height_unit", unit, "m");
-  for (double& height : table.numbers)
-    height *= unit;
-  return {grid, std::move(table.numbers)};
+Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
+  const MatrixHeader header = matrix_header(table);
+  const auto take = [&](std::optional<double>& given, const char* key,
+                        const std::optional<double>& found) {
+    if (given && found)
+      throw cases::CaseError(fmt::format(
+          "surface.{} = {:.6g} m, but must be left out: the header of {} gives "
+          "it",
+          key, *given, table.name));
+    if (found)
+      given = found;
+  };
+  if (header.pixel_size) {
+    require_sound_lengths(table.name,
+                          {points.points_x, points.points_y,
+                           *header.pixel_size * points.points_x,
+                           *header.pixel_size * points.points_y});
+    take(scale.length, "length", *header.pixel_size * points.points_x);
+    take(scale.length_y, "length_y", *header.pixel_size * points.points_y);
+  }
+  take(scale.height_unit, "height_unit", header.height_unit);
+  if (scale.length_unit)
+    throw cases::CaseError(fmt::format(
+        "surface.length_unit = {:.6g} m, but must be left out: {} is a matrix, "
+        "and only a list x y z has columns x and y",
+        *scale.length_unit, table.name));
+  Scan scan = scan_by_scale(points, std::move(table.numbers), table.name,
+                            "a plain matrix", scale);
+  scan.reader = "own reader of plain matrices";
+  return scan;
 }
 
-HeightMap from_table(NumberTable table, cases::MapFormat format,
-                     const MapScale& scale) {
+HeightMap complete_map(Scan scan, const std::string& name) {
+  if (!scan.is_missing.empty())
+    throw cases::CaseError(fmt::format(
+        "{}: {} of {} points are missing, but every point is needed", name,
+        count_missing(scan), scan.map.grid.size()));
+  return std::move(scan.map);
+}
+
+Scan from_table(NumberTable table, const ScanRequest& request) {
+  using cases::MapFormat;
+  const bool is_automatic = request.format == MapFormat::automatic;
+  const bool is_gwyddion =
+      request.format == MapFormat::gwyddion ||
+      (is_automatic && gwyddion_header(table).width.line != 0);
+  const bool has_list = is_automatic && !is_gwyddion && is_regular_list(table);
+  if (request.format == MapFormat::xyz || has_list)
+    return scan_of_list(table, request.scale);
+  if (is_automatic && !is_gwyddion)
+    refuse_possible_list(table);
   if (table.columns < 2 || table.rows() < 2)
     throw cases::CaseError(fmt::format("{}: {} column(s) and {} row(s), but a "
                                        "map must have at least two of each",
@@ -149,23 +139,38 @@ HeightMap from_table(NumberTable table, cases::MapFormat format,
   Grid points;
   points.points_x = static_cast<int>(table.columns);
   points.points_y = static_cast<int>(table.rows());
-  const bool is_gwyddion =
-      format == cases::MapFormat::gwyddion ||
-      (format == cases::MapFormat::automatic && header(table, "Width").line);
-  return is_gwyddion ? from_gwyddion(std::move(table), points, scale)
-                     : from_plain(std::move(table), points, scale);
+  return is_gwyddion ? from_gwyddion(std::move(table), points, request.scale)
+                     : from_plain(std::move(table), points, request.scale);
 }
 
 } // namespace
 
+Scan read_text_scan(std::string_view bytes, const std::string& name,
+                    const ScanRequest& request) {
+  return from_table(read_number_text(bytes, name, NumberStyle::instrument),
+                    request);
+}
+
+ChannelInfo text_channel(std::string_view bytes, const std::string& name) {
+  const NumberTable table =
+      read_number_text(bytes, name, NumberStyle::instrument);
+  const GwyddionHeader header = gwyddion_header(table);
+  if (header.width.line == 0 && is_regular_list(table)) {
+    const Grid grid = scan_of_list(table, {{}, 1.0, {}, 1.0}).map.grid;
+    return {"", "", grid.points_x, grid.points_y};
+  }
+  return {header.channel.text, header.value_units.text,
+          static_cast<int>(table.columns), static_cast<int>(table.rows())};
+}
+
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                cases::MapFormat format, const MapScale& scale) {
-  return from_table(read_number_text(text, name), format, scale);
+  return complete_map(read_text_scan(text, name, {format, {}, scale}), name);
 }
 
 HeightMap read_height_map(const std::string& path, cases::MapFormat format,
                           const MapScale& scale) {
-  return read_scan(path, {format, {}, scale}).map;
+  return complete_map(read_scan(path, {format, {}, scale}), path);
 }
 
 } // namespace asperity::surfaces

@@ -3,21 +3,21 @@
 #include "base/plain_text.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
+#include "surfaces/formats/length_units.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace asperity::surfaces {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
 constexpr std::string_view separators = " \t\r\f\v,;";
+constexpr std::string_view separators_but_comma = " \t\r\f\v;";
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos)
     return {};
@@ -42,32 +42,48 @@ bool has_ambiguous_comma(std::string_view line) {
   return false;
 }
 
-/// The number represented by the whole word, or NaN.
-double parse_number(std::string_view word) {
-  if (word.size() > 1 && word.front() == '+' && word[1] != '-')
-    word.remove_prefix(1);
-  double number = 0.0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, number);
-  if (error != std::errc{} || stop != end)
-    return std::nan("");
-  return number;
+bool is_missing_word(std::string_view word) {
+  static constexpr std::string_view words[] = {"nan",  "-nan", "bad",
+                                               "void", "***",  "---"};
+  std::string lower(word);
+  for (char& letter : lower)
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter - 'A' + 'a');
+  return std::find(std::begin(words), std::end(words), lower) !=
+         std::end(words);
+}
+
+std::vector<std::string_view> words_of(std::string_view line,
+                                       std::string_view between) {
+  std::vector<std::string_view> words;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(between, at)) != std::string_view::npos) {
+    const std::size_t end =
+        std::min(line.find_first_of(between, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return words;
 }
 
 class TableReader {
 public:
-  explicit TableReader(const std::string& name) { table_.name = name; }
+  TableReader(const std::string& name, NumberStyle style) : style_(style) {
+    table_.name = name;
+  }
 
   void take(std::string_view line) {
     ++line_number_;
     if (line_number_ == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
       line.remove_prefix(3);
-    line = trimmed(line);
+    line = without_blanks(line);
     if (line.empty())
       return;
     if (line.front() == '#')
       table_.comments.push_back(
-          {line_number_, std::string(trimmed(line.substr(1)))});
+          {line_number_, std::string(without_blanks(line.substr(1)))});
+    else if (is_header(line))
+      table_.comments.push_back({line_number_, std::string(line)});
     else
       take_row(line);
   }
@@ -79,26 +95,42 @@ public:
   }
 
 private:
+  bool is_header(std::string_view line) const {
+    if (style_ == NumberStyle::strict || !table_.lines.empty())
+      return false;
+    if (line.find('=') != std::string_view::npos)
+      return true;
+    const auto words = words_of(line, separators);
+    return std::none_of(words.begin(), words.end(), [](std::string_view word) {
+      return !std::isnan(number_of_text(word)) || is_missing_word(word);
+    });
+  }
+
   void take_row(std::string_view line) {
-    if (has_ambiguous_comma(line))
+    const bool has_decimal_comma = has_ambiguous_comma(line);
+    const bool has_point = line.find('.') != std::string_view::npos;
+    if (has_decimal_comma && style_ == NumberStyle::strict)
       refuse_line(
           table_.name, line_number_,
           "found a comma within a column; use a dot as the decimal separator");
+    has_commas_ = has_commas_ || has_decimal_comma;
+    has_points_ = has_points_ || has_point;
+    if (has_commas_ && has_points_)
+      refuse_line(table_.name, line_number_,
+                  "found decimal commas and decimal points in one file; use a "
+                  "dot as the decimal separator");
     std::size_t column = 0;
-    std::size_t at = 0;
-    while ((at = line.find_first_not_of(separators, at)) !=
-           std::string_view::npos) {
-      const std::size_t end =
-          std::min(line.find_first_of(separators, at), line.size());
-      take_word(line.substr(at, end - at), ++column);
-      at = end;
-    }
+    for (const std::string_view word :
+         words_of(line, has_decimal_comma ? separators_but_comma : separators))
+      take_word(word, ++column);
     finish_row(column);
   }
 
   void take_word(std::string_view word, std::size_t column) {
-    const double number = parse_number(word);
-    if (!std::isfinite(number))
+    const bool may_miss = style_ == NumberStyle::instrument;
+    const bool is_cut = word.front() == ',' || word.back() == ',';
+    const double number = is_cut ? std::nan("") : number_of_text(word);
+    if (!std::isfinite(number) && !(may_miss && is_missing_word(word)))
       refuse_line(table_.name, line_number_,
                   fmt::format("column {}: found '{}', but must be a finite "
                               "number",
@@ -117,7 +149,10 @@ private:
     table_.lines.push_back(line_number_);
   }
 
+  NumberStyle style_;
   NumberTable table_;
+  bool has_commas_ = false; ///< a decimal comma was found
+  bool has_points_ = false; ///< a decimal point was found
   int line_number_ = 0;
 };
 
@@ -127,8 +162,9 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
   throw cases::CaseError(fmt::format("{}:{}: {}", name, line, what));
 }
 
-NumberTable read_number_text(std::string_view text, const std::string& name) {
-  TableReader reader(name);
+NumberTable read_number_text(std::string_view text, const std::string& name,
+                             NumberStyle style) {
+  TableReader reader(name, style);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     reader.take(text.substr(0, end));

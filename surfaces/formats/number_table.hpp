@@ -11,17 +11,26 @@
 
 namespace asperity::surfaces {
 
-/// A line that begins with '#', without this character.
+/// A line that begins with '#', without this character, or a header line.
 struct CommentLine {
   int line = 0; ///< line number, from 1
   std::string text;
 };
 
-/// A rectangular table of finite numbers, row by row.
+/// How the numbers of a file are written.
+enum class NumberStyle {
+  strict,    ///< finite numbers with a decimal point
+  instrument ///< also decimal commas, words for missing points, and header
+             ///< lines before the first row
+};
+
+/// A rectangular table of numbers, row by row.
 struct NumberTable {
   std::string name; ///< name of the file, for messages
   std::size_t columns = 0;
-  std::vector<double> numbers; ///< columns * lines.size() values
+  std::vector<double> numbers; ///< columns * lines.size() values, finite except
+                               ///< for NaN at the missing points of an
+                               ///< instrument
   std::vector<int> lines;      ///< line number of each row, from 1
   std::vector<CommentLine> comments;
 
@@ -38,10 +47,16 @@ struct NumberTable {
 /// and a UTF-8 byte order mark are accepted. A comma inside a column is
 /// rejected if the columns are separated by something else, because it may be a
 /// decimal comma.
+///
+/// In the style of instruments, the words nan, bad, void, *** and --- are
+/// missing points in any case of letters; a comma inside a column is a decimal
+/// comma unless the line has a decimal point, too; and lines before the first
+/// row that contain '=' or no number are kept with the comments.
 /// @throws cases::CaseError  name:line: of the first entry that is not a finite
 ///                           number, or of a row whose length differs from the
 ///                           first, or the text contains no numbers
-NumberTable read_number_text(std::string_view text, const std::string& name);
+NumberTable read_number_text(std::string_view text, const std::string& name,
+                             NumberStyle style = NumberStyle::strict);
 
 /// Reads a whole file in the same way.
 /// @throws cases::CaseError  as above, or the file is not a regular file or is

@@ -1,34 +1,102 @@
 #include "surfaces/formats/scan.hpp"
 
+#include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/scan_formats.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <utility>
 
 namespace asperity::surfaces {
+namespace {
 
-std::size_t count_missing(const Scan& scan) {
-  return static_cast<std::size_t>(
-      std::count(scan.is_missing.begin(), scan.is_missing.end(), char{1}));
+using cases::MapFormat;
+
+/// Formats that read_scan_bytes reads by itself.
+bool is_read_from_bytes(MapFormat format) {
+  return format != MapFormat::hdf5 && format != MapFormat::convert;
 }
 
-Scan read_scan_bytes(std::string_view bytes, const std::string& name,
-                     const ScanRequest& request) {
+bool is_text(MapFormat format) {
+  return format == MapFormat::automatic || format == MapFormat::plain ||
+         format == MapFormat::gwyddion || format == MapFormat::xyz;
+}
+
+MapFormat format_of(std::string_view bytes, const ScanRequest& request) {
+  return request.format == MapFormat::automatic ? recognised_format(bytes)
+                                                : request.format;
+}
+
+void refuse_channel(const ScanRequest& request, const Scan& scan,
+                    const std::string& name) {
+  if (request.channel && *request.channel != scan.channel)
+    throw cases::CaseError(fmt::format(
+        "surface.channel must be left out: {} has only one channel", name));
+}
+
+Scan scan_of_bytes(std::string_view bytes, const std::string& name,
+                   const ScanRequest& request, MapFormat format) {
+  if (format == MapFormat::gwy)
+    return read_gwy_file(bytes, name, request, Asked::scan).scan;
   Scan scan;
-  scan.map = read_height_map_text(bytes, name, request.format, request.scale);
-  scan.reader = "own reader of text";
+  if (is_text(format))
+    scan = read_text_scan(bytes, name, request);
+  else if (format == MapFormat::npy)
+    scan = read_npy_scan(bytes, name, request);
+  else {
+    refuse_scale(request.scale, name);
+    scan = format == MapFormat::sdf ? read_sdf_scan(bytes, name)
+                                    : read_x3p_scan(bytes, name);
+  }
+  refuse_channel(request, scan, name);
   return scan;
 }
 
+FileContent read_file_of(const std::string& path, const ScanRequest& request,
+                         Asked asked) {
+  const std::string bytes =
+      cases::read_input_file(path, cases::largest_number_file);
+  const MapFormat format = format_of(bytes, request);
+  if (format == MapFormat::hdf5)
+    return read_hdf5_file(path, request, asked);
+  if (format == MapFormat::convert)
+    return read_converted_file(path, request, asked);
+  if (format == MapFormat::gwy)
+    return read_gwy_file(bytes, path, request, asked);
+  FileContent content;
+  if (asked == Asked::channels && is_text(format)) {
+    content.channels = {text_channel(bytes, path)};
+    return content;
+  }
+  if (asked == Asked::channels && format == MapFormat::npy) {
+    content.channels = {npy_channel(bytes, path)};
+    return content;
+  }
+  content.scan = scan_of_bytes(bytes, path, request, format);
+  const Grid& grid = content.scan.map.grid;
+  content.channels.push_back(
+      {content.scan.channel, "m", grid.points_x, grid.points_y});
+  return content;
+}
+
+} // namespace
+
+Scan read_scan_bytes(std::string_view bytes, const std::string& name,
+                     const ScanRequest& request) {
+  const MapFormat format = format_of(bytes, request);
+  if (!is_read_from_bytes(format))
+    throw cases::CaseError(name + ": this format is read from files only");
+  return scan_of_bytes(bytes, name, request, format);
+}
+
 Scan read_scan(const std::string& path, const ScanRequest& request) {
-  return read_scan_bytes(
-      cases::read_input_file(path, cases::largest_number_file), path, request);
+  return read_file_of(path, request, Asked::scan).scan;
 }
 
 std::vector<ChannelInfo> list_channels(const std::string& path) {
-  // A text file has one channel; its scales do not matter here.
-  const Scan scan = read_scan(path, {cases::MapFormat::plain, {}, {1.0, 1.0}});
-  return {{scan.channel, "", scan.map.grid.points_x, scan.map.grid.points_y}};
+  return read_file_of(path, {}, Asked::channels).channels;
 }
 
 } // namespace asperity::surfaces

@@ -17,6 +17,10 @@ namespace asperity::surfaces {
 struct MapScale {
   std::optional<double> length;      ///< side length in x [m] > 0
   std::optional<double> height_unit; ///< [m] per unit of the numbers > 0
+  /// Side length in y [m] > 0; empty: pixels are square.
+  std::optional<double> length_y = {};
+  /// [m] per unit of the columns x and y of a list > 0
+  std::optional<double> length_unit = {};
 };
 
 /// One channel of an instrument file as measured: not levelled, and missing

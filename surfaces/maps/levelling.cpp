@@ -1,5 +1,7 @@
 #include "surfaces/maps/levelling.hpp"
 
+#include "surfaces/maps/round_form.hpp"
+
 #include <numeric>
 #include <vector>
 
@@ -54,6 +56,10 @@ void remove_trend(HeightMap& map, cases::Levelling levelling) {
   remove_mean(map);
   if (levelling == cases::Levelling::none)
     return;
+  if (levelling == cases::Levelling::sphere)
+    return remove_sphere(map);
+  if (levelling == cases::Levelling::cylinder)
+    return remove_cylinder(map);
   const SidePolynomials x(map.grid.points_x);
   const SidePolynomials y(map.grid.points_y);
   remove_product(map, x.linear, y.constant);

@@ -14,6 +14,8 @@ namespace asperity::surfaces {
 ///     plane  1, x, y
 ///     bow    1, x, y, x^2, x y, y^2
 ///
+/// or the sphere or cylinder of round_form.hpp,
+///
 /// so that at least the mean is removed. On a regular grid these polynomials
 /// are spanned by products of the discrete Legendre polynomials of the two
 /// sides, which are orthogonal: each coefficient is one projection and no

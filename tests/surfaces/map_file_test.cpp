@@ -95,7 +95,7 @@ TEST(MapFile, GivesBackTheNumbersThatWereWritten) {
       const bool ends_row = (i + 1) % static_cast<std::size_t>(columns) == 0;
       text += number + std::string(ends_row ? "\n" : has_commas ? "," : " ");
     }
-    RC_ASSERT(read(text, {1.0, 1.0}).heights == numbers);
+    RC_ASSERT(read(text, {1.0, 1.0}, MapFormat::plain).heights == numbers);
   });
   EXPECT_TRUE(holds);
 }
@@ -120,7 +120,7 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
               "map.txt:1: column 2: found '" + word +
                   "', but must be a finite number");
   EXPECT_EQ(message_of("1 2\n\n# missing\nnan 4\n", scale),
-            "map.txt:4: column 1: found 'nan', but must be a finite number");
+            "map.txt: 1 of 4 points are missing, but every point is needed");
   EXPECT_EQ(message_of("1 inf\n", scale),
             "map.txt:1: column 2: found 'inf', but must be a finite number");
   EXPECT_EQ(message_of("1 1e999\n", scale),
@@ -128,9 +128,9 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
   EXPECT_EQ(message_of("1 2 3\n4 5\n", scale),
             "map.txt:2: 2 numbers in this row, but 3 in line 1; every row must "
             "have the same number");
-  EXPECT_EQ(message_of("1,5\t2,5\n", scale),
-            "map.txt:1: found a comma within a column; use a dot as the "
-            "decimal separator");
+  EXPECT_EQ(message_of("1,5\t2.5\n", scale),
+            "map.txt:1: found decimal commas and decimal points in one file; "
+            "use a dot as the decimal separator");
   EXPECT_EQ(message_of("1 2 3\n", scale),
             "map.txt: 3 column(s) and 1 row(s), but a map must have at least "
             "two of each");

@@ -1,0 +1,77 @@
+#pragma once
+
+// This file reads numbers and texts one after the other from the bytes of a
+// binary file. Every access is checked against the end of the file.
+
+#include "cases/text/case_error.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace asperity::surfaces {
+
+/// A position in the bytes of a file or of a part of it.
+class ByteReader {
+public:
+  /// @param name    of the file, for messages
+  /// @param offset  of the first byte in the file, for messages
+  ByteReader(std::string_view bytes, std::string name, std::size_t offset = 0)
+      : bytes_(bytes), name_(std::move(name)), start_(offset) {}
+
+  bool is_at_end() const { return at_ == bytes_.size(); }
+
+  std::size_t remaining() const { return bytes_.size() - at_; }
+
+  std::size_t offset() const { return start_ + at_; }
+
+  const std::string& name() const { return name_; }
+
+  /// Takes the next `count` bytes.
+  /// @throws cases::CaseError  there are fewer
+  std::string_view take_bytes(std::size_t count) {
+    if (count > remaining())
+      refuse(fmt::format("ends here, but {} more bytes must follow",
+                         count - remaining()));
+    const std::string_view taken = bytes_.substr(at_, count);
+    at_ += count;
+    return taken;
+  }
+
+  /// Takes a little-endian number.
+  template <class Number>
+  Number take() {
+    static_assert(std::endian::native == std::endian::little);
+    Number number{};
+    std::memcpy(&number, take_bytes(sizeof(Number)).data(), sizeof(Number));
+    return number;
+  }
+
+  /// Takes a text that ends with a zero byte, which is taken too.
+  std::string_view take_text() {
+    const std::size_t end = bytes_.find('\0', at_);
+    if (end == std::string_view::npos)
+      refuse("a text without its final zero byte");
+    const std::string_view text = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    return text;
+  }
+
+  /// @throws cases::CaseError  "name: byte N: what"
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw cases::CaseError(
+        fmt::format("{}: byte {}: {}", name_, offset(), what));
+  }
+
+private:
+  std::string_view bytes_;
+  std::string name_;
+  std::size_t start_;
+  std::size_t at_ = 0;
+};
+
+} // namespace asperity::surfaces

@@ -1,0 +1,139 @@
+#include "surfaces/formats/map_writer.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
+#include "base/plain_text.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "surfaces/formats/gwyddion_file.hpp"
+#include "surfaces/formats/npy.hpp"
+#include "surfaces/formats/zip_archive.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+#include <iterator>
+#include <mutex>
+#include <stdexcept>
+#include <system_error>
+
+namespace asperity::surfaces {
+namespace {
+
+/// The heights as little-endian numbers.
+std::string bytes_of_heights(const HeightMap& map) {
+  static_assert(std::endian::native == std::endian::little);
+  std::string bytes(map.heights.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), map.heights.data(), bytes.size());
+  return bytes;
+}
+
+/// main.xml of an X3P file; the schema prescribes the order of the records and
+/// of their entries.
+std::string x3p_document(const Grid& grid, const std::string& point_sum) {
+  const auto axis = [](const char* name, double increment) {
+    return fmt::format("<{0}><AxisType>I</AxisType><DataType>D</DataType>"
+                       "<Increment>{1:.17g}</Increment><Offset>0</Offset>"
+                       "</{0}>\n",
+                       name, increment);
+  };
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\"?>\n"
+      "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
+      "<Record1>\n<Revision>ISO5436 - 2000</Revision>\n"
+      "<FeatureType>SUR</FeatureType>\n<Axes>\n{}{}"
+      "<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ>\n"
+      "</Axes>\n</Record1>\n"
+      "<Record3>\n<MatrixDimension><SizeX>{}</SizeX><SizeY>{}</SizeY>"
+      "<SizeZ>1</SizeZ></MatrixDimension>\n"
+      "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+      "<MD5ChecksumPointData>{}</MD5ChecksumPointData></DataLink>\n"
+      "</Record3>\n"
+      "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>\n"
+      "</p:ISO5436_2>\n",
+      axis("CX", grid.spacing_x()), axis("CY", grid.spacing_y()), grid.points_x,
+      grid.points_y, point_sum);
+}
+
+/// Writes beside the target and renames, because the library writes the file
+/// by itself.
+void write_hdf5(const std::filesystem::path& path, const HeightMap& map,
+                const std::string& title) {
+  const std::filesystem::path temporary = temporary_beside(path);
+  try {
+    const std::lock_guard lock(results::hdf5_mutex());
+    results::Hdf5File file(temporary, results::Hdf5File::Mode::create);
+    file.write_map("heights", map.heights,
+                   {static_cast<std::size_t>(map.grid.points_y),
+                    static_cast<std::size_t>(map.grid.points_x)},
+                   results::Hdf5Number::float64, "m");
+    {
+      results::Hdf5Group heights = file.open_dataset("heights");
+      heights.set_attribute("length", map.grid.length_x);
+      heights.set_attribute("length_y", map.grid.length_y);
+      heights.set_attribute("title", title);
+    }
+    file.close();
+    std::filesystem::rename(temporary, path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw;
+  }
+}
+
+} // namespace
+
+std::string written_map_endings() {
+  return ".npy, .h5, .gwy, .txt, .x3p";
+}
+
+std::string x3p_bytes(const HeightMap& map) {
+  const std::string heights = bytes_of_heights(map);
+  const std::string document = x3p_document(map.grid, md5_hash(heights));
+  return zip_bytes({{"main.xml", document},
+                    {"bindata/data.bin", heights},
+                    {"md5checksum.hex", md5_hash(document) + " *main.xml\n"}});
+}
+
+std::string gwyddion_text(const HeightMap& map, const std::string& title) {
+  std::string text =
+      fmt::format("# Channel: {}\n# Width: {:.17g} m\n"
+                  "# Height: {:.17g} m\n# Value units: m\n",
+                  printable(title), map.grid.length_x, map.grid.length_y);
+  std::size_t column = 0;
+  for (const double height : map.heights) {
+    const bool is_last =
+        ++column == static_cast<std::size_t>(map.grid.points_x);
+    fmt::format_to(std::back_inserter(text), "{:.17g}{}", height,
+                   is_last ? '\n' : '\t');
+    if (is_last)
+      column = 0;
+  }
+  return text;
+}
+
+void write_map(const std::filesystem::path& path, const HeightMap& map,
+               const std::string& title) {
+  const std::string ending = path.extension().string();
+  if (ending == ".npy")
+    write_file_atomically(
+        path,
+        npy_bytes(map.heights, static_cast<std::size_t>(map.grid.points_y),
+                  static_cast<std::size_t>(map.grid.points_x)));
+  else if (ending == ".h5")
+    write_hdf5(path, map, title);
+  else if (ending == ".gwy")
+    write_file_atomically(path, gwyddion_bytes(map, printable(title)));
+  else if (ending == ".txt")
+    write_file_atomically(path, gwyddion_text(map, title));
+  else if (ending == ".x3p")
+    write_file_atomically(path, x3p_bytes(map));
+  else
+    throw cases::CaseError(
+        fmt::format("{}: has the ending \"{}\", but a map can be written as {}",
+                    path.string(), printable(ending), written_map_endings()));
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,35 @@
+#pragma once
+
+// This file writes height maps in the formats of other programs. What is
+// written can be read again by read_scan.
+
+#include "surfaces/maps/height_map.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace asperity::surfaces {
+
+/// The endings of write_map for messages and help texts: ".npy, .h5, ...".
+std::string written_map_endings();
+
+/// Writes a map in the format of the ending, atomically:
+///
+///     .npy  heights [m], float64, rows along y; lengths are not stored
+///     .h5   dataset /heights [m] with the attributes unit, length and length_y
+///     .gwy  one channel of Gwyddion's native format
+///     .txt  Gwyddion's text matrix with 17 digits
+///     .x3p  ISO 5436-2, a surface with incremental axes and float64 heights
+///
+/// @param title  of the channel, one line; .npy and .x3p do not store it
+/// @throws cases::CaseError   another ending; the message lists these
+/// @throws std::system_error  the file cannot be written; std::runtime_error if
+///                            a library fails
+void write_map(const std::filesystem::path& path, const HeightMap& map,
+               const std::string& title);
+
+/// The bytes of an X3P file and of a Gwyddion text matrix.
+std::string x3p_bytes(const HeightMap& map);
+std::string gwyddion_text(const HeightMap& map, const std::string& title);
+
+} // namespace asperity::surfaces

@@ -1,0 +1,205 @@
+#include "base/plain_text.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "surfaces/formats/length_units.hpp"
+#include "surfaces/formats/npy.hpp"
+#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/xyz_list.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <numeric>
+
+namespace asperity::surfaces {
+namespace {
+
+/// Takes a matrix whose file has no sizes or units, unless it is a list x y z.
+Scan scan_of_matrix(Matrix matrix, const std::string& name,
+                    const std::string& what, const ScanRequest& request) {
+  require_sound_grid(name, static_cast<std::int64_t>(matrix.columns),
+                     static_cast<std::int64_t>(matrix.rows), 1.0,
+                     matrix.numbers.size());
+  if (request.format == cases::MapFormat::automatic && matrix.columns <= 3) {
+    NumberTable table;
+    table.name = name;
+    table.columns = matrix.columns;
+    table.numbers = matrix.numbers;
+    table.lines.resize(matrix.rows);
+    std::iota(table.lines.begin(), table.lines.end(), 1);
+    if (is_regular_list(table))
+      return scan_of_list(table, request.scale);
+    refuse_possible_list(table);
+  }
+  const Grid points{static_cast<int>(matrix.columns),
+                    static_cast<int>(matrix.rows), 0.0, 0.0};
+  return scan_by_scale(points, std::move(matrix.numbers), name, what,
+                       request.scale);
+}
+
+/// Datasets with two dimensions, by their paths.
+struct FoundDatasets {
+  std::vector<std::string> paths;
+  std::vector<ChannelInfo> infos;
+  int groups = 0; ///< visited; links may form cycles
+};
+
+std::string unit_attribute(const results::Hdf5Group& dataset) {
+  for (const char* const name : {"unit", "units"})
+    if (dataset.has_attribute(name))
+      return dataset.text_attribute(name);
+  return "";
+}
+
+constexpr int deepest_group = 16;
+constexpr int most_groups = 10000;
+constexpr std::size_t most_datasets = 1000;
+
+void find_datasets(const results::Hdf5Group& group, const std::string& path,
+                   int depth, FoundDatasets& found) {
+  if (depth > deepest_group || ++found.groups > most_groups)
+    return;
+  for (const std::string& child : group.children()) {
+    if (found.paths.size() == most_datasets)
+      return;
+    const std::string full = path + "/" + child;
+    if (!group.is_dataset(child)) {
+      if (group.is_group(child))
+        find_datasets(group.open(child), full, depth + 1, found);
+      continue;
+    }
+    const std::vector<std::size_t> extents = group.extents(child);
+    if (extents.size() != 2 || extents[0] < 2 || extents[1] < 2 ||
+        extents[0] > 1 << 20 || extents[1] > 1 << 20)
+      continue;
+    found.paths.push_back(full);
+    found.infos.push_back({full, unit_attribute(group.open_dataset(child)),
+                           static_cast<int>(extents[1]),
+                           static_cast<int>(extents[0])});
+  }
+}
+
+/// The index of the dataset that the case names, or of the only one.
+std::size_t chosen_dataset(const FoundDatasets& found,
+                           const std::optional<std::string>& wanted,
+                           const std::string& path) {
+  std::string list;
+  for (const std::string& one : found.paths)
+    list += (list.empty() ? "" : ", ") + printable(one);
+  if (found.paths.empty())
+    throw cases::CaseError(path + ": has no dataset with two dimensions");
+  for (std::size_t i = 0; wanted && i < found.paths.size(); ++i)
+    if (found.paths[i] == *wanted || found.paths[i] == "/" + *wanted)
+      return i;
+  if (wanted)
+    throw cases::CaseError(
+        fmt::format("surface.channel = \"{}\": {} has no such dataset with two "
+                    "dimensions; it has {}",
+                    printable(*wanted), path, printable(list, 500)));
+  if (found.paths.size() > 1)
+    throw cases::CaseError(fmt::format(
+        "surface.channel is missing: {} has several datasets with two "
+        "dimensions, {}",
+        path, printable(list, 500)));
+  return 0;
+}
+
+/// Takes a scale from an attribute unless the case gives it.
+void take_attribute(std::optional<double>& given,
+                    const results::Hdf5Group& dataset, const char* key,
+                    const std::string& path) {
+  if (!dataset.has_attribute(key))
+    return;
+  if (given)
+    throw cases::CaseError(fmt::format(
+        "surface.{} = {:.6g} m, but must be left out: {} gives it as an "
+        "attribute",
+        key, *given, path));
+  given = dataset.number_attribute(key);
+}
+
+void take_height_unit(std::optional<double>& given,
+                      const results::Hdf5Group& dataset,
+                      const std::string& path) {
+  const std::string text = unit_attribute(dataset);
+  if (text.empty())
+    return;
+  const std::optional<double> unit = length_unit(text);
+  if (!unit)
+    throw cases::CaseError(
+        fmt::format("{}: the dataset is in '{}', but heights must be in one of "
+                    "{}",
+                    path, printable(text), known_length_units));
+  if (given)
+    throw cases::CaseError(fmt::format(
+        "surface.height_unit = {:.6g} m, but must be left out: {} gives the "
+        "unit '{}'",
+        *given, path, printable(text)));
+  given = unit;
+}
+
+Scan scan_of_dataset(const results::Hdf5File& file, const std::string& dataset,
+                     const std::string& path, ScanRequest request) {
+  const std::string name = path + ": " + printable(dataset);
+  // The parts of the path are opened one after the other, without links to
+  // other files.
+  results::Hdf5Group group;
+  std::string_view rest = std::string_view(dataset).substr(1);
+  bool is_below_root = false;
+  for (std::size_t end = rest.find('/'); end != std::string_view::npos;
+       end = rest.find('/')) {
+    const std::string child(rest.substr(0, end));
+    group = is_below_root ? group.open(child) : file.open(child);
+    is_below_root = true;
+    rest.remove_prefix(end + 1);
+  }
+  const results::Hdf5Group& parent =
+      is_below_root ? group : static_cast<const results::Hdf5Group&>(file);
+  const std::string child(rest);
+  const std::vector<std::size_t> extents = parent.extents(child);
+  const results::Hdf5Group attributes = parent.open_dataset(child);
+  take_attribute(request.scale.length, attributes, "length", name);
+  take_attribute(request.scale.length_y, attributes, "length_y", name);
+  take_height_unit(request.scale.height_unit, attributes, name);
+  Scan scan = scan_of_matrix({extents[0], extents[1], parent.numbers(child)},
+                             name, "an HDF5 dataset", request);
+  scan.channel = dataset;
+  scan.reader = "own reader of HDF5";
+  return scan;
+}
+
+} // namespace
+
+Scan read_npy_scan(std::string_view bytes, const std::string& name,
+                   const ScanRequest& request) {
+  Scan scan =
+      scan_of_matrix(read_npy_text(bytes, name), name, "an .npy file", request);
+  scan.reader = "own reader of .npy";
+  return scan;
+}
+
+ChannelInfo npy_channel(std::string_view bytes, const std::string& name) {
+  const Matrix matrix = read_npy_text(bytes, name);
+  return {"", "", static_cast<int>(matrix.columns),
+          static_cast<int>(matrix.rows)};
+}
+
+FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
+                           Asked asked) {
+  try {
+    const std::lock_guard lock(results::hdf5_mutex());
+    const results::Hdf5File file(path, results::Hdf5File::Mode::read);
+    FoundDatasets found;
+    find_datasets(file, "", 0, found);
+    FileContent content{found.infos, {}};
+    if (asked == Asked::scan)
+      content.scan = scan_of_dataset(
+          file, found.paths[chosen_dataset(found, request.channel, path)], path,
+          request);
+    return content;
+  } catch (const results::Hdf5Error& error) {
+    throw cases::CaseError(error.what());
+  }
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,82 @@
+#pragma once
+
+// This internal header of surfaces/formats declares the readers of the
+// individual formats, which scan.cpp chooses from, and what they share.
+
+#include "surfaces/formats/scan.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// What a reader finds in a file: its channels, and one of them if asked.
+struct FileContent {
+  std::vector<ChannelInfo> channels;
+  Scan scan; ///< the chosen channel
+};
+
+/// How a request is answered: one channel, or only the list.
+enum class Asked { scan, channels };
+
+/// The readers. Each throws cases::CaseError with the name of the file and the
+/// line, byte or part that is malformed, and checks every size against the
+/// bytes that are there before it allocates memory.
+
+/// A matrix of numbers as text, with or without a header (map_file.hpp), or a
+/// list x y z.
+Scan read_text_scan(std::string_view bytes, const std::string& name,
+                    const ScanRequest& request);
+/// The only channel of such a file.
+ChannelInfo text_channel(std::string_view bytes, const std::string& name);
+/// ISO 25178-71 with the header aISO-1.0, bISO-1.0, aBCR-1.0 or bBCR-1.0.
+Scan read_sdf_scan(std::string_view bytes, const std::string& name);
+/// ISO 5436-2: a zip archive with main.xml.
+Scan read_x3p_scan(std::string_view bytes, const std::string& name);
+/// NumPy's .npy; the scales are those of the case.
+Scan read_npy_scan(std::string_view bytes, const std::string& name,
+                   const ScanRequest& request);
+ChannelInfo npy_channel(std::string_view bytes, const std::string& name);
+/// Gwyddion's native format.
+FileContent read_gwy_file(std::string_view bytes, const std::string& name,
+                          const ScanRequest& request, Asked asked);
+/// A dataset of an HDF5 file.
+FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
+                           Asked asked);
+/// Any other format through the program Gwyddion.
+FileContent read_converted_file(const std::string& path,
+                                const ScanRequest& request, Asked asked);
+
+/// The scales of the case for a file without any: square pixels unless
+/// scale.length_y is given.
+/// @throws cases::CaseError  length or height_unit is missing
+/// @param what  the file in words: "a plain matrix"
+Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
+                   const std::string& name, const std::string& what,
+                   const MapScale& scale);
+
+/// Refuses keys of the case for what the file itself says.
+/// @throws cases::CaseError  a member of scale is given
+void refuse_scale(const MapScale& scale, const std::string& name);
+
+/// Marks every height that is not finite as missing and sets it to 0.
+/// @throws cases::CaseError  all points are missing
+void mark_missing(Scan& scan, const std::string& name);
+
+/// Multiplies all heights.
+void multiply_heights(Scan& scan, double factor);
+
+/// Checks the points per side and the lengths of a file before memory is
+/// allocated for them.
+/// @param bytes_each  smallest size of a point in the file
+/// @param bytes       bytes that are there
+/// @throws cases::CaseError  fewer than two points per side, more points than
+///                           the bytes can hold, lengths that are not positive
+void require_sound_grid(const std::string& name, std::int64_t points_x,
+                        std::int64_t points_y, double bytes_each,
+                        std::size_t bytes);
+void require_sound_lengths(const std::string& name, const Grid& grid);
+
+} // namespace asperity::surfaces

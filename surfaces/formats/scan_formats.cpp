@@ -1,0 +1,102 @@
+#include "surfaces/formats/scan_formats.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace asperity::surfaces {
+namespace {
+
+using namespace std::string_view_literals;
+using cases::MapFormat;
+
+/// Formats that Gwyddion reads, by the ending of the file name.
+constexpr std::pair<std::string_view, std::string_view> foreign_formats[] = {
+    {".al3d", "Alicona Imaging AL3D"},
+    {".asc", "ASCII export of an instrument"},
+    {".bcr", "Image Metrology BCR"},
+    {".bcrf", "Image Metrology BCR"},
+    {".dat", "Zygo MetroPro or another program"},
+    {".datx", "Zygo Mx"},
+    {".di", "Bruker/Digital Instruments Nanoscope"},
+    {".frt", "FRT MicroProf"},
+    {".hdf", "HDF"},
+    {".hfm", "Nanonis or another program"},
+    {".ibw", "Igor binary wave, Asylum Research"},
+    {".jpk", "JPK Instruments"},
+    {".lext", "Olympus LEXT"},
+    {".mi", "Agilent/Molecular Imaging MI"},
+    {".mnt", "MountainsMap"},
+    {".mtx", "MTX"},
+    {".nid", "Nanosurf"},
+    {".nms", "Nanotech Dulcinea"},
+    {".oir", "Olympus OIR"},
+    {".opd", "Wyko OPD"},
+    {".opdx", "Bruker/Wyko OPDx"},
+    {".os3d", "Digital Surf OS3D"},
+    {".plu", "Sensofar PLu"},
+    {".plux", "Sensofar PLUx"},
+    {".poir", "Olympus POIR"},
+    {".spm", "Bruker Nanoscope"},
+    {".stp", "WSxM"},
+    {".sur", "Digital Surf"},
+    {".pro", "Digital Surf profile"},
+    {".sxm", "Nanonis"},
+    {".tif", "TIFF, Park Systems"},
+    {".tiff", "TIFF, Park Systems"},
+    {".tmd", "TrueMap"},
+    {".top", "WSxM"},
+    {".vk3", "Keyence VK"},
+    {".vk4", "Keyence VK"},
+    {".vk6", "Keyence VK"},
+    {".vk7", "Keyence VK"},
+    {".wsxm", "WSxM"},
+    {".xyz", "list of points"},
+    {".zmg", "Zygo"},
+    {".zon", "Keyence ZON"},
+};
+
+/// Whether the bytes may be a text of numbers: no zero byte, and no control
+/// characters at the beginning.
+bool looks_like_text(std::string_view bytes) {
+  const std::string_view begin = bytes.substr(0, 4096);
+  return bytes.find('\0') == std::string_view::npos &&
+         std::none_of(begin.begin(), begin.end(), [](char letter) {
+           const auto code = static_cast<unsigned char>(letter);
+           return code < 9 || (code > 13 && code < 32);
+         });
+}
+
+} // namespace
+
+MapFormat recognised_format(std::string_view bytes) {
+  static constexpr std::pair<std::string_view, MapFormat> beginnings[] = {
+      {"GWYP", MapFormat::gwy},
+      {"\x93NUMPY", MapFormat::npy},
+      {"\x89HDF\r\n\x1A\n", MapFormat::hdf5},
+      {"aISO-1.0", MapFormat::sdf},
+      {"bISO-1.0", MapFormat::sdf},
+      {"aBCR-1.0", MapFormat::sdf},
+      {"bBCR-1.0", MapFormat::sdf}};
+  for (const auto& [beginning, format] : beginnings)
+    if (bytes.starts_with(beginning))
+      return format;
+  if (bytes.starts_with("PK\x03\x04"sv))
+    return bytes.find("main.xml"sv) != std::string_view::npos
+               ? MapFormat::x3p
+               : MapFormat::convert;
+  return looks_like_text(bytes) ? MapFormat::automatic : MapFormat::convert;
+}
+
+std::string name_in_brackets(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& letter : ending)
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter - 'A' + 'a');
+  for (const auto& [known, name] : foreign_formats)
+    if (ending == known)
+      return " (" + std::string(name) + ")";
+  return "";
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,135 @@
+#include "surfaces/formats/zip_archive.hpp"
+
+#include "base/plain_text.hpp"
+#include "base/read_file.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/input_file.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <zip.h>
+
+namespace asperity::surfaces {
+namespace {
+
+zip_t* as_zip(void* archive) {
+  return static_cast<zip_t*>(archive);
+}
+
+/// Closes a member that is being read.
+struct CloseMember {
+  void operator()(zip_file_t* member) const { zip_fclose(member); }
+};
+
+[[noreturn]] void refuse_writing(const char* what) {
+  throw std::runtime_error(fmt::format("libzip cannot {}", what));
+}
+
+} // namespace
+
+ZipArchive::ZipArchive(std::string_view bytes, std::string name)
+    : name_(std::move(name)) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* const source =
+      zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  if (source != nullptr)
+    archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
+  if (archive_ == nullptr) {
+    zip_source_free(source);
+    const std::string reason = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    throw cases::CaseError(
+        fmt::format("{}: is a damaged zip archive ({})", name_, reason));
+  }
+  zip_error_fini(&error);
+}
+
+ZipArchive::~ZipArchive() {
+  zip_discard(as_zip(archive_));
+}
+
+bool ZipArchive::has(const std::string& member) const {
+  return zip_name_locate(as_zip(archive_), member.c_str(), 0) >= 0;
+}
+
+void ZipArchive::refuse_member(const std::string& member,
+                               const std::string& what) const {
+  throw cases::CaseError(
+      fmt::format("{}: {}: {}", name_, printable(member), what));
+}
+
+std::string ZipArchive::member(const std::string& member) const {
+  zip_stat_t facts;
+  zip_stat_init(&facts);
+  if (zip_stat(as_zip(archive_), member.c_str(), 0, &facts) != 0 ||
+      (facts.valid & ZIP_STAT_SIZE) == 0)
+    refuse_member(member, "the archive has no such file");
+  if (facts.size > cases::largest_number_file)
+    refuse_member(member,
+                  fmt::format("has {}, but must have at most {}",
+                              bytes_text(static_cast<double>(facts.size)),
+                              bytes_text(cases::largest_number_file)));
+  const std::unique_ptr<zip_file_t, CloseMember> file(
+      zip_fopen(as_zip(archive_), member.c_str(), 0));
+  if (file == nullptr)
+    refuse_member(member, "cannot be unpacked");
+  // The size is a claim of the archive: memory follows the bytes that come.
+  std::string bytes;
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  for (;;) {
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + piece);
+    const zip_int64_t count = zip_fread(file.get(), &bytes[begin], piece);
+    if (count < 0)
+      refuse_member(member, "is damaged");
+    bytes.resize(begin + static_cast<std::size_t>(count));
+    if (count == 0)
+      break;
+    if (bytes.size() > facts.size)
+      refuse_member(member, "is longer than the archive says");
+  }
+  if (bytes.size() != facts.size)
+    refuse_member(member, "is shorter than the archive says");
+  return bytes;
+}
+
+std::string zip_bytes(const std::map<std::string, std::string>& members) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
+  if (target == nullptr)
+    refuse_writing("create an archive");
+  zip_source_keep(target);
+  zip_t* const archive = zip_open_from_source(target, ZIP_TRUNCATE, &error);
+  zip_error_fini(&error);
+  if (archive == nullptr)
+    refuse_writing("open an archive");
+  for (const auto& [name, content] : members) {
+    zip_source_t* const source =
+        zip_source_buffer(archive, content.data(), content.size(), 0);
+    const zip_int64_t index =
+        zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
+    constexpr zip_uint16_t first_day = 0x0021; // 1980-01-01
+    if (index < 0 ||
+        zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), 0,
+                             first_day, 0) != 0)
+      refuse_writing("add a file to an archive");
+  }
+  if (zip_close(archive) != 0)
+    refuse_writing("write an archive");
+  zip_stat_t facts;
+  zip_source_stat(target, &facts);
+  std::string bytes(facts.size, '\0');
+  zip_source_open(target);
+  const zip_int64_t count = zip_source_read(target, bytes.data(), bytes.size());
+  zip_source_close(target);
+  zip_source_free(target);
+  if (count != static_cast<zip_int64_t>(bytes.size()))
+    refuse_writing("read its archive");
+  return bytes;
+}
+
+} // namespace asperity::surfaces

@@ -1,0 +1,51 @@
+#pragma once
+
+// This file corrects artefacts of instruments in a measured map: it crops the
+// map, aligns scan lines and finds spikes.
+
+#include "cases/types/case.hpp"
+#include "surfaces/maps/height_map.hpp"
+
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// A measured map with flags of its missing points, 1 or 0; empty: none.
+struct FlaggedMap {
+  HeightMap map;
+  std::vector<char> is_missing;
+
+  bool is_measured(std::size_t index) const {
+    return is_missing.empty() || is_missing[index] == 0;
+  }
+};
+
+/// Keeps the pixels whose centres lie within the window; pixel (i, j) has its
+/// centre at ((i + 1/2) spacing_x, (j + 1/2) spacing_y).
+/// @throws std::domain_error  the window is not inside the map (within 1e-6 of
+///                            its sides), or fewer than two points per side
+///                            remain
+void crop(FlaggedMap& map, const cases::MapWindow& window);
+
+/// Removes offsets between scan lines, which are rows along x, by the median of
+/// differences:
+///
+///     o_0 = 0,  o_j = o_(j-1) + median over i of (h(i, j) - h(i, j-1))
+///     h(i, j) -> h(i, j) - o_j
+///
+/// over the points that are measured in both rows; without any, o_j = o_(j-1).
+/// This also removes the tilt in y, and form that depends on y only.
+void align_lines(FlaggedMap& map);
+
+/// Marks spikes as missing. A spike deviates from the median m of its measured
+/// neighbours (up to 8) by more than `threshold` robust standard deviations s,
+///
+///     |h - m| > threshold s,   s = 1.4826 median |h - m| over all points
+///
+/// or s = sqrt(pi/2) <|h - m|> if that median is 0.
+/// @param threshold  [1] >= 3
+/// @return  number of spikes
+/// @throws std::domain_error  a smaller threshold
+std::size_t mark_spikes(FlaggedMap& map, double threshold);
+
+} // namespace asperity::surfaces

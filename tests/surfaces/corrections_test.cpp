@@ -1,0 +1,141 @@
+// Claims about surfaces/maps/corrections.hpp and missing_points.hpp: cropping,
+// scan lines, spikes and the filling of missing points.
+#include "surfaces/maps/corrections.hpp"
+#include "surfaces/maps/missing_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+FlaggedMap map_of(const Grid& grid,
+                  const std::function<double(int, int)>& height) {
+  FlaggedMap map{{grid, {}}, {}};
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      map.map.heights.push_back(height(ix, iy));
+  return map;
+}
+
+TEST(Crop, KeepsThePixelsWhoseCentresAreInside) {
+  FlaggedMap map =
+      map_of({6, 5, 6.0, 10.0}, [](int ix, int iy) { return ix + 10.0 * iy; });
+  map.is_missing.assign(30, 0);
+  map.is_missing[map.map.grid.index(3, 2)] = 1;
+  crop(map, {2.0, 3.5, 3.2, 4.0}); // x: 2.5, 3.5, 4.5; y: 5, 7
+  EXPECT_EQ(map.map.heights, (std::vector<double>{22, 23, 24, 32, 33, 34}));
+  EXPECT_EQ(map.is_missing, (std::vector<char>{0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(map.map.grid, (Grid{3, 2, 3.0, 4.0}));
+}
+
+TEST(Crop, RefusesAWindowThatIsNotInside) {
+  const Grid grid{6, 5, 6.0, 10.0};
+  const auto flat = [](int, int) { return 0.0; };
+  FlaggedMap map = map_of(grid, flat);
+  EXPECT_THROW(crop(map, {2.0, 0.0, 4.1, 5.0}), std::domain_error);
+  EXPECT_THROW(crop(map, {-1.0, 0.0, 3.0, 5.0}), std::domain_error);
+  EXPECT_THROW(crop(map, {0.0, 0.0, 1.2, 5.0}),
+               std::domain_error); // one column
+  EXPECT_EQ(map.map.grid, grid);
+  crop(map, {0.0, 0.0, 6.0, 10.0});
+  EXPECT_EQ(map.map.grid, grid);
+}
+
+// Claim: offsets of rows, of any size, are removed exactly even if some points
+// differ in every row or are missing.
+TEST(AlignLines, RemovesOffsetsOfRows) {
+  const auto relief = [](int ix, int) { return 0.25 * ((ix * 7) % 5); };
+  FlaggedMap map = map_of({9, 6, 1.0, 1.0}, [&](int ix, int iy) {
+    const bool is_particle = ix == (3 * iy) % 9;
+    return relief(ix, iy) + 8.0 * ((iy * 5) % 3) + (is_particle ? 64.0 : 0.0);
+  });
+  map.is_missing.assign(54, 0);
+  map.is_missing[10] = 1;
+  map.map.heights[10] = 0.0;
+  align_lines(map);
+  for (int iy = 1; iy < 6; ++iy)
+    for (int ix = 0; ix < 9; ++ix) {
+      const std::size_t index = map.map.grid.index(ix, iy);
+      const bool is_compared = ix != (3 * iy) % 9 && map.is_measured(index);
+      EXPECT_EQ(map.map.heights[index],
+                is_compared ? relief(ix, iy) : map.map.heights[index])
+          << ix << " " << iy;
+    }
+}
+
+// Claim: of Gaussian noise with three spikes of 30 standard deviations, these
+// three are marked at a threshold of 8.
+TEST(MarkSpikes, FindsThemAndNothingElse) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  FlaggedMap map =
+      map_of({40, 30, 1.0, 1.0}, [&](int, int) { return noise(random); });
+  for (const std::size_t at : {0, 555, 1199})
+    map.map.heights[at] += 30.0;
+  EXPECT_EQ(mark_spikes(map, 8.0), 3U);
+  for (std::size_t i = 0; i < 1200; ++i)
+    EXPECT_EQ(map.is_missing[i] != 0, i == 0 || i == 555 || i == 1199) << i;
+  EXPECT_THROW(mark_spikes(map, 2.9), std::domain_error);
+}
+
+TEST(MarkSpikes, FindsTheOnlyStepOfAFlatMap) {
+  FlaggedMap map = map_of({20, 20, 1.0, 1.0}, [](int ix, int iy) {
+    return ix == 7 && iy == 8 ? 5.0 : 1.0;
+  });
+  EXPECT_EQ(mark_spikes(map, 6.0), 1U);
+  EXPECT_EQ(map.is_missing[map.map.grid.index(7, 8)], 1);
+}
+
+// Claim: a function whose discrete Laplacian vanishes is restored to rounding,
+// on pixels that are not square: x y, x and x^2 - y^2 in units of length.
+TEST(FillMissing, RestoresHarmonicHeights) {
+  const Grid grid{12, 10, 3.6, 1.0};
+  const auto height = [&](int ix, int iy) {
+    const double x = ix * grid.spacing_x();
+    const double y = iy * grid.spacing_y();
+    return 1.0 + x + 2.0 * x * y + x * x - y * y;
+  };
+  FlaggedMap map = map_of(grid, height);
+  map.is_missing.assign(grid.size(), 0);
+  for (int iy = 2; iy < 8; ++iy)
+    for (int ix = 3; ix < 10; ++ix)
+      map.is_missing[grid.index(ix, iy)] = 1;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (map.is_missing[i] != 0)
+      map.map.heights[i] = -100.0;
+  fill_missing(map.map, map.is_missing);
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      EXPECT_NEAR(map.map.heights[grid.index(ix, iy)], height(ix, iy), 1e-12)
+          << ix << " " << iy;
+}
+
+// Claim: holes at the border are filled without a slope across it, so a row
+// that is missing at the border repeats its neighbour; values stay in range.
+TEST(FillMissing, FillsHolesAtTheBorder) {
+  FlaggedMap map =
+      map_of({5, 4, 1.0, 1.0}, [](int, int iy) { return iy == 0 ? 9.0 : 2.0; });
+  map.is_missing.assign(20, 0);
+  for (std::size_t i = 0; i < 5; ++i)
+    map.is_missing[i] = 1;
+  fill_missing(map.map, map.is_missing);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(map.map.heights[i], 2.0, 1e-14);
+}
+
+TEST(FillMissing, RefusesWrongFlags) {
+  FlaggedMap map = map_of({2, 2, 1.0, 1.0}, [](int, int) { return 1.0; });
+  EXPECT_THROW(fill_missing(map.map, {1, 0}), std::domain_error);
+  EXPECT_THROW(fill_missing(map.map, {1, 1, 1, 1}), std::domain_error);
+  fill_missing(map.map, {});
+  EXPECT_EQ(map.map.heights, (std::vector<double>(4, 1.0)));
+}
+
+} // namespace
+} // namespace asperity::surfaces

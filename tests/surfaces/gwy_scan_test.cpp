@@ -1,0 +1,172 @@
+// Claims about the reader of Gwyddion's native format: units, masks, the choice
+// of a channel, and damaged files. The files are written here.
+#include "cases/text/case_error.hpp"
+#include "surfaces/formats/scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+template <class Number>
+std::string gwy_number(Number number) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return bytes;
+}
+
+std::string gwy_object(const std::string& type, const std::string& content) {
+  return type + '\0' + gwy_number(static_cast<std::uint32_t>(content.size())) +
+         content;
+}
+
+std::string gwy_part(const std::string& name, char type,
+                     const std::string& value) {
+  return name + '\0' + type + value;
+}
+
+std::string gwy_unit(const std::string& name, const std::string& unit) {
+  return gwy_part(
+      name, 'o',
+      gwy_object("GwySIUnit", gwy_part("unitstr", 's', unit + '\0')));
+}
+
+std::string gwy_field(const std::string& unit, std::vector<double> numbers) {
+  std::string data = gwy_number(static_cast<std::uint32_t>(numbers.size()));
+  for (const double number : numbers)
+    data += gwy_number(number);
+  return gwy_object("GwyDataField",
+                    gwy_part("xres", 'i', gwy_number(std::int32_t{3})) +
+                        gwy_part("yres", 'i', gwy_number(std::int32_t{2})) +
+                        gwy_part("xreal", 'd', gwy_number(3e-6)) +
+                        gwy_part("yreal", 'd', gwy_number(1e-6)) +
+                        gwy_unit("si_unit_xy", "m") +
+                        gwy_unit("si_unit_z", unit) +
+                        gwy_part("data", 'D', data));
+}
+
+std::string gwy_channel(const std::string& number, const std::string& title,
+                        const std::string& unit, double first) {
+  return gwy_part("/" + number + "/data", 'o',
+                  gwy_field(unit, {first, 2, 3, 4, 5, 6})) +
+         gwy_part("/" + number + "/data/title", 's', title + '\0');
+}
+
+std::string gwy_file(const std::string& content) {
+  return "GWYP" + gwy_object("GwyContainer", content);
+}
+
+Scan gwy_scan(const std::string& bytes,
+              const std::optional<std::string>& channel = {}) {
+  return read_scan_bytes(bytes, "map.gwy",
+                         {cases::MapFormat::automatic, channel, {}});
+}
+
+std::string gwy_refusal(const std::string& bytes,
+                        const std::optional<std::string>& channel = {}) {
+  try {
+    gwy_scan(bytes, channel);
+  } catch (const cases::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string several = gwy_file(
+    gwy_channel("0", "Deflection", "V", 10) +
+    gwy_channel("1", "AmplitudeTrace", "m", 11) +
+    gwy_channel("2", "Z", "m", 12) + gwy_channel("10", "HeightTrace", "m", 13));
+
+// Claim: heights are chosen by unit and title, not by the order of channels.
+TEST(GwyScan, ChoosesTheHeights) {
+  const Scan chosen = gwy_scan(several);
+  EXPECT_EQ(chosen.channel, "HeightTrace");
+  EXPECT_EQ(chosen.map.heights[0], 13.0);
+  EXPECT_EQ(chosen.map.grid.points_x, 3);
+  EXPECT_EQ(chosen.map.grid.length_x, 3e-6);
+  EXPECT_EQ(chosen.map.grid.length_y, 1e-6);
+  EXPECT_EQ(chosen.reader, "own reader of .gwy");
+  EXPECT_EQ(gwy_scan(gwy_file(gwy_channel("0", "AmplitudeTrace", "m", 1) +
+                              gwy_channel("1", "Z", "m", 2)))
+                .channel,
+            "Z");
+  EXPECT_EQ(gwy_scan(several, "AmplitudeTrace").map.heights[0], 11.0);
+  EXPECT_EQ(gwy_scan(several, "amplitudetrace").map.heights[0], 11.0);
+  EXPECT_EQ(gwy_scan(several, "3").channel, "Z");
+}
+
+TEST(GwyScan, ListsTheChannelsInItsMessages) {
+  EXPECT_EQ(gwy_refusal(several, "Height"),
+            "surface.channel = \"Height\": map.gwy has no such channel; its "
+            "channels are \"Deflection\" [V], \"AmplitudeTrace\" [m], \"Z\" "
+            "[m], \"HeightTrace\" [m]");
+  EXPECT_NE(gwy_refusal(several, "Deflection").find("is in 'V', but must be"),
+            std::string::npos);
+  EXPECT_EQ(gwy_refusal(gwy_file(gwy_channel("0", "Phase", "deg", 1))),
+            "map.gwy: no channel contains heights; its channels are \"Phase\" "
+            "[deg]");
+  EXPECT_EQ(gwy_refusal(gwy_file("")),
+            "map.gwy: no channel contains heights; its channels are none");
+}
+
+TEST(GwyScan, ListsTheChannelsOfAFile) {
+  const std::string path = testing::TempDir() + "asperity_gwy_scan_test.gwy";
+  std::ofstream(path, std::ios::binary) << several;
+  const std::vector<ChannelInfo> channels = list_channels(path);
+  ASSERT_EQ(channels.size(), 4U);
+  EXPECT_EQ(channels[0].title, "Deflection");
+  EXPECT_EQ(channels[0].unit, "V");
+  EXPECT_EQ(channels[3].title, "HeightTrace");
+  EXPECT_EQ(channels[3].points_x, 3);
+  EXPECT_EQ(channels[3].points_y, 2);
+}
+
+// Claim: masked points are missing, whatever height the file has there.
+TEST(GwyScan, RespectsTheMask) {
+  const std::string mask =
+      gwy_part("/0/mask", 'o', gwy_field("", {0, 1, 0, 0.4, 0, 1}));
+  const Scan scan =
+      gwy_scan(gwy_file(mask + gwy_channel("0", "Height", "m", 1)));
+  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(scan.map.heights[1], 0.0);
+}
+
+TEST(GwyScan, SkipsWhatItDoesNotNeed) {
+  const std::string others =
+      gwy_part("/0/show", 'o', gwy_object("GwyBrick", "anything")) +
+      gwy_part("flag", 'b', "\1") + gwy_part("letter", 'c', "x") +
+      gwy_part("long", 'q', gwy_number(std::int64_t{1})) +
+      gwy_part("texts", 'S',
+               gwy_number(std::uint32_t{2}) + "a" + '\0' + "b" + '\0') +
+      gwy_part("objects", 'O',
+               gwy_number(std::uint32_t{1}) + gwy_object("GwyNull", ""));
+  EXPECT_EQ(
+      gwy_scan(gwy_file(others + gwy_channel("0", "Z", "m", 7))).map.heights[0],
+      7.0);
+}
+
+// Claim: a file that ends anywhere is refused, by the byte where it ends.
+TEST(GwyScan, RefusesEveryTruncation) {
+  for (std::size_t length = 4; length < several.size(); ++length)
+    EXPECT_EQ(gwy_refusal(several.substr(0, length)).find("map.gwy: byte "), 0U)
+        << length;
+}
+
+TEST(GwyScan, RefusesSizesThatDoNotAgree) {
+  EXPECT_NE(
+      gwy_refusal(gwy_file(gwy_part("/0/data", 'o', gwy_field("m", {1, 2, 3}))))
+          .find("the field /0/data has 3 x 2 points, but 3 values"),
+      std::string::npos);
+  EXPECT_NE(gwy_refusal(gwy_file(gwy_part("a", 'z', "x")))
+                .find("a component of the unknown type 'z'"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::surfaces

@@ -1,0 +1,149 @@
+// Claims about surfaces/formats/map_writer.hpp: what is written is read again,
+// by our readers and, where it is installed, by the program Gwyddion.
+#include "base/child_process.hpp"
+#include "cases/text/case_error.hpp"
+#include "surfaces/formats/map_writer.hpp"
+#include "surfaces/formats/scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Not square, with pixels that are not, and numbers that need all digits.
+HeightMap odd_map() {
+  HeightMap map{{5, 4, 3.1e-6, 1.7e-6}, {}};
+  for (int i = 0; i < 20; ++i)
+    map.heights.push_back(1e-9 / (i + 1.0) - 3e-10);
+  return map;
+}
+
+class MapWriter : public testing::Test {
+protected:
+  MapWriter()
+      : folder_(fs::path(testing::TempDir()) /
+                ("asperity_map_writer_" +
+                 std::string(testing::UnitTest::GetInstance()
+                                 ->current_test_info()
+                                 ->name()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  ~MapWriter() override { fs::remove_all(folder_); }
+
+  std::string written(const std::string& name) const {
+    write_map(folder_ / name, odd_map(), "A title");
+    return folder_ / name;
+  }
+
+  fs::path folder_;
+};
+
+// Claim: heights come back bit for bit and lengths to rounding.
+TEST_F(MapWriter, WritesWhatTheReadersRead) {
+  for (const std::string name : {"a.h5", "a.gwy", "a.txt", "a.x3p"}) {
+    const Scan scan = read_scan(written(name), {});
+    EXPECT_EQ(scan.map.heights, odd_map().heights) << name;
+    EXPECT_EQ(scan.map.grid.points_x, 5) << name;
+    EXPECT_DOUBLE_EQ(scan.map.grid.length_x, 3.1e-6) << name;
+    EXPECT_DOUBLE_EQ(scan.map.grid.length_y, 1.7e-6) << name;
+    EXPECT_TRUE(scan.is_missing.empty()) << name;
+  }
+  ScanRequest request;
+  request.scale = {3.1e-6, 1.0, 1.7e-6};
+  EXPECT_EQ(read_scan(written("a.npy"), request).map.heights,
+            odd_map().heights);
+}
+
+TEST_F(MapWriter, RefusesAnotherEnding) {
+  try {
+    write_map(folder_ / "a.png", odd_map(), "");
+    FAIL();
+  } catch (const cases::CaseError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              (folder_ / "a.png").string() +
+                  ": has the ending \".png\", but a map can be written as "
+                  ".npy, .h5, .gwy, .txt, .x3p");
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+// Claim: without lengths or a unit, a matrix needs those of the case, and what
+// the file gives must not be given again.
+TEST_F(MapWriter, AsksForTheScalesThatAFileLacks) {
+  const auto refusal = [](const std::string& path, const MapScale& scale) {
+    try {
+      read_scan(path, {cases::MapFormat::automatic, {}, scale});
+    } catch (const cases::CaseError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const std::string npy = written("a.npy");
+  EXPECT_EQ(refusal(npy, {}), "surface.length is missing: " + npy +
+                                  " is an .npy file, which does not give its "
+                                  "width");
+  const std::string hdf5 = written("a.h5");
+  EXPECT_EQ(refusal(hdf5, {1e-6, {}}),
+            "surface.length = 1e-06 m, but must be left out: " + hdf5 +
+                ": /heights gives it as an attribute");
+  EXPECT_NE(refusal(written("a.x3p"), {1e-6, {}})
+                .find("surface.length = 1e-06 m, but must be left out"),
+            std::string::npos);
+}
+
+// Claim: a dataset is chosen by its path; a file with several asks for one, and
+// a file that is cut off is refused.
+TEST_F(MapWriter, ChoosesADataset) {
+  const std::string path = written("a.h5");
+  EXPECT_EQ(read_scan(path, {{}, "/heights", {}}).channel, "/heights");
+  EXPECT_EQ(read_scan(path, {{}, "heights", {}}).channel, "/heights");
+  EXPECT_THROW(read_scan(path, {{}, "/height", {}}), cases::CaseError);
+  const std::vector<ChannelInfo> channels = list_channels(path);
+  ASSERT_EQ(channels.size(), 1U);
+  EXPECT_EQ(channels[0].title, "/heights");
+  EXPECT_EQ(channels[0].unit, "m");
+  fs::resize_file(path, fs::file_size(path) / 2);
+  EXPECT_THROW(read_scan(path, {}), cases::CaseError);
+}
+
+// Claim: Gwyddion agrees with our readers on every format that both read.
+TEST_F(MapWriter, IsReadByGwyddion) {
+  if (program_on_path("gwyddion").empty())
+    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+  for (const std::string name : {"a.gwy", "a.x3p"}) {
+    const std::string path = written(name);
+    const Scan own = read_scan(path, {});
+    const Scan other = read_scan(path, {cases::MapFormat::convert, {}, {}});
+    EXPECT_EQ(other.reader.substr(0, 9), "Gwyddion ") << other.reader;
+    EXPECT_EQ(own.map.heights, other.map.heights) << name;
+    EXPECT_DOUBLE_EQ(own.map.grid.length_x, other.map.grid.length_x) << name;
+    EXPECT_DOUBLE_EQ(own.map.grid.length_y, other.map.grid.length_y) << name;
+  }
+}
+
+TEST_F(MapWriter, SaysWhenNobodyReadsAFile) {
+  const std::string path = folder_ / "scan.ibw";
+  std::ofstream(path, std::ios::binary) << std::string(300, '\0');
+  try {
+    read_scan(path, {});
+    FAIL();
+  } catch (const cases::CaseError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("no own reader knows this format (Igor binary wave, "
+                        "Asylum Research)"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+} // namespace
+} // namespace asperity::surfaces

@@ -1,0 +1,95 @@
+// Claims about surfaces/measured_map.hpp: the order of the corrections, the
+// limit of missing points, and what is said of them.
+#include "cases/text/case_error.hpp"
+#include "surfaces/measured_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace asperity::surfaces {
+namespace {
+
+/// A rough map of 20 x 20 points of 1 um; `change` replaces single words.
+cases::SurfaceSpec surface_of(const std::string& name,
+                              const std::string& first = "0.5",
+                              const std::string& other = "0.25") {
+  cases::SurfaceSpec surface;
+  surface.kind = cases::SurfaceKind::measured;
+  surface.file = testing::TempDir() + "asperity_measured_map_" + name + ".txt";
+  surface.length = 20e-6;
+  surface.height_unit = 1e-9;
+  surface.level = cases::Levelling::none;
+  std::ofstream file(surface.file);
+  for (int iy = 0; iy < 20; ++iy)
+    for (int ix = 0; ix < 20; ++ix)
+      file << (ix + iy == 0                ? first
+               : ix == 10 && iy == 10      ? other
+               : (ix * 3 + iy * 5) % 7 > 3 ? "0.75"
+                                           : "-0.5")
+           << (ix == 19 ? '\n' : ' ');
+  return surface;
+}
+
+std::string refusal_of(const cases::SurfaceSpec& surface) {
+  try {
+    measured_map(surface);
+  } catch (const cases::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
+  cases::SurfaceSpec surface = surface_of("missing", "nan", "BAD");
+  const MeasuredMap measured = measured_map(surface);
+  EXPECT_EQ(measured.missing, 2U);
+  EXPECT_EQ(description_of(measured),
+            "own reader of plain matrices; 2 missing point(s) (0.5 %) filled");
+  surface.max_missing = 0.004;
+  EXPECT_EQ(refusal_of(surface),
+            surface.file +
+                ": 2 of 400 points are missing, a fraction of 0.005, but at "
+                "most surface.max_missing = 0.004 may be filled; crop the map "
+                "or raise that limit");
+  surface.max_missing = 0.05;
+  surface.fill = cases::Filling::none;
+  EXPECT_EQ(refusal_of(surface),
+            surface.file + ": 2 of 400 points are missing (0.5 %), and "
+                           "surface.fill = \"none\" does not fill them");
+}
+
+// Claim: the map is cropped first, so that missing points outside the window do
+// not count.
+TEST(MeasuredMap, CropsFirst) {
+  cases::SurfaceSpec surface = surface_of("crop", "nan", "BAD");
+  surface.crop = cases::MapWindow{1e-6, 0.0, 0.0, 8e-6};
+  const MeasuredMap measured = measured_map(surface);
+  EXPECT_EQ(measured.missing, 0U);
+  EXPECT_EQ(measured.map.grid.points_x, 19);
+  EXPECT_EQ(measured.map.grid.points_y, 8);
+  surface.crop->length_x = 1.0;
+  EXPECT_NE(refusal_of(surface).find("along x is not inside the map of 2e-05"),
+            std::string::npos);
+}
+
+TEST(MeasuredMap, ReplacesSpikes) {
+  cases::SurfaceSpec surface = surface_of("spikes", "0.5", "500");
+  surface.spikes = 10.0;
+  const MeasuredMap measured = measured_map(surface);
+  EXPECT_EQ(measured.spikes, 1U);
+  for (const double height : measured.map.heights)
+    EXPECT_LT(height, 1e-9);
+  EXPECT_EQ(description_of(measured),
+            "own reader of plain matrices; 1 spike(s) (0.25 %) replaced");
+}
+
+TEST(MeasuredMap, RemovesASphere) {
+  cases::SurfaceSpec surface = surface_of("level");
+  surface.level = cases::Levelling::sphere;
+  EXPECT_EQ(measured_map(surface).map.heights.size(), 400U);
+}
+
+} // namespace
+} // namespace asperity::surfaces

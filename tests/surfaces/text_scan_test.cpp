@@ -1,0 +1,125 @@
+// Claims about text files of instruments: headers in any language, decimal
+// commas, missing points, lists x y z, and what must not be taken for a matrix.
+#include "cases/text/case_error.hpp"
+#include "surfaces/formats/scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+using cases::MapFormat;
+
+Scan text_scan(const std::string& text, const MapScale& scale = {},
+               MapFormat format = MapFormat::automatic) {
+  return read_scan_bytes(text, "map.txt", {format, {}, scale});
+}
+
+std::string refusal(const std::string& text, const MapScale& scale = {},
+                    MapFormat format = MapFormat::automatic) {
+  try {
+    text_scan(text, scale, format);
+  } catch (const cases::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Claim: Gwyddion's header is read in every language into which it translates
+// the words, with decimal commas and with a no-break space before the unit.
+TEST(TextScan, ReadsTranslatedHeaders) {
+  for (const std::string header :
+       {"# Kanal: Topo\n# Breite: 12,5 um\n# H\xC3\xB6he: 8 um\n# Werteinheit: "
+        "nm\n",
+        "# Canal : Topo\n# Largeur : 12,5\xC2\xA0um\n# Hauteur : 8,0 um\n"
+        "# Unit\xC3\xA9s : nm\n",
+        "# Kan\xC3\xA1l: Topo\n# \xC5\xA0\xC3\xAD\xC5\x99ka: 12,5 um\n"
+        "# V\xC3\xBD\xC5\xA1ka: 8 um\n# Jednotky hodnot: nm\n"}) {
+    const Scan scan = text_scan(header + "1,5\t2,5\n3,5\t-4,25\n");
+    EXPECT_NEAR(scan.map.grid.length_x, 12.5e-6, 1e-20) << header;
+    EXPECT_NEAR(scan.map.grid.length_y, 8e-6, 1e-20) << header;
+    EXPECT_NEAR(scan.map.heights[3], -4.25e-9, 1e-23) << header;
+    EXPECT_EQ(scan.channel, "Topo");
+    EXPECT_EQ(scan.reader, "own reader of Gwyddion text");
+  }
+}
+
+// Claim: the header of interferometers gives counts, pixel size and the factor
+// of the heights.
+TEST(TextScan, ReadsTheHeaderOfAMatrix) {
+  const std::string header = "h=2 w=3\npixel size=5e-007 m\ndata unit=rad\n"
+                             "height conversion factor (-> m)=2e-009\n";
+  const Scan scan = text_scan(header + "1 2 3\n4 5 6\n");
+  EXPECT_NEAR(scan.map.grid.length_x, 1.5e-6, 1e-20);
+  EXPECT_NEAR(scan.map.grid.length_y, 1e-6, 1e-20);
+  EXPECT_NEAR(scan.map.heights[5], 12e-9, 1e-22);
+  EXPECT_EQ(refusal(header + "1 2\n4 5\n"),
+            "map.txt:1: found 'w=3', but the file has 2 columns");
+  EXPECT_EQ(refusal(header + "1 2 3\n4 5 6\n", {1e-6, {}}),
+            "surface.length = 1e-06 m, but must be left out: the header of "
+            "map.txt gives it");
+}
+
+TEST(TextScan, TakesTheSidesOfPixelsThatAreNotSquare) {
+  const Scan scan = text_scan("1 2 3\n4 5 6\n", {6e-6, 1e-9, 1e-6});
+  EXPECT_EQ(scan.map.grid.length_x, 6e-6);
+  EXPECT_EQ(scan.map.grid.length_y, 1e-6);
+}
+
+TEST(TextScan, MarksMissingPoints) {
+  const Scan scan = text_scan("1 NaN\nBAD 4\n*** ---\n", {1.0, 1.0});
+  EXPECT_EQ(scan.map.heights, (std::vector<double>{1, 0, 0, 4, 0, 0}));
+  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 1, 1, 0, 1, 1}));
+  EXPECT_EQ(count_missing(scan), 4U);
+  EXPECT_TRUE(text_scan("1 2\n3 4\n", {1.0, 1.0}).is_missing.empty());
+  EXPECT_EQ(refusal("nan nan\nnan nan\n", {1.0, 1.0}),
+            "map.txt: all points are missing");
+}
+
+const MapScale list_scale{{}, 1e-9, {}, 1e-6};
+
+// Claim: a list in any order is the map of its points; positions may be
+// rounded, spacings differ, and points that are absent are missing.
+TEST(TextScan, ReadsAListOfPoints) {
+  const Scan scan = text_scan("X,Y,Z\n"
+                              "0.0,0,1\n0.1,0,2\n0.2001,0,3\n"
+                              "0.1999,0.5,6\n0.0,0.5,4\n",
+                              list_scale);
+  EXPECT_EQ(scan.map.grid.points_x, 3);
+  EXPECT_EQ(scan.map.grid.points_y, 2);
+  EXPECT_NEAR(scan.map.grid.length_x, 0.3e-6, 1e-9);
+  EXPECT_NEAR(scan.map.grid.length_y, 1e-6, 1e-18);
+  EXPECT_NEAR(scan.map.heights[2], 3e-9, 1e-22);
+  EXPECT_NEAR(scan.map.heights[5], 6e-9, 1e-22);
+  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(scan.reader, "own reader of lists x y z");
+}
+
+// Claim: three columns are never taken for a matrix by themselves, neither a
+// list without a regular grid nor one whose units are missing; nor are two.
+TEST(TextScan, NeverTakesAListForAMatrix) {
+  const std::string regular = "0 0 1\n0 1 2\n1 0 3\n1 1 4\n";
+  EXPECT_EQ(refusal(regular, {1e-6, 1e-9}),
+            "surface.length_unit is missing: map.txt is a list x y z, which "
+            "does not give the unit of x and y");
+  EXPECT_NE(refusal("0 0 1\n0 1 2\n1 0 3\n1 1.3 4\n", {1e-6, 1e-9})
+                .find("4 rows of 3 columns may be a list x y z"),
+            std::string::npos);
+  EXPECT_EQ(
+      text_scan(regular, {1e-6, 1e-9}, MapFormat::plain).map.grid.points_x, 3);
+  EXPECT_NE(refusal("0 1\n1 2\n2 1\n3 0\n", {1e-6, 1e-9})
+                .find("probably a line scan x z"),
+            std::string::npos);
+  EXPECT_EQ(refusal("0 0 1\n0 1 2\n1 0 3\n1 0 4\n", list_scale, MapFormat::xyz),
+            "map.txt:4: the point of line 3 again: each point of the grid may "
+            "occur once");
+  EXPECT_NE(refusal("0 0 1\n1 7 2\n2 1 3\n5 1 4\n", list_scale, MapFormat::xyz)
+                .find("not the points of a regular grid"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::surfaces
