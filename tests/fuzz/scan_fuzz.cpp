@@ -1,0 +1,44 @@
+// Any bytes as a map file of each format that is read from memory: finite
+// heights on a grid with flags of the missing points, or a CaseError.
+#include "cases/text/case_error.hpp"
+#include "surfaces/formats/scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/fuzz/fuzz_target.hpp"
+
+namespace asperity::fuzz {
+namespace {
+
+void read_as(const std::string& bytes, cases::MapFormat format,
+             const surfaces::MapScale& scale) {
+  try {
+    const surfaces::Scan scan =
+        surfaces::read_scan_bytes(bytes, "map", {format, {}, scale});
+    const surfaces::HeightMap& map = scan.map;
+    require(map.grid.points_x >= 2 && map.grid.points_y >= 2,
+            "there are two points per side");
+    require(map.heights.size() == map.grid.size(), "the grid is the map's");
+    require(map.grid.length_x > 0.0 && map.grid.length_y > 0.0,
+            "lengths are positive");
+    require(scan.is_missing.empty() ||
+                scan.is_missing.size() == map.heights.size(),
+            "the flags are the map's");
+    require(count_missing(scan) < map.heights.size(), "a point is measured");
+    require(std::all_of(map.heights.begin(), map.heights.end(),
+                        [](double height) { return std::isfinite(height); }),
+            "heights are finite");
+  } catch (const cases::CaseError&) {
+  }
+}
+
+} // namespace
+
+void read_input(const std::string& bytes) {
+  read_as(bytes, cases::MapFormat::automatic, {});
+  read_as(bytes, cases::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
+  read_as(bytes, cases::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
+}
+
+} // namespace asperity::fuzz
