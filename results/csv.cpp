@@ -23,8 +23,11 @@ constexpr std::array number_headers{"step",
                                     "contact_stiffness [Pa/m]",
                                     "iterations",
                                     "residual",
-                                    "certified_gap_error [m]",
-                                    "cpu_time [s]"};
+                                    "certified_gap_error [m]"};
+
+/// Headers of the times after step.
+constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",
+                                  "observation_time [s]"};
 
 std::string quoted(const std::string& field) {
   if (field.find_first_of(",\"\r\n") == std::string::npos)
@@ -59,8 +62,32 @@ std::string curves_csv(const Result& result) {
   return text;
 }
 
+std::string times_csv(const Result& result) {
+  std::string text = "method,realization,step";
+  for (const char* header : time_headers)
+    text += fmt::format(",{}", header);
+  text += "\r\n";
+  for (const MethodRecord& method : result.methods)
+    for (std::size_t i = 0; i < method.realizations.size(); ++i) {
+      const Curve& curve = method.realizations[i];
+      text += fmt::format("{},{},,{},nan,nan\r\n", quoted(method.name), i,
+                          curve.setup_cpu_time);
+      for (const CurvePoint& point : curve.points) {
+        text += fmt::format("{},{},{}", quoted(method.name), i, point.step);
+        for (const char* header : time_headers)
+          text += fmt::format(",{}", headed_column(header).get(point));
+        text += "\r\n";
+      }
+    }
+  return text;
+}
+
 void write_curves_csv(const Result& result, const std::filesystem::path& path) {
   write_file_atomically(path, curves_csv(result));
+}
+
+void write_times_csv(const Result& result, const std::filesystem::path& path) {
+  write_file_atomically(path, times_csv(result));
 }
 
 } // namespace asperity::results

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes curves.csv, which contains every step of every curve as one
-// table for use by other programs.
+// This file writes every step of every curve as tables for use by other
+// programs: curves.csv with what was computed, times.csv with what it cost.
 
 #include "results/types/result.hpp"
 
@@ -18,15 +18,24 @@ namespace asperity::results {
 ///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
 ///     area_fraction_moment [1],contact_perimeter [1/m],
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
-///     certified_gap_error [m],cpu_time [s],status
+///     certified_gap_error [m],status
 ///
-/// Numbers have the fewest digits that reproduce the same double. A quantity
-/// that a method does not provide is "nan". The status is converged or
-/// not_converged.
+/// Two runs of one case by one build give the same bytes. Numbers have the
+/// fewest digits that reproduce the same double. A quantity that a method does
+/// not provide is "nan". The status is converged or not_converged.
 std::string curves_csv(const Result& result);
 
-/// Writes the table atomically.
+/// Returns the CPU times in the same format, which differ from run to run:
+///
+///     method,realization,step,cpu_time [s],transform_time [s],
+///     observation_time [s]
+///
+/// A row without a step gives the set-up time of a method on a realisation.
+std::string times_csv(const Result& result);
+
+/// Write the tables atomically.
 /// @throws std::system_error  naming the path
 void write_curves_csv(const Result& result, const std::filesystem::path& path);
+void write_times_csv(const Result& result, const std::filesystem::path& path);
 
 } // namespace asperity::results

@@ -45,7 +45,7 @@ void remove_files_of_methods(const fs::path& folder,
 
 void remove_report(const fs::path& folder) {
   for (const char* name :
-       {"curves.csv", "summary.json", "report.html", "paper.json"})
+       {"curves.csv", "times.csv", "summary.json", "report.html", "paper.json"})
     fs::remove(folder / name);
   remove_figures(folder / "figures");
 }

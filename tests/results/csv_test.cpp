@@ -21,7 +21,7 @@ constexpr const char* header =
     "area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],"
     "area_fraction_moment [1],contact_perimeter [1/m],"
     "elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,"
-    "certified_gap_error [m],cpu_time [s],status\r\n";
+    "certified_gap_error [m],status\r\n";
 
 TEST(CurvesCsv, IsThisTable) {
   CurvePoint loaded;
@@ -50,11 +50,35 @@ TEST(CurvesCsv, IsThisTable) {
 
   std::string expected(header);
   expected +=
-      "theory,0,0,1,0,0,0,nan,nan,nan,0,0,0,0,nan,0,converged\r\n"
+      "theory,0,0,1,0,0,0,nan,nan,nan,0,0,0,0,nan,converged\r\n"
       "\"fem, \"\"thin\"\"\",1,3,2500000,-1e-09,0.1,0.09,0.08,0.07,500000,"
-      "0.0015,1000000000000000,17,2e-09,3e-12,0.25,not_converged\r\n";
+      "0.0015,1000000000000000,17,2e-09,3e-12,not_converged\r\n";
 
   EXPECT_EQ(curves_csv(result), expected);
+}
+
+// Claim: two results that differ in their times only have the same curves.csv,
+// and times.csv has the times.
+TEST(CurvesCsv, HasNoTimeWhichTimesCsvHas) {
+  CurvePoint point;
+  point.step = 2;
+  point.cpu_time = 0.25;
+  point.transform_time = 0.125;
+  Result first;
+  first.methods = {{"fem", "fem", "", {Curve{{point}, {}, 1.5}}}};
+  Result second = first;
+  second.methods[0].realizations[0].setup_cpu_time = 2.5;
+  CurvePoint& slower = second.methods[0].realizations[0].points[0];
+  slower.cpu_time = 0.5;
+  slower.transform_time = 0.25;
+  slower.observation_time = 0.75;
+
+  EXPECT_EQ(curves_csv(first), curves_csv(second));
+  EXPECT_EQ(times_csv(first),
+            "method,realization,step,cpu_time [s],transform_time [s],"
+            "observation_time [s]\r\n"
+            "fem,0,,1.5,nan,nan\r\n"
+            "fem,0,2,0.25,0.125,nan\r\n");
 }
 
 // Claim: every double of a row is the one that went in, also where it needs
@@ -71,7 +95,6 @@ TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
   point.elastic_energy = 5e-324 * 7;
   point.contact_stiffness = 123456789012345678.0;
   point.residual = 1.0 / 7.0;
-  point.cpu_time = 1e-3;
   Result result;
   result.methods = {{"fem", "fem", "", {Curve{{point}, {}, 0.0}}}};
   std::filesystem::create_directories(folder_);
@@ -87,7 +110,7 @@ TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
   std::vector<double> numbers;
   for (std::string field; std::getline(row, field, ',');)
     numbers.push_back(std::strtod(field.c_str(), nullptr));
-  ASSERT_EQ(numbers.size(), 17U);
+  ASSERT_EQ(numbers.size(), 16U);
   EXPECT_EQ(numbers[3], point.nominal_pressure);
   EXPECT_EQ(numbers[4], point.mean_gap);
   EXPECT_EQ(numbers[5], point.area_fraction);
@@ -98,7 +121,6 @@ TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
   EXPECT_EQ(numbers[10], point.elastic_energy);
   EXPECT_EQ(numbers[11], point.contact_stiffness);
   EXPECT_EQ(numbers[13], point.residual);
-  EXPECT_EQ(numbers[15], point.cpu_time);
 }
 
 } // namespace
