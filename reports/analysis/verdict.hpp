@@ -50,8 +50,10 @@ std::string published_text(const cases::ReferenceValue& reference);
 /// or as "exact    ..." if the published value has no uncertainty.
 std::string published_line(const PublishedValue& published);
 
-/// Writes one test suite per result and one test case per verdict. A case
-/// without expectations has one test case, which is skipped.
+/// Writes one test suite per result and one test case per verdict, with value,
+/// interval, band and verdict as properties. Its time is the CPU time of its
+/// method, divided by the number of verdicts on that method. A case without
+/// expectations has one test case, which is skipped.
 std::string junit_xml(std::span<const Summary> summaries);
 
 /// Writes fits with intervals and windows, expectations and published numbers

@@ -186,6 +186,34 @@ TEST(JunitXml, IsWellFormedWhateverTheNames) {
   EXPECT_EQ(document.select_nodes("//failure[@message]").size(), 1U);
 }
 
+// Claim: each test case carries its value, its band and its share of the CPU
+// time, and one without a value has no number.
+TEST(JunitXml, CarriesValuesBandsAndTimes) {
+  Summary summary = nasty_summary();
+  summary.methods[0].cost.cpu_time = 6.0;
+
+  pugi::xml_document document;
+  document.load_string(junit_xml({&summary, 1}).c_str());
+
+  const auto number = [&](int test, const std::string& name) {
+    const std::string path = "//testcase[" + std::to_string(test) +
+                             "]/properties/property[@name='" + name + "']";
+    const auto found = document.select_node(path.c_str());
+    return found ? found.node().attribute("value").as_double() : -1.0;
+  };
+  EXPECT_EQ(number(1, "value"), 0.5);
+  EXPECT_EQ(number(1, "half_width_95"), 0.02);
+  EXPECT_EQ(number(1, "low"), 0.35);
+  EXPECT_EQ(number(1, "high"), 0.45);
+  EXPECT_EQ(number(3, "value"), -1.0) << "a value that does not exist";
+  EXPECT_EQ(number(3, "low"), 0.3);
+  for (const auto& test : document.select_nodes("//testcase"))
+    EXPECT_EQ(test.node().attribute("time").as_double(), 2.0);
+  EXPECT_EQ(
+      document.select_node("//testsuite").node().attribute("time").as_double(),
+      6.0);
+}
+
 // Claim: the JSON parses, a number that does not exist is null, and the names
 // a program would look for are there.
 TEST(SummaryJson, SaysNullForWhatDoesNotExist) {
