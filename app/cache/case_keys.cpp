@@ -1,7 +1,7 @@
 #include "app/cache/case_keys.hpp"
 
 #include "base/content_hash.hpp"
-#include "cases/reader/case_text.hpp"
+#include "cases/reader/resolved_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/input_file.hpp"
 #include "cases/text/toml_text.hpp"
@@ -32,15 +32,6 @@ std::string canonical(const Node& node) {
     lines.push_back(cases::toml_key(entry.key) + "=" + canonical(entry.node));
   std::sort(lines.begin(), lines.end());
   return fmt::format("{{{}}}", fmt::join(lines, "\n"));
-}
-
-/// Returns the parsed text of the case with its overrides applied.
-Node parsed(const cases::Case& contact_case) {
-  Node file = cases::parse_toml(contact_case.text, contact_case.path);
-  cases::Mistakes none;
-  for (const std::string& entry : cases::overrides_in(contact_case.text))
-    cases::apply_override(file, entry, none);
-  return file;
 }
 
 std::string text_of(const Node& file, const std::string& table) {
@@ -87,7 +78,7 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
                    std::map<std::string, std::string> inputs)
     : case_(contact_case),
       program_(std::move(program)),
-      file_(parsed(contact_case)),
+      file_(cases::parsed_case(contact_case)),
       inputs_(std::move(inputs)),
       scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
                          hash_in(inputs_, surface_file),
