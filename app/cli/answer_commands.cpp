@@ -3,20 +3,22 @@
 namespace asperity::app {
 namespace {
 
-void add_certify(CLI::App& program, CertifyCommand& certify, Action& action) {
+void add_certify(CLI::App& program, CertifyCommand& certify,
+                 OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "certify", "Bound the errors of the pressure fields of\n"
                  "results, of any program; exit 1 if a mean gap\n"
                  "may be wrong by more than 1e-3 h_rms.");
   command->add_option("result", certify.results, "results (files or folders)")
       ->required();
-  command->add_flag("--json", certify.is_json,
-                    "print all numbers as JSON instead of a table");
+  add_quiet(command, output);
+  add_json(command, output, "all numbers");
   add_example(command, "certify out/polymer");
   command->callback([&] { action = [&] { return certify_results(certify); }; });
 }
 
-void add_problem(CLI::App& program, ProblemCommand& problem, Action& action) {
+void add_problem(CLI::App& program, ProblemCommand& problem,
+                 OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "problem", "Write the contact problem of a case as a folder\n"
                  "that any other program can read: problem.json,\n"
@@ -31,13 +33,14 @@ void add_problem(CLI::App& program, ProblemCommand& problem, Action& action) {
   command->add_option("--method", problem.method,
                       "half-space or condensed finite-element method\n"
                       "whose block is pressed (default: the first)");
+  add_quiet(command, output);
   add_example(command, "problem wave-1d --out wave-1d-problem");
   command->callback(
       [&] { action = [&] { return write_problem_of(problem); }; });
 }
 
 void add_import(CLI::App& program, ImportCommand& import_answer,
-                Action& action) {
+                OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "import", "Read another program's answer to a problem,\n"
                 "certify it, name typical mistakes and write it\n"
@@ -53,12 +56,15 @@ void add_import(CLI::App& program, ImportCommand& import_answer,
       ->required();
   command->add_option("--out", import_answer.out,
                       "output folder (default: out/<code>-<problem>)");
+  add_quiet(command, output);
+  add_json(command, output, "certificate.json");
   add_example(command, "import answers/mycode --problem wave-1d-problem");
   command->callback(
       [&] { action = [&] { return import_submission(import_answer); }; });
 }
 
-void add_board(CLI::App& program, BoardCommand& board, Action& action) {
+void add_board(CLI::App& program, BoardCommand& board, OutputOptions& output,
+               Action& action) {
   CLI::App* command = program.add_subcommand(
       "board", "Certify the answers of many codes to problems\n"
                "and build a static site that ranks them; exit 1\n"
@@ -69,6 +75,8 @@ void add_board(CLI::App& program, BoardCommand& board, Action& action) {
       ->required();
   command->add_option("--out", board.out,
                       "folder of the site (default: out/board-site)");
+  add_quiet(command, output);
+  add_json(command, output, "board.json");
   add_example(command, "board cases/board --out site");
   command->callback([&] { action = [&] { return build_board(board); }; });
 }
@@ -76,11 +84,11 @@ void add_board(CLI::App& program, BoardCommand& board, Action& action) {
 } // namespace
 
 void add_answer_commands(CLI::App& program, AnswerCommands& commands,
-                         Action& action) {
-  add_certify(program, commands.certify, action);
-  add_problem(program, commands.problem, action);
-  add_import(program, commands.import_answer, action);
-  add_board(program, commands.board, action);
+                         OutputOptions& output, Action& action) {
+  add_certify(program, commands.certify, output, action);
+  add_problem(program, commands.problem, output, action);
+  add_import(program, commands.import_answer, output, action);
+  add_board(program, commands.board, output, action);
 }
 
 } // namespace asperity::app

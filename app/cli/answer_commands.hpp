@@ -19,8 +19,9 @@ struct AnswerCommands {
   BoardCommand board;
 };
 
-/// @param commands, action  must outlive the parsing of the command line
+/// @param commands, output, action  must outlive the parsing of the command
+/// line
 void add_answer_commands(CLI::App& program, AnswerCommands& commands,
-                         Action& action);
+                         OutputOptions& output, Action& action);
 
 } // namespace asperity::app

@@ -1,6 +1,7 @@
 #include "app/cli/board_command.hpp"
 
 #include "app/board/board_site.hpp"
+#include "app/cli/output.hpp"
 #include "base/folder_lock.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,8 @@ ExitCode build_board(const BoardCommand& command) {
   const std::vector<BoardProblem> board = read_board(command.folder, site);
   write_site(board, site);
   fmt::print("board: {}\n", (site / "index.html").string());
+  if (wants_json())
+    emit_answer(json_of_file(site / "board.json"));
   const bool has_failed =
       std::ranges::any_of(board, [](const BoardProblem& problem) {
         return std::ranges::any_of(

@@ -3,6 +3,7 @@
 #include "app/answers/certified_field.hpp"
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
+#include "app/cli/output.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/elastic_method.hpp"
 #include "base/special_numbers.hpp"
@@ -182,12 +183,12 @@ ExitCode certify_results(const CertifyCommand& command) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   bool is_certified = false;
   bool is_sound = true;
-  if (!command.is_json)
+  if (!wants_json())
     fmt::print("{}", certificate_head(name_width));
   for (const Result& result : results) {
     Certifier certifier(result);
     certifier.run();
-    if (!command.is_json) {
+    if (!wants_json()) {
       fmt::print("{}: {}\n", result.path, result.case_name);
       for (const std::string& note : certifier.notes())
         fmt::print("  {}\n", note);
@@ -197,13 +198,13 @@ ExitCode certify_results(const CertifyCommand& command) {
       is_sound = is_sound && all_hold(field);
       list.push_back(certificate_json(field));
       list.back()["result"] = result.path;
-      if (!command.is_json)
+      if (!wants_json())
         fmt::print("{}{}", certificate_line(field, name_width),
                    broken_claims(field));
     }
   }
-  if (command.is_json)
-    fmt::print("{}\n", list.dump(2));
+  if (wants_json())
+    emit_answer(list.dump(2) + "\n");
   if (!is_certified) {
     fmt::print(stderr, "no field could be certified\n");
     return exit_bad_input;

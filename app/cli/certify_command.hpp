@@ -13,7 +13,6 @@ namespace asperity::app {
 /// Options of `asperity certify`.
 struct CertifyCommand {
   std::vector<std::string> results; ///< files or folders
-  bool is_json = false;             ///< print JSON instead of a table
 };
 
 /// Prints one line per saved pressure field: what it violates, and how far its

@@ -1,5 +1,6 @@
 #include "app/cli/checks.hpp"
 
+#include "app/cli/output.hpp"
 #include "base/atomic_file.hpp"
 #include "reports/analysis/verdict.hpp"
 
@@ -10,6 +11,19 @@
 #include <utility>
 
 namespace asperity::app {
+namespace {
+
+/// Returns the lines of the expectations of a result that are not met.
+std::string lines_not_met(const reports::Summary& summary) {
+  std::string text;
+  for (const reports::Verdict& verdict : summary.verdicts)
+    if (!verdict.is_passed() && verdict.outcome != reports::Outcome::skipped)
+      text += fmt::format("{}: {}\n", summary.case_name,
+                          reports::check_line(verdict));
+  return text;
+}
+
+} // namespace
 
 ExitCode worse(ExitCode one, ExitCode other) {
   return std::max(one, other);
@@ -39,10 +53,15 @@ ExitCode exit_code_of(const reports::Summary& summary) {
   return summary.all_ok() ? exit_good : exit_expectation_failed;
 }
 
-void Checks::add(reports::Summary summary) {
+void Checks::add(const std::filesystem::path& folder,
+                 reports::Summary summary) {
   fmt::print("{}\n", summary.case_name);
   print_verdicts(summary);
-  end_ = worse(end_, exit_code_of(summary));
+  if (wants_quiet())
+    emit_answer(lines_not_met(summary));
+  const ExitCode exit_code = exit_code_of(summary);
+  answer_.add(summary.case_name, folder, exit_code, &summary);
+  end_ = worse(end_, exit_code);
   why_nothing_ = reports::why_nothing_checked(summary);
   if (why_nothing_.empty())
     has_checked_ = true;
@@ -58,6 +77,7 @@ void Checks::add_problem(const std::string& case_name,
   reports::Verdict verdict;
   verdict.quantity = "run";
   verdict.estimate.remark = problem;
+  answer_.add(case_name, "", exit_code, nullptr, problem);
   summary.verdicts.push_back(std::move(verdict));
   summaries_.push_back(std::move(summary));
   end_ = worse(end_, exit_code);
@@ -74,6 +94,7 @@ void Checks::end_target(const std::string& target) {
 ExitCode Checks::end(const std::string& junit) const {
   if (!junit.empty())
     write_file_atomically(junit, reports::junit_xml(summaries_));
+  answer_.print(end_);
   return end_;
 }
 

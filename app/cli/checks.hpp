@@ -2,9 +2,11 @@
 
 // Prints the verdicts on results and derives the exit code from them.
 
+#include "app/cli/result_outputs.hpp"
 #include "app/run/exit_code.hpp"
 #include "reports/analysis/summary.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,7 @@ ExitCode exit_code_of(const reports::Summary& summary);
 class Checks {
 public:
   /// Verifies a result of the current target and prints the outcome.
-  void add(reports::Summary summary);
+  void add(const std::filesystem::path& folder, reports::Summary summary);
 
   /// Records a case without a result as a failed check under the name of the
   /// case.
@@ -39,12 +41,14 @@ public:
   /// expectation is not met.
   void end_target(const std::string& target);
 
-  /// Writes the JUnit file of all checks unless `junit` is empty.
+  /// Writes the JUnit file of all checks unless `junit` is empty, and what
+  /// --json prints.
   /// @return  the most severe exit code of all targets
   ExitCode end(const std::string& junit) const;
 
 private:
   std::vector<reports::Summary> summaries_;
+  JsonAnswer answer_{"asperity-check"};
   ExitCode end_ = exit_good;
   bool has_checked_ = false; ///< whether any check of this target was made
   std::string why_nothing_;  ///< why its last result was not checked

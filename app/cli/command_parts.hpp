@@ -2,6 +2,7 @@
 
 // Parts of the command line that several commands share.
 
+#include "app/cli/output.hpp"
 #include "app/run/exit_code.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,43 @@ inline void add_overrides(CLI::App* command,
                    "override a key of the case file, e.g.\n"
                    "surface.points=128; may be repeated")
       ->allow_extra_args(false);
+}
+
+/// Adds --quiet, and --json with a text that says what is printed as JSON.
+inline void add_quiet(CLI::App* command, OutputOptions& options) {
+  command->add_flag("--quiet", options.is_quiet, "print errors only");
+}
+
+inline void add_json(CLI::App* command, OutputOptions& options,
+                     const std::string& what) {
+  command->add_flag("--json", options.is_json,
+                    "print " + what +
+                        " as JSON; other text\n"
+                        "goes to standard error");
+}
+
+/// Adds --methods, by which methods of the case are chosen.
+inline void add_methods(CLI::App* command, std::vector<std::string>& methods) {
+  command
+      ->add_option("--methods", methods,
+                   "run only these methods, given by name or kind:\n"
+                   "fem,theory")
+      ->delimiter(',');
+}
+
+/// Adds --quick.
+inline void add_quick(CLI::App* command, bool& is_quick) {
+  command->add_flag("--quick", is_quick,
+                    "apply the overrides of the case's quick.set: a\n"
+                    "coarse run that takes minutes");
+}
+
+/// Adds --threads.
+inline void add_threads(CLI::App* command, int& threads) {
+  command
+      ->add_option("--threads", threads,
+                   "number of threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
 }
 
 } // namespace asperity::app

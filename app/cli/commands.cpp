@@ -4,28 +4,25 @@
 #include "app/cli/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/collection.hpp"
+#include "app/cli/output.hpp"
+#include "app/cli/result_outputs.hpp"
 #include "app/cli/sweep_commands.hpp"
 #include "app/methods/chosen.hpp"
+#include "app/plan/description.hpp"
 #include "app/plan/plan.hpp"
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
 #include "app/run/run_case.hpp"
-#include "base/atomic_file.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/text/case_error.hpp"
-#include "reports/analysis/warnings.hpp"
-#include "reports/pages/paper_report.hpp"
+#include "cases/reader/read_case.hpp"
 #include "reports/pages/report.hpp"
-#include "results/csv.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 
 #include "bench/runs/bench.hpp"
@@ -35,24 +32,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-reports::Summary summary_of(const results::Result& result) {
-  const cases::Case contact_case = reports::case_of(result);
-  fmt::print("{}", reports::warning_lines(result, contact_case));
-  return reports::summarize(result, contact_case);
-}
-
-/// Writes all output files besides result.h5: table, summary and report.
-reports::Summary write_outputs(const fs::path& folder) {
-  const results::Result result = results::read_result(folder);
-  const cases::Case contact_case = reports::case_of(result);
-  reports::ReportEntry entry = reports::entry_of(result, contact_case);
-  results::write_curves_csv(result, folder / "curves.csv");
-  for (const std::string& failure : reports::write_report({&entry, 1}, folder))
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
-  fmt::print("{}", reports::warning_lines(result, contact_case));
-  return entry.summary;
-}
 
 /// Writes the report on a result and prints its findings.
 ExitCode report_on(const fs::path& folder) {
@@ -73,19 +52,6 @@ ExitCode run_one(const cases::Case& contact_case, const RunOptions& options,
     return exit_interrupted;
   }
   return no_report && outcome.failed_steps > 0 ? exit_not_converged : reported;
-}
-
-/// Returns the output folder of a case or collection of that name.
-fs::path folder_of(const std::string& name, const RunCommand& command) {
-  if (command.out.empty())
-    return fs::path("out") / name;
-  return command.cases.size() == 1 ? fs::path(command.out)
-                                   : fs::path(command.out) / name;
-}
-
-bool is_result(const fs::path& path) {
-  return path.extension() == ".h5" || fs::exists(path / "result.h5") ||
-         is_sweep_folder(path);
 }
 
 RunOptions options_of(const ReadCase& read, const fs::path& folder,
@@ -124,51 +90,96 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   return command.no_report ? end : worse(end, report_on(options.folder));
 }
 
-void print_plans(const Asked& asked, const RunCommand& command, Cache& cache) {
-  if (asked.sweep)
-    print_sweep_plan(*asked.sweep, command);
-  for (const ReadCase& read : asked.cases)
-    fmt::print("{}", plan_text(make_plan(read.contact_case,
-                                         options_of(read, {}, command, cache)),
-                               read.contact_case));
+ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
+                     Cache& cache) {
+  std::string json;
+  for (const Asked& asked : all) {
+    if (asked.sweep)
+      print_sweep_plan(*asked.sweep, command);
+    for (const ReadCase& read : asked.cases) {
+      const Plan plan =
+          make_plan(read.contact_case, options_of(read, {}, command, cache));
+      fmt::print("{}", plan_text(plan, read.contact_case));
+      json += (json.empty() ? "" : ",\n") + plan_json(plan, read.contact_case);
+    }
+  }
+  if (wants_json())
+    emit_answer("[" + json + "]\n");
+  return exit_good;
 }
 
-ExitCode run_asked(const Asked& asked, const RunCommand& command,
-                   Cache& cache) {
-  if (asked.sweep)
-    return run_asked_sweep(*asked.sweep, command,
-                           folder_of(asked.sweep->sweep.name, command));
+/// Adds the result in a folder, if there is one, to what --json prints.
+void add_answer(JsonAnswer& answer, const std::string& name,
+                const fs::path& folder, ExitCode exit_code) {
+  if (!wants_json())
+    return;
+  if (is_sweep_folder(folder)) {
+    add_sweep_answer(answer, folder, exit_code);
+    return;
+  }
+  if (!is_result(folder)) {
+    answer.add(name, folder, exit_code, nullptr, "there is no result");
+    return;
+  }
+  const results::Result result = results::read_result(folder);
+  const reports::Summary summary =
+      reports::summarize(result, reports::case_of(result));
+  answer.add(name, folder, exit_code, &summary);
+}
+
+ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
+                   JsonAnswer& answer) {
+  if (asked.sweep) {
+    const fs::path folder = folder_of(asked.sweep->sweep.name, command.out,
+                                      command.cases.size());
+    const ExitCode ended = run_asked_sweep(*asked.sweep, command, folder);
+    add_answer(answer, asked.sweep->sweep.name, folder, ended);
+    return ended;
+  }
   const bool is_collection = !asked.found.collection.empty();
+  const std::size_t n_targets = command.cases.size();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
   std::optional<FolderLock> collection_lock;
   if (is_collection) {
-    const fs::path folder = folder_of(asked.found.collection, command);
+    const fs::path folder =
+        folder_of(asked.found.collection, command.out, n_targets);
     collection_lock.emplace(folder, "run " + asked.found.collection);
     remove_report(folder); // belongs to the parts of the last run
   }
   for (const ReadCase& read : asked.cases) {
-    const fs::path folder = is_collection
-                                ? folder_of(asked.found.collection, command) /
-                                      read.found.file.parent_path().filename()
-                                : folder_of(read.found.name, command);
+    const fs::path folder =
+        is_collection
+            ? folder_of(asked.found.collection, command.out, n_targets) /
+                  read.found.file.parent_path().filename()
+            : folder_of(read.found.name, command.out, n_targets);
     const FolderLock lock(folder, "run " + read.found.name);
     const RunOptions options = options_of(read, folder, command, cache);
-    end =
-        worse(end, command.target_error.empty()
-                       ? run_one(read.contact_case, options, command.no_report)
-                       : run_to_target(read, command, options));
+    const ExitCode ended =
+        command.target_error.empty()
+            ? run_one(read.contact_case, options, command.no_report)
+            : run_to_target(read, command, options);
+    end = worse(end, ended);
+    add_answer(answer, read.found.name, folder, ended);
     parts.push_back({read.found, folder});
     if (is_interrupted())
       break;
   }
   if (is_collection && !command.no_report)
-    write_collection_report(asked.found, parts,
-                            folder_of(asked.found.collection, command));
+    write_collection_report(
+        asked.found, parts,
+        folder_of(asked.found.collection, command.out, n_targets));
   return end;
 }
 
 } // namespace
+
+fs::path folder_of(const std::string& name, const std::string& out,
+                   std::size_t n_targets) {
+  if (out.empty())
+    return fs::path("out") / name;
+  return n_targets == 1 ? fs::path(out) : fs::path(out) / name;
+}
 
 ExitCode run_cases(const RunCommand& command) {
   std::vector<Asked> all;
@@ -177,16 +188,16 @@ ExitCode run_cases(const RunCommand& command) {
                                       command.contact_modulus));
   catch_interrupts();
   Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
+  if (command.is_dry)
+    return print_plans(all, command, cache);
+  JsonAnswer answer("asperity-run");
   ExitCode end = exit_good;
   for (const Asked& asked : all) {
-    if (command.is_dry) {
-      print_plans(asked, command, cache);
-      continue;
-    }
-    end = worse(end, run_asked(asked, command, cache));
+    end = worse(end, run_asked(asked, command, cache, answer));
     if (is_interrupted())
       break;
   }
+  answer.print(end);
   return end;
 }
 
@@ -217,59 +228,28 @@ ExitCode report_results(const std::vector<std::string>& paths,
   for (const std::string& failure : reports::write_report(read, folder))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report: {}\n", (folder / "report.html").string());
+  JsonAnswer answer("asperity-report");
+  for (const results::Result& result : read)
+    add_answer(answer, result.case_name,
+               fs::is_directory(result.path)
+                   ? fs::path(result.path)
+                   : fs::path(result.path).parent_path(),
+               exit_good);
+  answer.print(exit_good);
   return exit_good;
 }
 
-namespace {
-
-void check_cases(const Asked& asked, bool uses_cache, Cache& cache,
-                 Checks& checks) {
-  catch_interrupts();
-  if (asked.sweep)
-    check_asked_sweep(*asked.sweep, uses_cache, checks);
-  for (const auto& [found, contact_case, reference, overrides] : asked.cases) {
-    const fs::path folder = fs::path("out") / found.name;
-    const FolderLock lock(folder, "check " + found.name);
-    if (run_case(contact_case, {folder, {}, false, 0, reference, &cache})
-            .is_interrupted) {
-      checks.add_problem(found.name, "interrupted", exit_interrupted);
-      return;
-    }
-    checks.add(write_outputs(folder));
-  }
-}
-
-} // namespace
-
-ExitCode check_targets(const std::vector<std::string>& targets,
-                       const std::string& junit, bool uses_cache) {
-  Cache cache(cache_folder(), uses_cache ? cache_size() : 0);
-  std::map<std::string, Asked> to_run;
-  for (const std::string& target : targets)
-    if (!is_result(target))
-      to_run.emplace(target, read_asked_or_sweep(target));
-  Checks checks;
-  try {
-    for (const std::string& target : targets) {
-      const auto asked = to_run.find(target);
-      if (asked == to_run.end() && is_sweep_folder(target)) {
-        check_sweep_folder(target, checks);
-      } else if (asked == to_run.end()) {
-        results::require_readable(target);
-        checks.add(summary_of(results::read_result(target)));
-      } else {
-        check_cases(asked->second, uses_cache, cache, checks);
-      }
-      if (is_interrupted())
-        break;
-      checks.end_target(target);
-    }
-  } catch (const std::exception& error) { // still report what was found
-    checks.add_problem("check", error.what(), exit_internal);
-    checks.end(junit);
-    throw;
-  }
-  return checks.end(junit);
+ExitCode run_bench(const BenchCommand& command) {
+  const ExitCode end = bench_case(command);
+  if (!wants_json() || end == exit_interrupted)
+    return end;
+  const cases::Case contact_case = cases::read_case(
+      find_cases(command.contact_case).cases.front().file.string());
+  emit_answer(json_of_file((command.out.empty()
+                                ? fs::path("out") / contact_case.name / "bench"
+                                : fs::path(command.out)) /
+                           "bench.json"));
+  return end;
 }
 
 } // namespace asperity::app

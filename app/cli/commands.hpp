@@ -6,10 +6,14 @@
 #include "app/run/exit_code.hpp"
 #include "app/run/map_case.hpp"
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace asperity::app {
+
+struct BenchCommand;
 
 struct RunCommand {
   std::vector<std::string> cases; ///< files, folders or names of shipped cases,
@@ -29,22 +33,24 @@ struct RunCommand {
   bool is_dry = false;              ///< print the plan without running anything
 };
 
+/// Returns the output folder of a case or collection of that name.
+/// @param out        option --out; empty: out/<name>
+/// @param n_targets  number of targets of the command; with more than one, each
+///                   gets its own sub-folder of `out`
+std::filesystem::path folder_of(const std::string& name, const std::string& out,
+                                std::size_t n_targets);
+
 /// Runs cases. All cases are read before the first one is run. A collection
 /// gets a report on all of its parts, in out/<collection>, after they have run.
 ExitCode run_cases(const RunCommand& command);
+
+/// Runs bench_case() and prints bench.json if the command has --json.
+ExitCode run_bench(const BenchCommand& command);
 
 /// Writes one report on the results at these paths into `out`. If `out` is
 /// empty, the report is written beside a single result, or into out/comparison.
 ExitCode report_results(const std::vector<std::string>& paths,
                         const std::string& out);
-
-/// Checks results against the expectations of their cases. All cases among the
-/// targets are read before the first one is run.
-///
-/// @param targets  results (file or folder), or cases, which are run first
-/// @param junit    file for JUnit XML; empty: none
-ExitCode check_targets(const std::vector<std::string>& targets,
-                       const std::string& junit, bool uses_cache = true);
 
 /// Prints the location of the cache and how much of it is used.
 ///

@@ -1,6 +1,7 @@
 #include "app/cli/import_command.hpp"
 
 #include "app/answers/imported_answer.hpp"
+#include "app/cli/output.hpp"
 #include "base/atomic_file.hpp"
 #include "base/folder_lock.hpp"
 #include "base/special_numbers.hpp"
@@ -108,8 +109,10 @@ ExitCode import_submission(const ImportCommand& command) {
           : fs::path(command.out);
   const FolderLock lock(folder, "import " + command.submission);
   write_import(folder, case_info(problem, command.problem), surface, answer);
-  write_file_atomically(folder / "certificate.json",
-                        answer_json(answer).dump(2) + "\n");
+  const std::string json = answer_json(answer).dump(2) + "\n";
+  write_file_atomically(folder / "certificate.json", json);
+  if (wants_json())
+    emit_answer(json);
   fmt::print("result: {}\n", (folder / "result.h5").string());
   return answer.is_sound() ? exit_good : exit_expectation_failed;
 }

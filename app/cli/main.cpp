@@ -1,8 +1,10 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
 #include "app/cli/answer_commands.hpp"
+#include "app/cli/check_command.hpp"
 #include "app/cli/command_parts.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/inspect_commands.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
@@ -24,7 +26,8 @@
 namespace asperity::app {
 namespace {
 
-void add_run(CLI::App& program, RunCommand& run, Action& action) {
+void add_run(CLI::App& program, RunCommand& run, OutputOptions& output,
+             Action& action) {
   CLI::App* command = program.add_subcommand(
       "run", "Run cases; write result, tables and report\n"
              "of each.");
@@ -34,20 +37,14 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
                    "collections (see 'asperity list'), or measured\n"
                    "maps")
       ->required();
-  command
-      ->add_option("--methods", run.methods,
-                   "run only these methods, given by name or kind:\n"
-                   "fem,theory")
-      ->delimiter(',');
+  add_methods(command, run.methods);
   command->add_option("--contact-modulus", run.contact_modulus,
                       "E* of the block under a map file, e.g. \"2 GPa\"");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
                     "compute the steps missing from an earlier run");
-  command->add_flag("--quick", run.is_quick,
-                    "apply the overrides of the case's quick.set: a\n"
-                    "coarse run that takes minutes");
+  add_quick(command, run.is_quick);
   command->add_option("--target-error", run.target_error,
                       "use the cheapest setting whose predicted error is\n"
                       "smaller, e.g. 1%; a finer run verifies the error");
@@ -60,16 +57,16 @@ void add_run(CLI::App& program, RunCommand& run, Action& action) {
                     "skipped; write nothing");
   command->add_flag("!--no-cache", run.uses_cache,
                     "compute every step; do not read or write the cache");
-  command
-      ->add_option("--threads", run.threads,
-                   "number of threads (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+  add_threads(command, run.threads);
+  add_quiet(command, output);
+  add_json(command, output, "the summaries, or the plans,");
   add_example(command, "run polymer --methods fem,theory --set "
                        "surface.points=128");
   command->callback([&] { action = [&] { return run_cases(run); }; });
 }
 
-void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
+void add_bench(CLI::App& program, BenchCommand& bench, OutputOptions& output,
+               Action& action) {
   CLI::App* command = program.add_subcommand(
       "bench", "Measure, for each setting of a case's\n"
                "methods, its cost and its error against the\n"
@@ -78,11 +75,7 @@ void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
       ->add_option("case", bench.contact_case,
                    "case file, its folder or shipped case")
       ->required();
-  command
-      ->add_option("--methods", bench.methods,
-                   "run only these methods, given by name or kind:\n"
-                   "fem,theory")
-      ->delimiter(',');
+  add_methods(command, bench.methods);
   add_overrides(command, bench.overrides);
   command->add_option("--out", bench.out,
                       "output folder (default: out/<case>/bench)");
@@ -108,12 +101,14 @@ void add_bench(CLI::App& program, BenchCommand& bench, Action& action) {
   command->add_option("--target-error", bench.target_error,
                       "also choose the cheapest setting with a smaller\n"
                       "error, e.g. 1%");
+  add_quiet(command, output);
+  add_json(command, output, "bench.json");
   add_example(command, "bench hertz --target-error 1%");
-  command->callback([&] { action = [&] { return bench_case(bench); }; });
+  command->callback([&] { action = [&] { return run_bench(bench); }; });
 }
 
 void add_report(CLI::App& program, std::vector<std::string>& results,
-                std::string& out, Action& action) {
+                std::string& out, OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "report", "Write the report of one or more results,\n"
                 "compared side by side.");
@@ -122,42 +117,27 @@ void add_report(CLI::App& program, std::vector<std::string>& results,
   command->add_option("--out", out,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
+  add_quiet(command, output);
+  add_json(command, output, "the summaries");
   add_example(command, "report out/polymer out/polymer-nominal");
   command->callback(
       [&] { action = [&] { return report_results(results, out); }; });
 }
 
-void add_check(CLI::App& program, std::vector<std::string>& targets,
-               std::string& junit, bool& uses_cache, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "check", "Check results against the expectations of\n"
-               "their cases; exit 1 if one is not met.");
-  command
-      ->add_option("target", targets,
-                   "results (files or folders), or cases, which are run\n"
-                   "first")
-      ->required();
-  command->add_option("--junit", junit,
-                      "write the outcome to this file as JUnit XML");
-  command->add_flag("!--no-cache", uses_cache,
-                    "compute every step; do not read or write the cache");
-  add_example(command, "check polymer --junit check.xml");
-  command->callback([&] {
-    action = [&] { return check_targets(targets, junit, uses_cache); };
-  });
-}
-
-void add_cache(CLI::App& program, bool& is_to_clear, Action& action) {
+void add_cache(CLI::App& program, bool& is_to_clear, OutputOptions& output,
+               Action& action) {
   CLI::App* command = program.add_subcommand(
       "cache", "Show the folder of the step cache, its size\n"
                "and the number of its entries.");
   command->add_flag("--clear", is_to_clear, "remove all entries first");
+  add_quiet(command, output);
+  add_json(command, output, "folder and size");
   add_example(command, "cache");
   command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
 }
 
 void add_robustness(CLI::App& program, RobustnessCommand& robustness,
-                    Action& action) {
+                    OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "robustness", "Run thousands of random problem instances\n"
                     "and verify every answer; exit 3 if one is\n"
@@ -180,16 +160,16 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                       "its details");
   command->add_option("--out", robustness.out,
                       "output folder (default: out/robustness)");
-  command
-      ->add_option("--threads", robustness.threads,
-                   "number of threads (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+  add_threads(command, robustness.threads);
+  add_quiet(command, output);
+  add_json(command, output, "stress.json");
   add_example(command, "robustness --scenes 500 --only law=hard");
   command->callback(
       [&] { action = [&] { return run_robustness(robustness); }; });
 }
 
-void add_new(CLI::App& program, NewCommand& made, Action& action) {
+void add_new(CLI::App& program, NewCommand& made, OutputOptions& output,
+             Action& action) {
   CLI::App* command = program.add_subcommand(
       "new", "Write a commented case file to start from.");
   command->add_option("name", made.name, "folder to create for case.toml")
@@ -200,12 +180,15 @@ void add_new(CLI::App& program, NewCommand& made, Action& action) {
   command->add_option("--contact-modulus", made.map.contact_modulus,
                       "E* of the block, with --map, e.g. \"2 GPa\"");
   add_overrides(command, made.overrides);
+  add_quiet(command, output);
   add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");
   command->callback([&] { action = [&] { return new_case(made); }; });
 }
 
-void add_small_commands(CLI::App& program, Action& action) {
+void add_small_commands(CLI::App& program, OutputOptions& output,
+                        Action& action) {
   CLI::App* list = program.add_subcommand("list", "List the shipped cases.");
+  add_json(list, output, "names and titles");
   add_example(list, "list");
   list->callback([&] { action = list_cases; });
   CLI::App* schema =
@@ -227,28 +210,33 @@ int run(int argc, char** argv) {
       "input, 3 a solution did not\n  converge, 4 system or "
       "library error, 130 interrupted");
   Action action;
+  OutputOptions output;
   RunCommand run;
   RobustnessCommand stress;
   std::vector<std::string> paths;
   std::string out;
-  add_run(program, run, action);
+  add_run(program, run, output, action);
   BenchCommand bench;
-  add_bench(program, bench, action);
-  add_report(program, paths, out, action);
-  add_check(program, paths, out, run.uses_cache, action);
+  add_bench(program, bench, output, action);
+  add_report(program, paths, out, output, action);
+  CheckCommand check;
+  add_check(program, check, output, action);
   AnswerCommands answers;
-  add_answer_commands(program, answers, action);
+  add_answer_commands(program, answers, output, action);
+  InspectCommands inspect;
   bool is_to_clear = false;
-  add_cache(program, is_to_clear, action);
-  add_robustness(program, stress, action);
+  add_cache(program, is_to_clear, output, action);
+  add_robustness(program, stress, output, action);
   NewCommand made;
-  add_new(program, made, action);
-  add_small_commands(program, action);
+  add_new(program, made, output, action);
+  add_small_commands(program, output, action);
+  add_inspect_commands(program, inspect, output, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? exit_good : exit_bad_input;
   }
+  const OutputScope scope(output);
   return action();
 }
 

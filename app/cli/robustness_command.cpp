@@ -1,5 +1,6 @@
 #include "app/cli/robustness_command.hpp"
 
+#include "app/cli/output.hpp"
 #include "app/run/case_library.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/read_case.hpp"
@@ -115,7 +116,8 @@ void write_files(const fs::path& folder, const robustness::Matrix& matrix,
                         robustness::page_of(matrix, words, locking));
 }
 
-ExitCode run_source(const Source& source, const RobustnessCommand& command) {
+ExitCode run_source(const Source& source, const RobustnessCommand& command,
+                    std::string& json) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Scene> scenes = scenes_of(source, command);
   const std::map<int, robustness::SceneResult> results =
@@ -136,6 +138,7 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command) {
           .count();
   const fs::path folder = fs::path(command.out) / source.name;
   write_files(folder, matrix, results, words);
+  json += (json.empty() ? "" : ",\n") + json_of_file(folder / "stress.json");
 
   for (const auto& [scene, report] : matrix.others())
     fmt::print("{} --scene {}: {}{} {}\n", words.rerun, scene.index,
@@ -176,9 +179,12 @@ ExitCode run_one(const Source& source, const RobustnessCommand& command) {
 
 ExitCode run_robustness(const RobustnessCommand& command) {
   ExitCode worst = exit_good;
+  std::string json; // of each source
   for (const Source& source : sources_of(command))
     worst = std::max(worst, command.scene ? run_one(source, command)
-                                          : run_source(source, command));
+                                          : run_source(source, command, json));
+  if (wants_json() && !command.scene)
+    emit_answer(command.cases.size() > 1 ? "[" + json + "]\n" : json);
   return worst;
 }
 

@@ -1,6 +1,7 @@
 // The commands that do not run a case.
 #include "app/cache/cache.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
 #include "app/run/case_library.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_schema.hpp"
@@ -13,6 +14,7 @@
 #include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -21,6 +23,8 @@ namespace asperity::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Reads the map, so that a case is written only if it can be run, and prints
 /// what the loads of the case follow from.
@@ -42,6 +46,15 @@ ExitCode show_cache(bool is_to_clear) {
   if (is_to_clear)
     cache.clear();
   const Cache::Contents contents = cache.contents();
+  if (wants_json()) {
+    emit_answer(Json{{"folder", cache.folder().string()},
+                     {"entries", contents.entries},
+                     {"size [bytes]", contents.bytes},
+                     {"limit [bytes]", cache.most_bytes()}}
+                    .dump(2) +
+                "\n");
+    return exit_good;
+  }
   fmt::print("{}\n{} entries, {:.1f} MB of {:.1f} MB\n",
              cache.folder().string(), contents.entries,
              1e-6 * static_cast<double>(contents.bytes),
@@ -50,8 +63,14 @@ ExitCode show_cache(bool is_to_clear) {
 }
 
 ExitCode list_cases() {
-  for (const ShippedCase& shipped : shipped_cases())
-    fmt::print("{:<24} {}\n", shipped.name, shipped.title);
+  Json list = Json::array();
+  for (const ShippedCase& shipped : shipped_cases()) {
+    list.push_back({{"name", shipped.name}, {"title", shipped.title}});
+    if (!wants_json())
+      fmt::print("{:<24} {}\n", shipped.name, shipped.title);
+  }
+  if (wants_json())
+    emit_answer(list.dump(2) + "\n");
   return exit_good;
 }
 

@@ -61,7 +61,7 @@ SweepOutcome run_to(const AskedSweep& asked, const RunCommand& command,
 void add_checks(
     const reports::SweepRecord& record,
     const std::vector<std::unique_ptr<reports::SweptResult>>& results,
-    Checks& checks) {
+    const fs::path& folder, Checks& checks) {
   for (const auto& result : results) {
     const std::string name =
         fmt::format("{}, point {:03}, {}", record.case_name, result->point,
@@ -69,7 +69,7 @@ void add_checks(
     if (result->has_result()) {
       reports::Summary summary = result->summary;
       summary.case_name = name;
-      checks.add(std::move(summary));
+      checks.add(folder, std::move(summary));
     }
     if (!result->problem.empty()) {
       fmt::print("{}: {}\n", name, result->problem);
@@ -132,20 +132,28 @@ ExitCode report_sweep(const fs::path& folder, const std::string& out) {
 void check_sweep_folder(const fs::path& folder, Checks& checks) {
   const reports::SweepRecord record = reports::read_sweep_record(folder);
   add_checks(record, reports::read_swept_results(record, folder, false),
-             checks);
+             folder, checks);
 }
 
-void check_asked_sweep(const AskedSweep& asked, bool uses_cache,
-                       Checks& checks) {
-  const fs::path folder = fs::path("out") / asked.sweep.name;
+void add_sweep_answer(JsonAnswer& answer, const fs::path& folder,
+                      ExitCode exit_code) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  for (const auto& result : reports::read_swept_results(record, folder, false))
+    answer.add(fmt::format("{}, point {:03}, {}", record.case_name,
+                           result->point, record.label(result->point)),
+               folder, exit_code,
+               result->has_result() ? &result->summary : nullptr,
+               result->problem);
+}
+
+void check_asked_sweep(const AskedSweep& asked, const RunCommand& command,
+                       const fs::path& folder, Checks& checks) {
   const FolderLock lock(folder, "check " + asked.sweep.name);
-  RunCommand command;
-  command.uses_cache = uses_cache;
   const SweepOutcome outcome = run_to(asked, command, folder);
   const reports::SweepReport report =
       reports::write_sweep_report(outcome.record, folder, folder, true);
   print_undrawn(report);
-  add_checks(outcome.record, report.results, checks);
+  add_checks(outcome.record, report.results, folder, checks);
 }
 
 } // namespace asperity::app

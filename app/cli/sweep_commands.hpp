@@ -31,10 +31,14 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
 ExitCode report_sweep(const std::filesystem::path& folder,
                       const std::string& out);
 
+/// Adds the summaries of all points of a sweep to what --json prints.
+void add_sweep_answer(JsonAnswer& answer, const std::filesystem::path& folder,
+                      ExitCode exit_code);
+
 /// Checks the expectations of all points of a sweep that has run, or runs it
-/// into out/<case> first.
+/// into a folder first.
 void check_sweep_folder(const std::filesystem::path& folder, Checks& checks);
-void check_asked_sweep(const AskedSweep& asked, bool uses_cache,
-                       Checks& checks);
+void check_asked_sweep(const AskedSweep& asked, const RunCommand& command,
+                       const std::filesystem::path& folder, Checks& checks);
 
 } // namespace asperity::app

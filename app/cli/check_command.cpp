@@ -1,0 +1,204 @@
+#include "app/cli/check_command.hpp"
+
+#include "app/cache/cache.hpp"
+#include "app/cli/asked_cases.hpp"
+#include "app/cli/checks.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/result_outputs.hpp"
+#include "app/cli/sweep_commands.hpp"
+#include "app/run/interrupt.hpp"
+#include "app/run/run_case.hpp"
+#include "base/folder_lock.hpp"
+#include "cases/text/case_error.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws before anything runs if the JUnit file cannot be written there.
+void require_junit_folder(const std::string& junit) {
+  if (junit.empty())
+    return;
+  const fs::path folder = fs::absolute(junit).parent_path();
+  if (!fs::is_directory(folder))
+    throw cases::CaseError("--junit " + junit + ": there is no folder " +
+                           folder.string());
+  if (fs::is_directory(junit))
+    throw cases::CaseError("--junit " + junit +
+                           ": is a folder, but must be a file");
+}
+
+/// Throws if an option for cases was given and no target is a case.
+void require_a_case(const CheckCommand& command) {
+  const char* option = !command.methods.empty()     ? "--methods"
+                       : !command.overrides.empty() ? "--set"
+                       : command.is_quick           ? "--quick"
+                       : !command.out.empty()       ? "--out"
+                                                    : nullptr;
+  if (option != nullptr)
+    throw cases::CaseError(std::string(option) +
+                           " applies to cases, which are run, but each target "
+                           "is a result");
+}
+
+/// Checks one target after another.
+class TargetChecker {
+public:
+  TargetChecker(const CheckCommand& command, Checks& checks)
+      : command_(command),
+        checks_(checks),
+        cache_(cache_folder(), command.uses_cache ? cache_size() : 0) {}
+
+  /// Reads the cases among the targets.
+  void read() {
+    bool has_case = false;
+    for (const std::string& target : command_.targets) {
+      target_ = target;
+      if (is_result(target) || is_sweep_folder(target))
+        continue;
+      has_case = true;
+      to_run_.emplace(
+          target, read_asked_or_sweep(target, command_.overrides, command_.is_quick));
+    }
+    if (!has_case)
+      require_a_case(command_);
+  }
+
+  void run() {
+    for (const std::string& target : command_.targets) {
+      target_ = target;
+      if (is_interrupted()) {
+        checks_.add_problem(target, "interrupted", exit_interrupted);
+        return;
+      }
+      const auto asked = to_run_.find(target);
+      if (asked == to_run_.end() && is_sweep_folder(target)) {
+        check_sweep_folder(target, checks_);
+      } else if (asked == to_run_.end()) {
+        results::require_readable(target);
+        checks_.add(target, summary_of(results::read_result(target)));
+      } else {
+        check_cases(asked->second);
+      }
+      if (is_cut_short_)
+        return;
+      checks_.end_target(target);
+    }
+  }
+
+  /// Returns the target, or the case, that is being read or checked.
+  const std::string& target() const { return target_; }
+
+private:
+  void check_sweep(const AskedSweep& asked) {
+    RunCommand command;
+    command.methods = command_.methods;
+    command.threads = command_.threads;
+    command.uses_cache = command_.uses_cache;
+    check_asked_sweep(asked, command,
+                      folder_of(asked.sweep.name, command_.out,
+                                command_.targets.size()),
+                      checks_);
+  }
+
+  void check_cases(const Asked& asked) {
+    if (asked.sweep)
+      check_sweep(*asked.sweep);
+    const bool is_collection = !asked.found.collection.empty();
+    for (const ReadCase& read : asked.cases) {
+      target_ = read.found.name;
+      const fs::path folder =
+          is_collection ? folder_of(asked.found.collection, command_.out,
+                                    command_.targets.size()) /
+                              read.found.file.parent_path().filename()
+                        : folder_of(read.found.name, command_.out,
+                                    command_.targets.size());
+      const FolderLock lock(folder, "check " + read.found.name);
+      if (run_case(read.contact_case,
+                   {folder, command_.methods, false, command_.threads,
+                    read.reference, &cache_})
+              .is_interrupted) {
+        checks_.add_problem(read.found.name, "interrupted", exit_interrupted);
+        is_cut_short_ = true;
+        return;
+      }
+      checks_.add(folder, write_outputs(folder));
+    }
+  }
+
+  const CheckCommand& command_;
+  Checks& checks_;
+  Cache cache_;
+  std::map<std::string, Asked> to_run_;
+  std::string target_;
+  bool is_cut_short_ = false; ///< the run of a case was interrupted
+};
+
+} // namespace
+
+void add_check(CLI::App& program, CheckCommand& check, OutputOptions& output,
+               Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "check", "Check results against the expectations of\n"
+               "their cases; exit 1 if one is not met.");
+  command
+      ->add_option("target", check.targets,
+                   "results (files or folders), or cases, which are run\n"
+                   "first")
+      ->required();
+  command->add_option("--junit", check.junit,
+                      "write the outcome to this file as JUnit XML,\n"
+                      "however the command ends");
+  add_methods(command, check.methods);
+  add_overrides(command, check.overrides);
+  command->add_option("--out", check.out,
+                      "output folder (default: out/<case>)");
+  add_quick(command, check.is_quick);
+  command->add_flag("!--no-cache", check.uses_cache,
+                    "compute every step; do not read or write the cache");
+  add_threads(command, check.threads);
+  command->add_flag("--quiet", output.is_quiet,
+                    "print only expectations that are not met, and\n"
+                    "errors");
+  add_json(command, output, "the summaries");
+  add_example(command, "check polymer --junit check.xml");
+  command->callback([&] { action = [&] { return check_targets(check); }; });
+}
+
+ExitCode check_targets(const CheckCommand& command) {
+  require_junit_folder(command.junit);
+  catch_interrupts();
+  Checks checks;
+  TargetChecker checker(command, checks);
+  const auto end_by = [&](const std::exception& error, ExitCode exit_code) {
+    checks.add_problem(checker.target(), error.what(), exit_code);
+    checks.end(command.junit);
+  };
+  try {
+    checker.read();
+    checker.run();
+  } catch (const cases::CaseError& error) { // still report what was found
+    end_by(error, exit_bad_input);
+    throw;
+  } catch (const std::domain_error& error) {
+    end_by(error, exit_bad_input);
+    throw;
+  } catch (const FolderInUse& error) {
+    end_by(error, exit_bad_input);
+    throw;
+  } catch (const std::exception& error) {
+    end_by(error, exit_internal);
+    throw;
+  }
+  return checks.end(command.junit);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,25 @@
+#pragma once
+
+// The command that prints a case as the program understands it.
+
+#include "app/run/exit_code.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Options of `asperity describe`.
+struct DescribeCommand {
+  std::string contact_case; ///< case file, folder, shipped case or collection
+  std::vector<std::string> methods;
+  std::vector<std::string> overrides; ///< "key.path=value"
+  bool is_quick = false;              ///< apply quick.set
+  int threads = 0;                    ///< for the prediction of the time
+};
+
+/// Prints the description of a case, or of each part of a collection.
+/// @throws cases::CaseError  the case is invalid
+ExitCode describe_cases(const DescribeCommand& command);
+
+} // namespace asperity::app

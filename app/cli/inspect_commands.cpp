@@ -1,0 +1,57 @@
+#include "app/cli/inspect_commands.hpp"
+
+namespace asperity::app {
+namespace {
+
+void add_describe(CLI::App& program, DescribeCommand& describe,
+                  OutputOptions& output, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "describe", "Print every key of a case in SI units, what\n"
+                  "follows from them, and the predicted cost;\n"
+                  "compute nothing.");
+  command
+      ->add_option("case", describe.contact_case,
+                   "case file, its folder, shipped case or\n"
+                   "collection")
+      ->required();
+  add_methods(command, describe.methods);
+  add_overrides(command, describe.overrides);
+  add_quick(command, describe.is_quick);
+  add_threads(command, describe.threads);
+  add_json(command, output, "everything");
+  add_example(command, "describe polymer --set surface.points=1024");
+  command->callback([&] { action = [&] { return describe_cases(describe); }; });
+}
+
+void add_diff(CLI::App& program, DiffCommand& diff, OutputOptions& output,
+              Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "diff", "Compare two results or cases: keys, input\n"
+              "files, build and numbers; exit 1 if they\n"
+              "differ.");
+  command->add_option("one", diff.one, "result (file or folder) or case")
+      ->required();
+  command->add_option("other", diff.other, "result (file or folder) or case")
+      ->required();
+  command
+      ->add_option("--tolerance", diff.tolerance,
+                   "largest relative difference of numbers that\n"
+                   "counts as equal; 0 compares counts of iterations\n"
+                   "and residuals, too")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  add_quiet(command, output);
+  add_json(command, output, "all differences");
+  add_example(command, "diff out/polymer old/polymer --tolerance 1e-6");
+  command->callback([&] { action = [&] { return diff_two(diff); }; });
+}
+
+} // namespace
+
+void add_inspect_commands(CLI::App& program, InspectCommands& commands,
+                          OutputOptions& output, Action& action) {
+  add_describe(program, commands.describe, output, action);
+  add_diff(program, commands.diff, output, action);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,46 @@
+#pragma once
+
+// The files and the text that follow from a result: tables, summary, report,
+// and the answer that --json prints.
+
+#include "app/run/exit_code.hpp"
+#include "reports/analysis/summary.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Returns whether a path is a result file or a folder with one.
+bool is_result(const std::filesystem::path& path);
+
+/// Summarises a result and prints its warnings.
+reports::Summary summary_of(const results::Result& result);
+
+/// Writes all output files besides result.h5, tables, summary and report, and
+/// prints the warnings.
+reports::Summary write_outputs(const std::filesystem::path& folder);
+
+/// Collects what `run --json` and `check --json` print.
+class JsonAnswer {
+public:
+  /// @param format  name of the format: "asperity-run"
+  explicit JsonAnswer(std::string format) : format_(std::move(format)) {}
+
+  /// @param folder   of the result
+  /// @param summary  as in summary.json; null: nothing was summarised
+  /// @param problem  why there is no summary; may be empty
+  void add(const std::string& name, const std::filesystem::path& folder,
+           ExitCode exit_code, const reports::Summary* summary,
+           const std::string& problem = "");
+
+  /// Prints the answer if the command has the option --json.
+  void print(ExitCode exit_code) const;
+
+private:
+  std::string format_;
+  std::vector<std::string> entries_; ///< as JSON
+};
+
+} // namespace asperity::app
