@@ -2,6 +2,7 @@
 
 #include "app/cli/output.hpp"
 #include "app/run/case_library.hpp"
+#include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
@@ -87,14 +88,26 @@ results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
   for (const Scene& scene : scenes)
     by_index[scene.index] = scene;
   std::map<int, robustness::SceneResult> results;
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  auto last_line = begin;
   std::fflush(stdout); // otherwise a child process would print it again
   robustness::run_scenes(
       scenes, {command.threads, 60.0},
       [&](const robustness::SceneReport& report) {
         results[report.index] = {by_index.at(report.index), report};
-        if (results.size() % 500 == 0)
-          fmt::print("{} of {} problem instances\n", results.size(),
-                     scenes.size());
+        const auto now = Clock::now();
+        if (now - last_line < std::chrono::seconds(10))
+          return;
+        last_line = now;
+        const double elapsed =
+            std::chrono::duration<double>(now - begin).count();
+        const auto n_done = static_cast<double>(results.size());
+        const double n_left =
+            static_cast<double>(scenes.size() - results.size());
+        fmt::print("{} of {} problem instances, {}\n", results.size(),
+                   scenes.size(), remaining_text(elapsed / n_done * n_left));
+        std::fflush(stdout);
       },
       [](const Scene& scene) { return robustness::run_scene(scene); });
   return results;

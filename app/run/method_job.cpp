@@ -208,9 +208,7 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
 
 void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
   const CpuClock clock(scene_.pool.threads_per_job());
-  const std::unique_ptr<StepSolver> solver =
-      scene_.solvers.make(method_, scene_.surfaces.of(method_, realization_),
-                          realization_, resources());
+  const std::unique_ptr<StepSolver> solver = set_up();
   const double setup_time = clock.seconds() + solver->saved_setup_time();
   if (std::holds_alternative<cases::FemSettings>(method_.settings))
     scene_.tally.uses_fem = true;
@@ -225,6 +223,17 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
       return;
     next = step + 1;
   }
+}
+
+std::unique_ptr<StepSolver> MethodJob::set_up() {
+  const Progress::Activity activity(scene_.progress, activity_text("set-up"));
+  return scene_.solvers.make(method_, scene_.surfaces.of(method_, realization_),
+                             realization_, resources());
+}
+
+std::string MethodJob::activity_text(const std::string& part) const {
+  return fmt::format("{}, realization {}, {}", method_.name, realization_,
+                     part);
 }
 
 /// Brings a solver, which would continue with step `next`, to the state before
@@ -247,6 +256,8 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   const cases::Scales& scales =
       scene_.surfaces.of(method_, realization_).scales;
   for (; next < step && !is_interrupted(); ++next) {
+    const Progress::Activity activity(
+        scene_.progress, activity_text(fmt::format("step {} again", next)));
     solver.solve(target_of(scene_.contact_case.load, next, scales));
     ++scene_.tally.repeated_steps;
   }
@@ -260,6 +271,8 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
                              double setup_time) {
   const SurfaceOfCase& surface = scene_.surfaces.of(method_, realization_);
   const CpuClock clock(scene_.pool.threads_per_job());
+  const Progress::Activity activity(
+      scene_.progress, activity_text(fmt::format("step {}", step)));
   StepAnswer answer =
       solver.solve(target_of(scene_.contact_case.load, step, surface.scales));
   distrust_non_finite(answer);

@@ -101,6 +101,8 @@ private:
   void describe_found(const std::string& found);
   void compute_theory(const std::vector<std::size_t>& steps);
   void compute_elastic(const std::vector<std::size_t>& steps);
+  std::unique_ptr<StepSolver> set_up();
+  std::string activity_text(const std::string& part) const;
   bool go_to(StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
   Resources resources() const;

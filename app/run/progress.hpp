@@ -1,24 +1,46 @@
 #pragma once
 
 // Shows the progress of a run: a bar on a terminal, one line per step in a
-// pipe. The class owns the clock of the run.
+// pipe, and the remaining time. While a long step is at work, it is shown that
+// it is, and for how long. The class owns the clock of the run.
 
+#include "app/run/remaining_work.hpp"
 #include "results/types/result.hpp"
 
 #include <chrono>
+#include <condition_variable>
+#include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace asperity::app {
 
 /// Shows the progress. The class is thread-safe.
 class Progress {
 public:
-  /// @param n_steps          total number of steps to do
+  /// @param work             the steps to do
   /// @param contact_modulus  E* [Pa], unit of the displayed pressures
-  Progress(int n_steps, double contact_modulus);
+  /// @param silence          longest time without a line in a pipe
+  Progress(RemainingWork work, double contact_modulus,
+           std::chrono::milliseconds silence = std::chrono::seconds(20));
 
   ~Progress(); ///< removes the bar
+
+  /// Something that takes time, from its construction to its end.
+  class Activity {
+  public:
+    /// @param what  for the reader: "fem, realization 0, step 3"
+    Activity(Progress& progress, const std::string& what);
+    ~Activity();
+
+    Activity(const Activity&) = delete;
+    Activity& operator=(const Activity&) = delete;
+
+  private:
+    Progress& progress_;
+    int id_;
+  };
 
   /// @param rms_height  h_rms [m], unit of the displayed gaps
   void step_done(const std::string& method, int realization,
@@ -38,18 +60,34 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  struct Running {
+    std::string what;
+    Clock::time_point since;
+  };
+
+  /// Shows unfinished work until the destructor ends it.
+  void watch();
+  /// Returns the text of the activity that takes longest; "" if there is none.
+  std::string longest_activity(Clock::time_point now) const;
+  std::string remaining(Clock::time_point now) const;
   /// Draws the bar and the counters without a line break.
   void draw_head() const;
   void draw_bar(const std::string& method, int realization,
                 const results::CurvePoint& point);
 
   std::mutex mutex_;
-  int n_steps_;
-  int n_done_ = 0;
+  std::condition_variable ended_;
+  bool is_ended_ = false;
+  RemainingWork work_;
   double contact_modulus_;
   bool is_terminal_;
+  std::chrono::milliseconds silence_;
   Clock::time_point start_;
+  Clock::time_point last_done_;
   Clock::time_point last_drawn_;
+  std::map<int, Running> running_;
+  int next_id_ = 0;
+  std::thread watcher_; ///< the last member: it uses the others
 };
 
 } // namespace asperity::app

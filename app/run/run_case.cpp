@@ -3,6 +3,7 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/plan/memory_check.hpp"
+#include "app/plan/plan.hpp"
 #include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
@@ -16,6 +17,10 @@
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace asperity::app {
 namespace {
@@ -58,7 +63,7 @@ public:
         cache_(options.cache != nullptr ? *options.cache : no_cache_),
         keys_(case_, program_identity()),
         solvers_(case_, cache_, keys_),
-        progress_(n_steps(), case_.material.contact_modulus),
+        progress_(work_to_do(options), case_.material.contact_modulus),
         scene_{
             case_,   options.folder, cache_,    keys_, surfaces_,
             writer_, solvers_,       progress_, pool_, steps_with_fields(case_),
@@ -67,7 +72,8 @@ public:
   RunOutcome execute();
 
 private:
-  int n_steps() const; ///< that remain to be done
+  RemainingWork work_to_do(const RunOptions& options) const;
+  int n_steps(const MethodSpec& method) const; ///< that remain to be done
   void begin();
   void run_jobs();
   std::vector<results::Skipped> skipped() const;
@@ -86,14 +92,27 @@ private:
   RunScene scene_;
 };
 
-int Run::n_steps() const {
+int Run::n_steps(const MethodSpec& method) const {
   int steps = 0;
-  for (const MethodSpec& method : methods_)
-    for (int r = 0; r < n_realizations(case_, method); ++r)
-      for (std::size_t step = 0; step < case_.load.targets.size(); ++step)
-        steps +=
-            writer_.has_step(method.name, r, static_cast<int>(step)) ? 0 : 1;
+  for (int r = 0; r < n_realizations(case_, method); ++r)
+    for (std::size_t step = 0; step < case_.load.targets.size(); ++step)
+      steps += writer_.has_step(method.name, r, static_cast<int>(step)) ? 0 : 1;
   return steps;
+}
+
+/// Returns the steps to do with their predicted times.
+RemainingWork Run::work_to_do(const RunOptions& options) const {
+  const Plan plan = make_plan(case_, options, rate_probe_points);
+  std::map<std::string, MethodWork> work;
+  for (const PlannedMethod& planned : plan.methods) {
+    const int n_left = std::max(planned.steps - planned.kept_steps, 1);
+    work[planned.name].step_time =
+        (planned.setup_time + planned.step_time) / n_left;
+  }
+  for (const MethodSpec& method : methods_)
+    work[method.name].steps = n_steps(method);
+  const double ratio = plan.wall_time / plan.cpu_time;
+  return {work, std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0};
 }
 
 void Run::begin() {
@@ -121,7 +140,10 @@ void Run::run_jobs() {
           .push_back(
               [this, &method, r] { MethodJob(scene_, method, r).run(); });
   if (const MethodSpec* studied = cases::study_theory(methods_))
-    jobs.push_back([this, studied] { run_studies(scene_, *studied); });
+    jobs.push_back([this, studied] {
+      const Progress::Activity studies(progress_, "tables of the studies");
+      run_studies(scene_, *studied);
+    });
   pool_.run(jobs);
   for (const WorkerPool::Job& job : lone_jobs)
     pool_.run({&job, 1});
@@ -153,9 +175,11 @@ RunOutcome Run::execute() {
   begin();
   run_jobs();
   const bool was_interrupted = is_interrupted();
-  if (!was_interrupted && !surfaces_.whole().empty())
+  if (!was_interrupted && !surfaces_.whole().empty()) {
+    const Progress::Activity stress(progress_, "subsurface stress");
     record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
                          pool_.threads(), writer_, tally_);
+  }
   if (tally_.uses_fem)
     writer_.record_provenance(provenance_of_fem());
   writer_.record_provenance(

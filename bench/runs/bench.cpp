@@ -3,6 +3,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/remaining_work.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 
 #include "bench/analysis/bench_analysis.hpp"
@@ -62,6 +64,22 @@ void print_point(std::size_t i, std::size_t n, const BenchPoint& point) {
   std::fflush(stdout);
 }
 
+/// Prints the remaining time of a bench that takes longer than ten seconds, as
+/// if the settings that remain took as long as the others.
+void print_remaining(const Bench& bench, std::size_t last,
+                     std::chrono::steady_clock::time_point begin) {
+  const std::size_t n_left = bench.points.size() - last - 1;
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count();
+  if (n_left == 0 || elapsed < 10.0)
+    return;
+  fmt::print("{} of {} settings, {}\n", last + 1, bench.points.size(),
+             remaining_text(elapsed / static_cast<double>(last + 1) *
+                            static_cast<double>(n_left)));
+  std::fflush(stdout);
+}
+
 /// True for settings that occur only in series other than those over points.
 bool is_optional(const Sweep& sweep, std::size_t point) {
   return std::none_of(sweep.series.begin(), sweep.series.end(),
@@ -90,6 +108,7 @@ Bench bench_of(const Subject& subject, Sweep sweep) {
 }
 
 void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
+  const auto begin = std::chrono::steady_clock::now();
   std::string left_out;
   bool is_once = false;
   for (std::size_t i = 0; i < bench.points.size(); ++i) {
@@ -107,6 +126,7 @@ void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
     is_once = is_once || (runner.is_spent() && !point.is_reference);
     runner.run(point);
     print_point(i, bench.points.size(), point);
+    print_remaining(bench, i, begin);
   }
   if (is_once)
     bench.remarks.emplace_back(

@@ -1,0 +1,65 @@
+#include "app/run/remaining_work.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::app {
+
+RemainingWork::RemainingWork(const std::map<std::string, MethodWork>& methods,
+                             double wall_per_cpu)
+    : wall_per_cpu_(wall_per_cpu) {
+  bool is_predicted = true;
+  for (const auto& [name, work] : methods) {
+    n_steps_ += work.steps;
+    is_predicted = is_predicted && std::isfinite(work.step_time);
+    weights_[name] = work.step_time;
+    total_ += work.steps * work.step_time;
+  }
+  if (is_predicted && total_ > 0.0)
+    return;
+  for (auto& [name, weight] : weights_) // count steps instead
+    weight = 1.0;
+  total_ = n_steps_;
+}
+
+double RemainingWork::weight(const std::string& method) const {
+  const auto found = weights_.find(method);
+  return found == weights_.end() ? 0.0 : found->second;
+}
+
+void RemainingWork::add_done(const std::string& method, int n_steps) {
+  n_done_ += n_steps;
+  done_ += n_steps * weight(method);
+}
+
+void RemainingWork::add_kept(const std::string& method, int n_steps) {
+  n_done_ += n_steps;
+  total_ -= n_steps * weight(method);
+}
+
+std::optional<double> RemainingWork::seconds_left(double elapsed,
+                                                  double since_last) const {
+  const double left = std::max(total_ - done_, 0.0);
+  if (left == 0.0)
+    return 0.0;
+  const double seconds = done_ > 0.0 ? (elapsed - since_last) / done_ * left
+                                     : wall_per_cpu_ * left;
+  const double now = done_ > 0.0 ? since_last : elapsed;
+  return seconds > now ? std::optional<double>(seconds - now) : std::nullopt;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 99.5)
+    return fmt::format("{:.0f} s", seconds);
+  return seconds < 99.5 * 60.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                               : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string remaining_text(const std::optional<double>& seconds) {
+  return seconds ? "about " + duration_text(*seconds) + " left"
+                 : "longer than predicted";
+}
+
+} // namespace asperity::app

@@ -1,0 +1,60 @@
+#pragma once
+
+// Predicts how long a run still takes: from the predicted cost of its steps,
+// scaled by the time that the finished ones took.
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace asperity::app {
+
+/// The steps of one method that are to be done, and their predicted cost.
+struct MethodWork {
+  int steps = 0;
+  double step_time = 0.0; ///< predicted CPU time per step with its share of the
+                          ///< set-up [s]; NaN: not predicted
+};
+
+/// The work of a run by method.
+class RemainingWork {
+public:
+  /// @param wall_per_cpu  predicted wall time over CPU time [1] > 0
+  RemainingWork(const std::map<std::string, MethodWork>& methods,
+                double wall_per_cpu);
+
+  /// Counts steps that were computed.
+  void add_done(const std::string& method, int n_steps);
+
+  /// Counts steps that need not be computed.
+  void add_kept(const std::string& method, int n_steps);
+
+  int steps() const { return n_steps_; }
+
+  int steps_done() const { return n_done_; }
+
+  /// Returns the predicted remaining wall time [s]; empty where the step at
+  /// work takes longer than predicted.
+  ///
+  /// @param elapsed     wall time since the beginning [s]
+  /// @param since_last  of this, since the last finished step [s]
+  std::optional<double> seconds_left(double elapsed, double since_last) const;
+
+private:
+  double weight(const std::string& method) const;
+
+  std::map<std::string, double> weights_; ///< of one step [s]
+  int n_steps_ = 0;
+  int n_done_ = 0;
+  double total_ = 0.0; ///< predicted CPU time of the steps to compute [s]
+  double done_ = 0.0;  ///< of the computed ones [s]
+  double wall_per_cpu_;
+};
+
+/// Formats a time for the reader: "8 s", "4 min", "2.5 h".
+std::string duration_text(double seconds);
+
+/// Formats what is left: "about 4 min left", or "longer than predicted".
+std::string remaining_text(const std::optional<double>& seconds);
+
+} // namespace asperity::app

@@ -1,0 +1,95 @@
+// Claims about the remaining time of a run, with numbers worked out by hand,
+// and about long steps, which are not silent.
+#include "app/run/progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <thread>
+
+namespace asperity::app {
+namespace {
+
+// Two cheap steps of 1 s and two dear ones of 10 s, on two threads.
+RemainingWork mixed_work() {
+  return {{{"cheap", {2, 1.0}}, {"dear", {2, 10.0}}}, 0.5};
+}
+
+TEST(RemainingWork, IsThePredictionWhileNothingIsDone) {
+  EXPECT_DOUBLE_EQ(mixed_work().seconds_left(0.0, 0.0).value(), 11.0);
+  EXPECT_DOUBLE_EQ(mixed_work().seconds_left(4.0, 4.0).value(), 7.0);
+  EXPECT_FALSE(mixed_work().seconds_left(11.5, 11.5)) << "the prediction fails";
+}
+
+// Claim: a step counts by its predicted cost, at the speed of those before it.
+TEST(RemainingWork, ScalesThePredictionByTheStepsThatAreDone) {
+  RemainingWork work = mixed_work();
+  work.add_done("cheap", 2); // twice as fast as predicted CPU time
+
+  EXPECT_DOUBLE_EQ(work.seconds_left(1.0, 0.0).value(), 10.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(4.0, 3.0).value(), 7.0);
+  EXPECT_FALSE(work.seconds_left(12.0, 11.0));
+  work.add_done("dear", 2);
+  EXPECT_EQ(work.seconds_left(12.0, 0.0), 0.0);
+  EXPECT_EQ(work.steps_done(), 4);
+}
+
+TEST(RemainingWork, LeavesOutWhatTheCacheHas) {
+  RemainingWork work = mixed_work();
+  work.add_kept("dear", 2);
+
+  EXPECT_DOUBLE_EQ(work.seconds_left(0.0, 0.0).value(), 1.0);
+  EXPECT_EQ(work.steps_done(), 2);
+}
+
+TEST(RemainingWork, CountsStepsWithoutAPrediction) {
+  RemainingWork work({{"a", {3, NAN}}, {"b", {1, 1.0}}}, 1.0);
+  work.add_done("b", 1);
+
+  EXPECT_DOUBLE_EQ(work.seconds_left(2.0, 0.0).value(), 6.0);
+}
+
+TEST(RemainingWork, IsToldInReadableUnits) {
+  EXPECT_EQ(remaining_text(8.2), "about 8 s left");
+  EXPECT_EQ(remaining_text(240.0), "about 4 min left");
+  EXPECT_EQ(remaining_text(9000.0), "about 2.5 h left");
+  EXPECT_EQ(remaining_text(std::nullopt), "longer than predicted");
+}
+
+// Claim: a step that runs on without an answer is mentioned in a pipe. The test
+// waits for the line as long as it takes.
+TEST(Progress, MentionsALongStepInAPipe) {
+  testing::internal::CaptureStdout();
+  std::string printed;
+  {
+    Progress progress(mixed_work(), 1.0, std::chrono::milliseconds(1));
+    const Progress::Activity activity(progress, "dear, realization 0, step 1");
+    for (int tries = 0; printed.empty() && tries < 10000; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      printed = testing::internal::GetCapturedStdout();
+      testing::internal::CaptureStdout();
+    }
+  }
+  testing::internal::GetCapturedStdout();
+
+  EXPECT_EQ(printed.find("  dear, realization 0, step 1: at work for "), 0U)
+      << printed;
+  EXPECT_NE(printed.find("; 0 of 4 steps done\n"), std::string::npos)
+      << printed;
+}
+
+TEST(Progress, IsSilentWhileNothingIsAtWork) {
+  testing::internal::CaptureStdout();
+  {
+    Progress progress(mixed_work(), 1.0, std::chrono::milliseconds(1));
+    { const Progress::Activity ended(progress, "ended"); }
+    testing::internal::GetCapturedStdout();
+    testing::internal::CaptureStdout();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+} // namespace
+} // namespace asperity::app
