@@ -1,5 +1,7 @@
 #include "app/cli/inspect_commands.hpp"
 
+#include "app/cli/command_model.hpp"
+
 namespace asperity::app {
 namespace {
 
@@ -46,12 +48,46 @@ void add_diff(CLI::App& program, DiffCommand& diff, OutputOptions& output,
   command->callback([&] { action = [&] { return diff_two(diff); }; });
 }
 
+/// Adds the commands from which packages generate files. They are hidden.
+void add_generators(CLI::App& program, InspectCommands& commands,
+                    Action& action) {
+  CLI::App* completion = program.add_subcommand(
+      "completion", "Print the completion script of a shell.");
+  completion->add_option("shell", commands.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  completion->group("");
+  completion->callback([&] {
+    action = [&] {
+      emit_answer(completion_script(model_of(program), commands.shell));
+      return exit_good;
+    };
+  });
+  CLI::App* manual = program.add_subcommand(
+      "man", "Print the manual page of the program or of a command.");
+  manual->add_option("command", commands.page, "command (default: none)");
+  manual->add_option("--out", commands.pages_folder,
+                     "write all pages into this folder");
+  manual->group("");
+  manual->callback([&] {
+    action = [&] {
+      const ProgramModel model = model_of(program);
+      if (commands.pages_folder.empty())
+        emit_answer(manual_page(model, commands.page));
+      else
+        write_manual(model, commands.pages_folder);
+      return exit_good;
+    };
+  });
+}
+
 } // namespace
 
 void add_inspect_commands(CLI::App& program, InspectCommands& commands,
                           OutputOptions& output, Action& action) {
   add_describe(program, commands.describe, output, action);
   add_diff(program, commands.diff, output, action);
+  add_generators(program, commands, action);
 }
 
 } // namespace asperity::app

@@ -1,11 +1,14 @@
 #pragma once
 
 // The options of the commands that look at cases and results without running
-// anything: describe and diff.
+// anything: describe, diff, and the hidden ones that generate shell completions
+// and manual pages.
 
 #include "app/cli/command_parts.hpp"
 #include "app/cli/describe_command.hpp"
 #include "app/cli/diff_command.hpp"
+
+#include <string>
 
 namespace asperity::app {
 
@@ -13,6 +16,9 @@ namespace asperity::app {
 struct InspectCommands {
   DescribeCommand describe;
   DiffCommand diff;
+  std::string shell;        ///< of `completion`
+  std::string page;         ///< of `man`; empty: the program
+  std::string pages_folder; ///< for all pages; empty: print one
 };
 
 /// @param commands, output, action  must outlive the parsing of the command

@@ -2,10 +2,12 @@
 // exit codes.
 #include "app/cli/answer_commands.hpp"
 #include "app/cli/check_command.hpp"
+#include "app/cli/command_model.hpp"
 #include "app/cli/command_parts.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/inspect_commands.hpp"
 #include "app/cli/robustness_command.hpp"
+#include "app/run/installed_files.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
 #include "base/freed_memory.hpp"
@@ -208,7 +210,8 @@ int run(int argc, char** argv) {
   program.footer(
       "exit codes:\n  0 success, 1 an expectation is not met, 2 invalid "
       "input, 3 a solution did not\n  converge, 4 system or "
-      "library error, 130 interrupted");
+      "library error, 130 interrupted\n\ndocumentation: " +
+      documentation_folder().string());
   Action action;
   OutputOptions output;
   RunCommand run;
@@ -231,6 +234,7 @@ int run(int argc, char** argv) {
   add_new(program, made, output, action);
   add_small_commands(program, output, action);
   add_inspect_commands(program, inspect, output, action);
+  name_values(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

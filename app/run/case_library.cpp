@@ -1,5 +1,6 @@
 #include "app/run/case_library.hpp"
 
+#include "app/run/installed_files.hpp"
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/reader/sweep.hpp"
@@ -20,10 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path library_folder() {
-  return fs::path(ASPERITY_SOURCE_FOLDER) / "cases";
-}
-
 // Returns the names of the sub-folders with a case.toml.
 std::set<std::string> cases_in(const fs::path& folder) {
   std::set<std::string> names;
@@ -40,18 +37,19 @@ bool is_collection(const fs::path& folder) {
 
 std::set<std::string> shipped_collections() {
   std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(library_folder()))
+  for (const auto& entry : fs::directory_iterator(shipped_cases_folder()))
     if (is_collection(entry.path()))
       names.insert(entry.path().filename().string());
   return names;
 }
 
 std::vector<std::string> shipped_words() {
-  const std::set<std::string> single = cases_in(library_folder());
+  const std::set<std::string> single = cases_in(shipped_cases_folder());
   std::vector<std::string> words(single.begin(), single.end());
   for (const std::string& collection : shipped_collections()) {
     words.push_back(collection);
-    for (const std::string& part : cases_in(library_folder() / collection))
+    for (const std::string& part :
+         cases_in(shipped_cases_folder() / collection))
       words.push_back(collection + "/" + part);
   }
   return words;
@@ -99,7 +97,7 @@ FoundCases find_cases(const std::string& word) {
   if (is_collection(path))
     return collection_in(path, fs::canonical(path).filename().string());
   const std::vector<std::string> words = shipped_words();
-  const fs::path shipped = library_folder() / word;
+  const fs::path shipped = shipped_cases_folder() / word;
   if (std::find(words.begin(), words.end(), word) != words.end())
     return is_collection(shipped) ? collection_in(shipped, word)
                                   : single(shipped / "case.toml", word);
@@ -138,7 +136,7 @@ std::vector<std::string> quick_overrides(const fs::path& file) {
 std::vector<ShippedCase> shipped_cases() {
   std::vector<ShippedCase> found;
   for (const std::string& word : shipped_words()) {
-    const fs::path folder = library_folder() / word;
+    const fs::path folder = shipped_cases_folder() / word;
     if (is_collection(folder))
       found.push_back({word, "collection of all the parts below"});
     else if (const std::string file = (folder / "case.toml").string();

@@ -6,6 +6,14 @@
 #include <cmath>
 
 namespace asperity::app {
+namespace {
+
+/// Share of the work from which on the finished steps tell more than the
+/// prediction. Cheap steps at the beginning would scale the cost of dear ones
+/// by their overhead.
+constexpr double least_share = 0.02;
+
+} // namespace
 
 RemainingWork::RemainingWork(const std::map<std::string, MethodWork>& methods,
                              double wall_per_cpu)
@@ -44,7 +52,8 @@ std::optional<double> RemainingWork::seconds_left(double elapsed,
   const double left = std::max(total_ - done_, 0.0);
   if (left == 0.0)
     return 0.0;
-  const double seconds = done_ > 0.0 ? (elapsed - since_last) / done_ * left
+  const bool is_measured = done_ > 0.0 && done_ >= least_share * total_;
+  const double seconds = is_measured ? (elapsed - since_last) / done_ * left
                                      : wall_per_cpu_ * left;
   const double now = done_ > 0.0 ? since_last : elapsed;
   return seconds > now ? std::optional<double>(seconds - now) : std::nullopt;

@@ -1,7 +1,8 @@
 #pragma once
 
 // Predicts how long a run still takes: from the predicted cost of its steps,
-// scaled by the time that the finished ones took.
+// scaled by the time that the finished ones took, once these are two per
+// cent of the work.
 
 #include <map>
 #include <optional>

@@ -35,6 +35,15 @@ TEST(RemainingWork, ScalesThePredictionByTheStepsThatAreDone) {
   EXPECT_EQ(work.steps_done(), 4);
 }
 
+// Claim: what little was done, mostly overhead, does not scale the rest.
+TEST(RemainingWork, KeepsThePredictionAfterCheapStepsOnly) {
+  RemainingWork work({{"theory", {1, 0.01}}, {"block", {1, 100.0}}}, 1.0);
+  work.add_done("theory", 1);
+
+  EXPECT_DOUBLE_EQ(work.seconds_left(0.5, 0.0).value(), 100.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(40.5, 40.0).value(), 60.0);
+}
+
 TEST(RemainingWork, LeavesOutWhatTheCacheHas) {
   RemainingWork work = mixed_work();
   work.add_kept("dear", 2);
