@@ -2,8 +2,8 @@
 """The commands of a page of docs/, run as they are written.
 
 page_test.py PROGRAM SOURCE PAGE FOLDER: runs each line of the fenced blocks of
-docs/PAGE.md that begin with ./asperity or python3, in FOLDER, which is emptied
-first and gets copies of docs/tutorials and adapters. A line ends with `# exit code N` where N is not 0.
+docs/PAGE.md that begin with ./asperity or python3, and each block marked `python`,
+in FOLDER, which is emptied first and gets copies of docs/tutorials and adapters. A line ends with `# exit code N` where N is not 0.
 A block marked `text` shows lines of what the commands before it print; numbers
 may differ by 2 %, and a line that ends with ... may go on. The count before a
 load step, as in 4/12, is not compared, because jobs run beside each other.
@@ -55,6 +55,16 @@ def run(program, line, folder):
     return ended.stdout
 
 
+def run_python(code, folder):
+    """What a block of Python prints, with the module asperity.py at hand."""
+    (folder / "block.py").write_text(code)
+    ended = subprocess.run(["/usr/bin/python3", "block.py"], cwd=folder, text=True, check=False,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if ended.returncode != 0:
+        sys.exit(f"{code}\nexit code {ended.returncode}\n{ended.stdout}")
+    return ended.stdout
+
+
 def run_blocks(program, page, folder):
     """Runs the commands of a page and returns how many there are."""
     commands, printed = 0, []
@@ -64,6 +74,9 @@ def run_blocks(program, page, folder):
             for line in block.splitlines():
                 printed += run(program, line, folder).splitlines()
                 commands += 1
+        elif kind == "python":
+            printed = run_python(block, folder).splitlines()
+            commands += 1
         elif kind == "text":
             for shown in block.splitlines():
                 if not any(is_same(shown, line) for line in printed):
@@ -94,6 +107,9 @@ def main(program, source, name, scratch):
     shutil.copytree(Path(source) / "adapters", folder / "adapters")
     os.environ["ASPERITY_CACHE"] = str(folder / "cache")
     os.environ.pop("ASPERITY_CACHE_SIZE", None)
+    os.environ["ASPERITY_PROGRAM"] = program
+    os.environ["PYTHONPATH"] = str(Path(source) / "python")
+    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
     page = (Path(source) / "docs" / f"{name}.md").read_text()
     if run_blocks(program, page, folder) == 0:
         sys.exit("the page has no command")
