@@ -41,7 +41,7 @@ ORDER = {
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "figures", "pages", "sweeps"],
-    "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "cli"],
+    "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "manual", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }
 

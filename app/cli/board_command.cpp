@@ -1,7 +1,7 @@
 #include "app/cli/board_command.hpp"
 
 #include "app/board/board_site.hpp"
-#include "app/cli/output.hpp"
+#include "app/run/output.hpp"
 #include "base/folder_lock.hpp"
 
 #include <fmt/format.h>

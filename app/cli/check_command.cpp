@@ -65,8 +65,8 @@ public:
       if (is_result(target) || is_sweep_folder(target))
         continue;
       has_case = true;
-      to_run_.emplace(
-          target, read_asked_or_sweep(target, command_.overrides, command_.is_quick));
+      to_run_.emplace(target, read_asked_or_sweep(target, command_.overrides,
+                                                  command_.is_quick));
     }
     if (!has_case)
       require_a_case(command_);
@@ -103,15 +103,17 @@ private:
     command.methods = command_.methods;
     command.threads = command_.threads;
     command.uses_cache = command_.uses_cache;
-    check_asked_sweep(asked, command,
-                      folder_of(asked.sweep.name, command_.out,
-                                command_.targets.size()),
-                      checks_);
+    check_asked_sweep(
+        asked, command,
+        folder_of(asked.sweep.name, command_.out, command_.targets.size()),
+        checks_);
   }
 
   void check_cases(const Asked& asked) {
-    if (asked.sweep)
+    if (asked.sweep) {
       check_sweep(*asked.sweep);
+      is_cut_short_ = is_interrupted();
+    }
     const bool is_collection = !asked.found.collection.empty();
     for (const ReadCase& read : asked.cases) {
       target_ = read.found.name;

@@ -1,6 +1,6 @@
 #include "app/cli/checks.hpp"
 
-#include "app/cli/output.hpp"
+#include "app/run/output.hpp"
 #include "base/atomic_file.hpp"
 #include "reports/analysis/verdict.hpp"
 

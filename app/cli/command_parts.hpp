@@ -2,8 +2,8 @@
 
 // Parts of the command line that several commands share.
 
-#include "app/cli/output.hpp"
 #include "app/run/exit_code.hpp"
+#include "app/run/output.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,6 @@
 #include "app/cli/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/collection.hpp"
-#include "app/cli/output.hpp"
 #include "app/cli/result_outputs.hpp"
 #include "app/cli/sweep_commands.hpp"
 #include "app/methods/chosen.hpp"
@@ -13,6 +12,7 @@
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
+#include "app/run/output.hpp"
 #include "app/run/run_case.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
@@ -130,8 +130,8 @@ void add_answer(JsonAnswer& answer, const std::string& name,
 ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
                    JsonAnswer& answer) {
   if (asked.sweep) {
-    const fs::path folder = folder_of(asked.sweep->sweep.name, command.out,
-                                      command.cases.size());
+    const fs::path folder =
+        folder_of(asked.sweep->sweep.name, command.out, command.cases.size());
     const ExitCode ended = run_asked_sweep(*asked.sweep, command, folder);
     add_answer(answer, asked.sweep->sweep.name, folder, ended);
     return ended;

@@ -2,16 +2,16 @@
 
 #include "app/cache/cache.hpp"
 #include "app/cli/asked_cases.hpp"
-#include "app/cli/output.hpp"
 #include "app/plan/description.hpp"
+#include "app/run/output.hpp"
 
 #include <fmt/format.h>
 
 namespace asperity::app {
 
 ExitCode describe_cases(const DescribeCommand& command) {
-  const Asked asked =
-      read_asked(command.contact_case, command.overrides, command.is_quick);
+  const Asked asked = read_asked(command.contact_case, command.overrides,
+                                 command.is_quick, command.contact_modulus);
   Cache cache(cache_folder(), cache_size());
   std::string json;
   std::string text;

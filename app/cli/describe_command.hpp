@@ -11,7 +11,9 @@ namespace asperity::app {
 
 /// Options of `asperity describe`.
 struct DescribeCommand {
-  std::string contact_case; ///< case file, folder, shipped case or collection
+  std::string contact_case; ///< case file, folder, shipped case, collection or
+                            ///< map file
+  std::string contact_modulus; ///< E* for a map file; "" for a case
   std::vector<std::string> methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   bool is_quick = false;              ///< apply quick.set

@@ -2,9 +2,9 @@
 
 #include "app/cache/case_keys.hpp"
 #include "app/cli/asked_cases.hpp"
-#include "app/cli/output.hpp"
 #include "app/cli/result_outputs.hpp"
 #include "app/run/difference.hpp"
+#include "app/run/output.hpp"
 #include "cases/text/case_error.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"

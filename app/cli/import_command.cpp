@@ -1,7 +1,7 @@
 #include "app/cli/import_command.hpp"
 
 #include "app/answers/imported_answer.hpp"
-#include "app/cli/output.hpp"
+#include "app/run/output.hpp"
 #include "base/atomic_file.hpp"
 #include "base/folder_lock.hpp"
 #include "base/special_numbers.hpp"

@@ -1,6 +1,6 @@
 #include "app/cli/inspect_commands.hpp"
 
-#include "app/cli/command_model.hpp"
+#include "app/manual/command_model.hpp"
 
 namespace asperity::app {
 namespace {
@@ -13,10 +13,12 @@ void add_describe(CLI::App& program, DescribeCommand& describe,
                   "compute nothing.");
   command
       ->add_option("case", describe.contact_case,
-                   "case file, its folder, shipped case or\n"
-                   "collection")
+                   "case file, its folder, shipped case, collection\n"
+                   "or measured map")
       ->required();
   add_methods(command, describe.methods);
+  command->add_option("--contact-modulus", describe.contact_modulus,
+                      "E* of the block under a map file, e.g. \"2 GPa\"");
   add_overrides(command, describe.overrides);
   add_quick(command, describe.is_quick);
   add_threads(command, describe.threads);

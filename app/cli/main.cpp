@@ -2,11 +2,11 @@
 // exit codes.
 #include "app/cli/answer_commands.hpp"
 #include "app/cli/check_command.hpp"
-#include "app/cli/command_model.hpp"
 #include "app/cli/command_parts.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/inspect_commands.hpp"
 #include "app/cli/robustness_command.hpp"
+#include "app/manual/command_model.hpp"
 #include "app/run/installed_files.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"

@@ -1,6 +1,6 @@
 #include "app/cli/result_outputs.hpp"
 
-#include "app/cli/output.hpp"
+#include "app/run/output.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/pages/report.hpp"

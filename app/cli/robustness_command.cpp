@@ -1,7 +1,7 @@
 #include "app/cli/robustness_command.hpp"
 
-#include "app/cli/output.hpp"
 #include "app/run/case_library.hpp"
+#include "app/run/output.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/read_case.hpp"

@@ -1,8 +1,8 @@
 // The commands that do not run a case.
 #include "app/cache/cache.hpp"
 #include "app/cli/commands.hpp"
-#include "app/cli/output.hpp"
 #include "app/run/case_library.hpp"
+#include "app/run/output.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/case_text.hpp"

@@ -131,8 +131,8 @@ ExitCode report_sweep(const fs::path& folder, const std::string& out) {
 
 void check_sweep_folder(const fs::path& folder, Checks& checks) {
   const reports::SweepRecord record = reports::read_sweep_record(folder);
-  add_checks(record, reports::read_swept_results(record, folder, false),
-             folder, checks);
+  add_checks(record, reports::read_swept_results(record, folder, false), folder,
+             checks);
 }
 
 void add_sweep_answer(JsonAnswer& answer, const fs::path& folder,

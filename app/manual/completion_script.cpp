@@ -1,5 +1,5 @@
 // Generates the completion scripts of the shells.
-#include "app/cli/command_model.hpp"
+#include "app/manual/command_model.hpp"
 #include "app/run/case_library.hpp"
 #include "cases/reader/vocabulary.hpp"
 

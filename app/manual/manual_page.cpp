@@ -1,5 +1,5 @@
 // Generates the manual pages, in the format of man(7).
-#include "app/cli/command_model.hpp"
+#include "app/manual/command_model.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/nearest.hpp"

@@ -1,4 +1,4 @@
-#include "app/cli/command_model.hpp"
+#include "app/manual/command_model.hpp"
 
 #include <algorithm>
 #include <map>
@@ -63,11 +63,12 @@ ProgramModel model_of(const CLI::App& program) {
 
 void name_values(CLI::App& program) {
   const std::map<std::string, std::string> values{
-      {"--out", "DIR"},        {"--problem", "DIR"},    {"--junit", "FILE"},
-      {"--set", "KEY=VALUE"},  {"--methods", "NAMES"},  {"--method", "NAME"},
-      {"--target-error", "E"}, {"--threads", "N"},      {"--scenes", "N"},
-      {"--scene", "N"},        {"--seed", "N"},         {"--repeats", "N"},
-      {"--realizations", "N"}, {"--budget", "SECONDS"}, {"--tolerance", "X"}};
+      {"--out", "DIR"},        {"--problem", "DIR"},      {"--junit", "FILE"},
+      {"--set", "KEY=VALUE"},  {"--methods", "NAMES"},    {"--method", "NAME"},
+      {"--target-error", "E"}, {"--threads", "N"},        {"--scenes", "N"},
+      {"--scene", "N"},        {"--seed", "N"},           {"--repeats", "N"},
+      {"--realizations", "N"}, {"--budget", "SECONDS"},   {"--tolerance", "X"},
+      {"--map", "FILE"},       {"--contact-modulus", "E"}};
   for (CLI::App* command :
        program.get_subcommands([](CLI::App*) { return true; }))
     for (const auto& [name, value] : values)

@@ -1,4 +1,4 @@
-#include "app/cli/output.hpp"
+#include "app/run/output.hpp"
 
 #include "base/read_file.hpp"
 
@@ -20,7 +20,7 @@ bool is_quiet_wanted = false;
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-void require(bool is_good, const char* what) {
+void require_output(bool is_good, const char* what) {
   if (!is_good)
     throw_errno(what);
 }
@@ -35,12 +35,12 @@ OutputScope::OutputScope(const OutputOptions& options) {
   std::fflush(stdout);
   const int target = options.is_quiet ? open("/dev/null", O_WRONLY | O_CLOEXEC)
                                       : dup(STDERR_FILENO);
-  require(target >= 0, "cannot redirect standard output");
+  require_output(target >= 0, "cannot redirect standard output");
   saved_output = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
   const bool is_redirected =
       saved_output >= 0 && dup2(target, STDOUT_FILENO) >= 0;
   close(target);
-  require(is_redirected, "cannot redirect standard output");
+  require_output(is_redirected, "cannot redirect standard output");
 }
 
 OutputScope::~OutputScope() {
@@ -70,7 +70,7 @@ void emit_answer(const std::string& text) {
         write(output, text.data() + begin, text.size() - begin);
     if (written < 0 && errno == EINTR)
       continue;
-    require(written >= 0, "cannot write standard output");
+    require_output(written >= 0, "cannot write standard output");
     begin += static_cast<std::size_t>(written);
   }
 }
