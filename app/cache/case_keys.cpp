@@ -1,7 +1,7 @@
 #include "app/cache/case_keys.hpp"
 
+#include "app/cache/resolved_keys.hpp"
 #include "base/content_hash.hpp"
-#include "cases/reader/resolved_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/input_file.hpp"
 #include "cases/text/toml_text.hpp"
@@ -78,7 +78,7 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
                    std::map<std::string, std::string> inputs)
     : case_(contact_case),
       program_(std::move(program)),
-      file_(cases::parsed_case(contact_case)),
+      file_(parsed_case(contact_case)),
       inputs_(std::move(inputs)),
       scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
                          hash_in(inputs_, surface_file),

@@ -1,6 +1,6 @@
 #include "app/run/difference.hpp"
 
-#include "cases/reader/resolved_keys.hpp"
+#include "app/cache/resolved_keys.hpp"
 #include "cases/text/toml_text.hpp"
 #include "results/types/curve_columns.hpp"
 
@@ -60,8 +60,8 @@ using Texts = std::map<std::string, std::string>;
 Texts keys_of(const ComparedSide& side) {
   Texts keys;
   if (side.contact_case)
-    for (const cases::ResolvedKey& key : cases::resolved_keys(
-             *side.contact_case, stated_scales(*side.contact_case)))
+    for (const ResolvedKey& key :
+         resolved_keys(*side.contact_case, stated_scales(*side.contact_case)))
       keys[key.path] = cases::toml_value(key.value) +
                        (key.unit.empty() ? "" : " " + key.unit);
   return keys;

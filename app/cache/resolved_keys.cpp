@@ -1,4 +1,4 @@
-#include "cases/reader/resolved_keys.hpp"
+#include "app/cache/resolved_keys.hpp"
 
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
@@ -8,8 +8,29 @@
 #include <cmath>
 #include <sstream>
 
-namespace asperity::cases {
+namespace asperity::app {
 namespace {
+
+using cases::Case;
+using cases::Dimension;
+using cases::Key;
+using cases::Node;
+using cases::NodeEntry;
+using cases::NodeType;
+using cases::parse_toml_value;
+using cases::Quantity;
+using cases::QuantityReading;
+using cases::read_quantity;
+using cases::ReferenceUnit;
+using cases::Scales;
+using cases::si_unit;
+using cases::Table;
+using cases::toml_key;
+using cases::toml_value;
+using cases::ValueType;
+using cases::vocabulary;
+using cases::vocabulary_table;
+using cases::yardstick_symbol;
 
 Node number_node(double number) {
   Node node;
@@ -194,16 +215,17 @@ private:
 
 } // namespace
 
-Node parsed_case(const Case& read) {
-  Node file = parse_toml(read.text, read.path);
-  Mistakes none;
-  for (const std::string& entry : overrides_in(read.text))
-    apply_override(file, entry, none);
+cases::Node parsed_case(const cases::Case& read) {
+  cases::Node file = cases::parse_toml(read.text, read.path);
+  cases::Mistakes none;
+  for (const std::string& entry : cases::overrides_in(read.text))
+    cases::apply_override(file, entry, none);
   return file;
 }
 
-std::vector<ResolvedKey> resolved_keys(const Case& read, const Scales& scales) {
+std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
+                                       const cases::Scales& scales) {
   return KeyLister(read, scales).list();
 }
 
-} // namespace asperity::cases
+} // namespace asperity::app

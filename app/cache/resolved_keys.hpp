@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-namespace asperity::cases {
+namespace asperity::app {
 
 /// One key of a case.
 struct ResolvedKey {
   std::string path;    ///< "surface.length", "fem.hard.contact"
-  Node value;          ///< number, word, list or table in SI units; a quantity
+  cases::Node value;   ///< number, word, list or table in SI units; a quantity
                        ///< whose reference unit is unknown stays as written
   std::string unit;    ///< SI unit of the value; "" for words, counts, tables
   std::string written; ///< as TOML, as the case gives it; "" for a default
 };
 
 /// Returns the syntax tree of the text of a case with its overrides applied.
-Node parsed_case(const Case& read);
+cases::Node parsed_case(const cases::Case& read);
 
 /// Returns the keys of a case in the order of the reference of the case file.
 /// Tables that the case does not have are left out, except those whose keys all
@@ -29,6 +29,7 @@ Node parsed_case(const Case& read);
 ///
 /// @param scales  values of the reference units; one that is 0 or NaN is
 ///                unknown
-std::vector<ResolvedKey> resolved_keys(const Case& read, const Scales& scales);
+std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
+                                       const cases::Scales& scales);
 
-} // namespace asperity::cases
+} // namespace asperity::app
