@@ -37,10 +37,10 @@ ORDER = {
     "theory": ["persson", "exact"],
     "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers", "certificate"],
-    "surfaces": ["maps", "formats", "."],
+    "surfaces": ["maps", "formats", "analysis", "."],
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
-    "reports": [".", "numbers", "analysis", "figures", "pages", "sweeps"],
+    "reports": [".", "numbers", "analysis", "figures", "pages", "sweeps", "surface"],
     "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "manual", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }

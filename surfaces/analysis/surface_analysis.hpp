@@ -1,0 +1,66 @@
+#pragma once
+
+// This file combines the analyses of one map or one line scan into a record
+// that a page, a table or a script can show.
+
+#include "surfaces/analysis/autocorrelation.hpp"
+#include "surfaces/analysis/bearing_curve.hpp"
+#include "surfaces/analysis/height_parameters.hpp"
+#include "surfaces/analysis/line_scan.hpp"
+#include "surfaces/analysis/local_differences.hpp"
+#include "surfaces/analysis/reliable_range.hpp"
+#include "surfaces/analysis/self_affine_fit.hpp"
+#include "surfaces/analysis/spectrum_estimate.hpp"
+#include "surfaces/analysis/stitched_spectrum.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::surfaces {
+
+/// Everything that is computed of one map.
+struct MapAnalysis {
+  std::string name;   ///< of the file or case, for tables
+  std::string origin; ///< how it was read and levelled, a sentence
+  HeightMap map;
+  bool is_periodic = false;
+  HeightParameters heights;
+  BearingCurve bearing;
+  Autocorrelation correlation;
+  std::vector<LocalDifferences> scales; ///< the first over one spacing
+  double nayak = 0.0;                   ///< by finite differences [1]
+  SpectrumEstimate spectrum;
+  ReliableRange range;
+  std::optional<SelfAffineFit> fit; ///< empty: too few rings
+};
+
+/// Analyses a map.
+/// @param map         levelled, at least 4 points per side
+/// @param tip_radius  of the instrument [m] > 0; empty: not known
+/// @throws std::domain_error  the map is flat or too small
+MapAnalysis analyse_map(HeightMap map, bool is_periodic,
+                        std::optional<double> tip_radius);
+
+/// Everything that is computed of one line scan.
+struct LineAnalysis {
+  std::string name;
+  std::string origin;
+  LineScan line;
+  ProfileParameters profile;
+  std::vector<SpectrumRing> line_rows; ///< C_1 [m^3], eight per decade
+  std::vector<SpectrumRing> rows;      ///< C [m^4] of the isotropic surface
+  double low = 0.0;  ///< reliable range [rad/m]: twice the lowest wavevector
+  double high = 0.0; ///< to half of that of the sampling, because the
+                     ///< conversion continues C_1 beyond its end
+};
+
+/// Analyses a levelled line.
+/// @throws std::domain_error  the line is flat
+LineAnalysis analyse_line(LineScan line);
+
+/// The reliable part of the spectrum of a map or a line.
+SpectrumPart part_of(const MapAnalysis& analysis);
+SpectrumPart part_of(const LineAnalysis& analysis);
+
+} // namespace asperity::surfaces

@@ -1,0 +1,222 @@
+// Claims about surfaces/analysis/line_scan.hpp and stitched_spectrum.hpp.
+#include "cases/text/case_error.hpp"
+#include "surfaces/analysis/line_scan.hpp"
+#include "surfaces/analysis/stitched_spectrum.hpp"
+#include "surfaces/formats/tabulated_spectrum.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/realization.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace asperity::surfaces {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<SpectrumRing> rows_of(const std::function<double(double)>& density,
+                                  double low, double high, int per_decade) {
+  std::vector<SpectrumRing> rows;
+  for (int i = 0;; ++i) {
+    const double q = low * std::pow(10.0, static_cast<double>(i) / per_decade);
+    if (q > high * 1.0001)
+      return rows;
+    rows.push_back({q, density(q), 10.0, 0.0});
+  }
+}
+
+std::string written(const std::string& name, const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / name;
+  std::ofstream(path) << text;
+  return path.string();
+}
+
+// C = k^-p has the lines C_1 = q^(1-p) sqrt(pi) Gamma((p-1)/2)/Gamma(p/2). A
+// power law is interpolated exactly; the rest is quadrature.
+TEST(IsotropicFromLine, InvertsAPowerLawExactly) {
+  const double p = 3.6;
+  const double factor =
+      std::sqrt(pi) * std::tgamma(0.5 * (p - 1.0)) / std::tgamma(0.5 * p);
+  const auto rows = rows_of(
+      [&](double q) { return factor * std::pow(q, 1.0 - p); }, 1.0, 1e3, 8);
+
+  const auto found = isotropic_from_line(rows);
+
+  ASSERT_EQ(found.size(), rows.size() - 1);
+  for (const SpectrumRing& row : found)
+    EXPECT_NEAR(row.density * std::pow(row.wavevector, p), 1.0, 1e-5);
+}
+
+// C = exp(-k^2) has the lines C_1 = sqrt(pi) exp(-q^2). The interpolation
+// between 100 rows per decade is of second order: 4e-4 measured, with a factor
+// of two to spare.
+TEST(IsotropicFromLine, InvertsAGaussian) {
+  const auto rows = rows_of(
+      [](double q) { return std::sqrt(pi) * std::exp(-q * q); }, 0.1, 4.0, 100);
+
+  const auto found = isotropic_from_line(rows);
+
+  int compared = 0;
+  for (const SpectrumRing& row : found)
+    if (row.wavevector < 2.0) {
+      EXPECT_NEAR(row.density / std::exp(-row.wavevector * row.wavevector), 1.0,
+                  1e-2);
+      ++compared;
+    }
+  EXPECT_GT(compared, 100);
+  EXPECT_THROW(isotropic_from_line({rows[0], rows[1]}), std::domain_error);
+}
+
+// All lines of a periodic isotropic surface together give its C(q). Tolerance:
+// steps of eight per decade, and the scatter of 128 rows.
+TEST(LineScan, OfASurfaceGivesItsSpectrum) {
+  const double unit = 2.0 * pi;
+  const auto truth = SelfAffineSpectrum::with_rms_height(
+      {0.8, unit, 4 * unit, 63 * unit}, 1e-3);
+  std::vector<SpectrumRing> all;
+  for (int r = 0; r < 4; ++r) {
+    const HeightMap map = realize(truth.isotropic(), {128, 128, 1.0, 1.0},
+                                  {3, r}, cases::Amplitudes::gaussian);
+    for (std::size_t row = 0; row < 128; ++row) {
+      const auto first = map.heights.begin() + static_cast<long>(128 * row);
+      const auto rows = line_spectrum({1.0 / 128, {first, first + 128}});
+      all.insert(all.end(), rows.begin() + 1, rows.end());
+    }
+  }
+
+  const auto found = isotropic_from_line(joined_rings(all, 8.0));
+
+  for (const SpectrumRing& row : rings_between(found, 7 * unit, 32 * unit)) {
+    EXPECT_NEAR(row.density / truth(row.wavevector), 1.0, 0.25)
+        << row.wavevector / unit;
+  }
+}
+
+// Parseval's theorem with the window: the sum is the weighted variance.
+TEST(LineScan, HasASpectrumThatSumsToTheVariance) {
+  LineScan line{0.01, {}};
+  for (int i = 0; i < 101; ++i)
+    line.heights.push_back(std::sin(2.0 * pi * i / 10.0));
+
+  double sum = 0.0;
+  for (const SpectrumRing& row : line_spectrum(line))
+    sum += row.mean_square_height;
+
+  // Ten waves under the window: 1/2 up to the overlap of their sidelobes.
+  EXPECT_NEAR(sum, 0.5, 1e-3);
+}
+
+TEST(LineScan, HasTheParametersOfAParabola) {
+  LineScan line{0.5, {}};
+  for (int i = 0; i < 21; ++i)
+    line.heights.push_back(0.125 * (i - 10) * (i - 10)); // x^2/2
+
+  const ProfileParameters found = profile_parameters(line);
+  level_line(line, 2);
+
+  EXPECT_NEAR(found.rms_second, 1.0, 1e-12);
+  EXPECT_NEAR(found.pt, 12.5, 1e-12);
+  EXPECT_NEAR(profile_parameters(line).pq, 0.0, 1e-12);
+}
+
+TEST(LineScan, IsReadFromColumnsAndRows) {
+  std::string two_columns = "# x z\n";
+  std::string one_row;
+  for (int i = 0; i < 20; ++i) {
+    two_columns +=
+        std::to_string(10 + 2 * i) + " " + std::to_string(i % 3) + "\n";
+    one_row += std::to_string(i % 3) + (i < 19 ? "," : "\n");
+  }
+  const std::string columns = written("asperity-line-2.txt", two_columns);
+  const std::string row = written("asperity-line-1.txt", one_row);
+
+  EXPECT_TRUE(is_line_scan(columns));
+  EXPECT_TRUE(is_line_scan(row));
+  const LineScan found = read_line_scan(columns, {40e-6, 1e-9});
+  EXPECT_EQ(found.heights.size(), 20U);
+  EXPECT_NEAR(found.spacing, 2e-6, 1e-20);
+  EXPECT_EQ(found.heights[2], 2e-9);
+  EXPECT_EQ(read_line_scan(row, {40e-6, 1e-9}).heights, found.heights);
+}
+
+TEST(LineScan, IsNotEveryTable) {
+  const std::string map = written("asperity-map.txt", "1 2 3\n4 5 6\n");
+  const std::string pairs = written("asperity-pairs.txt", "1 2\n0 5\n3 3\n");
+  const std::string binary = written("asperity-binary", std::string(99, '\0'));
+
+  EXPECT_FALSE(is_line_scan(map));
+  EXPECT_FALSE(is_line_scan(pairs));
+  EXPECT_FALSE(is_line_scan(binary));
+  EXPECT_THROW(read_line_scan(map, {1.0, 1.0}), cases::CaseError);
+  EXPECT_THROW(
+      read_line_scan(written("asperity-short.txt", "1\n2\n3\n"), {1.0, 1.0}),
+      cases::CaseError);
+}
+
+// Two parts of one power law that overlap: the mean is that law, and a part
+// that is three times too high is noticed.
+TEST(StitchedSpectrum, JoinsThePartsAndComparesThem) {
+  const auto law = [](double q) { return std::pow(q, -3.0); };
+  auto long_waves = rows_of(law, 1.0, 1e3, 90);
+  auto short_waves = rows_of(law, 1e2, 1e5, 90);
+  for (auto* rows : {&long_waves, &short_waves})
+    for (SpectrumRing& row : *rows)
+      row.degrees_of_freedom = 1e6;
+
+  const StitchedSpectrum found =
+      stitch({{long_waves, 2.0, 5e2}, {short_waves, 2e2, 5e4}});
+  for (SpectrumRing& row : short_waves)
+    row.density *= 3.0;
+  const StitchedSpectrum uneven =
+      stitch({{long_waves, 2.0, 5e2}, {short_waves, 2e2, 5e4}});
+
+  for (const SpectrumRing& row : found.rows)
+    EXPECT_NEAR(row.density / law(row.wavevector), 1.0, 1e-2);
+  EXPECT_NEAR(found.rows.back().wavevector / 5e4, 1.0, 0.13);
+  EXPECT_TRUE(found.gaps.empty());
+  EXPECT_NEAR(found.ratios[0], 1.0, 1e-2);
+  EXPECT_NEAR(uneven.ratios[1] / uneven.ratios[0], 3.0, 0.05);
+}
+
+// The logarithm of a chi-squared variable of few degrees of freedom has a mean
+// below that of the variable: exp(-2 gamma) of nu = 1 is psi(1/2) - ln(1/2).
+TEST(StitchedSpectrum, CorrectsTheBiasOfTheLogarithm) {
+  const StitchedSpectrum found = stitch({{{{10.0, 1.0, 1.0, 0.0}}, 1.0, 99.0}});
+
+  EXPECT_NEAR(std::log(found.rows[0].density), 1.2703628454614782, 1e-12);
+  EXPECT_THROW(stitch({{{{10.0, 1.0, 1.0, 0.0}}, 20.0, 99.0}}),
+               std::domain_error);
+}
+
+TEST(StitchedSpectrum, NamesWhatNoPartCovers) {
+  const auto law = [](double q) { return std::pow(q, -3.0); };
+
+  const StitchedSpectrum found =
+      stitch({{rows_of(law, 1e3, 1e5, 20), 1e3, 1e5},
+              {rows_of(law, 1.0, 1e2, 20), 1.0, 1e2}});
+
+  ASSERT_EQ(found.gaps.size(), 1U);
+  EXPECT_EQ(found.gaps[0].first, 1e2);
+  EXPECT_EQ(found.gaps[0].second, 1e3);
+  EXPECT_TRUE(std::isnan(found.ratios[0]));
+}
+
+// The table is one that a case of kind "spectrum" reads.
+TEST(SpectrumTable, IsReadAsATabulatedSpectrum) {
+  const std::string text = spectrum_table(
+      {{1e5, 2e-25, 4.0, 0.0}, {1e6, 3e-28, 4.0, 0.0}}, {"map.txt: all of it"});
+
+  const TabulatedSpectrum read = read_tabulated_spectrum_text(text, "table");
+
+  EXPECT_NEAR(read(1e6) / 3e-28, 1.0, 1e-7);
+}
+
+} // namespace
+} // namespace asperity::surfaces

@@ -1,0 +1,124 @@
+// Claims about surfaces/analysis/self_affine_fit.hpp.
+#include "surfaces/analysis/self_affine_fit.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/realization.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace asperity::surfaces {
+namespace {
+
+constexpr double unit = 2.0 * std::numbers::pi; // of a side of 1 m
+
+bool contains(const FittedParameter& parameter, double truth) {
+  return parameter.low <= truth * (1.0 + 1e-9) && truth <= parameter.high;
+}
+
+/// Rings at the distances that a map of side 1 m has, with exact densities.
+std::vector<SpectrumRing> exact_rings(const SelfAffineSpectrum& spectrum,
+                                      double end, double noise) {
+  std::vector<SpectrumRing> rings;
+  for (double q = 1.0; q < end; q = std::max(q + 0.5, q * 1.025))
+    rings.push_back(
+        {q * unit, spectrum(q * unit) + noise, 6.0 * q * q * 0.025 + 1.0, 0.0});
+  return rings;
+}
+
+SelfAffineSpectrum spectrum_of(double hurst, double roll_off, double cutoff) {
+  return SelfAffineSpectrum::with_rms_height(
+      {hurst, 0.5 * unit, roll_off * unit, cutoff * unit}, 1e-6);
+}
+
+// Densities without scatter: every parameter is found, to the spacing of the
+// rings for the cut-off and to the convergence of the likelihood (1e-6 of the
+// value) for the others.
+TEST(SelfAffineFit, FindsTheParametersOfExactDensities) {
+  const SelfAffineSpectrum truth = spectrum_of(0.6, 8, 90);
+  std::vector<SpectrumRing> rings = exact_rings(truth, 128, 1e-9 * truth(unit));
+
+  const auto found = fit_self_affine(rings, rings.back().wavevector);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->hurst.value, 0.6, 2e-3);
+  EXPECT_NEAR(found->roll_off.value / (8 * unit), 1.0, 2e-2);
+  EXPECT_NEAR(found->cutoff.value / (90 * unit), 1.0, 0.03);
+  EXPECT_TRUE(contains(found->cutoff, 90 * unit));
+  EXPECT_NEAR(found->density(4 * unit) / truth(4 * unit), 1.0, 1e-2);
+  EXPECT_NEAR(found->density(40 * unit) / truth(40 * unit), 1.0, 1e-2);
+}
+
+TEST(SelfAffineFit, SeparatesNoiseFromRoughness) {
+  const SelfAffineSpectrum truth = spectrum_of(0.8, 4, 1000);
+  const double noise = truth(40 * unit);
+  const std::vector<SpectrumRing> rings = exact_rings(truth, 128, noise);
+
+  const auto found = fit_self_affine(rings, rings.back().wavevector);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->hurst.value, 0.8, 5e-3);
+  EXPECT_NEAR(found->noise / noise, 1.0, 2e-2);
+  EXPECT_TRUE(std::isnan(found->cutoff.value));
+  EXPECT_EQ(found->cutoff.reason, "no cut-off within the reliable range");
+}
+
+TEST(SelfAffineFit, SaysThatThereIsNoRollOff) {
+  const SelfAffineSpectrum truth = spectrum_of(0.7, 0.5, 1000);
+  const std::vector<SpectrumRing> rings = exact_rings(truth, 64, 0.0);
+
+  const auto found = fit_self_affine(rings, rings.back().wavevector);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(std::isnan(found->roll_off.value));
+  EXPECT_EQ(found->roll_off.high, unit);
+  EXPECT_NEAR(found->hurst.value, 0.7, 1e-3);
+}
+
+TEST(SelfAffineFit, NeedsEnoughRings) {
+  const SelfAffineSpectrum truth = spectrum_of(0.7, 2, 1000);
+
+  EXPECT_FALSE(fit_self_affine(exact_rings(truth, 2.9, 0.0), 3 * unit));
+  EXPECT_FALSE(fit_self_affine({}, unit));
+}
+
+// The 95 % intervals contain the truth in about 95 of 100 Gaussian surfaces of
+// 64 x 64 nodes. A binomial count with p = 0.95 is below 88 with a probability
+// of 0.2 %. The cut-off is known to a ring or better, always.
+TEST(SelfAffineFit, HasIntervalsThatContainTheTruth) {
+  const SelfAffineSpectrum truth = spectrum_of(0.8, 4, 25);
+  int hurst = 0;
+  int roll_off = 0;
+  int cutoff = 0;
+  int rms_height = 0;
+  double spread = 0.0;
+  for (int r = 0; r < 100; ++r) {
+    const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0},
+                                  {21, r}, cases::Amplitudes::gaussian);
+    const SpectrumEstimate spectrum = estimate_spectrum(map, true);
+    const auto found =
+        fit_self_affine(spectrum.rings, spectrum.wavevector_high);
+    ASSERT_TRUE(found.has_value());
+    hurst += contains(found->hurst, 0.8);
+    roll_off += contains(found->roll_off, 4 * unit);
+    cutoff += contains(found->cutoff, 25 * unit);
+    // The band of the map begins at its longest wave, not at q_L.
+    const SelfAffineShape band{0.8, unit, 4 * unit, 25 * unit};
+    const double whole =
+        SelfAffineSpectrum::with_rms_height(band, 1.0).plateau();
+    rms_height +=
+        contains(found->rms_height, std::sqrt(truth.plateau() / whole));
+    spread += (found->hurst.high - found->hurst.low) / 100;
+  }
+  for (const int count : {hurst, roll_off, rms_height}) {
+    EXPECT_GE(count, 88);
+    EXPECT_LE(count, 100);
+  }
+  EXPECT_GE(cutoff, 95);
+  EXPECT_LT(spread, 0.4); // intervals are not merely wide
+}
+
+} // namespace
+} // namespace asperity::surfaces

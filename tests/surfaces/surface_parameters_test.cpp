@@ -1,0 +1,224 @@
+// Claims about surfaces/analysis: height_parameters.hpp, local_differences.hpp,
+// bearing_curve.hpp and autocorrelation.hpp.
+#include "surfaces/analysis/autocorrelation.hpp"
+#include "surfaces/analysis/bearing_curve.hpp"
+#include "surfaces/analysis/height_parameters.hpp"
+#include "surfaces/analysis/local_differences.hpp"
+#include "surfaces/maps/exact_shapes.hpp"
+#include "surfaces/maps/self_affine.hpp"
+#include "surfaces/realization.hpp"
+
+#include <boost/math/distributions/normal.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace asperity::surfaces {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+HeightMap map_of(const Grid& grid,
+                 const std::function<double(double, double)>& height) {
+  HeightMap map{grid, {}};
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      map.heights.push_back(
+          height(ix * grid.spacing_x(), iy * grid.spacing_y()));
+  return map;
+}
+
+// D cos(2 pi x/l): <|h|> = 2 D/pi up to the sum over 64 nodes, which is
+// cot(pi/64)/32 instead of 2/pi; all others exact to rounding.
+TEST(HeightParameters, AreThoseOfACosine) {
+  const HeightMap map = wave_1d({64, 8, 1e-5, 1e-5}, 2e-9, 1e-5);
+
+  const HeightParameters found = height_parameters(map, true);
+
+  EXPECT_NEAR(found.sa, 2e-9 / std::tan(pi / 64) / 32, 1e-22);
+  EXPECT_NEAR(found.sq, 2e-9 / std::sqrt(2.0), 1e-22);
+  EXPECT_NEAR(found.ssk, 0.0, 1e-13);
+  EXPECT_NEAR(found.sku, 1.5, 1e-13);
+  EXPECT_NEAR(found.sp, 2e-9, 1e-22);
+  EXPECT_NEAR(found.sv, 2e-9, 1e-22);
+  EXPECT_NEAR(found.sz, 4e-9, 1e-22);
+  // A forward difference over h of a wave q is (2/h) sin(q h/2).
+  const double spacing = 1e-5 / 64;
+  const double slope = 2.0 / spacing * std::sin(pi / 64) * found.sq;
+  EXPECT_NEAR(found.sdq / slope, 1.0, 1e-12);
+  // To first order in slope^2 the excess area is half of it.
+  EXPECT_NEAR(found.sdr / (0.5 * slope * slope), 1.0, 1e-4);
+}
+
+// A plane of slopes a and b has the area sqrt(1 + a^2 + b^2), whatever the
+// shape of the cells. Tolerance: rounding.
+TEST(HeightParameters, MeasureTheAreaOfAPlane) {
+  const Grid grid{5, 7, 5.0, 14.0};
+  const HeightMap map =
+      map_of(grid, [](double x, double y) { return 3.0 * x - 0.5 * y; });
+
+  const HeightParameters found = height_parameters(map, false);
+
+  EXPECT_NEAR(found.sdr, std::sqrt(1.0 + 9.0 + 0.25) - 1.0, 1e-12);
+  EXPECT_NEAR(found.sdq, std::sqrt(9.25), 1e-12);
+}
+
+// h = x^2/2 + y^2: second differences 1 and 2 at any distance, Laplacian 3, and
+// mean squares of the forward slopes x + d/2 and 2 y + d over the inside.
+TEST(LocalDifferences, OfAParabolaAreExactInsideTheMap) {
+  const Grid grid{6, 9, 6.0, 4.5};
+  const HeightMap map =
+      map_of(grid, [](double x, double y) { return 0.5 * x * x + y * y; });
+
+  const LocalDifferences found = local_differences(map, 2, 1, false);
+
+  EXPECT_EQ(found.distance_x, 2.0);
+  EXPECT_EQ(found.distance_y, 0.5);
+  EXPECT_NEAR(found.mean_square_second_x, 1.0, 1e-12);
+  EXPECT_NEAR(found.mean_square_second_y, 4.0, 1e-11);
+  EXPECT_NEAR(found.mean_square_laplacian, 9.0, 1e-11);
+  EXPECT_NEAR(found.rms_curvature(), 1.5, 1e-12);
+  // x = 0..3 plus 1: (1 + 4 + 9 + 16)/4
+  EXPECT_NEAR(found.mean_square_slope_x, 7.5, 1e-12);
+  EXPECT_EQ(found.lowest_second, 0.0);
+}
+
+// A periodic wave has the same differences whether or not its edges are used,
+// if it is continued across them; q = pi/4 per node, lag 2.
+TEST(LocalDifferences, ContinueAcrossPeriodicEdges) {
+  const HeightMap map = wave_2d({16, 16, 1.0, 1.0}, 1e-3, 0.5);
+
+  const LocalDifferences found = local_differences(map, 2, 2, true);
+
+  const double q = 4.0 * pi;
+  const double d = 2.0 / 16;
+  const double second = std::pow(2.0 * std::sin(q * d / 2.0) / d, 2);
+  EXPECT_NEAR(found.mean_square_second_x / (0.25e-6 * second * second), 1.0,
+              1e-12);
+  EXPECT_NEAR(found.mean_square_laplacian / (1e-6 * second * second), 1.0,
+              1e-12);
+  EXPECT_NEAR(found.lowest_second / (-1e-3 * second), 1.0, 1e-12);
+  EXPECT_THROW(local_differences(map, 8, 2, false), std::domain_error);
+  EXPECT_THROW(local_differences(map, 0, 2, true), std::domain_error);
+}
+
+// cos(qx) cos(qy): m_0 = D^2/4, m_2 = q^2 m_0, m_4 = q^4 m_0, alpha = 1 up to
+// the finite differences of order (q h)^2/12 each; q h = 0.098.
+TEST(LocalDifferences, GiveNayaksParameterOfAWave) {
+  const HeightMap map = wave_2d({64, 64, 1.0, 1.0}, 1e-3, 1.0);
+
+  const LocalDifferences found = local_differences(map, 1, 1, true);
+
+  EXPECT_NEAR(nayak_parameter(0.25e-6, found), 1.0, 1e-9);
+}
+
+TEST(ScaleDependence, CoversSpacingToAQuarterOfTheSide) {
+  const HeightMap map = wave_2d({64, 128, 1.0, 1.0}, 1e-3, 1.0);
+
+  const auto scales = scale_dependence(map, false);
+
+  ASSERT_GT(scales.size(), 8U);
+  EXPECT_EQ(scales.front().distance_x, 1.0 / 64);
+  EXPECT_EQ(scales.front().distance_y, 1.0 / 64); // two of its own spacings
+  EXPECT_LE(scales.back().distance(), 0.25);
+  EXPECT_GT(scales.back().distance(), 0.2);
+}
+
+// Heights spread evenly over 0..1: the curve is a straight line, so that the
+// core is all of it.
+TEST(BearingCurve, OfEvenHeightsHasOnlyACore) {
+  HeightMap map{{1000, 100, 1.0, 1.0}, {}};
+  for (int i = 0; i < 100000; ++i)
+    map.heights.push_back(static_cast<double>(i * 7919L % 100000) / 99999.0);
+
+  const BearingCurve found = bearing_curve(map);
+
+  EXPECT_NEAR(found.core_height, 1.0, 1e-9);
+  EXPECT_NEAR(found.peak_height, 0.0, 1e-6);
+  EXPECT_NEAR(found.valley_depth, 0.0, 1e-6);
+  EXPECT_NEAR(found.height_at(0.25), 0.25, 1e-9);
+}
+
+// Heights at the quantiles of a normal distribution. The flattest 40 % are
+// symmetric; line, intersections and areas follow from quadrature here.
+// Tolerance: 1000 steps of the material ratio.
+TEST(BearingCurve, OfGaussianHeightsFollowsFromTheNormalDistribution) {
+  const boost::math::normal normal;
+  const int count = 200000;
+  HeightMap map{{1000, 200, 1.0, 1.0}, {}};
+  double slope = 0.0;
+  double variance = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double ratio = (i + 0.5) / count;
+    const double height = quantile(complement(normal, ratio));
+    map.heights.push_back(height);
+    if (std::abs(ratio - 0.5) < 0.2) {
+      slope -= (ratio - 0.5) * height;
+      variance += (ratio - 0.5) * (ratio - 0.5);
+    }
+  }
+  const double core = slope / variance;
+  const double ratio = cdf(complement(normal, 0.5 * core));
+  // int (h - core/2) over the ratio above core/2: phi(z) - z Q(z)
+  const double area = pdf(normal, 0.5 * core) - 0.5 * core * ratio;
+
+  const BearingCurve found = bearing_curve(map);
+
+  EXPECT_NEAR(found.core_height, core, 2e-3);
+  EXPECT_NEAR(found.peak_ratio, ratio, 2e-3);
+  EXPECT_NEAR(found.valley_ratio, 1.0 - ratio, 2e-3);
+  EXPECT_NEAR(found.peak_height, 2.0 * area / ratio, 1e-2);
+  EXPECT_NEAR(found.valley_depth, found.peak_height, 1e-3);
+}
+
+// cos(qx): the correlation is cos(q r cos(angle)), 0.2 at acos(0.2)/q across
+// the grooves and not at all along them.
+TEST(Autocorrelation, OfGroovesHasNoLongestLength) {
+  const HeightMap map = wave_1d({256, 64, 4.0, 1.0}, 1e-3, 1.0);
+
+  const Autocorrelation found = autocorrelation(map, true);
+
+  // Linear interpolation between 64 nodes per wavelength: (q h)^2/8
+  EXPECT_NEAR(found.shortest, std::acos(0.2) / (2.0 * pi), 3e-4);
+  EXPECT_TRUE(std::isnan(found.longest));
+  EXPECT_TRUE(std::isnan(found.aspect_ratio));
+}
+
+// An isotropic self-affine surface has Str near 1, and h(x) shrunk to a third
+// along x has a third of the length there: the same nodes with another period.
+TEST(Autocorrelation, SeesTheStretchOfASurface) {
+  const auto spectrum = SelfAffineSpectrum::with_rms_height(
+      {0.8, 2.0 * pi * 8, 2.0 * pi * 8, 2.0 * pi * 30}, 1.0);
+  HeightMap map = realize(spectrum.isotropic(), {128, 128, 1.0, 1.0}, {5, 0});
+  const Autocorrelation isotropic = autocorrelation(map, true);
+  map.grid.length_x /= 3.0;
+
+  const Autocorrelation found = autocorrelation(map, true);
+
+  EXPECT_GT(isotropic.aspect_ratio, 0.8);
+  EXPECT_NEAR(found.aspect_ratio, isotropic.aspect_ratio / 3.0, 0.04);
+  EXPECT_EQ(found.points.front().correlation, 1.0);
+}
+
+// Without periodicity the product at each lag is averaged over the pairs
+// inside: an alternating map has exactly +-1 at every lag of a line.
+TEST(Autocorrelation, CountsThePairsInsideTheMap) {
+  const HeightMap map = map_of({10, 6, 10.0, 6.0}, [](double x, double y) {
+    return std::lround(x + y) % 2 == 0 ? 1.0 : -1.0;
+  });
+
+  const Autocorrelation found = autocorrelation(map, false);
+
+  // Nearest rings are (1, 0) and (0, 1), then (1, 1) among others.
+  EXPECT_NEAR(found.shortest, 0.4, 0.02); // 1 - 2 r = 0.2 along an axis
+  EXPECT_NEAR(found.points.front().correlation, 1.0, 1e-12);
+  EXPECT_THROW(
+      autocorrelation({{4, 4, 1.0, 1.0}, std::vector<double>(16)}, false),
+      std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::surfaces
