@@ -6,6 +6,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/inspect_commands.hpp"
 #include "app/cli/robustness_command.hpp"
+#include "app/cli/surface_command.hpp"
 #include "app/manual/command_model.hpp"
 #include "app/run/installed_files.hpp"
 #include "app/run/mpi_world.hpp"
@@ -226,6 +227,8 @@ int run(int argc, char** argv) {
   add_check(program, check, output, action);
   AnswerCommands answers;
   add_answer_commands(program, answers, output, action);
+  SurfaceCommand surface;
+  add_surface_command(program, surface, action);
   InspectCommands inspect;
   bool is_to_clear = false;
   add_cache(program, is_to_clear, output, action);

@@ -1,0 +1,181 @@
+#include "app/cli/surface_command.hpp"
+
+#include "app/cli/surface_input.hpp"
+#include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/types/units.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "reports/surface/surface_json.hpp"
+#include "reports/surface/surface_page.hpp"
+#include "reports/surface/surface_text.hpp"
+#include "surfaces/formats/gwyddion_file.hpp"
+#include "surfaces/formats/npy.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// @throws cases::CaseError  no number with such a unit, or not above 0
+double positive_quantity(const char* option, const std::string& text,
+                         cases::Dimension dimension) {
+  const cases::QuantityReading read = cases::read_quantity(text, dimension, {});
+  if (!read.quantity)
+    throw cases::CaseError(
+        fmt::format("{} = \"{}\" {}", option, text, read.mistake));
+  if (!(read.quantity->value > 0.0))
+    throw cases::CaseError(fmt::format("{} = \"{}\", but must be > 0 [{}]",
+                                       option, text,
+                                       cases::si_unit(dimension)));
+  return read.quantity->value;
+}
+
+/// The bytes of the map in the format that the name of the file asks for.
+std::string converted(const surfaces::HeightMap& map, const fs::path& file,
+                      const std::string& name) {
+  const std::string extension = file.extension().string();
+  if (extension == ".npy")
+    return surfaces::npy_bytes(map.heights,
+                               static_cast<std::size_t>(map.grid.points_y),
+                               static_cast<std::size_t>(map.grid.points_x));
+  if (extension == ".gwy")
+    return surfaces::gwyddion_bytes(map, name);
+  throw cases::CaseError(fmt::format(
+      "--write {}: the name must end with .npy or .gwy", file.string()));
+}
+
+void write_converted(const SurfaceCommand& command,
+                     const reports::SurfaceReport& report) {
+  if (report.parts() != 1 || report.maps.empty())
+    throw cases::CaseError("--write converts one map; give one map file");
+  const surfaces::MapAnalysis& map = report.maps.front();
+  write_file_atomically(command.write,
+                        converted(map.map, command.write, map.name));
+  if (!command.is_json)
+    fmt::print("written: {} (heights in m, {} x {} m; levelled as above, keep "
+               "them as measured by --level none)\n",
+               command.write, map.map.grid.length_x, map.map.grid.length_y);
+}
+
+reports::SurfaceReport analysed(const SurfaceCommand& command) {
+  std::optional<double> tip_radius;
+  if (!command.tip_radius.empty())
+    tip_radius = positive_quantity("--tip-radius", command.tip_radius,
+                                   cases::Dimension::length);
+  std::optional<double> contact_modulus;
+  if (!command.contact_modulus.empty())
+    contact_modulus =
+        positive_quantity("--contact-modulus", command.contact_modulus,
+                          cases::Dimension::pressure);
+  reports::SurfaceReport report;
+  for (const std::string& word : command.inputs) {
+    SurfaceInput input = read_surface_input(word, command);
+    if (auto* line = std::get_if<surfaces::LineScan>(&input.heights)) {
+      report.lines.push_back(surfaces::analyse_line(std::move(*line)));
+      report.lines.back().name = input.name;
+      report.lines.back().origin = input.origin;
+      continue;
+    }
+    auto& map = std::get<SurfaceMap>(input.heights);
+    report.maps.push_back(
+        surfaces::analyse_map(std::move(map.map), map.is_periodic, tip_radius));
+    report.maps.back().name = input.name;
+    report.maps.back().origin = input.origin;
+  }
+  report.title =
+      report.parts() == 1
+          ? report.name_of(0)
+          : fmt::format("{} measurements of one surface", report.parts());
+  add_stitched(report);
+  if (contact_modulus)
+    add_contact(report, *contact_modulus, command.gamma);
+  return report;
+}
+
+fs::path folder_of(const SurfaceCommand& command,
+                   const reports::SurfaceReport& report) {
+  if (!command.out.empty())
+    return command.out;
+  return fs::path("out") / (report.parts() == 1
+                                ? reports::file_word(report.name_of(0))
+                                : std::string("surface"));
+}
+
+} // namespace
+
+ExitCode inspect_surface(const SurfaceCommand& command) {
+  if (!command.write.empty()) // refuses a wrong name before any work
+    converted({{1, 1, 1.0, 1.0}, {0.0}}, command.write, "");
+  const reports::SurfaceReport report = analysed(command);
+  if (command.is_json)
+    fmt::print("{}\n", surface_json(report).dump(1));
+  else
+    fmt::print("{}", surface_text(report));
+  if (!command.write.empty())
+    write_converted(command, report);
+  const bool has_report =
+      !command.has_no_report && (!command.is_json || !command.out.empty());
+  if (!has_report)
+    return exit_good;
+  const fs::path folder = folder_of(command, report);
+  const FolderLock lock(folder, "surface " + report.title);
+  for (const std::string& problem : write_surface_report(report, folder))
+    fmt::print(stderr, "warning: figure {}\n", problem);
+  if (!command.is_json)
+    fmt::print("report: {}\n", (folder / "report.html").string());
+  return exit_good;
+}
+
+void add_surface_command(CLI::App& program, SurfaceCommand& surface,
+                         Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "surface", "Inspect measured maps, line scans or the surface\n"
+                 "of a case: parameters, spectrum, report.");
+  command
+      ->add_option("input", surface.inputs,
+                   "map files or line scans of one surface, or a case")
+      ->required();
+  command
+      ->add_option("--level", surface.level,
+                   "form removed from a file: none, plane or bow")
+      ->check(CLI::IsMember({"none", "plane", "bow"}))
+      ->capture_default_str();
+  command->add_flag("--periodic", surface.is_periodic,
+                    "a file continues at its edges; without this, a\n"
+                    "window is used for the spectrum");
+  command->add_option("--length", surface.length,
+                      "side length in x of a file that states none,\n"
+                      "e.g. \"20 um\"");
+  command->add_option("--height-unit", surface.height_unit,
+                      "unit of the heights of such a file, e.g. nm");
+  command->add_option("--tip-radius", surface.tip_radius,
+                      "radius of the tip, e.g. \"10 nm\": limits the\n"
+                      "reliable range");
+  command->add_option("--contact-modulus", surface.contact_modulus,
+                      "E*, e.g. \"2 GPa\": adds separation and contact\n"
+                      "area by Persson's theory");
+  command->add_option("--gamma", surface.gamma, "gamma of this theory")
+      ->check(CLI::Range(1e-3, 1.0))
+      ->capture_default_str();
+  add_overrides(command, surface.overrides);
+  command->add_option("--write", surface.write,
+                      "also write the levelled map to this file: .npy\n"
+                      "or .gwy");
+  command->add_option("--out", surface.out,
+                      "output folder (default: out/<name of the file>)");
+  command->add_flag("--no-report", surface.has_no_report,
+                    "print the numbers only");
+  command->add_flag("--json", surface.is_json,
+                    "print all numbers as JSON; write a report only\n"
+                    "with --out");
+  add_example(command, "surface map.txt --contact-modulus \"2 GPa\"");
+  command->callback([&] { action = [&] { return inspect_surface(surface); }; });
+}
+
+} // namespace asperity::app

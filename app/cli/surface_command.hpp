@@ -1,0 +1,40 @@
+#pragma once
+
+// `asperity surface`: parameters, spectrum and predicted contact of measured
+// maps and lines, or of the surface of a case.
+
+#include "app/cli/command_parts.hpp"
+#include "app/run/exit_code.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::app {
+
+/// Options of `asperity surface`.
+struct SurfaceCommand {
+  std::vector<std::string> inputs; ///< map files, line scans or cases
+  std::vector<std::string> overrides;
+  std::string level = "plane"; ///< [surface] level of a file
+  bool is_periodic = false;    ///< --edges periodic
+  std::string length;          ///< "20 um"; empty: the file states it
+  std::string height_unit;     ///< "nm"; empty: the file states it
+  std::string tip_radius;      ///< "10 nm"; empty: not known
+  std::string contact_modulus; ///< "2 GPa"; empty: no theory
+  double gamma = 0.42;         ///< of the theory
+  std::string out;             ///< empty: out/<name>
+  std::string write;           ///< file to convert the map to
+  bool has_no_report = false;
+  bool is_json = false;
+};
+
+/// Analyses the inputs, prints the results and writes the report.
+/// @throws cases::CaseError  an input cannot be read, or an option is invalid
+ExitCode inspect_surface(const SurfaceCommand& command);
+
+/// @param surface, action  must outlive the parsing of the command line
+void add_surface_command(CLI::App& program, SurfaceCommand& surface,
+                         Action& action);
+
+} // namespace asperity::app

@@ -1,0 +1,170 @@
+#include "app/cli/surface_input.hpp"
+
+#include "app/cli/asked_cases.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
+#include "cases/text/node.hpp"
+#include "cases/text/toml_text.hpp"
+#include "cases/types/units.hpp"
+#include "surfaces/build.hpp"
+#include "surfaces/measured_map.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& text) {
+  cases::Node node;
+  node.type = cases::NodeType::text;
+  node.text = text;
+  return cases::toml_value(node);
+}
+
+/// "nm" is one of this unit.
+std::string with_number(const std::string& unit) {
+  const bool has_number =
+      unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) == 0;
+  return has_number ? unit : "1 " + unit;
+}
+
+/// A case that presses the map, which the analysis does not need but the
+/// reader of cases does.
+cases::Case case_of_file(const std::string& file,
+                         const SurfaceCommand& command) {
+  const std::string text = fmt::format(
+      "schema = 1\n[surface]\nkind = \"measured\"\nfile = {}\nlevel = {}\n"
+      "edges = \"{}\"\n[material]\ncontact_modulus = 1.0\npoisson_ratio = 0.0\n"
+      "[load]\nnominal_pressure = [\"0.01 E*\"]\n[theory]\ngamma = 0.42\n",
+      quoted(fs::absolute(file).string()), quoted(command.level),
+      command.is_periodic ? "periodic" : "mirror");
+  std::vector<std::string> overrides;
+  if (!command.length.empty())
+    overrides.push_back("surface.length=" + quoted(command.length));
+  if (!command.height_unit.empty())
+    overrides.push_back("surface.height_unit=" +
+                        quoted(with_number(command.height_unit)));
+  overrides.insert(overrides.end(), command.overrides.begin(),
+                   command.overrides.end());
+  return cases::read_case_text(text, file, overrides);
+}
+
+std::string level_words(cases::Levelling level) {
+  switch (level) {
+  case cases::Levelling::none:
+    return "Mean height removed, not levelled";
+  case cases::Levelling::plane:
+    return "Levelled by the least-squares plane";
+  case cases::Levelling::bow:
+    return "Levelled by the least-squares second-order form";
+  }
+  return "Levelled";
+}
+
+SurfaceInput measured_input(const cases::SurfaceSpec& surface) {
+  const bool is_periodic = surface.edges == cases::Edges::periodic;
+  SurfaceInput input;
+  input.origin = level_words(surface.level) +
+                 (is_periodic ? "; periodic." : "; edges not periodic.");
+  input.heights = SurfaceMap{surfaces::levelled_map(surface), is_periodic};
+  return input;
+}
+
+double length_of(const std::string& option, const std::string& text) {
+  const cases::QuantityReading read =
+      cases::read_quantity(text, cases::Dimension::length, {});
+  if (!read.quantity)
+    throw cases::CaseError(
+        fmt::format("{} = \"{}\" {}", option, text, read.mistake));
+  if (!(read.quantity->value > 0.0))
+    throw cases::CaseError(
+        fmt::format("{} = \"{}\", but must be > 0", option, text));
+  return read.quantity->value;
+}
+
+SurfaceInput line_input(const std::string& file,
+                        const SurfaceCommand& command) {
+  if (command.length.empty() || command.height_unit.empty())
+    throw cases::CaseError(fmt::format(
+        "{}: is a line scan; give its length and the unit of its heights, for "
+        "example --length \"5 mm\" --height-unit um",
+        file));
+  surfaces::LineScan line = surfaces::read_line_scan(
+      file, {length_of("--length", command.length),
+             length_of("--height-unit", with_number(command.height_unit))});
+  const int degree = command.level == "none"    ? 0
+                     : command.level == "plane" ? 1
+                                                : 2;
+  surfaces::level_line(line, degree);
+  SurfaceInput input;
+  input.origin = degree == 0   ? "Line scan; mean height removed."
+                 : degree == 1 ? "Line scan; least-squares line removed."
+                               : "Line scan; least-squares parabola removed.";
+  input.heights = std::move(line);
+  return input;
+}
+
+SurfaceInput file_input(const std::string& file,
+                        const SurfaceCommand& command) {
+  if (surfaces::is_line_scan(file))
+    return line_input(file, command);
+  try {
+    return measured_input(case_of_file(file, command).surface);
+  } catch (const cases::CaseError& error) {
+    const std::string message = error.what();
+    if (message.find("surface.length is missing") != std::string::npos ||
+        message.find("surface.height_unit is missing") != std::string::npos)
+      throw cases::CaseError(message +
+                             "\ngive --length \"20 um\" and --height-unit nm");
+    throw;
+  }
+}
+
+SurfaceInput case_input(const std::string& word,
+                        const SurfaceCommand& command) {
+  const Asked asked = read_asked(word, command.overrides);
+  if (asked.cases.size() != 1)
+    throw cases::CaseError(
+        fmt::format("{} is a collection; name one of its parts", word));
+  const cases::Case& found = asked.cases.front().contact_case;
+  const cases::SurfaceSpec& surface = found.surface;
+  if (surface.kind == cases::SurfaceKind::measured)
+    return measured_input(surface);
+  if (!surface.length || !surface.points)
+    throw cases::CaseError(fmt::format(
+        "{}: surface.length and surface.points are missing: the case has only "
+        "a formula, no heights; give them by --set",
+        found.path));
+  SurfaceInput input;
+  input.origin = surfaces::is_random(surface.kind)
+                     ? "Realisation 0 of the random surface of the case; "
+                       "periodic."
+                     : "The exact shape of the case; periodic.";
+  input.heights = SurfaceMap{surfaces::build_surface(surface, 0), true};
+  return input;
+}
+
+} // namespace
+
+SurfaceInput read_surface_input(const std::string& word,
+                                const SurfaceCommand& command) {
+  const fs::path path(word);
+  const bool is_file = fs::is_regular_file(path) && path.extension() != ".toml";
+  const bool is_lost = !fs::exists(path) && path.has_extension();
+  if (is_lost)
+    throw cases::CaseError(word + ": there is no such file");
+  SurfaceInput input =
+      is_file ? file_input(word, command) : case_input(word, command);
+  const fs::path name = path.has_filename() ? path : path.parent_path();
+  input.name = name.filename() == "case.toml"
+                   ? name.parent_path().filename().string()
+                   : name.filename().string();
+  return input;
+}
+
+} // namespace asperity::app

@@ -1,0 +1,296 @@
+#include "reports/surface/surface_figures.hpp"
+
+#include "reports/figures/plot_parts.hpp"
+#include "reports/surface/surface_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity::reports {
+namespace {
+
+constexpr int largest_side = 256; // points of the picture per side
+
+/// A grid of block means for the picture of a map.
+struct MapPicture {
+  std::string csv;
+  double largest = 0.0; ///< [nm]
+  double width = 0.0;   ///< of one block [um]
+  double height = 0.0;  ///< [um]
+};
+
+MapPicture picture_of_map(const surfaces::HeightMap& map) {
+  const Grid& grid = map.grid;
+  const int block_x = (grid.points_x + largest_side - 1) / largest_side;
+  const int block_y = (grid.points_y + largest_side - 1) / largest_side;
+  MapPicture picture;
+  picture.width = 1e6 * grid.spacing_x() * block_x;
+  picture.height = 1e6 * grid.spacing_y() * block_y;
+  for (int row = 0; row + block_y <= grid.points_y; row += block_y) {
+    for (int column = 0; column + block_x <= grid.points_x; column += block_x) {
+      double sum = 0.0;
+      for (int iy = row; iy < row + block_y; ++iy)
+        for (int ix = column; ix < column + block_x; ++ix)
+          sum += map.heights[grid.index(ix, iy)];
+      const double mean = 1e9 * sum / (block_x * block_y);
+      picture.csv += fmt::format("{}{:.4g}", column == 0 ? "" : ",", mean);
+      picture.largest = std::max(picture.largest, std::abs(mean));
+    }
+    picture.csv += "\n";
+  }
+  return picture;
+}
+
+Figure topography_figure(const surfaces::MapAnalysis& map) {
+  const Grid& grid = map.map.grid;
+  const MapPicture picture = picture_of_map(map.map);
+  const bool is_high = picture.largest > 2000.0;
+  const double unit = is_high ? 1e-3 : 1.0;
+  const double span = picture.largest * unit;
+  Figure figure;
+  figure.name = "topography";
+  figure.title = "Heights";
+  figure.data = fmt::format("Sq [m]\n{:.10g}\n", map.heights.sq);
+  figure.maps.emplace_back("heights", picture.csv);
+  figure.caption = fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
+                               grid.points_y, quantity_text(grid.length_x, "m"),
+                               quantity_text(grid.length_y, "m"), map.origin);
+  // A stripe would be unreadable at its true proportions.
+  const double ratio = grid.length_y / grid.length_x;
+  const std::string size =
+      ratio > 3.0 || ratio < 1.0 / 3.0 ? "square" : "ratio -1";
+  figure.script = fmt::format(
+      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
+      "size {}\nset colorbox\nset cbtics scale 0.4\nset palette maxcolors 128 "
+      "defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 "
+      "'#7a2a1d')\nset cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [{}]'\nset "
+      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\nset xrange [0:{:.6g}]\nset yrange "
+      "[0:{:.6g}]\nplot 'topography-heights.csv' matrix using "
+      "(($1+0.5)*{:.9g}):(($2+0.5)*{:.9g}):($3*{:g}) with image notitle\n",
+      size, -span, span, is_high ? "µm" : "nm", 1e6 * grid.length_x,
+      1e6 * grid.length_y, picture.width, picture.height, unit);
+  return figure;
+}
+
+Figure heights_figure(const surfaces::MapAnalysis& map) {
+  constexpr double bin = 0.1; // in Sq
+  const double rms = map.heights.sq;
+  const auto first = static_cast<long>(std::floor(-map.heights.sv / rms / bin));
+  const auto last = static_cast<long>(std::floor(map.heights.sp / rms / bin));
+  const std::size_t bins =
+      static_cast<std::size_t>(std::clamp(last - first + 1, 1L, 1000L));
+  std::vector<double> density(bins, 0.0);
+  const double mean = surfaces::mean_height(map.map);
+  const double share =
+      1.0 / (bin * static_cast<double>(map.map.heights.size()));
+  for (const double height : map.map.heights) {
+    const double place =
+        std::floor((height - mean) / rms / bin) - static_cast<double>(first);
+    if (place >= 0.0 && place < static_cast<double>(bins))
+      density[static_cast<std::size_t>(place)] += share;
+  }
+  Figure figure;
+  figure.name = "heights";
+  figure.title = "Distribution of the heights";
+  CsvTable table({"curve", "index", "h/Sq [1]", "P Sq [1]"});
+  for (std::size_t i = 0; i < bins; ++i)
+    if (density[i] > 0.0)
+      table.add(
+          "measured",
+          {0.0,
+           (static_cast<double>(first) + static_cast<double>(i) + 0.5) * bin,
+           density[i]});
+  const double edge =
+      std::min(std::max(map.heights.sp, map.heights.sv) / rms, 6.0);
+  for (int k = 0; k <= 120; ++k) {
+    const double h = edge * (k / 60.0 - 1.0);
+    table.add(
+        "Gaussian",
+        {1.0, h, std::exp(-0.5 * h * h) / std::sqrt(2.0 * std::numbers::pi)});
+  }
+  figure.data = table.text();
+  figure.caption = fmt::format(
+      "Skewness {:+.2f}, kurtosis {:.2f}; the highest point is {:.2f} Sq above "
+      "the mean, the lowest {:.2f} Sq below. Line: the Gaussian of the same "
+      "Sq.",
+      map.heights.ssk, map.heights.sku, map.heights.sp / rms,
+      map.heights.sv / rms);
+  figure.script = fmt::format(
+      "set xlabel 'h / Sq'\nset ylabel 'probability density × Sq'\nset "
+      "logscale "
+      "y\nset format y '10^{{%T}}'\nset yrange [{:.3g}:1]\n{}",
+      std::max(1e-6, 0.5 * share),
+      plot_of({"'heights.csv' " + of_series(0, "$3:4") +
+                   " with points pointtype 6 pointsize 0.5 linewidth 1.2 "
+                   "linecolor rgb '#0072B2' title 'measured'",
+               "'heights.csv' " + of_series(1, "$3:4") +
+                   " with lines linewidth 1.5 linecolor rgb '#222222' title "
+                   "'Gaussian'"}));
+  return figure;
+}
+
+Figure autocorrelation_figure(const surfaces::MapAnalysis& map) {
+  Figure figure;
+  figure.name = "autocorrelation";
+  figure.title = "Autocorrelation";
+  CsvTable table({"curve", "index", "r [um]", "correlation [1]"});
+  for (const surfaces::CorrelationPoint& point : map.correlation.points)
+    table.add("mean", {0.0, 1e6 * point.distance, point.correlation});
+  figure.data = table.text();
+  figure.caption = fmt::format(
+      "⟨h(x) h(x + r)⟩/⟨h²⟩, averaged over directions. It first falls to 0.2 "
+      "(dashed) at Sal = {}, {}.",
+      quantity_text(map.correlation.shortest, "m"),
+      std::isfinite(map.correlation.longest)
+          ? fmt::format("in the slowest direction at {}: Str = {:.2f}",
+                        quantity_text(map.correlation.longest, "m"),
+                        map.correlation.aspect_ratio)
+          : "and in some directions not within half of the map, so that Str is "
+            "not determined");
+  figure.script =
+      "set xlabel 'distance r [µm]'\nset ylabel 'correlation'\nset xrange "
+      "[0:*]\n" +
+      plot_of({"'autocorrelation.csv' using 3:4 with lines linewidth 1.6 "
+               "linecolor rgb '#0072B2' notitle",
+               "0.2 with lines dashtype 3 linecolor rgb '#59636e' notitle",
+               "0 with lines linewidth 0.6 linecolor rgb '#59636e' notitle"});
+  return figure;
+}
+
+/// Rms slope or rms curvature of differences against their distance.
+Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
+  Figure figure;
+  figure.name = "scale-curvature";
+  if (is_slope)
+    figure.name = "scale-slope";
+  figure.title = is_slope ? "Slope at each scale" : "Curvature at each scale";
+  CsvTable table({"curve", "index", "distance [um]",
+                  is_slope ? "rms slope [1]" : "rms curvature [1/m]",
+                  "sharpest peak [1/m]"});
+  for (const surfaces::LocalDifferences& scale : map.scales)
+    table.add("differences",
+              {0.0, 1e6 * scale.distance(),
+               is_slope ? scale.rms_slope() : scale.rms_curvature(),
+               -scale.lowest_second});
+  figure.data = table.text();
+  figure.caption =
+      is_slope
+          ? fmt::format("Rms slope of differences over a distance, both "
+                        "directions. Over one spacing: {:.4g}; by the "
+                        "spectrum: {:.4g}.",
+                        map.heights.sdq, map.spectrum.rms_slope)
+          : fmt::format("Rms value of half the Laplacian of differences over a "
+                        "distance, and the curvature of the sharpest peak. A "
+                        "tip of radius R shapes the map where the latter "
+                        "exceeds 1/(2R). Over one spacing: {:.4g} 1/m; by the "
+                        "spectrum: {:.4g} 1/m.",
+                        map.scales.front().rms_curvature(),
+                        map.spectrum.rms_curvature);
+  const std::string file = "'" + figure.name + ".csv' ";
+  std::vector<std::string> plots{
+      file +
+      std::string("using 3:4 with linespoints pointtype 6 pointsize 0.6 "
+                  "linewidth 1.3 linecolor rgb '#0072B2' title ") +
+      (is_slope ? "'rms slope'" : "'rms curvature'")};
+  if (!is_slope)
+    plots.push_back(file +
+                    "using 3:($5 > 0 ? $5 : NaN) with linespoints pointtype 8 "
+                    "pointsize 0.6 linecolor rgb '#D55E00' title 'sharpest "
+                    "peak'");
+  figure.script = fmt::format(
+      "set logscale xy\nset format y '10^{{%T}}'\nset xlabel 'distance "
+      "[µm]'\nset ylabel '{}'\n{}",
+      is_slope ? "rms slope" : "curvature [1/m]", plot_of(plots));
+  return figure;
+}
+
+Figure bearing_figure(const surfaces::MapAnalysis& map) {
+  const surfaces::BearingCurve& bearing = map.bearing;
+  const bool is_high = map.heights.sz > 4e-6;
+  const double unit = is_high ? 1e6 : 1e9;
+  Figure figure;
+  figure.name = "bearing-curve";
+  figure.title = "Bearing area";
+  CsvTable table({"curve", "index", "material ratio [%]",
+                  is_high ? "height [um]" : "height [nm]"});
+  for (const surfaces::BearingPoint& point : bearing.points)
+    table.add("measured",
+              {0.0, 100.0 * point.material_ratio, unit * point.height});
+  table.add("core", {1.0, 0.0, unit * bearing.upper});
+  table.add("core", {1.0, 100.0, unit * bearing.lower});
+  figure.data = table.text();
+  figure.caption = fmt::format(
+      "Height above which a fraction of the area lies. Core height Sk = {}, "
+      "reduced peak height Spk = {}, reduced valley depth Svk = {}; the core "
+      "reaches from {:.1f} % to {:.1f} %.",
+      quantity_text(bearing.core_height, "m"),
+      quantity_text(bearing.peak_height, "m"),
+      quantity_text(bearing.valley_depth, "m"), 100.0 * bearing.peak_ratio,
+      100.0 * bearing.valley_ratio);
+  figure.script = fmt::format(
+      "set xlabel 'material ratio [%]'\nset ylabel 'height [{}]'\nset xrange "
+      "[0:100]\n{}",
+      is_high ? "µm" : "nm",
+      plot_of({"'bearing-curve.csv' " + of_series(0, "$3:4") +
+                   " with lines linewidth 1.6 linecolor rgb '#0072B2' title "
+                   "'measured'",
+               "'bearing-curve.csv' " + of_series(1, "$3:4") +
+                   " with lines dashtype 2 linewidth 1.2 linecolor rgb "
+                   "'#222222' title 'line of the core'"}));
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> figures_of(const surfaces::MapAnalysis& map) {
+  return {topography_figure(map),      map_spectrum_figure(map),
+          heights_figure(map),         bearing_figure(map),
+          autocorrelation_figure(map), scale_figure(map, true),
+          scale_figure(map, false)};
+}
+
+std::vector<Figure> contact_figures(const PredictedContact& contact) {
+  Figure separation;
+  separation.name = "predicted-separation";
+  separation.title = "Predicted separation";
+  CsvTable table({"curve", "index", "u [m]", "p [Pa]", "A/A_0 [1]"});
+  for (const PredictedLoad& load : contact.loads)
+    table.add("theory",
+              {0.0, load.mean_gap, load.nominal_pressure, load.area_fraction});
+  separation.data = table.text();
+  separation.caption = fmt::format(
+      "Nominal pressure against mean separation by Persson's theory with E* = "
+      "{:.4g} GPa and γ = {:g}, for roughness of wavelengths {} (rms height "
+      "{}, rms slope {:.3g}). At low pressure p = β E* exp(−u/u₀) with u₀ = {} "
+      "and β = {:.3g}.",
+      contact.contact_modulus * 1e-9, contact.gamma,
+      wavelengths_text(contact.wavevector_low, contact.wavevector_high),
+      quantity_text(contact.rms_height, "m"), contact.rms_slope,
+      quantity_text(contact.decay_length, "m"), contact.pressure_prefactor);
+  const bool is_high = contact.rms_height > 2e-6;
+  separation.script = fmt::format(
+      "set logscale y\nset format y '10^{{%T}}'\nset xlabel 'mean separation u "
+      "[{}]'\nset ylabel 'nominal pressure p [Pa]'\nset xrange [0:*]\n{}",
+      is_high ? "µm" : "nm",
+      plot_of({fmt::format("'predicted-separation.csv' using ($3*{:g}):4 with "
+                           "lines linewidth 1.8 linecolor rgb '#222222' "
+                           "notitle",
+                           is_high ? 1e6 : 1e9)}));
+  Figure area = separation;
+  area.name = "predicted-area";
+  area.title = "Predicted contact area";
+  area.caption = fmt::format(
+      "Contact area against nominal pressure by the same theory, A/A₀ = erf(√2 "
+      "p/(E* h')) with the rms slope h' = {:.3g}; the data hold 31 loads.",
+      contact.rms_slope);
+  area.script = "set logscale xy\nset format '10^{%T}'\nset xlabel 'nominal "
+                "pressure p [Pa]'\nset ylabel 'contact area A / A_0'\n" +
+                plot_of({"'predicted-area.csv' using 4:5 with lines linewidth "
+                         "1.8 linecolor rgb '#222222' notitle"});
+  return {separation, area};
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,30 @@
+#pragma once
+
+// This file draws the figures of a surface report: map, heights, spectrum,
+// autocorrelation, dependence on scale, bearing curve and predicted contact.
+
+#include "reports/figures/gnuplot.hpp"
+#include "reports/surface/surface_report.hpp"
+
+#include <vector>
+
+namespace asperity::reports {
+
+/// Figures of one map: topography, heights, map-spectrum, autocorrelation,
+/// scale-slope, scale-curvature, bearing-curve.
+std::vector<Figure> figures_of(const surfaces::MapAnalysis& map);
+
+/// Figures of one line scan: profile, profile-spectrum.
+std::vector<Figure> figures_of(const surfaces::LineAnalysis& line);
+
+/// The spectra of several maps or lines and their mean: stitched-spectrum.
+Figure stitched_figure(const SurfaceReport& report);
+
+/// Predicted separation and contact area: predicted-separation and
+/// predicted-area.
+std::vector<Figure> contact_figures(const PredictedContact& contact);
+
+/// C(q) of a map with its confidence band, its limits and the fitted model.
+Figure map_spectrum_figure(const surfaces::MapAnalysis& map);
+
+} // namespace asperity::reports

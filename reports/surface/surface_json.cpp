@@ -1,0 +1,142 @@
+#include "reports/surface/surface_json.hpp"
+
+#include "reports/surface/surface_quantities.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json rows_json(const std::vector<surfaces::SpectrumRing>& rows) {
+  Json list = Json::array();
+  for (const surfaces::SpectrumRing& row : rows) {
+    const surfaces::DensityInterval interval = confidence_of(row);
+    list.push_back({{"wavevector", row.wavevector},
+                    {"density", row.density},
+                    {"low", interval.low},
+                    {"high", interval.high},
+                    {"degrees_of_freedom", row.degrees_of_freedom}});
+  }
+  return list;
+}
+
+Json quantities_json(const std::vector<SurfaceQuantity>& quantities) {
+  Json object;
+  for (const SurfaceQuantity& quantity : quantities) {
+    Json entry{{"value", number(quantity.by_nodes)}, {"unit", quantity.unit}};
+    if (std::isfinite(quantity.by_spectrum))
+      entry["by_spectrum"] = quantity.by_spectrum;
+    object[quantity.key] = entry;
+  }
+  return object;
+}
+
+Json fit_json(const surfaces::SelfAffineFit& fit) {
+  Json object;
+  for (const FittedQuantity& quantity : quantities_of(fit)) {
+    Json entry{{"value", number(quantity.parameter.value)},
+               {"low", number(quantity.parameter.low)},
+               {"high", number(quantity.parameter.high)},
+               {"unit", quantity.unit}};
+    if (!quantity.parameter.reason.empty())
+      entry["reason"] = quantity.parameter.reason;
+    object[quantity.key] = entry;
+  }
+  object["plateau"] = fit.plateau;
+  object["noise"] = fit.noise;
+  object["dispersion"] = fit.dispersion;
+  return object;
+}
+
+Json map_json(const surfaces::MapAnalysis& map) {
+  const Grid& grid = map.map.grid;
+  const surfaces::ReliableRange& range = map.range;
+  Json object{{"name", map.name},
+              {"origin", map.origin},
+              {"points", {grid.points_x, grid.points_y}},
+              {"lengths", {grid.length_x, grid.length_y}},
+              {"is_periodic", map.is_periodic},
+              {"parameters", quantities_json(quantities_of(map))},
+              {"reliable",
+               {{"low", range.low},
+                {"high", range.high},
+                {"low_reason", range.low_reason},
+                {"high_reason", range.high_reason}}}};
+  if (range.noise)
+    object["reliable"]["noise_floor"] = range.noise->density;
+  if (range.tip_wavevector)
+    object["reliable"]["tip_wavevector"] = *range.tip_wavevector;
+  object["self_affine"] = map.fit ? fit_json(*map.fit) : Json(nullptr);
+  object["spectrum"] = rows_json(joined_rings(map.spectrum.rings, 15.0));
+  Json scales = Json::array();
+  for (const surfaces::LocalDifferences& scale : map.scales)
+    scales.push_back({{"distance", scale.distance()},
+                      {"rms_slope", scale.rms_slope()},
+                      {"rms_curvature", scale.rms_curvature()},
+                      {"sharpest_peak", -scale.lowest_second}});
+  object["scales"] = scales;
+  return object;
+}
+
+Json line_json(const surfaces::LineAnalysis& line) {
+  return {{"name", line.name},
+          {"origin", line.origin},
+          {"points", line.line.heights.size()},
+          {"length", line.line.length()},
+          {"parameters", quantities_json(quantities_of(line))},
+          {"reliable", {{"low", line.low}, {"high", line.high}}},
+          {"line_spectrum", rows_json(line.line_rows)},
+          {"spectrum", rows_json(line.rows)}};
+}
+
+Json contact_json(const PredictedContact& contact) {
+  Json loads = Json::array();
+  for (const PredictedLoad& load : contact.loads)
+    loads.push_back({{"nominal_pressure", load.nominal_pressure},
+                     {"mean_gap", load.mean_gap},
+                     {"area_fraction", load.area_fraction}});
+  return {{"contact_modulus", contact.contact_modulus},
+          {"gamma", contact.gamma},
+          {"rms_height", contact.rms_height},
+          {"rms_slope", contact.rms_slope},
+          {"wavevector_low", contact.wavevector_low},
+          {"wavevector_high", contact.wavevector_high},
+          {"decay_length", contact.decay_length},
+          {"pressure_prefactor", contact.pressure_prefactor},
+          {"loads", loads}};
+}
+
+} // namespace
+
+nlohmann::ordered_json surface_json(const SurfaceReport& report) {
+  Json maps = Json::array();
+  for (const surfaces::MapAnalysis& map : report.maps)
+    maps.push_back(map_json(map));
+  Json lines = Json::array();
+  for (const surfaces::LineAnalysis& line : report.lines)
+    lines.push_back(line_json(line));
+  Json ratios = Json::array();
+  for (const double ratio : report.stitched.ratios)
+    ratios.push_back(number(ratio));
+  Json object{{"schema", 1},
+              {"title", report.title},
+              {"maps", maps},
+              {"lines", lines},
+              {"stitched",
+               {{"rows", rows_json(report.stitched.rows)},
+                {"ratios", ratios},
+                {"notes", stitching_notes(report)}}}};
+  if (report.contact)
+    object["contact"] = contact_json(*report.contact);
+  return object;
+}
+
+} // namespace asperity::reports

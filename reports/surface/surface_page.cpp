@@ -1,0 +1,185 @@
+#include "reports/surface/surface_page.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/parallel_rows.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "reports/pages/page_data.hpp"
+#include "reports/report_template.hpp"
+#include "reports/surface/surface_figures.hpp"
+#include "reports/surface/surface_json.hpp"
+#include "reports/surface/surface_quantities.hpp"
+#include "reports/surface/surface_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <kainjow/mustache.hpp>
+#include <thread>
+
+namespace asperity::reports {
+namespace {
+
+using Value = kainjow::mustache::data;
+using List = kainjow::mustache::list;
+
+List quantity_rows(const std::vector<SurfaceQuantity>& quantities) {
+  List rows;
+  for (const SurfaceQuantity& quantity : quantities) {
+    Value row;
+    row.set("symbol", quantity.symbol);
+    row.set("meaning", quantity.meaning);
+    row.set("nodes", quantity_text(quantity.by_nodes, quantity.unit));
+    row.set("spectrum", std::isfinite(quantity.by_spectrum)
+                            ? quantity_text(quantity.by_spectrum, quantity.unit)
+                            : "");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+List fit_data(const surfaces::SelfAffineFit& fit) {
+  List rows;
+  for (const FittedQuantity& quantity : quantities_of(fit)) {
+    const surfaces::FittedParameter& fitted = quantity.parameter;
+    const bool has_value = std::isfinite(fitted.value);
+    Value row;
+    row.set("symbol", quantity.symbol);
+    row.set("meaning", quantity.meaning);
+    row.set("value",
+            has_value ? quantity_text(fitted.value, quantity.unit) : "–");
+    row.set("interval",
+            has_value ? fmt::format("{} to {}",
+                                    quantity_text(fitted.low, quantity.unit),
+                                    quantity_text(fitted.high, quantity.unit))
+                      : fitted_text(quantity));
+    // A wavevector is easier to imagine as a wavelength.
+    row.set("wavelength",
+            quantity.unit == "1/m" && has_value
+                ? quantity_text(2.0 * std::acos(-1.0) / fitted.value, "m")
+                : "");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Value part_data(const surfaces::MapAnalysis& map) {
+  Value part;
+  part.set("name", map.name);
+  part.set("sentence",
+           fmt::format("{} × {} points over {} × {}. {}", map.map.grid.points_x,
+                       map.map.grid.points_y,
+                       quantity_text(map.map.grid.length_x, "m"),
+                       quantity_text(map.map.grid.length_y, "m"), map.origin));
+  part.set("range", range_text(map));
+  part.set("quantities", quantity_rows(quantities_of(map)));
+  part.set("has_spectrum", true);
+  part.set("has_fit", map.fit.has_value());
+  if (map.fit) {
+    part.set("fit", fit_data(*map.fit));
+    part.set("dispersion", fmt::format("{:.2g}", map.fit->dispersion));
+  }
+  return part;
+}
+
+Value part_data(const surfaces::LineAnalysis& line) {
+  Value part;
+  part.set("name", line.name);
+  part.set("sentence",
+           fmt::format("{} points over {}. {}", line.line.heights.size(),
+                       quantity_text(line.line.length(), "m"), line.origin));
+  part.set("range", range_text(line));
+  part.set("quantities", quantity_rows(quantities_of(line)));
+  part.set("has_spectrum", false);
+  part.set("has_fit", false);
+  return part;
+}
+
+/// Figures of one heading, and the folder below figures/ that holds them.
+struct FigureSet {
+  std::string heading;
+  std::string folder;
+  std::vector<Figure> figures;
+};
+
+std::vector<FigureSet> figure_sets(const SurfaceReport& report) {
+  std::vector<FigureSet> sets;
+  const bool has_many = report.parts() > 1;
+  if (has_many)
+    sets.push_back({"All measurements", "", {stitched_figure(report)}});
+  if (report.contact)
+    sets.push_back({"Contact by theory", "", contact_figures(*report.contact)});
+  const auto add = [&](std::size_t part, std::vector<Figure> figures) {
+    const std::string& name = report.name_of(part);
+    sets.push_back(
+        {has_many ? name : "Figures",
+         has_many ? fmt::format("{}-{}", part + 1, file_word(name)) : "",
+         std::move(figures)});
+  };
+  for (std::size_t i = 0; i < report.maps.size(); ++i)
+    add(i, figures_of(report.maps[i]));
+  for (std::size_t i = 0; i < report.lines.size(); ++i)
+    add(report.maps.size() + i, figures_of(report.lines[i]));
+  return sets;
+}
+
+std::vector<DrawnGroup> drawn(const std::vector<FigureSet>& sets,
+                              const std::filesystem::path& folder) {
+  std::vector<DrawnGroup> groups;
+  std::vector<std::pair<std::size_t, std::size_t>> turns;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    groups.push_back(
+        {sets[s].heading, std::vector<DrawnFigure>(sets[s].figures.size())});
+    for (std::size_t f = 0; f < sets[s].figures.size(); ++f)
+      turns.emplace_back(s, f);
+  }
+  const int threads =
+      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  parallel_rows(static_cast<int>(turns.size()), threads, [&](int turn) {
+    const auto [s, f] = turns[static_cast<std::size_t>(turn)];
+    groups[s].figures[f] =
+        draw(sets[s].figures[f], folder / "figures" / sets[s].folder);
+  });
+  return groups;
+}
+
+std::string surface_page(const SurfaceReport& report,
+                         const std::vector<DrawnGroup>& groups) {
+  Value page;
+  page.set("title", report.title);
+  page.set("style", shared_style());
+  List parts;
+  for (const surfaces::MapAnalysis& map : report.maps)
+    parts.push_back(part_data(map));
+  for (const surfaces::LineAnalysis& line : report.lines)
+    parts.push_back(part_data(line));
+  page.set("parts", parts);
+  page.set("is_one_of_many", report.parts() > 1);
+  List notes;
+  for (const std::string& note : stitching_notes(report))
+    notes.push_back(text_item(note));
+  page.set("notes", notes);
+  page.set("groups", group_data(groups));
+  kainjow::mustache::mustache view{std::string(surface_template)};
+  return view.render(page);
+}
+
+} // namespace
+
+std::vector<std::string>
+write_surface_report(const SurfaceReport& report,
+                     const std::filesystem::path& folder) {
+  const std::vector<DrawnGroup> groups = drawn(figure_sets(report), folder);
+  write_file_atomically(folder / "spectrum.txt", spectrum_text(report));
+  write_file_atomically(folder / "surface.json",
+                        surface_json(report).dump(1) + "\n");
+  write_file_atomically(folder / "report.html", surface_page(report, groups));
+  std::vector<std::string> problems;
+  for (const DrawnGroup& group : groups)
+    for (const DrawnFigure& figure : group.figures)
+      if (!figure.problem.empty())
+        problems.push_back(figure.name + ": " + figure.problem);
+  return problems;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,70 @@
+#include "reports/surface/surface_report.hpp"
+
+#include "surfaces/formats/tabulated_spectrum.hpp"
+#include "theory/persson/persson.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace asperity::reports {
+namespace {
+
+constexpr int contact_loads = 31;
+constexpr double lightest_load = 1e-4; // in E* h'
+
+theory::HeightSpectrum spectrum_for(const SurfaceReport& report) {
+  if (report.parts() == 1 && report.maps.size() == 1) {
+    const surfaces::MapAnalysis& map = report.maps.front();
+    std::vector<theory::SpectrumShell> shells;
+    for (const surfaces::SpectrumRing& ring :
+         surfaces::rings_between(map.spectrum.rings, 0.0, map.range.high))
+      shells.push_back({ring.wavevector, ring.mean_square_height});
+    return theory::HeightSpectrum(std::move(shells));
+  }
+  std::vector<double> wavevectors;
+  std::vector<double> densities;
+  for (const surfaces::SpectrumRing& row : report.stitched.rows) {
+    wavevectors.push_back(row.wavevector);
+    densities.push_back(row.density);
+  }
+  const surfaces::IsotropicSpectrum table =
+      surfaces::TabulatedSpectrum(std::move(wavevectors), std::move(densities))
+          .isotropic();
+  return theory::HeightSpectrum(
+      theory::SpectrumFormula{table.density, table.kinks});
+}
+
+} // namespace
+
+void add_stitched(SurfaceReport& report) {
+  std::vector<surfaces::SpectrumPart> parts;
+  for (const surfaces::MapAnalysis& map : report.maps)
+    parts.push_back(part_of(map));
+  for (const surfaces::LineAnalysis& line : report.lines)
+    parts.push_back(part_of(line));
+  report.stitched = surfaces::stitch(parts);
+}
+
+void add_contact(SurfaceReport& report, double contact_modulus, double gamma) {
+  const theory::PerssonContact theory(spectrum_for(report), contact_modulus,
+                                      gamma);
+  PredictedContact contact;
+  contact.contact_modulus = contact_modulus;
+  contact.gamma = gamma;
+  contact.rms_height = theory.spectrum().rms_height();
+  contact.rms_slope = theory.spectrum().rms_slope();
+  contact.wavevector_low = theory.spectrum().wavevector_low();
+  contact.wavevector_high = theory.spectrum().wavevector_high();
+  contact.decay_length = theory.gap_decay_length();
+  contact.pressure_prefactor = theory.pressure_prefactor();
+  const double scale = contact_modulus * contact.rms_slope;
+  for (int i = 0; i < contact_loads; ++i) {
+    const double share = static_cast<double>(i) / (contact_loads - 1);
+    const double pressure = scale * std::pow(lightest_load, 1.0 - share);
+    contact.loads.push_back(
+        {pressure, theory.mean_gap(pressure), theory.area_fraction(pressure)});
+  }
+  report.contact = std::move(contact);
+}
+
+} // namespace asperity::reports

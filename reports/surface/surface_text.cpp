@@ -1,0 +1,126 @@
+#include "reports/surface/surface_text.hpp"
+
+#include "reports/surface/surface_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+/// Pads by characters, of which UTF-8 may need several bytes.
+std::string padded(const std::string& text, std::size_t width) {
+  const auto continued = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+      }));
+  const std::size_t length = text.size() - continued;
+  return text + std::string(length < width ? width - length : 0, ' ');
+}
+
+std::string table_text(const std::vector<SurfaceQuantity>& quantities,
+                       bool has_spectrum) {
+  std::string text = has_spectrum ? "        by nodes      by spectrum\n" : "";
+  for (const SurfaceQuantity& quantity : quantities)
+    text += fmt::format(
+        "  {}{}{}{}\n", padded(quantity.symbol, 6),
+        padded(quantity_text(quantity.by_nodes, quantity.unit), 14),
+        has_spectrum
+            ? padded(std::isfinite(quantity.by_spectrum)
+                         ? quantity_text(quantity.by_spectrum, quantity.unit)
+                         : "",
+                     14)
+            : "",
+        quantity.meaning);
+  return text;
+}
+
+std::string map_text(const surfaces::MapAnalysis& map) {
+  const Grid& grid = map.map.grid;
+  std::string text = fmt::format("{}: {} x {} points over {} x {}\n  {}\n",
+                                 map.name, grid.points_x, grid.points_y,
+                                 quantity_text(grid.length_x, "m"),
+                                 quantity_text(grid.length_y, "m"), map.origin);
+  text += table_text(quantities_of(map), true);
+  text += fmt::format("  reliable: {}\n", range_text(map));
+  if (!map.fit)
+    return text + "  self-affine model: not fitted, too few rings in the "
+                  "reliable range\n";
+  text += "  self-affine model, 95 % intervals:\n";
+  for (const FittedQuantity& quantity : quantities_of(*map.fit))
+    text += fmt::format("    {}{}\n", padded(quantity.symbol, 7),
+                        fitted_text(quantity));
+  if (map.fit->dispersion > 2.0)
+    text += fmt::format("    The rings scatter {:.2g} times as much about the "
+                        "model as they would for a Gaussian self-affine "
+                        "surface; the intervals are widened accordingly.\n",
+                        std::sqrt(map.fit->dispersion));
+  return text;
+}
+
+std::string line_text(const surfaces::LineAnalysis& line) {
+  return fmt::format("{}: {} points over {}\n  {}\n{}  reliable: {}\n",
+                     line.name, line.line.heights.size(),
+                     quantity_text(line.line.length(), "m"), line.origin,
+                     table_text(quantities_of(line), false), range_text(line));
+}
+
+std::string contact_text(const PredictedContact& contact) {
+  std::string text = fmt::format(
+      "contact by Persson's theory, E* = {:.4g} GPa, gamma = {:g}, roughness "
+      "of "
+      "wavelengths {}:\n  u_0 = {}, beta = {:.4g}\n  {:>12} {:>12} {:>10}\n",
+      contact.contact_modulus * 1e-9, contact.gamma,
+      wavelengths_text(contact.wavevector_low, contact.wavevector_high),
+      quantity_text(contact.decay_length, "m"), contact.pressure_prefactor,
+      "p [Pa]", "u [nm]", "A/A_0 [%]");
+  for (std::size_t i = 0; i < contact.loads.size(); i += 5) {
+    const PredictedLoad& load = contact.loads[i];
+    text +=
+        fmt::format("  {:>12.4g} {:>12.4g} {:>10.4g}\n", load.nominal_pressure,
+                    1e9 * load.mean_gap, 100.0 * load.area_fraction);
+  }
+  return text;
+}
+
+} // namespace
+
+std::string surface_text(const SurfaceReport& report) {
+  std::string text;
+  for (const surfaces::MapAnalysis& map : report.maps)
+    text += map_text(map);
+  for (const surfaces::LineAnalysis& line : report.lines)
+    text += line_text(line);
+  if (report.parts() > 1) {
+    const auto& rows = report.stitched.rows;
+    text += fmt::format(
+        "all together: {} rows, wavelengths {}\n", rows.size(),
+        wavelengths_text(rows.front().wavevector, rows.back().wavevector));
+    for (std::size_t part = 0; part < report.parts(); ++part)
+      if (const double ratio = report.stitched.ratios[part];
+          std::isfinite(ratio))
+        text += fmt::format(
+            "  {}: {:.3g} times the mean where it overlaps others\n",
+            report.name_of(part), ratio);
+    for (const std::string& note : stitching_notes(report))
+      text += fmt::format("  note: {}\n", note);
+  }
+  if (report.contact)
+    text += contact_text(*report.contact);
+  return text;
+}
+
+std::string spectrum_text(const SurfaceReport& report) {
+  std::vector<std::string> comments;
+  for (const surfaces::MapAnalysis& map : report.maps)
+    comments.push_back(map.name + ": " + range_text(map));
+  for (const surfaces::LineAnalysis& line : report.lines)
+    comments.push_back(line.name + ": " + range_text(line));
+  for (const std::string& note : stitching_notes(report))
+    comments.push_back("note: " + note);
+  return spectrum_table(report.stitched.rows, comments);
+}
+
+} // namespace asperity::reports

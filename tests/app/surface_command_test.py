@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""`asperity surface` from the command line: numbers, files, messages.
+
+surface_command_test.py PROGRAM SOURCE FOLDER: runs the program on maps that are
+written into FOLDER, and on the real maps beside the source tree if they are there.
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+
+def run(program, *words, code=0):
+    """What a command prints, after a check of its exit code."""
+    ended = subprocess.run([program, "surface", *map(str, words)], text=True, check=False,
+                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert ended.returncode == code, f"{words}: {ended.returncode}\n{ended.stdout}{ended.stderr}"
+    return ended.stdout + ended.stderr
+
+
+def write_map(path, heights):
+    path.write_text("\n".join(" ".join(f"{h:.12g}" for h in row) for row in heights) + "\n")
+
+
+def wave(points):
+    """16 waves of 3 nm along x, and a tilt."""
+    x = np.arange(points) / points
+    return 3.0 * np.cos(2 * np.pi * 16 * x)[None, :] + 0.5 * np.arange(points)[:, None]
+
+
+def rough(points, seed, side, hurst=0.8, roll_off=8):
+    """A corner of a self-affine surface of twice the side; heights in nm."""
+    n = 2 * points
+    rng = np.random.default_rng(seed)
+    q = np.hypot(*np.meshgrid(np.fft.fftfreq(n, 1 / n), np.fft.fftfreq(n, 1 / n)))
+    q /= 2 * side
+    with np.errstate(divide="ignore"):
+        amplitude = np.maximum(q, roll_off) ** (-1 - hurst)
+    amplitude[0, 0] = 0
+    heights = np.fft.ifft2(np.fft.fft2(rng.standard_normal((n, n))) * amplitude).real
+    return heights[:points, :points] * 1e3
+
+
+def check_wave(program, folder):
+    map_file = folder / "wave.txt"
+    write_map(map_file, wave(128))
+    scale = ["--length", "10 um", "--height-unit", "nm"]
+    answer = json.loads(run(program, map_file, *scale, "--json"))
+    found = answer["maps"][0]["parameters"]
+    # The tilt is gone, and both ways find 3 nm/sqrt(2); forward differences see sin(x)/x of it.
+    rms = 3e-9 / np.sqrt(2)
+    slope = 2 * np.pi * 16 / 10e-6 * rms
+    assert abs(found["sq"]["value"] / rms - 1) < 2e-2
+    assert abs(found["sq"]["by_spectrum"] / rms - 1) < 2e-2
+    assert abs(found["sdq"]["by_spectrum"] / slope - 1) < 2e-2
+    assert abs(found["sdq"]["value"] / slope - np.sinc(16 / 128)) < 2e-2
+    assert not (folder / "out").exists(), "--json wrote a report"
+    printed = run(program, map_file, *scale, "--no-report")
+    assert "128 x 128 points over 10 µm x 10 µm" in printed and "Sq" in printed
+    assert not (folder / "out").exists(), "--no-report wrote a report"
+
+
+def check_report(program, folder):
+    map_file = folder / "rough.txt"
+    write_map(map_file, rough(96, 1, 1.0))
+    printed = run(program, map_file, "--length", "10 um", "--height-unit", "nm", "--contact-modulus",
+                  "2 GPa", "--tip-radius", "10 nm", "--out", folder / "page")
+    assert "contact by Persson's theory" in printed
+    page = (folder / "page/report.html").read_text()
+    assert page.count("data:image/svg+xml") == 9 and "could not be drawn" not in page
+    drawn = {path.stem for path in (folder / "page/figures").glob("*.svg")}
+    assert {"topography", "map-spectrum", "predicted-area"} <= drawn, drawn
+    kept = json.loads((folder / "page/surface.json").read_text())
+    loads = kept["contact"]["loads"]
+    assert len(loads) == 31 and loads[0]["mean_gap"] > loads[-1]["mean_gap"]
+    # A/A_0 = erf(sqrt(2) p/(E* h')) at the largest load, p = E* h'
+    assert abs(loads[-1]["area_fraction"] - 0.954499736) < 1e-6
+    # The table is one that a case reads.
+    case = folder / "case.toml"
+    case.write_text('schema = 1\n[surface]\nkind = "spectrum"\nfile = "page/spectrum.txt"\n'
+                    '[material]\ncontact_modulus = "2 GPa"\n[load]\n'
+                    'nominal_pressure = ["0.01 E*"]\n[theory]\ngamma = 0.42\n')
+    subprocess.run([program, "run", case, "--out", folder / "run", "--no-report"], check=True,
+                   stdout=subprocess.DEVNULL)
+
+
+def check_several(program, folder):
+    """Two magnifications of one kind of surface: the joined spectrum covers both."""
+    write_map(folder / "wide.txt", rough(128, 2, 1.0))
+    write_map(folder / "narrow.txt", rough(128, 3, 0.1))
+    scales = ["--height-unit", "nm", "--json"]
+    one = json.loads(run(program, folder / "wide.txt", "--length", "10 um", *scales))
+    two = json.loads(run(program, folder / "narrow.txt", "--length", "1 um", *scales))
+    for part, length in (("wide", "10.0"), ("narrow", "1.0")):
+        text = (folder / f"{part}.txt").read_text()
+        (folder / f"{part}-gwyddion.txt").write_text(
+            f"# Width: {length} µm\n# Height: {length} µm\n# Value units: nm\n" + text)
+    both = json.loads(run(program, folder / "wide-gwyddion.txt", folder / "narrow-gwyddion.txt", "--json"))
+    rows = both["stitched"]["rows"]
+    assert rows[0]["wavevector"] < 1.2 * one["maps"][0]["reliable"]["low"]
+    assert rows[-1]["wavevector"] > 0.8 * two["maps"][0]["reliable"]["high"]
+    assert len(both["stitched"]["ratios"]) == 2
+
+
+def check_line(program, folder):
+    x = np.arange(4096) / 4096
+    rng = np.random.default_rng(5)
+    q = np.maximum(np.fft.rfftfreq(4096, 1 / 4096), 10.0)
+    z = np.fft.irfft(np.fft.rfft(rng.standard_normal(4096)) * q ** -1.3)
+    table = folder / "line.txt"
+    table.write_text("\n".join(f"{a:.9g}\t{b:.9g}" for a, b in zip(4000 * x, z)))
+    message = run(program, table, code=2)
+    assert "is a line scan" in message and "--length" in message
+    answer = json.loads(run(program, table, "--length", "4 mm", "--height-unit", "um", "--json"))
+    line = answer["lines"][0]
+    assert line["points"] == 4096 and len(line["spectrum"]) > 5
+    run(program, table, "--length", "4 mm", "--height-unit", "um", "--out", folder / "line-page")
+    assert "could not be drawn" not in (folder / "line-page/report.html").read_text()
+
+
+def check_case(program):
+    answer = json.loads(run(program, "wave-1d", "--json"))
+    found = answer["maps"][0]
+    amplitude = 0.003183098861837907 * found["lengths"][0]
+    assert abs(found["parameters"]["sq"]["value"] / (amplitude / np.sqrt(2)) - 1) < 1e-9
+    assert found["is_periodic"] and found["self_affine"] is None
+    run(program, "self-affine", "--set", "surface.points=64", "--set", "surface.wavelength_short=8 h",
+        "--no-report")
+
+
+def check_conversion(program, folder):
+    heights = rough(32, 4, 1.0)
+    write_map(folder / "some.txt", heights)
+    run(program, folder / "some.txt", "--length", "1 um", "--height-unit", "nm", "--level", "none",
+        "--no-report", "--write", folder / "some.npy")
+    kept = np.load(folder / "some.npy")
+    assert np.allclose(kept, 1e-9 * (heights - heights.mean()), atol=1e-18)
+
+
+def check_messages(program, folder):
+    scale = ["--length", "1 um", "--height-unit", "nm"]
+    some = folder / "some.txt"
+    flat = folder / "flat.txt"
+    write_map(flat, np.zeros((8, 8)))
+    tiny = folder / "tiny.txt"
+    write_map(tiny, np.eye(3))
+    for words, expected in [
+            ([folder / "none.txt"], "there is no such file"),
+            (["polimer"], "polymer"),
+            (["paper"], "is a collection"),
+            ([some], '--length "20 um"'),
+            ([some, "--length", "1 Pa", "--height-unit", "nm"], "surface.length"),
+            ([some, *scale, "--level", "sphere"], "--level"),
+            ([some, *scale, "--tip-radius", "-1 nm"], "--tip-radius"),
+            ([some, *scale, "--contact-modulus", "2 nm"], "--contact-modulus"),
+            ([some, *scale, "--gamma", "2"], "--gamma"),
+            ([some, *scale, "--write", folder / "a.docx"], ".npy"),
+            ([some, *scale, "--set", "surface.levl=bow"], "level"),
+            ([flat, *scale], "flat"),
+            ([tiny, *scale], "points per side"),
+            ([], "input")]:
+        message = run(program, *words, "--no-report", code=2)
+        assert expected in message, f"{words}: {message}"
+    assert not (folder / "a.docx").exists()
+
+
+def check_real_maps(program, source):
+    data = Path(source).parent / "shared/data/afm-20um-256.txt"
+    if not data.exists():
+        print("skipped: there are no real maps")
+        return
+    found = json.loads(run(program, data, "--level", "bow", "--json"))["maps"][0]
+    assert found["points"] == [256, 256]
+    assert abs(found["parameters"]["sq"]["value"] - 6e-9) < 1e-9 # as its README says
+
+
+def main(program, source, scratch):
+    folder = Path(scratch)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    os.chdir(folder)
+    os.environ["ASPERITY_CACHE"] = str(folder / "cache")
+    check_wave(program, folder)
+    check_conversion(program, folder)
+    check_messages(program, folder)
+    check_case(program)
+    check_several(program, folder)
+    check_line(program, folder)
+    check_report(program, folder)
+    check_real_maps(program, source)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
