@@ -47,9 +47,13 @@ MapPicture picture_of_map(const surfaces::HeightMap& map) {
 Figure topography_figure(const surfaces::MapAnalysis& map) {
   const Grid& grid = map.map.grid;
   const MapPicture picture = picture_of_map(map.map);
-  const bool is_high = picture.largest > 2000.0;
+  // A few deep pits or scan lines must not take all colours.
+  const double tail =
+      std::max(map.bearing.height_at(0.005), -map.bearing.height_at(0.995));
+  const double shown = std::min(picture.largest, 1.3 * 1e9 * tail);
+  const bool is_high = shown > 2000.0;
   const double unit = is_high ? 1e-3 : 1.0;
-  const double span = picture.largest * unit;
+  const double span = shown * unit;
   Figure figure;
   figure.name = "topography";
   figure.title = "Heights";
@@ -58,6 +62,8 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   figure.caption = fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
                                grid.points_y, quantity_text(grid.length_x, "m"),
                                quantity_text(grid.length_y, "m"), map.origin);
+  if (shown < picture.largest)
+    figure.caption += " Colours end beyond 99 % of the heights.";
   // A stripe would be unreadable at its true proportions.
   const double ratio = grid.length_y / grid.length_x;
   const std::string size =

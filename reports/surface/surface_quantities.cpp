@@ -104,6 +104,8 @@ std::string fitted_text(const FittedQuantity& quantity) {
   const surfaces::FittedParameter& fitted = quantity.parameter;
   if (!std::isfinite(fitted.value)) {
     const bool has_low = std::isfinite(fitted.low);
+    if (!has_low && !std::isfinite(fitted.high))
+      return fmt::format("not determined ({})", fitted.reason);
     const double limit = has_low ? fitted.low : fitted.high;
     return fmt::format("{} {} ({})", has_low ? "above" : "below",
                        quantity_text(limit, quantity.unit), fitted.reason);

@@ -15,7 +15,8 @@ constexpr double two_sided = 1.959963984540054; // 95 % of a normal distribution
 constexpr double likelihood_drop = 0.5 * two_sided * two_sided;
 constexpr std::size_t fewest_rings = 10;
 constexpr double least_ratio = 3.0;
-constexpr double one_ring = 1.03; // a little more than the width of a ring
+constexpr double widest_hurst = 0.5; // half width of a useful interval of H
+constexpr double one_ring = 1.03;    // a little more than the width of a ring
 
 /// The best fit for each number of rings below the cut-off.
 struct CutoffScan {
@@ -133,8 +134,7 @@ FittedParameter rms_height_of(const WhittlePart& part,
 double SelfAffineFit::density(double wavevector) const {
   const double corner =
       std::isnan(roll_off.value) ? wavevector_low : roll_off.value;
-  return plateau * std::pow(std::max(wavevector, corner) / corner,
-                            -2.0 - 2.0 * hurst.value) +
+  return plateau * std::pow(std::max(wavevector, corner) / corner, exponent) +
          noise;
 }
 
@@ -168,7 +168,11 @@ fit_self_affine(const std::vector<SpectrumRing>& rings, double wavevector_end) {
       covariance_of(rings, chosen, has_roll_off, widening);
   const double hurst = chosen.parameters[1];
   const double half = two_sided * std::sqrt(covariance[1][1]);
+  fit.exponent = -2.0 - 2.0 * hurst;
   fit.hurst = {hurst, hurst - half, hurst + half, ""};
+  if (half > widest_hurst || std::abs(hurst - 0.5) > widest_hurst + 0.5)
+    fit.hurst = {not_a_number, not_a_number, not_a_number,
+                 "the self-affine part of the spectrum is too short"};
   const double corner = std::exp(chosen.parameters[2]);
   if (has_roll_off) {
     const double factor = std::exp(two_sided * std::sqrt(covariance[2][2]));

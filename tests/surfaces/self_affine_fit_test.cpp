@@ -77,6 +77,23 @@ TEST(SelfAffineFit, SaysThatThereIsNoRollOff) {
   EXPECT_NEAR(found->hurst.value, 0.7, 1e-3);
 }
 
+// Between a roll-off and a cut-off a factor of 1.4 apart, with scatter, any H
+// fits; the model is still a description of the rings.
+TEST(SelfAffineFit, StatesNoHurstExponentOfAShortPart) {
+  const SelfAffineSpectrum truth = spectrum_of(0.8, 8, 11);
+  const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0}, {1, 0},
+                                cases::Amplitudes::gaussian);
+  const SpectrumEstimate spectrum = estimate_spectrum(map, true);
+
+  const auto found = fit_self_affine(spectrum.rings, spectrum.wavevector_high);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(std::isnan(found->hurst.value));
+  EXPECT_EQ(found->hurst.reason,
+            "the self-affine part of the spectrum is too short");
+  EXPECT_NEAR(found->density(4 * unit) / truth(4 * unit), 1.0, 0.3);
+}
+
 TEST(SelfAffineFit, NeedsEnoughRings) {
   const SelfAffineSpectrum truth = spectrum_of(0.7, 2, 1000);
 
