@@ -143,8 +143,8 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
       ->required();
   command
       ->add_option("--level", surface.level,
-                   "form removed from a file: none, plane or bow")
-      ->check(CLI::IsMember({"none", "plane", "bow"}))
+                   "form removed from a file, as [surface] level:\n"
+                   "none, plane, bow")
       ->capture_default_str();
   command->add_flag("--periodic", surface.is_periodic,
                     "a file continues at its edges; without this, a\n"

@@ -1,10 +1,9 @@
 #include "app/cli/surface_input.hpp"
 
 #include "app/cli/asked_cases.hpp"
+#include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/case_error.hpp"
-#include "cases/text/node.hpp"
-#include "cases/text/toml_text.hpp"
 #include "cases/types/units.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
@@ -19,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& text) {
-  cases::Node node;
-  node.type = cases::NodeType::text;
-  node.text = text;
-  return cases::toml_value(node);
-}
-
 /// "nm" is one of this unit.
 std::string with_number(const std::string& unit) {
   const bool has_number =
@@ -33,37 +25,30 @@ std::string with_number(const std::string& unit) {
   return has_number ? unit : "1 " + unit;
 }
 
-/// A case that presses the map, which the analysis does not need but the
-/// reader of cases does.
+/// The case that `asperity run MAP` would run, with the options as overrides.
 cases::Case case_of_file(const std::string& file,
                          const SurfaceCommand& command) {
-  const std::string text = fmt::format(
-      "schema = 1\n[surface]\nkind = \"measured\"\nfile = {}\nlevel = {}\n"
-      "edges = \"{}\"\n[material]\ncontact_modulus = 1.0\npoisson_ratio = 0.0\n"
-      "[load]\nnominal_pressure = [\"0.01 E*\"]\n[theory]\ngamma = 0.42\n",
-      quoted(fs::absolute(file).string()), quoted(command.level),
-      command.is_periodic ? "periodic" : "mirror");
-  std::vector<std::string> overrides;
+  std::vector<std::string> overrides{"surface.level=" + command.level};
+  if (command.is_periodic)
+    overrides.emplace_back("surface.edges=periodic");
   if (!command.length.empty())
-    overrides.push_back("surface.length=" + quoted(command.length));
+    overrides.push_back("surface.length=" + command.length);
   if (!command.height_unit.empty())
     overrides.push_back("surface.height_unit=" +
-                        quoted(with_number(command.height_unit)));
+                        with_number(command.height_unit));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
-  return cases::read_case_text(text, file, overrides);
+  return cases::read_case_text(map_case_text({file, "1 Pa"}), file, overrides);
 }
 
 std::string level_words(cases::Levelling level) {
-  switch (level) {
-  case cases::Levelling::none:
+  if (level == cases::Levelling::none)
     return "Mean height removed, not levelled";
-  case cases::Levelling::plane:
+  if (level == cases::Levelling::plane)
     return "Levelled by the least-squares plane";
-  case cases::Levelling::bow:
+  if (level == cases::Levelling::bow)
     return "Levelled by the least-squares second-order form";
-  }
-  return "Levelled";
+  return "Least-squares form removed";
 }
 
 SurfaceInput measured_input(const cases::SurfaceSpec& surface) {
@@ -97,6 +82,11 @@ SurfaceInput line_input(const std::string& file,
   surfaces::LineScan line = surfaces::read_line_scan(
       file, {length_of("--length", command.length),
              length_of("--height-unit", with_number(command.height_unit))});
+  if (command.level != "none" && command.level != "plane" &&
+      command.level != "bow")
+    throw cases::CaseError(fmt::format("--level {}: a line scan is levelled by "
+                                       "none, plane or bow",
+                                       command.level));
   const int degree = command.level == "none"    ? 0
                      : command.level == "plane" ? 1
                                                 : 2;
@@ -154,12 +144,11 @@ SurfaceInput case_input(const std::string& word,
 SurfaceInput read_surface_input(const std::string& word,
                                 const SurfaceCommand& command) {
   const fs::path path(word);
-  const bool is_file = fs::is_regular_file(path) && path.extension() != ".toml";
   const bool is_lost = !fs::exists(path) && path.has_extension();
   if (is_lost)
     throw cases::CaseError(word + ": there is no such file");
   SurfaceInput input =
-      is_file ? file_input(word, command) : case_input(word, command);
+      is_map_file(word) ? file_input(word, command) : case_input(word, command);
   const fs::path name = path.has_filename() ? path : path.parent_path();
   input.name = name.filename() == "case.toml"
                    ? name.parent_path().filename().string()

@@ -154,7 +154,7 @@ def check_messages(program, folder):
             (["paper"], "is a collection"),
             ([some], '--length "20 um"'),
             ([some, "--length", "1 Pa", "--height-unit", "nm"], "surface.length"),
-            ([some, *scale, "--level", "sphere"], "--level"),
+            ([some, *scale, "--level", "spere"], "surface.level"),
             ([some, *scale, "--tip-radius", "-1 nm"], "--tip-radius"),
             ([some, *scale, "--contact-modulus", "2 nm"], "--contact-modulus"),
             ([some, *scale, "--gamma", "2"], "--gamma"),
