@@ -23,6 +23,7 @@ SET_NAME = re.compile(r'\.name = "([a-z-]+)";')
 DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
          "reports/surface/surface_figures.cpp": SET_NAME,
          "reports/surface/spectrum_plots.cpp": SET_NAME,
+         "reports/surface/contact_plots.cpp": SET_NAME,
          # figure.name = "phases"; {"growth", "Cost against ...
          "bench/pages/bench_figures.cpp": re.compile(
              r'(?:figure\.name = |[{])"([a-z]+-?)"(?:;| \+ file_word\(quantity\)[;,]|,\s+"[A-Z])')}

@@ -11,6 +11,7 @@
 #include "reports/surface/surface_text.hpp"
 #include "surfaces/formats/gwyddion_file.hpp"
 #include "surfaces/formats/npy.hpp"
+#include "surfaces/formats/scan.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -98,6 +99,16 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
   return report;
 }
 
+ExitCode print_channels(const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    for (const surfaces::ChannelInfo& channel : surfaces::list_channels(file))
+      fmt::print("{}: {:<24} {:<8} {} x {}\n", file,
+                 channel.title.empty() ? "(untitled)" : channel.title,
+                 channel.unit.empty() ? "-" : channel.unit, channel.points_x,
+                 channel.points_y);
+  return exit_good;
+}
+
 fs::path folder_of(const SurfaceCommand& command,
                    const reports::SurfaceReport& report) {
   if (!command.out.empty())
@@ -110,6 +121,8 @@ fs::path folder_of(const SurfaceCommand& command,
 } // namespace
 
 ExitCode inspect_surface(const SurfaceCommand& command) {
+  if (command.lists_channels)
+    return print_channels(command.inputs);
   if (!command.write.empty()) // refuses a wrong name before any work
     converted({{1, 1, 1.0, 1.0}, {0.0}}, command.write, "");
   const reports::SurfaceReport report = analysed(command);
@@ -132,11 +145,10 @@ ExitCode inspect_surface(const SurfaceCommand& command) {
   return exit_good;
 }
 
-void add_surface_command(CLI::App& program, SurfaceCommand& surface,
-                         Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "surface", "Inspect measured maps, line scans or the surface\n"
-                 "of a case: parameters, spectrum, report.");
+namespace {
+
+/// How the inputs are read.
+void add_input_options(CLI::App* command, SurfaceCommand& surface) {
   command
       ->add_option("input", surface.inputs,
                    "map files or line scans of one surface, or a case")
@@ -154,6 +166,19 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
                       "e.g. \"20 um\"");
   command->add_option("--height-unit", surface.height_unit,
                       "unit of the heights of such a file, e.g. nm");
+  add_overrides(command, surface.overrides);
+  command->add_flag("--channels", surface.lists_channels,
+                    "list the channels of the files and end");
+}
+
+} // namespace
+
+void add_surface_command(CLI::App& program, SurfaceCommand& surface,
+                         Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "surface", "Inspect measured maps, line scans or the surface\n"
+                 "of a case: parameters, spectrum, report.");
+  add_input_options(command, surface);
   command->add_option("--tip-radius", surface.tip_radius,
                       "radius of the tip, e.g. \"10 nm\": limits the\n"
                       "reliable range");
@@ -163,7 +188,6 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
   command->add_option("--gamma", surface.gamma, "gamma of this theory")
       ->check(CLI::Range(1e-3, 1.0))
       ->capture_default_str();
-  add_overrides(command, surface.overrides);
   command->add_option("--write", surface.write,
                       "also write the levelled map to this file: .npy\n"
                       "or .gwy");

@@ -25,6 +25,7 @@ struct SurfaceCommand {
   double gamma = 0.42;         ///< of the theory
   std::string out;             ///< empty: out/<name>
   std::string write;           ///< file to convert the map to
+  bool lists_channels = false; ///< print the channels of files, no more
   bool has_no_report = false;
   bool is_json = false;
 };

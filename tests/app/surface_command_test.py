@@ -93,6 +93,8 @@ def check_several(program, folder):
     write_map(folder / "wide.txt", rough(128, 2, 1.0))
     write_map(folder / "narrow.txt", rough(128, 3, 0.1))
     scales = ["--height-unit", "nm", "--json"]
+    channels = run(program, folder / "wide.txt", "--channels")
+    assert "128 x 128" in channels, channels
     one = json.loads(run(program, folder / "wide.txt", "--length", "10 um", *scales))
     two = json.loads(run(program, folder / "narrow.txt", "--length", "1 um", *scales))
     for part, length in (("wide", "10.0"), ("narrow", "1.0")):
