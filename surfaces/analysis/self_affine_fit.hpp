@@ -31,13 +31,15 @@ struct FittedParameter {
 /// whichever is larger: the end of a band-limited spectrum or the filter of an
 /// instrument.
 struct SelfAffineFit {
-  FittedParameter hurst;        ///< H [1]
-  FittedParameter roll_off;     ///< q_0 [rad/m]
-  FittedParameter cutoff;       ///< q_1 [rad/m]
-  FittedParameter rms_height;   ///< [m]: root of 2 pi int q S dq over the rings
-                                ///< up to q_1
-  double plateau = 0.0;         ///< S at the lowest ring [m^4]
-  double noise = 0.0;           ///< N [m^4]
+  FittedParameter hurst;    ///< H [1]; not determined if its interval is wider
+                            ///< than 1, or H outside -0.5..1.5
+  FittedParameter roll_off; ///< q_0 [rad/m]
+  FittedParameter cutoff;   ///< q_1 [rad/m]
+  FittedParameter rms_height; ///< [m]: root of 2 pi int q S dq over the rings
+                              ///< up to q_1
+  double exponent = 0.0; ///< -2 - 2 H of the fit, also where H is not stated
+  double plateau = 0.0;  ///< S at the lowest ring [m^4]
+  double noise = 0.0;    ///< N [m^4]
   double wavevector_low = 0.0;  ///< lowest ring [rad/m]
   double wavevector_high = 0.0; ///< q_1, or the highest ring [rad/m]
   double dispersion = 1.0; ///< deviance over its expected value [1]; above 1
