@@ -40,7 +40,7 @@ ORDER = {
     "surfaces": ["maps", "formats", "analysis", "."],
     "fem": ["parallel", "waves", "block", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
-    "reports": [".", "numbers", "analysis", "figures", "pages", "sweeps", "surface"],
+    "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],
     "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "manual", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }

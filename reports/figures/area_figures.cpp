@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace asperity::reports {
 namespace {
@@ -157,10 +158,11 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   figure.caption += " Dotted: √(8/π) of Persson and √(2π) of Bush, Gibson and "
                     "Thomas." +
                     joined_words(series);
-  plots.push_back("sqrt(8/pi) with lines linewidth 0.8 dashtype 3 linecolor "
-                  "rgb '#777777' notitle");
-  plots.push_back("sqrt(2*pi) with lines linewidth 0.8 dashtype 3 linecolor "
-                  "rgb '#777777' notitle");
+  for (const double theory :
+       {std::sqrt(8.0 / std::numbers::pi), std::sqrt(2.0 * std::numbers::pi)})
+    plots.push_back(fmt::format("{:.9g} with lines linewidth 0.8 dashtype 3 "
+                                "linecolor rgb '#777777' notitle",
+                                theory));
   figure.script = "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
                   gnuplot_markup("A E* h' / (A_0 p)") +
                   "\nset xrange [0:1]\nset yrange [0.8:3.2]\n" + plot_of(plots);

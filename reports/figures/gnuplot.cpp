@@ -4,6 +4,8 @@
 #include "base/child_process.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
+#include "reports/explore/chart_of_script.hpp"
+#include "reports/explore/explore_data.hpp"
 
 #include <fmt/format.h>
 
@@ -92,6 +94,7 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                     figure.problem};
   if (!drawn.problem.empty())
     return drawn;
+  drawn.explore = explore_data(figure);
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / (figure.name + ".csv"), figure.data);
   for (const auto& [suffix, matrix] : figure.maps)
@@ -127,6 +130,13 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
               "<title>" + figure.name + "</title>");
   write_file_atomically(svg_path, drawn.svg);
   return drawn;
+}
+
+std::string explore_data(const Figure& figure) {
+  return explore_data(
+      figure.name, figure.title, figure.data,
+      figure.stack ? std::nullopt : chart_of_script(figure.script, figure.data),
+      figure.stack);
 }
 
 std::string gnuplot_text(const std::string& text) {

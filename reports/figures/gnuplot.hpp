@@ -4,7 +4,10 @@
 // all figures. A figure consists of three files: data (.csv), script (.gp) and
 // image (.svg).
 
+#include "reports/explore/map_stack.hpp"
+
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +21,10 @@ struct Figure {
   std::string caption; ///< what the figure shows, with numbers
   std::string data;    ///< text of the CSV
   std::vector<std::pair<std::string, std::string>> maps; ///< suffix, CSV matrix
-  std::string script;       ///< follows the common style
-  int width = 480;          ///< [px]
-  int height = 420;         ///< [px]
+  std::string script;                 ///< follows the common style
+  int width = 480;                    ///< [px]
+  int height = 420;                   ///< [px]
+  std::optional<MapStack> stack = {}; ///< maps for the browser
   std::string problem = {}; ///< why the figure cannot be drawn; empty if it can
 };
 
@@ -28,8 +32,9 @@ struct DrawnFigure {
   std::string name;
   std::string title;
   std::string caption;
-  std::string svg;     ///< empty if it could not be drawn
-  std::string problem; ///< why it could not be drawn; empty if it was
+  std::string svg;          ///< empty if it could not be drawn
+  std::string problem;      ///< why it could not be drawn; empty if it was
+  std::string explore = {}; ///< explore_data() for the browser; empty: none
 };
 
 /// Writes the three files into `folder` and draws the figure. gnuplot is
@@ -40,6 +45,9 @@ struct DrawnFigure {
 /// @throws std::domain_error  a name contains characters other than [a-z0-9-]
 DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program = "gnuplot");
+
+/// Returns explore_data() of a figure: its maps, or the curves of its script.
+std::string explore_data(const Figure& figure);
 
 /// Returns a quoted string for a gnuplot script that shows `text` literally: no
 /// part of it is interpreted as markup or run as a command. A straight single

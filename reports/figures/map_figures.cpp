@@ -38,26 +38,68 @@ struct Picture {
 // `largest_picture` points per side, as a CSV matrix whose first row is iy = 0.
 Picture picture_of(const Grid& grid, const std::vector<double>& map,
                    double unit) {
-  const int block_x = (grid.points_x + largest_picture - 1) / largest_picture;
-  const int block_y = (grid.points_y + largest_picture - 1) / largest_picture;
+  const ReducedMap small = reduced(grid, map, largest_picture);
   Picture picture;
-  picture.columns = grid.points_x / block_x;
-  picture.rows = grid.points_y / block_y;
-  for (int row = 0; row < picture.rows; ++row) {
-    for (int column = 0; column < picture.columns; ++column) {
-      double sum = 0.0;
-      for (int iy = row * block_y; iy < (row + 1) * block_y; ++iy)
-        for (int ix = column * block_x; ix < (column + 1) * block_x; ++ix)
-          sum += map[grid.index(ix, iy)];
-      const double mean = sum / (block_x * block_y) / unit;
-      picture.csv += fmt::format("{}{:.4g}", column == 0 ? "" : ",", mean);
-      const bool is_first = row == 0 && column == 0;
-      picture.least = is_first ? mean : std::min(picture.least, mean);
-      picture.largest = is_first ? mean : std::max(picture.largest, mean);
-    }
-    picture.csv += "\n";
+  picture.columns = small.columns;
+  picture.rows = small.rows;
+  for (std::size_t i = 0; i < small.values.size(); ++i) {
+    const double mean = small.values[i] / unit;
+    const bool is_last = (i + 1) % static_cast<std::size_t>(small.columns) == 0;
+    picture.csv += fmt::format("{:.4g}{}", mean, is_last ? '\n' : ',');
+    picture.least = i == 0 ? mean : std::min(picture.least, mean);
+    picture.largest = i == 0 ? mean : std::max(picture.largest, mean);
   }
   return picture;
+}
+
+/// Returns an empty stack of maps on this grid.
+MapStack stack_on(const Grid& grid) {
+  MapStack stack;
+  stack.right = grid.length_x * 1e6;
+  stack.upper = grid.length_y * 1e6;
+  return stack;
+}
+
+/// Packs a map, divided by `unit`, for the browser.
+PackedMap add_map(MapStack& stack, const Grid& grid,
+                  const std::vector<double>& map, double unit, int most) {
+  ReducedMap small = reduced(grid, map, most);
+  stack.columns = small.columns;
+  stack.rows = small.rows;
+  for (double& value : small.values)
+    value /= unit;
+  return packed_map(small.values, static_cast<std::size_t>(small.columns));
+}
+
+/// Returns the pressure and gap maps of up to twelve loads for the browser.
+MapStack contact_stack(const std::vector<const results::Fields*>& maps,
+                       const SurfaceScales& scales) {
+  MapStack stack = stack_on(maps.front()->grid);
+  stack.quantities = {{"pressure / (E* h')", "pressure", true},
+                      {"gap / h_rms", "gap", false}};
+  const std::vector<std::size_t> chosen = stack_frames(maps.size());
+  const int most = stack_side(chosen.size());
+  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  for (const std::size_t i : chosen) {
+    const results::Fields& fields = *maps[i];
+    if (fields.grid != maps.front()->grid)
+      continue;
+    stack.frames.push_back(
+        {fmt::format("p / E* = {:.3g}",
+                     fields.nominal_pressure / scales.contact_modulus),
+         {add_map(stack, fields.grid, fields.pressure, stress, most),
+          add_map(stack, fields.grid, fields.gap, scales.rms_height, most)}});
+  }
+  return stack;
+}
+
+/// Returns one height map in nm for the browser.
+MapStack height_stack(const Grid& grid, const std::vector<double>& heights) {
+  MapStack stack = stack_on(grid);
+  stack.quantities = {{"height [nm]", "height", false}};
+  const PackedMap map = add_map(stack, grid, heights, 1e-9, stack_side(1));
+  stack.frames.push_back({"", {map}});
+  return stack;
 }
 
 // Returns the gnuplot "plot" element of a matrix, with the axes of the grid in
@@ -121,6 +163,7 @@ Figure map_figure(const std::string& method,
                               map_style, chosen.size(), sequential_palette,
                               pressures, gap_palette, gaps);
   figure.data = table.text();
+  figure.stack = contact_stack(maps, scales);
   return figure;
 }
 
@@ -152,6 +195,8 @@ Figure difference_figure(const std::string& name, const std::string& reference,
                               "0.05,0.92,0.08,0.9 spacing 0.11,0.05\n",
                               map_style, height_palette, chosen.size());
   CsvTable table({"map", "nominal_pressure [Pa]", "largest (p - p_ref)/p_0"});
+  MapStack stack = stack_on(pairs.front().first->grid);
+  stack.quantities = {{"(p − p_ref) / p₀", "height", false}};
   for (const std::size_t i : chosen) {
     const auto [mine, other] = pairs[i];
     std::vector<double> difference = mine->pressure;
@@ -159,6 +204,12 @@ Figure difference_figure(const std::string& name, const std::string& reference,
       difference[k] -= other->pressure[k];
     const Picture picture =
         picture_of(mine->grid, difference, mine->nominal_pressure);
+    if (mine->grid == pairs.front().first->grid)
+      stack.frames.push_back(
+          {fmt::format("p / E* = {:.3g}",
+                       mine->nominal_pressure / contact_modulus),
+           {add_map(stack, mine->grid, difference, mine->nominal_pressure,
+                    stack_side(chosen.size()))}});
     const double span =
         std::max({std::abs(picture.least), picture.largest, 1e-300});
     const std::string suffix = std::to_string(i);
@@ -173,6 +224,7 @@ Figure difference_figure(const std::string& name, const std::string& reference,
         image_of(figure.name + "-" + suffix + ".csv", mine->grid, picture);
   }
   figure.script += "unset multiplot\n";
+  figure.stack = std::move(stack);
   figure.caption = "Difference over the nominal pressure, at loads at which "
                    "both maps are saved; averaged over blocks of nodes if the "
                    "grid is larger than 256 x 256. Axes in µm.";
@@ -224,6 +276,7 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   figure.name = "surface";
   figure.title = "The surface";
   figure.maps.emplace_back("map", picture.csv);
+  figure.stack = height_stack(surface.grid, surface.heights);
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
                   "highest [m]"});

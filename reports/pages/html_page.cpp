@@ -177,23 +177,92 @@ List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
   return rows;
 }
 
+namespace {
+
+Value figure_data(const DrawnFigure& drawn) {
+  Value figure;
+  figure.set("title", drawn.title);
+  figure.set("caption", drawn.caption);
+  figure.set("is_wide", is_wide(drawn.svg));
+  if (!drawn.svg.empty())
+    figure.set("picture", data_uri(drawn.svg));
+  else
+    figure.set("problem", drawn.problem);
+  if (!drawn.explore.empty())
+    figure.set("explore", drawn.explore);
+  return figure;
+}
+
+/// Shows the first figure beside the key numbers if it is a curve, and all
+/// others in their groups.
+void set_groups(Value& page, std::span<const DrawnGroup> groups) {
+  std::vector<DrawnGroup> others(groups.begin(), groups.end());
+  List first;
+  if (!others.empty() && !others.front().figures.empty()) {
+    std::vector<DrawnFigure>& figures = others.front().figures;
+    const std::string& name = figures.front().name;
+    if (name == "pressure-gap" || name.starts_with("exact-")) {
+      first.push_back(figure_data(figures.front()));
+      figures.erase(figures.begin());
+    }
+  }
+  std::erase_if(others,
+                [](const DrawnGroup& one) { return one.figures.empty(); });
+  page.set("first_figures", first);
+  page.set("groups", group_data(others));
+}
+
+void add_content(List& contents, const std::string& anchor,
+                 const std::string& text) {
+  Value item;
+  item.set("anchor", anchor);
+  item.set("text", text);
+  contents.push_back(item);
+}
+
+/// Lists the sections of the page that are always there or that matter most.
+List contents_of(const Value& page) {
+  List contents;
+  const List& entries = page.get("entries")->list_value();
+  const Value& first = entries.front();
+  const std::string suffix = entries.size() > 1 ? "-1" : "";
+  if (first.get("has_verdicts")->is_true())
+    add_content(contents, "expectations" + suffix, "Expectations");
+  add_content(contents, "methods" + suffix, "Comparison and cost");
+  if (first.get("has_published")->is_true())
+    add_content(contents, "published" + suffix, "Published values");
+  for (const Value& group : page.get("groups")->list_value())
+    add_content(contents, group.get("anchor")->string_value(),
+                group.get("heading")->string_value());
+  if (page.get("has_agreements") != nullptr &&
+      page.get("has_agreements")->is_true())
+    add_content(contents, "agreement", "Agreement");
+  add_content(contents, "fits", "Fits");
+  add_content(contents, "provenance" + suffix, "Provenance");
+  return contents;
+}
+
+/// Opens all folded parts of a page.
+std::string unfolded(std::string html) {
+  const std::string folded = "<details id=";
+  const std::string open = "<details open=\"open\" id=";
+  for (std::size_t at = html.find(folded); at != std::string::npos;
+       at = html.find(folded, at + open.size()))
+    html.replace(at, folded.size(), open);
+  return html;
+}
+
+} // namespace
+
 List group_data(std::span<const DrawnGroup> groups) {
   List list;
   for (const DrawnGroup& group : groups) {
     List figures;
-    for (const DrawnFigure& drawn : group.figures) {
-      Value figure;
-      figure.set("title", drawn.title);
-      figure.set("caption", drawn.caption);
-      figure.set("is_wide", is_wide(drawn.svg));
-      if (!drawn.svg.empty())
-        figure.set("picture", data_uri(drawn.svg));
-      else
-        figure.set("problem", drawn.problem);
-      figures.push_back(figure);
-    }
+    for (const DrawnFigure& drawn : group.figures)
+      figures.push_back(figure_data(drawn));
     Value entry;
     entry.set("heading", group.heading);
+    entry.set("anchor", fmt::format("figures-{}", list.size() + 1));
     entry.set("figures", figures);
     list.push_back(entry);
   }
@@ -201,7 +270,7 @@ List group_data(std::span<const DrawnGroup> groups) {
 }
 
 std::string html_page(std::span<const ReportEntry> entries,
-                      std::span<const DrawnGroup> groups) {
+                      std::span<const DrawnGroup> groups, bool is_for_print) {
   const std::vector<Series> series = series_of(entries);
   const bool has_many = entries.size() > 1;
   Value page;
@@ -211,8 +280,12 @@ std::string html_page(std::span<const ReportEntry> entries,
   List list;
   for (const ReportEntry& entry : entries)
     list.push_back(entry_data(entry, series, has_many));
+  for (std::size_t i = 0; has_many && i < list.size(); ++i)
+    list[i].set("suffix", fmt::format("-{}", i + 1));
   page.set("entries", list);
-  page.set("groups", group_data(groups));
+  set_groups(page, groups);
+  set_figure_template(page);
+  set_scripts(page, groups, is_for_print);
   page.set("fits", fit_rows(series));
   if (has_many) {
     const std::vector<Agreement> agreements = agreements_of(entries, series);
@@ -230,8 +303,9 @@ std::string html_page(std::span<const ReportEntry> entries,
   const List noted = noted_step_rows(entries, true);
   page.set("has_noted_steps", !noted.empty());
   page.set("noted_steps", noted);
+  page.set("contents", contents_of(page));
   kainjow::mustache::mustache view{std::string(report_template)};
-  return view.render(page);
+  return is_for_print ? unfolded(view.render(page)) : view.render(page);
 }
 
 kainjow::mustache::data text_item(const std::string& text) {

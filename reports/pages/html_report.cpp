@@ -54,6 +54,21 @@ std::vector<Column> answered(std::vector<Column> columns,
   return columns;
 }
 
+// The first screen shows the key numbers, a later table the others.
+struct Columns {
+  static constexpr std::size_t n_key = 3;
+
+  std::span<const Column> key() const {
+    return std::span(all).first(std::min(n_key, all.size()));
+  }
+
+  std::span<const Column> others() const {
+    return std::span(all).subspan(std::min(n_key, all.size()));
+  }
+
+  std::vector<Column> all;
+};
+
 std::string remark_of(const Estimate& estimate) {
   if (estimate.has_value() && estimate.realizations > 1 &&
       estimate.has_interval())
@@ -74,12 +89,7 @@ std::string seconds_text(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.2g} s", seconds) : "–";
 }
 
-Value method_row(const MethodSummary& method, const char* color,
-                 const std::vector<Column>& columns) {
-  Value row;
-  row.set("name", method.name);
-  row.set("description", method.description);
-  row.set("color", color);
+List cells_of(const MethodSummary& method, std::span<const Column> columns) {
   List cells;
   for (const Column& column : columns) {
     const auto found = method.quantities.find(column.quantity);
@@ -90,6 +100,17 @@ Value method_row(const MethodSummary& method, const char* color,
                                              : number_text(found->second),
                            remark_of(found->second)));
   }
+  return cells;
+}
+
+Value method_row(const MethodSummary& method, const char* color,
+                 const Columns& columns) {
+  Value row;
+  row.set("name", method.name);
+  row.set("description", method.description);
+  row.set("color", color);
+  row.set("key_cells", cells_of(method, columns.key()));
+  List cells = cells_of(method, columns.others());
   const Cost& cost = method.cost;
   cells.push_back(
       cell(seconds_text(cost.step_cpu_time),
@@ -103,18 +124,17 @@ Value method_row(const MethodSummary& method, const char* color,
   return row;
 }
 
-List heads_of(const std::vector<Column>& columns) {
+Value head(const char* text, const char* unit) {
+  Value value;
+  value.set("head", text);
+  value.set("unit", unit);
+  return value;
+}
+
+List heads_of(std::span<const Column> columns) {
   List heads;
-  const auto add = [&heads](const char* head, const char* unit) {
-    Value value;
-    value.set("head", head);
-    value.set("unit", unit);
-    heads.push_back(value);
-  };
   for (const Column& column : columns)
-    add(column.head, column.unit);
-  add("CPU time per step", "median");
-  add("steps", "converged");
+    heads.push_back(head(column.head, column.unit));
   return heads;
 }
 
@@ -208,7 +228,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
                  bool is_one_of_many) {
   const Summary& summary = entry.summary;
   const bool is_exact = is_exact_shape(*entry.contact_case);
-  const std::vector<Column> columns = answered(columns_of(is_exact), summary);
+  const Columns columns{answered(columns_of(is_exact), summary)};
   Value page;
   page.set("name", summary.case_name);
   page.set("title", summary.case_title);
@@ -217,9 +237,12 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("notices", notices_of(entry));
   page.set("banner_class", banner_class(summary));
   page.set("banner", banner_words(summary));
-  const List heads = heads_of(columns);
+  List heads = heads_of(columns.others());
+  heads.push_back(head("CPU time per step", "median"));
+  heads.push_back(head("steps", "converged"));
+  page.set("key_columns", heads_of(columns.key()));
   page.set("columns", heads);
-  page.set("method_columns", std::to_string(heads.size() + 1));
+  page.set("method_columns", std::to_string(columns.key().size() + 1));
   List methods;
   for (const MethodSummary& method : summary.methods)
     for (const Series& one : series)

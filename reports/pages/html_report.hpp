@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes report.html: one self-contained file without network access
-// or scripts. It owns the text around the numbers; the layout is
+// This file writes report.html: one self-contained file without network access,
+// complete without scripts. It owns the text around the numbers; the layout is
 // report.html.mustache.
 
 #include "reports/figures/gnuplot.hpp"
@@ -22,8 +22,10 @@ struct DrawnGroup {
 
 /// Returns the page. Figures are embedded; for one that could not be drawn, its
 /// title, its caption and the reason are shown.
+/// @param is_for_print  unfolds everything and leaves out the scripts
 std::string html_page(std::span<const ReportEntry> entries,
-                      std::span<const DrawnGroup> groups);
+                      std::span<const DrawnGroup> groups,
+                      bool is_for_print = false);
 
 /// Describes the contact problem in one sentence: surface, material and loads.
 std::string case_sentence(const ReportEntry& entry);

@@ -58,4 +58,12 @@ kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
 
 kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);
 
+/// Adds to the page what makes its figures explorable: the scripts, and the
+/// policy that permits no others and no network access.
+void set_scripts(kainjow::mustache::data& page,
+                 std::span<const DrawnGroup> groups, bool is_for_print);
+
+/// Adds the template of a figure, which the templates of pages name.
+void set_figure_template(kainjow::mustache::data& page);
+
 } // namespace asperity::reports

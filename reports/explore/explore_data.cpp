@@ -1,0 +1,158 @@
+#include "reports/explore/explore_data.hpp"
+
+#include "base/content_hash.hpp"
+#include "base/read_file.hpp"
+#include "reports/explore/explore_script.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+
+namespace asperity::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ChartAxis& axis) {
+  Json json{
+      {"label", axis.label}, {"log", axis.is_log}, {"log10", axis.is_log10}};
+  if (axis.low)
+    json["low"] = *axis.low;
+  if (axis.high)
+    json["high"] = *axis.high;
+  return json;
+}
+
+Json json_of(const ChartCurve& curve) {
+  Json json{{"label", curve.label},
+            {"color", curve.color},
+            {"line", curve.has_line},
+            {"markers", curve.has_markers},
+            {"steps", curve.has_steps},
+            {"width", curve.width},
+            {"dash", curve.dash},
+            {"marker", curve.marker},
+            {"second", curve.is_on_second_axis}};
+  if (curve.x == 0) {
+    json["slope"] = curve.slope;
+    json["intercept"] = curve.intercept;
+    return json;
+  }
+  json["index"] = curve.index;
+  json["x"] = curve.x - 1; // counted from 0 in the browser
+  json["y"] = curve.y - 1;
+  json["factor"] = curve.factor;
+  if (curve.low > 0) {
+    json["low"] = curve.low - 1;
+    json["high"] = curve.high - 1;
+    json["xInterval"] = curve.has_x_interval;
+  }
+  return json;
+}
+
+Json json_of(const Chart& chart) {
+  Json panels = Json::array();
+  for (const ChartPanel& panel : chart.panels) {
+    Json json{{"x", json_of(panel.x)}, {"y", json_of(panel.y)}};
+    if (panel.second)
+      json["second"] = json_of(*panel.second);
+    json["curves"] = Json::array();
+    for (const ChartCurve& curve : panel.curves)
+      json["curves"].push_back(json_of(curve));
+    json["marks"] = Json::array();
+    for (const ChartMark& mark : panel.marks)
+      json["marks"].push_back({{"low", mark.low},
+                               {"high", mark.high},
+                               {"height", mark.height},
+                               {"color", mark.color}});
+    panels.push_back(std::move(json));
+  }
+  return panels;
+}
+
+Json json_of(const MapStack& stack) {
+  Json json{{"columns", stack.columns}, {"rows", stack.rows},
+            {"left", stack.left},       {"right", stack.right},
+            {"lower", stack.lower},     {"upper", stack.upper},
+            {"xLabel", stack.x_label},  {"yLabel", stack.y_label},
+            {"steps", map_steps}};
+  json["quantities"] = Json::array();
+  for (const MapQuantity& quantity : stack.quantities)
+    json["quantities"].push_back({{"label", quantity.label},
+                                  {"colors", quantity.colors},
+                                  {"contact", quantity.has_contact}});
+  json["frames"] = Json::array();
+  for (const MapFrame& frame : stack.frames) {
+    Json maps = Json::array();
+    for (const PackedMap& map : frame.maps)
+      maps.push_back(
+          {{"low", map.low}, {"high", map.high}, {"data", map.data}});
+    json["frames"].push_back({{"title", frame.title}, {"maps", maps}});
+  }
+  return json;
+}
+
+void replace_all(std::string& text, const std::string& from,
+                 const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+} // namespace
+
+std::string explore_data(const std::string& name, const std::string& title,
+                         const std::string& table,
+                         const std::optional<Chart>& chart,
+                         const std::optional<MapStack>& maps) {
+  if (!chart && !maps)
+    return "";
+  Json json{{"name", name}, {"title", title}, {"table", packed(table)}};
+  if (chart)
+    json["panels"] = json_of(*chart);
+  if (maps)
+    json["maps"] = json_of(*maps);
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  // None of these stands outside a string of JSON, where the escape sequence
+  // means the same character. The text can then end no element of a page.
+  replace_all(text, "<", "\\u003c");
+  replace_all(text, ">", "\\u003e");
+  replace_all(text, "&", "\\u0026");
+  return text;
+}
+
+std::string chart_library() {
+  constexpr std::uintmax_t most = 4 << 20; // [B]
+  const char* const named = std::getenv("ASPERITY_CHART_JS");
+  const std::filesystem::path path =
+      named != nullptr ? named : "/usr/share/javascript/chart.js/chart.min.js";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    return "";
+  try {
+    return read_file(path, most);
+  } catch (const FileError&) {
+    return ""; // as if it were not installed
+  }
+}
+
+std::string explore_script() {
+  return std::string(explore_javascript);
+}
+
+std::string inline_script(std::string script) {
+  replace_all(script, "</script", "<\\/script");
+  replace_all(script, "<!--", "<\\!--");
+  replace_all(script, "]]>", "]] >");
+  return "//<![CDATA[\n" + script + "\n//]]>";
+}
+
+std::string script_permission(const std::string& script) {
+  const std::string digits = content_hash(script);
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+} // namespace asperity::reports

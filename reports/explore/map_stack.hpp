@@ -1,0 +1,55 @@
+#pragma once
+
+// This file prepares maps for the browser: one or more quantities at one or
+// more loads, between which a slider moves.
+
+#include "base/grid.hpp"
+#include "reports/explore/packed.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+/// What a map shows, and in which colours.
+struct MapQuantity {
+  std::string label;        ///< with its unit: "pressure / (E* h')"
+  std::string colors;       ///< "pressure", "gap", "height"
+  bool has_contact = false; ///< zero means no contact; contact is shown as well
+};
+
+/// Maps at one load, in the order of the quantities.
+struct MapFrame {
+  std::string title; ///< "p / E* = 0.01"
+  std::vector<PackedMap> maps;
+};
+
+/// All maps of a stack have one grid.
+struct MapStack {
+  std::vector<MapQuantity> quantities;
+  std::vector<MapFrame> frames;
+  int columns = 0, rows = 0;
+  double left = 0.0, right = 0.0;  ///< edges [um]
+  double lower = 0.0, upper = 0.0; ///< edges of the first and last row [um]
+  std::string x_label = "x [µm]", y_label = "y [µm]";
+};
+
+/// A map averaged over square blocks of points. Points beyond the last whole
+/// block are left out.
+struct ReducedMap {
+  int columns = 0, rows = 0;
+  std::vector<double> values;
+};
+
+/// Averages over blocks so that no side has more than `most` points.
+ReducedMap reduced(const Grid& grid, const std::vector<double>& map, int most);
+
+/// Returns the largest side of the maps of a stack, such that n_frames of them
+/// have at most 2^20 points together: 512 for up to four loads, then 256.
+int stack_side(std::size_t n_frames);
+
+/// Returns indices of at most 12 of `count` loads, evenly spaced, with the
+/// first and the last.
+std::vector<std::size_t> stack_frames(std::size_t count);
+
+} // namespace asperity::reports
