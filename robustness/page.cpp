@@ -27,7 +27,13 @@ td { border-bottom: 1px solid #d8dee4; padding: .3rem .9rem .3rem 0; vertical-al
 td.n, th.n { text-align: right; }
 code { white-space: nowrap; font-size: .85rem; background: #f6f8fa; padding: .1rem .3rem; }
 .wide { overflow-x: auto; }
-svg text { font-family: inherit; }
+svg text { font-family: inherit; } svg { max-width: 100%; height: auto; }
+@media print {
+  body { max-width: none; padding: 0; font-size: 9pt; } .wide { overflow: visible; }
+  table { width: 100%; font-size: 7.5pt; } th, td { padding-right: .4rem; overflow-wrap: anywhere; }
+  code { white-space: normal; overflow-wrap: anywhere; } tr, svg { break-inside: avoid; } h2 { break-after: avoid; }
+  .banner { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
 </style></head><body>
 )";
 
@@ -94,9 +100,10 @@ std::string heat_map(const Matrix& matrix) {
   constexpr int margin = 190;
   const std::vector<Bin> bins = bins_of(matrix);
   const int side = margin + cell * static_cast<int>(bins.size()) + 20;
-  std::string svg = fmt::format("<div class=\"wide\"><svg width=\"{0}\" "
-                                "height=\"{0}\" font-size=\"9\">\n",
-                                side);
+  std::string svg =
+      fmt::format("<div class=\"wide\"><svg width=\"{0}\" "
+                  "height=\"{0}\" viewBox=\"0 0 {0} {0}\" font-size=\"9\">\n",
+                  side);
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const Bin& row = bins[i];
     const int y = margin + cell * static_cast<int>(i);

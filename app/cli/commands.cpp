@@ -16,6 +16,9 @@
 #include "app/run/run_case.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/text/case_error.hpp"
+#include "reports/pages/paper_report.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
@@ -34,18 +37,19 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Writes the report on a result and prints its findings.
-ExitCode report_on(const fs::path& folder) {
-  const reports::Summary summary = write_outputs(folder);
+ExitCode report_on(const fs::path& folder, bool has_pdf) {
+  const reports::Summary summary = write_outputs(folder, has_pdf);
   print_verdicts(summary);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return exit_code_of(summary);
 }
 
 ExitCode run_one(const cases::Case& contact_case, const RunOptions& options,
-                 bool no_report = false) {
+                 bool no_report, bool has_pdf) {
   fmt::print("{}: {}\n", contact_case.name, contact_case.title);
   const RunOutcome outcome = run_case(contact_case, options);
-  const ExitCode reported = no_report ? exit_good : report_on(options.folder);
+  const ExitCode reported =
+      no_report ? exit_good : report_on(options.folder, has_pdf);
   if (outcome.is_interrupted) {
     if (!no_report)
       fmt::print("interrupted; continue with --resume\n");
@@ -79,7 +83,7 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   ExitCode end = exit_good;
   do {
     const cases::Case chosen = target.chosen_case();
-    end = run_one(chosen, options, true);
+    end = run_one(chosen, options, true, false);
     if (is_interrupted())
       return end;
     if (target.verify(chosen, options.folder))
@@ -87,7 +91,9 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
     end = worse(end, exit_expectation_failed);
   } while (target.choose_again());
   target.record(options.folder);
-  return command.no_report ? end : worse(end, report_on(options.folder));
+  return command.no_report
+             ? end
+             : worse(end, report_on(options.folder, command.has_pdf));
 }
 
 ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
@@ -155,10 +161,10 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
             : folder_of(read.found.name, command.out, n_targets);
     const FolderLock lock(folder, "run " + read.found.name);
     const RunOptions options = options_of(read, folder, command, cache);
-    const ExitCode ended =
-        command.target_error.empty()
-            ? run_one(read.contact_case, options, command.no_report)
-            : run_to_target(read, command, options);
+    const ExitCode ended = command.target_error.empty()
+                               ? run_one(read.contact_case, options,
+                                         command.no_report, command.has_pdf)
+                               : run_to_target(read, command, options);
     end = worse(end, ended);
     add_answer(answer, read.found.name, folder, ended);
     parts.push_back({read.found, folder});
@@ -172,6 +178,12 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
   return end;
 }
 
+/// Refuses a PDF before anything is computed.
+void require_pdf_program() {
+  if (reports::pdf_program().empty())
+    throw std::domain_error(reports::no_pdf_program);
+}
+
 } // namespace
 
 fs::path folder_of(const std::string& name, const std::string& out,
@@ -182,6 +194,8 @@ fs::path folder_of(const std::string& name, const std::string& out,
 }
 
 ExitCode run_cases(const RunCommand& command) {
+  if (command.has_pdf)
+    require_pdf_program();
   std::vector<Asked> all;
   for (const std::string& word : command.cases)
     all.push_back(read_asked_or_sweep(word, command.overrides, command.is_quick,
@@ -201,8 +215,12 @@ ExitCode run_cases(const RunCommand& command) {
   return end;
 }
 
-ExitCode report_results(const std::vector<std::string>& paths,
-                        const std::string& out) {
+ExitCode report_results(const ReportCommand& command) {
+  const auto& [paths, out, has_pdf, formats, width] = command;
+  const reports::ReportExtras extras{has_pdf,
+                                     reports::journal_format(formats, width)};
+  if (has_pdf)
+    require_pdf_program();
   for (const std::string& path : paths)
     if (is_sweep_folder(path)) {
       if (paths.size() > 1)
@@ -210,6 +228,12 @@ ExitCode report_results(const std::vector<std::string>& paths,
                                " is a sweep, whose report is written by "
                                "itself; to compare points, give their "
                                "folders: " +
+                               path + "/points/000");
+      if (has_pdf || !formats.empty())
+        throw cases::CaseError(path +
+                               " is a sweep, whose report takes neither "
+                               "--pdf nor --figures; give the folder of "
+                               "a point: " +
                                path + "/points/000");
       return report_sweep(path, out);
     }
@@ -225,7 +249,8 @@ ExitCode report_results(const std::vector<std::string>& paths,
                           : fs::is_directory(first) ? first
                                                     : first.parent_path() / ".";
   const FolderLock lock(folder, "report");
-  for (const std::string& failure : reports::write_report(read, folder))
+  for (const std::string& failure :
+       reports::write_report(read, folder, "gnuplot", extras))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report: {}\n", (folder / "report.html").string());
   JsonAnswer answer("asperity-report");

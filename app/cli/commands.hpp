@@ -5,6 +5,7 @@
 
 #include "app/run/exit_code.hpp"
 #include "app/run/map_case.hpp"
+#include "reports/pages/report.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,6 +32,15 @@ struct RunCommand {
   bool uses_cache = true;
   std::string contact_modulus = {}; ///< E* for map files, e.g. "2 GPa"
   bool is_dry = false;              ///< print the plan without running anything
+  bool has_pdf = false;             ///< also print the report
+};
+
+struct ReportCommand {
+  std::vector<std::string> paths; ///< results, or their folders
+  std::string out;      ///< empty: beside a single result, or out/comparison
+  bool has_pdf = false; ///< also print the report
+  std::vector<std::string> formats; ///< of figures for a journal
+  std::string width = "86mm";       ///< of these
 };
 
 /// Returns the output folder of a case or collection of that name.
@@ -47,10 +57,11 @@ ExitCode run_cases(const RunCommand& command);
 /// Runs bench_case() and prints bench.json if the command has --json.
 ExitCode run_bench(const BenchCommand& command);
 
-/// Writes one report on the results at these paths into `out`. If `out` is
-/// empty, the report is written beside a single result, or into out/comparison.
-ExitCode report_results(const std::vector<std::string>& paths,
-                        const std::string& out);
+/// Writes one report on the results at these paths.
+///
+/// @throws std::domain_error  a format or the width is unknown, or a PDF is
+///         asked for and no program that prints one is installed
+ExitCode report_results(const ReportCommand& command);
 
 /// Prints the location of the cache and how much of it is used.
 ///

@@ -55,6 +55,9 @@ void add_run(CLI::App& program, RunCommand& run, OutputOptions& output,
                     "--methods gives full names only: fem does not\n"
                     "include fem.hard");
   command->add_flag("--no-report", run.no_report, "write result.h5 only");
+  command->add_flag("--pdf", run.has_pdf,
+                    "also print the report to report.pdf, by chromium\n"
+                    "or weasyprint");
   command->add_flag("--dry-run", run.is_dry,
                     "print the plan, the predicted time and what is\n"
                     "skipped; write nothing");
@@ -110,21 +113,33 @@ void add_bench(CLI::App& program, BenchCommand& bench, OutputOptions& output,
   command->callback([&] { action = [&] { return run_bench(bench); }; });
 }
 
-void add_report(CLI::App& program, std::vector<std::string>& results,
-                std::string& out, OutputOptions& output, Action& action) {
+void add_report(CLI::App& program, ReportCommand& report, OutputOptions& output,
+                Action& action) {
   CLI::App* command = program.add_subcommand(
       "report", "Write the report of one or more results,\n"
                 "compared side by side.");
-  command->add_option("result", results, "result.h5 files or their folders")
+  command
+      ->add_option("result", report.paths, "result.h5 files or their folders")
       ->required();
-  command->add_option("--out", out,
+  command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
+  command->add_flag("--pdf", report.has_pdf,
+                    "also print the report to report.pdf, by chromium\n"
+                    "or weasyprint");
+  command
+      ->add_option("--figures", report.formats,
+                   "also draw all figures for a journal, in journal/, in\n"
+                   "these formats: pdf,svg,png")
+      ->delimiter(',');
+  command
+      ->add_option("--width", report.width,
+                   "width of a column of the journal, in mm, cm or in")
+      ->capture_default_str();
   add_quiet(command, output);
   add_json(command, output, "the summaries");
-  add_example(command, "report out/polymer out/polymer-nominal");
-  command->callback(
-      [&] { action = [&] { return report_results(results, out); }; });
+  add_example(command, "report out/polymer --figures pdf --width 86mm");
+  command->callback([&] { action = [&] { return report_results(report); }; });
 }
 
 void add_cache(CLI::App& program, bool& is_to_clear, OutputOptions& output,
@@ -217,12 +232,11 @@ int run(int argc, char** argv) {
   OutputOptions output;
   RunCommand run;
   RobustnessCommand stress;
-  std::vector<std::string> paths;
-  std::string out;
   add_run(program, run, output, action);
   BenchCommand bench;
   add_bench(program, bench, output, action);
-  add_report(program, paths, out, output, action);
+  ReportCommand report;
+  add_report(program, report, output, action);
   CheckCommand check;
   add_check(program, check, output, action);
   AnswerCommands answers;

@@ -20,7 +20,9 @@ reports::Summary summary_of(const results::Result& result);
 
 /// Writes all output files besides result.h5, tables, summary and report, and
 /// prints the warnings.
-reports::Summary write_outputs(const std::filesystem::path& folder);
+/// @param has_pdf  also print the report to report.pdf
+reports::Summary write_outputs(const std::filesystem::path& folder,
+                               bool has_pdf = false);
 
 /// Collects what `run --json` and `check --json` print.
 class JsonAnswer {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 /// Removes the figures of a report and the folders that become empty.
 void remove_figures(const fs::path& folder) {
-  constexpr std::array<std::string_view, 3> endings{".svg", ".gp", ".csv"};
+  constexpr std::array<std::string_view, 5> endings{".svg", ".gp", ".csv",
+                                                    ".pdf", ".png"};
   std::error_code error;
   std::vector<fs::path> folders{folder};
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
@@ -45,9 +46,11 @@ void remove_files_of_methods(const fs::path& folder,
 
 void remove_report(const fs::path& folder) {
   for (const char* name :
-       {"curves.csv", "times.csv", "summary.json", "report.html", "paper.json"})
+       {"curves.csv", "times.csv", "summary.json", "report.html", "report.pdf",
+        "methods.txt", "methods.bib", "paper.json"})
     fs::remove(folder / name);
   remove_figures(folder / "figures");
+  remove_figures(folder / "journal");
 }
 
 void put_last_run_aside(const fs::path& folder) {

@@ -34,11 +34,11 @@ struct WarningLimits {
 };
 
 /// Returns the warnings at the top of a report: finite elements of the result
-/// that lock (cases/reader/locking.hpp), curves without any contact, and assumptions about self-affine
-/// surfaces, surfaces given by a spectrum and measured ones (exact shapes need
-/// none). Moments and slopes are means over the realisations; quantities that
-/// need heights use realisation 0. A number that is not in the result causes no
-/// warning.
+/// that lock (cases/reader/locking.hpp), curves without any contact, and
+/// assumptions about self-affine surfaces, surfaces given by a spectrum and
+/// measured ones (exact shapes need none). Moments and slopes are means over
+/// the realisations; quantities that need heights use realisation 0. A number
+/// that is not in the result causes no warning.
 std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);
 

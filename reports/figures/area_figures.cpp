@@ -56,7 +56,6 @@ std::string area_caption(const Series* fitted) {
 } // namespace
 
 Figure area_figure(std::span<const Series> series) {
-  constexpr double largest_area = 0.4; // end of the near-linear range
   Figure figure;
   figure.name = "area-pressure";
   figure.title = "Contact area against pressure";
@@ -71,14 +70,15 @@ Figure area_figure(std::span<const Series> series) {
   Bands bands;
   const std::string file = "'area-pressure.csv' ";
   double furthest = 0.0;
+  double top = 0.0;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     for (const SeriesRow& row : one.rows) {
       table.add(one.label, {static_cast<double>(i), row.pressure, row.area,
                             row.area_corrected,
                             &one == theory ? scale * row.area : not_a_number});
-      if (row.area <= largest_area)
-        furthest = std::max(furthest, row.pressure);
+      furthest = std::max(furthest, row.pressure);
+      top = std::max({top, row.area, row.area_corrected});
     }
     if (one.rows.empty() || !one.is_drawn)
       continue;
@@ -109,10 +109,10 @@ Figure area_figure(std::span<const Series> series) {
                       "realisations.";
   figure.script =
       fmt::format("set xlabel {}\nset ylabel {}\nset xrange "
-                  "[0:{:.6g}]\nset yrange [0:{}]\n{}",
+                  "[0:{:.6g}]\nset yrange [0:{:.4g}]\n{}",
                   gnuplot_markup("p / E*"), gnuplot_markup("A / A_0"),
-                  furthest > 0.0 ? 1.1 * furthest : 1.0, 1.2 * largest_area,
-                  plot_of(plots));
+                  furthest > 0.0 ? 1.05 * furthest : 1.0,
+                  top > 0.0 && top <= 1.0 ? 1.05 * top : 1.05, plot_of(plots));
   figure.data = table.text();
   return figure;
 }
@@ -126,6 +126,8 @@ Figure area_coefficient_figure(std::span<const Series> series) {
                   "A E* h'/(A_0 p) corrected [1]"});
   std::vector<std::string> plots;
   const std::string file = "'area-coefficient.csv' ";
+  double lowest = 0.8;  // the axis: Persson's and Bush's values, and all data
+  double highest = 3.2; // up to twice these
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     for (const SeriesRow& row : one.rows)
@@ -133,6 +135,12 @@ Figure area_coefficient_figure(std::span<const Series> series) {
         table.add(one.label, {static_cast<double>(i), row.area,
                               row.area / row.pressure_slope, row.area_corrected,
                               row.area_corrected / row.pressure_slope});
+    for (const SeriesRow& row : one.rows)
+      for (const double area : {row.area, row.area_corrected})
+        if (const double kappa = area / row.pressure_slope; kappa > 0.0) {
+          lowest = std::min(lowest, 0.9 * kappa);
+          highest = std::max(highest, std::min(1.05 * kappa, 6.4));
+        }
     if (one.rows.empty() || !one.is_drawn)
       continue;
     if (one.is_theory()) {
@@ -163,9 +171,12 @@ Figure area_coefficient_figure(std::span<const Series> series) {
     plots.push_back(fmt::format("{:.9g} with lines linewidth 0.8 dashtype 3 "
                                 "linecolor rgb '#777777' notitle",
                                 theory));
-  figure.script = "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
-                  gnuplot_markup("A E* h' / (A_0 p)") +
-                  "\nset xrange [0:1]\nset yrange [0.8:3.2]\n" + plot_of(plots);
+  figure.script =
+      "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
+      gnuplot_markup("A E* h' / (A_0 p)") +
+      fmt::format("\nset xrange [0:1]\nset yrange [{:.4g}:{:.4g}]\n", lowest,
+                  highest) +
+      plot_of(plots);
   figure.data = table.text();
   return figure;
 }

@@ -22,9 +22,8 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
 /// a theory and another method are present.
 std::optional<Figure> gap_deviation_figure(std::span<const Series> series);
 
-/// Plots A/A_0 against p/E* up to moderate area: counted area, corrected area,
-/// theory, and the theory multiplied by the area_scale of the first numerical
-/// method.
+/// Plots A/A_0 against p/E*: counted area, corrected area, theory, and the
+/// theory multiplied by the area_scale of the first numerical method.
 Figure area_figure(std::span<const Series> series);
 
 /// Plots A E* h'/(A_0 p) against A/A_0, that is, the area-load coefficient

@@ -85,40 +85,53 @@ std::string run(const std::string& program, const std::string& script,
 
 } // namespace
 
-DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
-                 const std::string& program) {
+std::string run_script(const Figure& figure,
+                       const std::filesystem::path& folder,
+                       const std::string& terminal, const std::string& ending,
+                       const std::string& program) {
   require_file_word("figure.name", figure.name);
   for (const auto& [suffix, matrix] : figure.maps)
     require_file_word("figure.maps", suffix);
-  DrawnFigure drawn{figure.name, figure.title, figure.caption, "",
-                    figure.problem};
-  if (!drawn.problem.empty())
-    return drawn;
-  drawn.explore = explore_data(figure);
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / (figure.name + ".csv"), figure.data);
   for (const auto& [suffix, matrix] : figure.maps)
     write_file_atomically(
         folder / fmt::format("{}-{}.csv", figure.name, suffix), matrix);
-  const std::string svg_name = figure.name + ".svg";
+  const std::string picture = figure.name + "." + ending;
   const std::string script_name = figure.name + ".gp";
-  write_file_atomically(
-      folder / script_name,
-      fmt::format("# gnuplot {}\nset terminal svg size {},{} fixed enhanced "
-                  "font 'Helvetica,12' background '#ffffff'\nset output "
-                  "'{}'\n{}{}set output\n",
-                  script_name, figure.width, figure.height, svg_name,
-                  shared_settings, figure.script));
-
-  const std::filesystem::path svg_path = folder / svg_name;
+  write_file_atomically(folder / script_name,
+                        fmt::format("# gnuplot {}\nset terminal {}\nset output "
+                                    "'{}'\n{}{}set output\n",
+                                    script_name, terminal, picture,
+                                    shared_settings, figure.script));
   std::error_code ignored;
-  std::filesystem::remove(svg_path, ignored);
-  drawn.problem = run(program, script_name, folder);
+  std::filesystem::remove(folder / picture, ignored);
+  if (std::string problem = run(program, script_name, folder); !problem.empty())
+    return problem;
+  return std::filesystem::exists(folder / picture)
+             ? ""
+             : program + " produced no picture";
+}
+
+DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
+                 const std::string& program) {
+  DrawnFigure drawn{figure.name, figure.title, figure.caption, "",
+                    figure.problem};
+  if (!drawn.problem.empty()) {
+    require_file_word("figure.name", figure.name);
+    return drawn;
+  }
+  drawn.explore = explore_data(figure);
+  drawn.problem = run_script(
+      figure, folder,
+      fmt::format("svg size {},{} fixed enhanced font 'Helvetica,12' "
+                  "background '#ffffff'",
+                  figure.width, figure.height),
+      "svg", program);
   if (!drawn.problem.empty())
     return drawn;
-  drawn.svg = std::filesystem::exists(svg_path)
-                  ? read_file(svg_path, limits.file_size)
-                  : "";
+  const std::filesystem::path svg_path = folder / (figure.name + ".svg");
+  drawn.svg = read_file(svg_path, limits.file_size);
   if (drawn.svg.find("</svg>") == std::string::npos) {
     drawn.svg.clear();
     drawn.problem = program + " produced no picture";

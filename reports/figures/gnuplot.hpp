@@ -46,6 +46,16 @@ struct DrawnFigure {
 DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
                  const std::string& program = "gnuplot");
 
+/// Writes table and script of a figure into `folder` and runs gnuplot there, so
+/// that it writes "<name>.<ending>".
+/// @param terminal  gnuplot's words behind "set terminal"
+/// @return          why there is no such file; empty if there is
+/// @throws std::domain_error  as for draw()
+std::string run_script(const Figure& figure,
+                       const std::filesystem::path& folder,
+                       const std::string& terminal, const std::string& ending,
+                       const std::string& program);
+
 /// Returns explore_data() of a figure: its maps, or the curves of its script.
 std::string explore_data(const Figure& figure);
 

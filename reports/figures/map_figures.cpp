@@ -107,11 +107,19 @@ MapStack height_stack(const Grid& grid, const std::vector<double>& heights) {
 std::string image_of(const std::string& file, const Grid& grid,
                      const Picture& picture) {
   return fmt::format(
+      "set xtics {5:g}\nset ytics {6:g}\n"
       "set xrange [0:{0:.6g}]\nset yrange [0:{1:.6g}]\nplot '{2}' matrix using "
       "(($1+0.5)*{3:.9g}):(($2+0.5)*{4:.9g}):3 with image notitle\n",
       grid.length_x * 1e6, grid.length_y * 1e6, file,
-      grid.length_x * 1e6 / picture.columns,
-      grid.length_y * 1e6 / picture.rows);
+      grid.length_x * 1e6 / picture.columns, grid.length_y * 1e6 / picture.rows,
+      round_step(grid.length_x * 2.5e5), round_step(grid.length_y * 2.5e5));
+}
+
+/// Returns the commands for the range of colours, with few enough tics that
+/// their numbers fit beside the next map.
+std::string color_range(double low, double high) {
+  return fmt::format("set cbrange [{:.4g}:{:.4g}]\nset cbtics {:g}\n", low,
+                     high, round_step((high - low) / 5.0));
 }
 
 constexpr const char* map_style =
@@ -126,7 +134,7 @@ Figure map_figure(const std::string& method,
   Figure figure;
   figure.name = "maps-" + file_word(method);
   figure.title = "Pressure and gap, " + method;
-  figure.width = 330 * static_cast<int>(chosen.size()) + 20;
+  figure.width = 350 * static_cast<int>(chosen.size()) + 20;
   figure.height = 590;
   CsvTable table({"map", "step", "nominal_pressure [Pa]"});
   std::string pressures;
@@ -141,13 +149,12 @@ Figure map_figure(const std::string& method,
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     pressures +=
-        fmt::format("set title {}\nset cbrange [0:{:.4g}]\n",
-                    gnuplot_markup(fmt::format("p / E* = {:.3g}", load)),
-                    std::max(pressure.largest, 1e-12));
+        fmt::format("set title {}\n",
+                    gnuplot_markup(fmt::format("p / E* = {:.3g}", load))) +
+        color_range(0.0, std::max(pressure.largest, 1e-12));
     pressures += image_of(figure.name + "-" + pressure_name + ".csv",
                           fields.grid, pressure);
-    gaps += fmt::format("unset title\nset cbrange [0:{:.4g}]\n",
-                        std::max(gap.largest, 1e-12));
+    gaps += "unset title\n" + color_range(0.0, std::max(gap.largest, 1e-12));
     gaps += image_of(figure.name + "-" + gap_name + ".csv", fields.grid, gap);
     figure.maps.emplace_back(pressure_name, pressure.csv);
     figure.maps.emplace_back(gap_name, gap.csv);
@@ -158,7 +165,7 @@ Figure map_figure(const std::string& method,
       "where the surfaces touch. Axes in µm.",
       chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
   figure.script = fmt::format("{}set multiplot layout 2,{} margins "
-                              "0.05,0.94,0.05,0.94 spacing 0.09,0.05\n{}{}{}{}"
+                              "0.05,0.93,0.05,0.94 spacing 0.11,0.06\n{}{}{}{}"
                               "unset multiplot\n",
                               map_style, chosen.size(), sequential_palette,
                               pressures, gap_palette, gaps);
@@ -189,7 +196,7 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   Figure figure;
   figure.name = "pressure-difference-" + file_word(name);
   figure.title = "Pressure of " + name + " less that of " + reference;
-  figure.width = 330 * static_cast<int>(chosen.size()) + 20;
+  figure.width = 350 * static_cast<int>(chosen.size()) + 20;
   figure.height = 330;
   figure.script = fmt::format("{}{}set multiplot layout 1,{} margins "
                               "0.05,0.92,0.08,0.9 spacing 0.11,0.05\n",
@@ -215,11 +222,11 @@ Figure difference_figure(const std::string& name, const std::string& reference,
     const std::string suffix = std::to_string(i);
     figure.maps.emplace_back(suffix, picture.csv);
     table.add(suffix, {mine->nominal_pressure, span});
-    figure.script += fmt::format(
-        "set title {}\nset cbrange [{:.4g}:{:.4g}]\n",
-        gnuplot_markup(fmt::format("p / E* = {:.3g}",
-                                   mine->nominal_pressure / contact_modulus)),
-        -span, span);
+    figure.script += fmt::format("set title {}\n",
+                                 gnuplot_markup(fmt::format(
+                                     "p / E* = {:.3g}", mine->nominal_pressure /
+                                                            contact_modulus))) +
+                     color_range(-span, span);
     figure.script +=
         image_of(figure.name + "-" + suffix + ".csv", mine->grid, picture);
   }
@@ -295,9 +302,9 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       surface.grid.points_x, surface.grid.points_y, surface.rms_height * 1e9,
       surface.rms_slope, surface.skewness, surface.kurtosis);
   figure.script = fmt::format(
-      "{}{}set cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [nm]'\nset xlabel "
-      "'x [µm]'\nset ylabel 'y [µm]'\n{}",
-      map_style, height_palette, -span, span,
+      "{}{}{}set lmargin at screen 0.14\nset rmargin at screen 0.74\nset "
+      "cblabel 'height [nm]'\nset xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",
+      map_style, height_palette, color_range(-span, span),
       image_of("surface-map.csv", surface.grid, picture));
   return figure;
 }
@@ -309,10 +316,10 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "two-faces";
   figure.title = "Both surfaces and their sum";
-  figure.width = 1010;
+  figure.width = 1070;
   figure.height = 330;
   figure.script = fmt::format("{}{}set multiplot layout 1,3 margins "
-                              "0.05,0.94,0.08,0.9 spacing 0.09,0.05\n",
+                              "0.05,0.93,0.08,0.9 spacing 0.11,0.05\n",
                               map_style, height_palette);
   CsvTable table({"face", "rms_height [m]", "rms_slope [1]", "skewness [1]",
                   "kurtosis [1]", "highest [m]"});
@@ -324,10 +331,10 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
     table.add(name, {face.rms_height, face.rms_slope, face.skewness,
                      face.kurtosis, face.highest});
     figure.script +=
-        fmt::format("set title {}\nset cbrange [{:.4g}:{:.4g}]\n",
+        fmt::format("set title {}\n",
                     gnuplot_text(fmt::format("{}, {:.3g} nm rms", title,
-                                             face.rms_height * 1e9)),
-                    -span, span);
+                                             face.rms_height * 1e9))) +
+        color_range(-span, span);
     figure.script += image_of("two-faces-" + name + ".csv", face.grid, picture);
   };
   add(entry.result->surfaces[0], "first", "realisation 0");

@@ -1,5 +1,6 @@
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/html_report.hpp"
+#include "reports/pages/methods_text.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/report_template.hpp"
 
@@ -239,6 +240,7 @@ List contents_of(const Value& page) {
     add_content(contents, "agreement", "Agreement");
   add_content(contents, "fits", "Fits");
   add_content(contents, "provenance" + suffix, "Provenance");
+  add_content(contents, "citation", "Methods and literature");
   return contents;
 }
 
@@ -284,6 +286,11 @@ std::string html_page(std::span<const ReportEntry> entries,
     list[i].set("suffix", fmt::format("-{}", i + 1));
   page.set("entries", list);
   set_groups(page, groups);
+  List methods;
+  for (const std::string& paragraph : methods_text(entries).paragraphs)
+    methods.push_back(text_item(paragraph));
+  page.set("has_methods_text", !methods.empty());
+  page.set("methods_text", methods);
   set_figure_template(page);
   set_scripts(page, groups, is_for_print);
   page.set("fits", fit_rows(series));

@@ -7,8 +7,11 @@
 #include "reports/figures/figures.hpp"
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/html_report.hpp"
+#include "reports/pages/methods_text.hpp"
+#include "reports/pages/pdf_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <set>
@@ -66,38 +69,73 @@ cases::Case case_of(const results::Result& result) {
 
 std::vector<std::string> write_report(std::span<const results::Result> results,
                                       const std::filesystem::path& folder,
-                                      const std::string& gnuplot) {
+                                      const std::string& gnuplot,
+                                      const ReportExtras& extras) {
   std::vector<cases::Case> contact_cases;
   for (const results::Result& result : results)
     contact_cases.push_back(case_of(result));
   std::vector<ReportEntry> entries;
   for (std::size_t i = 0; i < results.size(); ++i)
     entries.push_back(entry_of(results[i], contact_cases[i]));
-  return write_report(entries, folder, gnuplot);
+  return write_report(entries, folder, gnuplot, extras);
 }
+
+namespace {
+
+/// Draws all figures and adds those that cannot be drawn to `problems`.
+std::vector<DrawnGroup> draw_all(std::span<const ReportEntry> entries,
+                                 const std::filesystem::path& folder,
+                                 const std::string& gnuplot,
+                                 const JournalFormat& journal,
+                                 std::vector<std::string>& problems) {
+  std::vector<DrawnGroup> drawn_groups;
+  std::set<std::filesystem::path> taken;
+  const auto report = [&problems](const std::string& name,
+                                  const std::string& problem) {
+    if (!problem.empty())
+      problems.push_back(fmt::format("{}: {}", name, problem));
+  };
+  for (const FigureGroup& group : figures_of(entries)) {
+    DrawnGroup drawn{group.heading, {}};
+    for (const Figure& figure : group.figures) {
+      const std::filesystem::path own =
+          own_folder(folder / "figures" / group.folder, figure.name, taken);
+      drawn.figures.push_back(draw(figure, own, gnuplot));
+      report(figure.name, drawn.figures.back().problem);
+      if (!journal.endings.empty())
+        report("journal/" + figure.name,
+               draw_for_journal(
+                   figure, journal,
+                   folder / "journal" /
+                       std::filesystem::relative(own, folder / "figures"),
+                   gnuplot));
+    }
+    drawn_groups.push_back(std::move(drawn));
+  }
+  return drawn_groups;
+}
+
+void write_methods_text(std::span<const ReportEntry> entries,
+                        const std::filesystem::path& folder) {
+  const MethodsText text = methods_text(entries);
+  write_file_atomically(
+      folder / "methods.txt",
+      fmt::format("{}\n", fmt::join(text.paragraphs, "\n\n")));
+  write_file_atomically(folder / "methods.bib", text.literature);
+}
+
+} // namespace
 
 std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                       const std::filesystem::path& folder,
-                                      const std::string& gnuplot) {
+                                      const std::string& gnuplot,
+                                      const ReportExtras& extras) {
   if (entries.empty())
     return {};
   std::filesystem::create_directories(folder);
   std::vector<std::string> problems;
-  std::vector<DrawnGroup> drawn_groups;
-  std::set<std::filesystem::path> taken;
-  for (const FigureGroup& group : figures_of(entries)) {
-    DrawnGroup drawn{group.heading, {}};
-    for (const Figure& figure : group.figures) {
-      drawn.figures.push_back(draw(
-          figure,
-          own_folder(folder / "figures" / group.folder, figure.name, taken),
-          gnuplot));
-      if (!drawn.figures.back().problem.empty())
-        problems.push_back(
-            fmt::format("{}: {}", figure.name, drawn.figures.back().problem));
-    }
-    drawn_groups.push_back(std::move(drawn));
-  }
+  const std::vector<DrawnGroup> drawn_groups =
+      draw_all(entries, folder, gnuplot, extras.journal, problems);
   if (entries.size() == 1)
     write_file_atomically(
         folder / "summary.json",
@@ -106,8 +144,18 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                  *entries.front().contact_case)));
   else
     write_comparison(entries, folder);
+  write_methods_text(entries, folder);
   write_file_atomically(folder / "report.html",
                         html_page(entries, drawn_groups));
+  if (extras.has_pdf) {
+    const std::filesystem::path program = pdf_program();
+    const std::string problem =
+        program.empty() ? no_pdf_program
+                        : print_page(html_page(entries, drawn_groups, true),
+                                     folder / "report.pdf", program);
+    if (!problem.empty())
+      problems.push_back("report.pdf: " + problem);
+  }
   return problems;
 }
 

@@ -64,7 +64,8 @@ protected:
         "--disable-background-networking --host-resolver-rules='MAP * "
         "~NOTFOUND' --user-data-dir=" +
         (folder / "browser").string() +
-        " --virtual-time-budget=2000000 --window-size=1280,9000 --log-net-log=" +
+        " --virtual-time-budget=2000000 --window-size=1280,9000 "
+        "--log-net-log=" +
         (folder / "net.json").string() + " --dump-dom file://" + page.string() +
         " < /dev/null > " + dom + " 2> browser.log";
     const int status = std::system(command.c_str());
@@ -290,6 +291,19 @@ TEST_F(Exploring, ShowsTheMapOfTheLoadOfTheSlider) {
           << name << " " << i;
     }
   }
+}
+
+TEST_F(Browser, PrintsAPdf) {
+  const std::vector<ReportEntry> entries{entry_of(result, rough)};
+
+  const std::vector<std::string> problems =
+      write_report(entries, folder, "no-such-gnuplot", {.has_pdf = true});
+
+  for (const std::string& problem : problems)
+    EXPECT_EQ(problem.find("report.pdf"), std::string::npos) << problem;
+  const std::string pdf = text_of(folder / "report.pdf");
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_GT(pdf.size(), 20'000U);
 }
 
 TEST_F(Browser, SaysOnceThatTheLibraryIsMissing) {

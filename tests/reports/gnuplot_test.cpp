@@ -1,6 +1,8 @@
 // Claims about reports/figures/gnuplot.hpp: words stay words, and what goes
 // wrong is said.
+#include "base/read_file.hpp"
 #include "reports/figures/gnuplot.hpp"
+#include "reports/figures/journal_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,10 @@ namespace asperity::reports {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  return read_file(path, 10'000'000);
+}
 
 class Drawing : public ::testing::Test {
 protected:
@@ -80,6 +86,52 @@ TEST_F(Drawing, LeavesThreeFilesAndNothingElse) {
     EXPECT_EQ(entry.path().stem(), "trial") << entry.path();
   }
   EXPECT_EQ(files, 3U);
+}
+
+// Claim: the drawings have the width that was asked for, in their own units;
+// a wide figure has that of two columns and 6 mm.
+TEST_F(Drawing, HasTheWidthOfTheJournal) {
+  Figure figure;
+  figure.name = "trial";
+  figure.data = "a,b\n1,2\n3,4\n";
+  figure.script = "plot 'trial.csv' using 1:2 with lines notitle\n";
+  const JournalFormat format = journal_format({"pdf", "svg", "png"}, "86 mm");
+
+  EXPECT_EQ(draw_for_journal(figure, format, folder), "");
+  EXPECT_NE(text_of(folder / "trial.svg").find("width=\"86mm\""),
+            std::string::npos);
+  const std::string png = text_of(folder / "trial.png");
+  ASSERT_GT(png.size(), 24U);
+  const auto width = 256 * static_cast<unsigned char>(png[18]) +
+                     static_cast<unsigned char>(png[19]);
+  EXPECT_EQ(width, 2031); // 86 mm * 600
+  EXPECT_EQ(text_of(folder / "trial.pdf").substr(0, 5), "%PDF-");
+
+  figure.width = 860;
+  EXPECT_EQ(draw_for_journal(figure, {{"svg"}, 86e-3}, folder), "");
+  EXPECT_NE(text_of(folder / "trial.svg").find("width=\"178mm\""),
+            std::string::npos);
+}
+
+std::string refusal(const std::vector<std::string>& endings,
+                    const std::string& width) {
+  try {
+    journal_format(endings, width);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(JournalFormat, ReadsUnitsAndRefusesOthers) {
+  EXPECT_NEAR(journal_format({}, "8.6cm").width, 86e-3, 1e-15);
+  EXPECT_NEAR(journal_format({}, "3.4 in").width, 86.36e-3, 1e-15);
+  EXPECT_EQ(refusal({"pdf"}, "86mm"), "");
+  EXPECT_EQ(refusal({"pdf", "eps"}, "86mm"),
+            "--figures eps: unknown format; the formats are pdf, svg, png");
+  for (const char* width :
+       {"86", "86 pt", "mm", "", "1mm", "1e9mm", "nanmm", "-86mm", "86mmm"})
+    EXPECT_FALSE(refusal({}, width).empty()) << width;
 }
 
 TEST(CsvTable, QuotesLabelsAndWritesNanForWhatIsNotThere) {

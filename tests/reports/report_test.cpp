@@ -2,6 +2,7 @@
 // page stands alone, says every verdict, and survives a missing gnuplot.
 #include "reports/explore/explore_data.hpp"
 #include "reports/pages/html_report.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
@@ -244,6 +245,75 @@ TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
 
   for (const char* one : {"1-polymer", "2-polymer"})
     EXPECT_TRUE(fs::exists(folder / "figures" / one / "exact-gap.svg")) << one;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos;
+       at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+// Claim: what was used is cited, each source once, and nothing else.
+TEST_F(Report, CitesWhatWasUsed) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.provenance = {{"program", "asperity 0.1.0"},
+                       {"deal.II", "deal.II 9.4.1, Trilinos 13.2"}};
+  write(result, "no-such-gnuplot");
+  const std::string text = text_of(folder / "methods.txt");
+  const std::string sources = text_of(folder / "methods.bib");
+
+  EXPECT_NE(text.find("deal.II 9.4.1 [arndt2021]"), std::string::npos) << text;
+  for (const char* key :
+       {"yang2008", "persson2001", "polonsky1999", "arndt2021", "frigo2005"}) {
+    EXPECT_NE(text.find(std::string("[") + key + "]"), std::string::npos);
+    EXPECT_EQ(count(sources, std::string("{") + key + ","), 1U) << key;
+  }
+  for (const char* key :
+       {"thompson2022", "yang2006", "persson2002", "johnson1985"})
+    EXPECT_EQ(count(sources, key), 0U) << key;
+  EXPECT_EQ(count(text, "["), count(text, "]"));
+  EXPECT_EQ(count(sources, "{"), count(sources, "}"));
+}
+
+// Claim: no text of a result file ends the element that holds it, in a
+// heading, a table, a figure or the data of a script.
+TEST_F(Report, ShowsHostileNamesAsTheyAre) {
+  const std::string hostile =
+      "</script></title><script>alert(1)</script><!-- ]]>&amp;\"'";
+  results::Result result = synthetic::rough_result(rough, 1);
+  result.case_title = hostile;
+  rough.title = hostile;
+  result.methods[1].name = hostile;
+  result.provenance.emplace_back("program", hostile);
+
+  write(result);
+
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(html.find("</script></title>"), std::string::npos);
+  EXPECT_NE(html.find("\\u003c/script\\u003e"), std::string::npos)
+      << "the name of the method is in the data of the figures";
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(html.c_str()));
+  EXPECT_STREQ(document.select_node("//h1").node().text().get(),
+               hostile.c_str());
+}
+
+// Claim: the print version is unfolded and has no scripts; what prints it is
+// known to be missing before anything is printed.
+TEST_F(Report, HasAVersionForPrint) {
+  const results::Result result = synthetic::rough_result(rough, 1);
+  const ReportEntry entry = entry_of(result, rough);
+
+  const std::string page = html_page(std::span(&entry, 1), {}, true);
+
+  EXPECT_EQ(count(page, "<script"), 0U);
+  EXPECT_GT(count(page, "<details"), 3U);
+  EXPECT_EQ(count(page, "<details"), count(page, "<details open=\"open\""));
+  EXPECT_NE(print_page(page, folder / "report.pdf", "/no/such/program"), "");
+  EXPECT_FALSE(fs::exists(folder / "report.pdf"));
 }
 
 TEST_F(Report, ComparesSeveralResults) {

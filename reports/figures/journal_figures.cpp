@@ -1,0 +1,128 @@
+#include "reports/figures/journal_figures.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/plain_text.hpp"
+#include "base/read_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity::reports {
+namespace {
+
+constexpr double metres_per_inch = 25.4e-3; // [m]
+constexpr double column_distance = 6e-3;    // between two columns [m]
+constexpr double font_size = 8.0;           // [pt], 72 of them per inch
+constexpr double png_pixels = 600;          // per inch
+constexpr int widest_column = 700;          // of a figure for one column [px]
+
+constexpr std::array<const char*, 3> endings_known{"pdf", "svg", "png"};
+
+/// Returns the gnuplot command for a drawing of this size [m]. Lines, markers
+/// and text keep their size on paper in all formats.
+std::string terminal(const std::string& ending, double width, double height) {
+  const std::string style = fmt::format(
+      "enhanced font 'Helvetica,{:g}' background '#ffffff'", font_size);
+  if (ending == "pdf")
+    return fmt::format("pdfcairo size {:.4f}in,{:.4f}in {} fontscale 1 "
+                       "linewidth 0.7 dashlength 0.7",
+                       width / metres_per_inch, height / metres_per_inch,
+                       style);
+  // One point of gnuplot's fonts is a pixel in SVG and 4/3 of one in PNG.
+  if (ending == "svg")
+    return fmt::format("svg size {:.0f},{:.0f} fixed {}",
+                       width / metres_per_inch * 72.0,
+                       height / metres_per_inch * 72.0, style);
+  const double scale = png_pixels / 96.0;
+  return fmt::format("pngcairo size {:.0f},{:.0f} {} fontscale {:.4f} "
+                     "linewidth {:.4f} pointscale {:.4f} dashlength 0.7",
+                     width / metres_per_inch * png_pixels,
+                     height / metres_per_inch * png_pixels, style, scale,
+                     0.95 * scale, 0.75 * scale);
+}
+
+/// gnuplot writes sizes in pixels, of which the viewers of drawings have 96 per
+/// inch and gnuplot's fonts 72.
+void set_size_on_paper(const std::filesystem::path& path, double width,
+                       double height) {
+  constexpr std::uintmax_t most = 1U << 30U; // [B], as gnuplot's own limit
+  std::string svg = read_file(path, most);
+  const std::size_t start = svg.find("width=\"");
+  const std::size_t end = svg.find("viewBox", start);
+  if (start == std::string::npos || end == std::string::npos)
+    return;
+  svg.replace(start, end - start,
+              fmt::format("width=\"{:.4g}mm\" height=\"{:.4g}mm\" ",
+                          width * 1e3, height * 1e3));
+  write_file_atomically(path, svg);
+}
+
+double unit_of(const std::string& name, const std::string& width) {
+  for (const auto& [known, metres] :
+       {std::pair("mm", 1e-3), std::pair("cm", 1e-2),
+        std::pair("in", metres_per_inch)})
+    if (name == known)
+      return metres;
+  throw std::domain_error(
+      fmt::format("--width {}: the unit must be mm, cm or in, as in 86mm",
+                  printable(width)));
+}
+
+} // namespace
+
+JournalFormat journal_format(const std::vector<std::string>& endings,
+                             const std::string& width) {
+  JournalFormat format;
+  for (const std::string& ending : endings) {
+    if (std::ranges::find(endings_known, ending) == endings_known.end())
+      throw std::domain_error(
+          fmt::format("--figures {}: unknown format; the formats are {}",
+                      printable(ending), fmt::join(endings_known, ", ")));
+    format.endings.insert(ending);
+  }
+  double number = 0.0;
+  const char* const last = width.data() + width.size();
+  const auto [end, error] = std::from_chars(width.data(), last, number);
+  if (error != std::errc())
+    throw std::domain_error(
+        fmt::format("--width {}: must be a number with a unit, as in 86mm",
+                    printable(width)));
+  std::string unit(end, last);
+  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+  format.width = number * unit_of(unit, width);
+  if (!(format.width >= 0.03 && format.width <= 0.3))
+    throw std::domain_error(fmt::format(
+        "--width {}: must be from 30mm to 300mm", printable(width)));
+  return format;
+}
+
+std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
+                             const std::filesystem::path& folder,
+                             const std::string& program) {
+  if (!figure.problem.empty())
+    return "";
+  const double width = figure.width > widest_column
+                           ? 2.0 * format.width + column_distance
+                           : format.width;
+  const double height = width * figure.height / figure.width;
+  std::string problems;
+  for (const std::string& ending : format.endings) {
+    const std::string problem = run_script(
+        figure, folder, terminal(ending, width, height), ending, program);
+    if (problem.empty() && ending == "svg")
+      set_size_on_paper(folder / (figure.name + ".svg"), width, height);
+    if (!problem.empty())
+      problems += (problems.empty() ? "" : "; ") + problem;
+  }
+  return problems;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,36 @@
+#pragma once
+
+// This file draws the figures of a report again in the formats and at the
+// widths of journals.
+
+#include "reports/figures/gnuplot.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+struct JournalFormat {
+  std::set<std::string> endings; ///< of "pdf", "svg", "png"; empty: no figures
+  double width = 86e-3;          ///< of a single column [m]
+};
+
+/// Reads "pdf,svg" and "86mm", "8.6 cm" or "3.4 in".
+/// @throws std::domain_error  an unknown ending or unit, or a width outside 30
+///         to 300 mm; the message names what is allowed
+JournalFormat journal_format(const std::vector<std::string>& endings,
+                             const std::string& width);
+
+/// Writes the figure into `folder`, with its table, its script and one drawing
+/// per ending. The text has 8 points, PNG 600 pixels per inch. A figure of
+/// several panels or maps, which is wider than 700 px on the screen, gets the
+/// width of two columns and the 6 mm between them.
+/// @return  why an image could not be drawn; empty if all were
+/// @throws std::system_error  the folder cannot be written
+std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
+                             const std::filesystem::path& folder,
+                             const std::string& program = "gnuplot");
+
+} // namespace asperity::reports
