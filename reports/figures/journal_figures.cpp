@@ -46,7 +46,7 @@ std::string terminal(const std::string& ending, double width, double height) {
                      "linewidth {:.4f} pointscale {:.4f} dashlength 0.7",
                      width / metres_per_inch * png_pixels,
                      height / metres_per_inch * png_pixels, style, scale,
-                     0.95 * scale, 0.75 * scale);
+                     0.7 * scale, 0.7 * scale);
 }
 
 /// gnuplot writes sizes in pixels, of which the viewers of drawings have 96 per

@@ -9,7 +9,6 @@
 namespace asperity::reports {
 namespace {
 
-using kainjow::mustache::list;
 using results::CurvePoint;
 
 /// Returns the converged row of a step, or null.
@@ -48,7 +47,7 @@ kainjow::mustache::data boundary_row(const CurvePoint& free,
 
 } // namespace
 
-list boundary_rows(const ReportEntry& entry) {
+kainjow::mustache::list boundary_rows(const ReportEntry& entry) {
   const results::Result& result = *entry.result;
   const results::MethodRecord* free = nullptr;
   const results::MethodRecord* periodic = nullptr;
@@ -60,7 +59,7 @@ list boundary_rows(const ReportEntry& entry) {
     if (first == nullptr)
       first = &method;
   }
-  list rows;
+  kainjow::mustache::list rows;
   if (free == nullptr || periodic == nullptr || free->realizations.empty() ||
       result.surfaces.empty())
     return rows;

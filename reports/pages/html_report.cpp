@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -89,7 +90,10 @@ std::string seconds_text(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.2g} s", seconds) : "–";
 }
 
-List cells_of(const MethodSummary& method, std::span<const Column> columns) {
+/// Returns the estimates of a method. The reasons why one is not determined are
+/// long; they are in the table of the fits as well.
+List cells_of(const MethodSummary& method, std::span<const Column> columns,
+              bool has_reasons) {
   List cells;
   for (const Column& column : columns) {
     const auto found = method.quantities.find(column.quantity);
@@ -98,7 +102,9 @@ List cells_of(const MethodSummary& method, std::span<const Column> columns) {
     else
       cells.push_back(cell(column.is_percent ? percent_text(found->second)
                                              : number_text(found->second),
-                           remark_of(found->second)));
+                           has_reasons || found->second.has_value()
+                               ? remark_of(found->second)
+                               : ""));
   }
   return cells;
 }
@@ -109,8 +115,8 @@ Value method_row(const MethodSummary& method, const char* color,
   row.set("name", method.name);
   row.set("description", method.description);
   row.set("color", color);
-  row.set("key_cells", cells_of(method, columns.key()));
-  List cells = cells_of(method, columns.others());
+  row.set("key_cells", cells_of(method, columns.key(), false));
+  List cells = cells_of(method, columns.others(), true);
   const Cost& cost = method.cost;
   cells.push_back(
       cell(seconds_text(cost.step_cpu_time),
@@ -193,8 +199,6 @@ List notices_of(const ReportEntry& entry) {
                       "below and excluded from all fits.",
                       method.name, method.cost.failed_steps,
                       method.cost.steps));
-  for (const std::string& sentence : theory_disagreements(entry))
-    add(sentence);
   for (const MethodSummary& method : summary.methods)
     for (const std::string& problem : method.problems)
       add(fmt::format("{}: an analysis failed: {}.", method.name, problem));
@@ -204,6 +208,21 @@ List notices_of(const ReportEntry& entry) {
       add("The program was built from sources with changes that were not "
           "committed: do not quote these numbers.");
   return notices;
+}
+
+/// Sets the notices. Of the disagreements with the theory, which can be many,
+/// the first is a notice and the others are folded.
+void set_notices(Value& page, const ReportEntry& entry) {
+  List notices = notices_of(entry);
+  List disagreements;
+  bool is_first = true;
+  for (const std::string& sentence : theory_disagreements(entry))
+    (std::exchange(is_first, false) ? notices : disagreements)
+        .push_back(text_item(sentence));
+  page.set("notices", notices);
+  page.set("has_disagreements", !disagreements.empty());
+  page.set("n_disagreements", std::to_string(disagreements.size()));
+  page.set("disagreements", disagreements);
 }
 
 void add_fact(List& facts, const std::string& key, const std::string& fact) {
@@ -234,7 +253,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
-  page.set("notices", notices_of(entry));
+  set_notices(page, entry);
   page.set("banner_class", banner_class(summary));
   page.set("banner", banner_words(summary));
   List heads = heads_of(columns.others());

@@ -45,9 +45,9 @@ kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements);
 /// theories; the list is empty if there is none.
 kainjow::mustache::list certified_rows(const ReportEntry& entry);
 
-/// Lists area, mean gap and iterations at each load step of the first half-space
-/// with free boundaries beside the first periodic one, on realisation 0; the
-/// list is empty if one of them is missing.
+/// Lists area, mean gap and iterations at each load step of the first
+/// half-space with free boundaries beside the first periodic one, on
+/// realisation 0; the list is empty if one of them is missing.
 kainjow::mustache::list boundary_rows(const ReportEntry& entry);
 
 /// Lists the cost of each finite-element method and of the half-space method if
@@ -57,6 +57,17 @@ kainjow::mustache::list block_cost_rows(const results::Result& result);
 kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
 
 kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);
+
+/// Shows the first figure beside the key numbers if it is a curve, and all
+/// others in their groups.
+void set_groups(kainjow::mustache::data& page,
+                std::span<const DrawnGroup> groups);
+
+/// Lists the sections of the page that are always there or that matter most.
+kainjow::mustache::list contents_of(const kainjow::mustache::data& page);
+
+/// Opens all folded parts of a page.
+std::string unfolded(std::string html);
 
 /// Adds to the page what makes its figures explorable: the scripts, and the
 /// policy that permits no others and no network access.
