@@ -33,7 +33,7 @@ MAY_INCLUDE = {
 # The sub-folders of a module, lowest first; "." is the module's own folder. A
 # file may include its own sub-folder and those before it, so no cycle can arise.
 ORDER = {
-    "cases": ["text", "types", "reader"],
+    "cases": ["text", "types", "reader", "sweeps"],
     "theory": ["persson", "exact"],
     "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers", "certificate"],

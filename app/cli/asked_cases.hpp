@@ -4,7 +4,7 @@
 // that belong to them, are read before anything runs.
 
 #include "app/run/case_library.hpp"
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "cases/types/case.hpp"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "app/run/installed_files.hpp"
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
 #include "cases/text/nearest.hpp"

@@ -4,7 +4,7 @@
 
 #include "app/plan/plan.hpp"
 #include "app/plan/run_options.hpp"
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 // runs an ordinary case into its own folder, and resumes an interrupted sweep.
 
 #include "app/run/exit_code.hpp"
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 
 #include <filesystem>

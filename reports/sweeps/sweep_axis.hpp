@@ -3,7 +3,7 @@
 // This file turns the values of a swept key into positions, labels and colours
 // of a figure.
 
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 
 #include <string>
 #include <vector>

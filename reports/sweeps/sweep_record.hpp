@@ -3,7 +3,7 @@
 // This file defines the plan of a sweep as sweep.json states it: the swept
 // keys, their values and the points, each with the folder of its result.
 
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,8 +2,8 @@
 // complete, and its exact references are what its own numbers give.
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/reader/sweep.hpp"
 #include "cases/reader/vocabulary.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "cases/types/reference.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Claims about [sweep] (cases/reader/sweep.hpp): which points a file has, that
+// Claims about [sweep] (cases/sweeps/sweep.hpp): which points a file has, that
 // each is an ordinary case, and that every mistake names file, line and key.
 #include "cases/reader/read_case.hpp"
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "cases/text/case_error.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // The keys and values of [sweep] as they are written, and their mistakes. This
 // header is internal to the reader of sweeps.
 
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 #include "cases/text/node.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "cases/reader/sweep_keys.hpp"
+#include "cases/sweeps/sweep_keys.hpp"
 
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/nearest.hpp"

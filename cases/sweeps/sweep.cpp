@@ -1,9 +1,9 @@
-#include "cases/reader/sweep.hpp"
+#include "cases/sweeps/sweep.hpp"
 
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/reader/sweep_keys.hpp"
 #include "cases/reader/table_reader.hpp"
+#include "cases/sweeps/sweep_keys.hpp"
 #include "cases/text/toml_text.hpp"
 
 #include <fmt/format.h>
