@@ -1,7 +1,6 @@
 #include "app/cli/surface_command.hpp"
 
 #include "app/cli/surface_input.hpp"
-#include "base/atomic_file.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/types/units.hpp"
@@ -9,8 +8,7 @@
 #include "reports/surface/surface_json.hpp"
 #include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_text.hpp"
-#include "surfaces/formats/gwyddion_file.hpp"
-#include "surfaces/formats/npy.hpp"
+#include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <fmt/format.h>
@@ -37,18 +35,15 @@ double positive_quantity(const char* option, const std::string& text,
   return read.quantity->value;
 }
 
-/// The bytes of the map in the format that the name of the file asks for.
-std::string converted(const surfaces::HeightMap& map, const fs::path& file,
-                      const std::string& name) {
-  const std::string extension = file.extension().string();
-  if (extension == ".npy")
-    return surfaces::npy_bytes(map.heights,
-                               static_cast<std::size_t>(map.grid.points_y),
-                               static_cast<std::size_t>(map.grid.points_x));
-  if (extension == ".gwy")
-    return surfaces::gwyddion_bytes(map, name);
-  throw cases::CaseError(fmt::format(
-      "--write {}: the name must end with .npy or .gwy", file.string()));
+/// Refuses the name of a converted file before any work.
+void require_known_ending(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending.empty() ||
+      (surfaces::written_map_endings() + ",").find(ending + ",") ==
+          std::string::npos)
+    throw cases::CaseError(fmt::format("--write {}: the name must end with {}",
+                                       file.string(),
+                                       surfaces::written_map_endings()));
 }
 
 void write_converted(const SurfaceCommand& command,
@@ -56,8 +51,7 @@ void write_converted(const SurfaceCommand& command,
   if (report.parts() != 1 || report.maps.empty())
     throw cases::CaseError("--write converts one map; give one map file");
   const surfaces::MapAnalysis& map = report.maps.front();
-  write_file_atomically(command.write,
-                        converted(map.map, command.write, map.name));
+  surfaces::write_map(command.write, map.map, map.name);
   if (!command.is_json)
     fmt::print("written: {} (heights in m, {} x {} m; levelled as above, keep "
                "them as measured by --level none)\n",
@@ -123,8 +117,8 @@ fs::path folder_of(const SurfaceCommand& command,
 ExitCode inspect_surface(const SurfaceCommand& command) {
   if (command.lists_channels)
     return print_channels(command.inputs);
-  if (!command.write.empty()) // refuses a wrong name before any work
-    converted({{1, 1, 1.0, 1.0}, {0.0}}, command.write, "");
+  if (!command.write.empty())
+    require_known_ending(command.write);
   const reports::SurfaceReport report = analysed(command);
   if (command.is_json)
     fmt::print("{}\n", surface_json(report).dump(1));
@@ -156,7 +150,7 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
   command
       ->add_option("--level", surface.level,
                    "form removed from a file, as [surface] level:\n"
-                   "none, plane, bow")
+                   "none, plane, bow, sphere or cylinder")
       ->capture_default_str();
   command->add_flag("--periodic", surface.is_periodic,
                     "a file continues at its edges; without this, a\n"
@@ -167,6 +161,8 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
   command->add_option("--height-unit", surface.height_unit,
                       "unit of the heights of such a file, e.g. nm");
   add_overrides(command, surface.overrides);
+  command->add_option("--channel", surface.channel,
+                      "channel of the file, by its title");
   command->add_flag("--channels", surface.lists_channels,
                     "list the channels of the files and end");
 }
@@ -189,8 +185,8 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
       ->check(CLI::Range(1e-3, 1.0))
       ->capture_default_str();
   command->add_option("--write", surface.write,
-                      "also write the levelled map to this file: .npy\n"
-                      "or .gwy");
+                      "also write the levelled map to this file: .npy,\n"
+                      ".h5, .gwy, .txt or .x3p");
   command->add_option("--out", surface.out,
                       "output folder (default: out/<name of the file>)");
   command->add_flag("--no-report", surface.has_no_report,

@@ -31,6 +31,8 @@ cases::Case case_of_file(const std::string& file,
   std::vector<std::string> overrides{"surface.level=" + command.level};
   if (command.is_periodic)
     overrides.emplace_back("surface.edges=periodic");
+  if (!command.channel.empty())
+    overrides.push_back("surface.channel=" + command.channel);
   if (!command.length.empty())
     overrides.push_back("surface.length=" + command.length);
   if (!command.height_unit.empty())
@@ -48,15 +50,20 @@ std::string level_words(cases::Levelling level) {
     return "Levelled by the least-squares plane";
   if (level == cases::Levelling::bow)
     return "Levelled by the least-squares second-order form";
-  return "Least-squares form removed";
+  return level == cases::Levelling::sphere
+             ? "Levelled by the least-squares sphere"
+             : "Levelled by the least-squares cylinder";
 }
 
 SurfaceInput measured_input(const cases::SurfaceSpec& surface) {
   const bool is_periodic = surface.edges == cases::Edges::periodic;
+  surfaces::MeasuredMap measured = surfaces::measured_map(surface);
   SurfaceInput input;
-  input.origin = level_words(surface.level) +
-                 (is_periodic ? "; periodic." : "; edges not periodic.");
-  input.heights = SurfaceMap{surfaces::levelled_map(surface), is_periodic};
+  input.origin =
+      fmt::format("{}{}. Read: {}.", level_words(surface.level),
+                  is_periodic ? "; periodic" : "; edges not periodic",
+                  surfaces::description_of(measured));
+  input.heights = SurfaceMap{std::move(measured.map), is_periodic};
   return input;
 }
 

@@ -27,8 +27,8 @@ struct LineScale {
 };
 
 /// Whether a text file of numbers can be a line scan: one column, one row, or
-/// two columns of which the first ascends in equal steps.
-/// @throws cases::CaseError  the file is not a table of numbers
+/// two columns of which the first ascends in equal steps. False for a file that
+/// is not a table of numbers.
 bool is_line_scan(const std::string& path);
 
 /// Reads such a file. With two columns, x and z, the steps of x may differ by
