@@ -362,6 +362,7 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "expect.band.above",
                                            "expect.band.below",
                                            "expect.band.if_undecided",
+                                           "halfspace.boundaries",
                                            "halfspace.max_iterations",
                                            "fem.max_iterations",
                                            "fem.mesh",
