@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::reports {
@@ -43,12 +44,19 @@ struct ChartMark {
   std::string color;
 };
 
+/// A shaded area, such as an interval around the curve of the same colour.
+struct ChartBand {
+  std::string color;
+  std::vector<std::pair<double, double>> corners; ///< of a closed polygon
+};
+
 /// One pair of axes with its curves.
 struct ChartPanel {
   ChartAxis x, y;
   std::optional<ChartAxis> second; ///< y axis on the right
   std::vector<ChartCurve> curves;
   std::vector<ChartMark> marks;
+  std::vector<ChartBand> bands = {};
 };
 
 struct Chart {

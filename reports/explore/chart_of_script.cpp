@@ -1,5 +1,6 @@
 #include "reports/explore/chart_of_script.hpp"
 
+#include "reports/explore/script_bands.hpp"
 #include "reports/explore/script_words.hpp"
 
 #include <algorithm>
@@ -256,13 +257,27 @@ void show_logarithms(ChartPanel& panel,
     show_logarithm(panel.x);
   if (are_logarithms(y, false))
     show_logarithm(panel.y);
+  for (ChartBand& band : panel.bands)
+    for (auto& [across, up] : band.corners) {
+      across = panel.x.is_log10 ? std::pow(10.0, across) : across;
+      up = panel.y.is_log10 ? std::pow(10.0, up) : up;
+    }
 }
 
 ChartPanel panel_of(const std::string& plot, const State& state,
-                    const std::vector<std::string>& header) {
+                    const std::vector<std::string>& header,
+                    const std::string& polygons) {
   ChartPanel panel{state.x, state.y, std::nullopt, {}, state.marks};
-  for (const std::string& part : split_outside(plot, ','))
-    panel.curves.push_back(curve_of(part));
+  for (const std::string& part : split_outside(plot, ',')) {
+    if (!is_band(part)) {
+      panel.curves.push_back(curve_of(part));
+      continue;
+    }
+    const std::optional<ChartBand> band = band_of(part, polygons);
+    if (!band)
+      throw NotUnderstood();
+    panel.bands.push_back(*band);
+  }
   for (const ChartCurve& curve : panel.curves)
     for (const int column : {curve.x, curve.y, curve.low, curve.high})
       if (column > 0)
@@ -276,7 +291,8 @@ ChartPanel panel_of(const std::string& plot, const State& state,
 } // namespace
 
 std::optional<Chart> chart_of_script(const std::string& script,
-                                     const std::string& header) {
+                                     const std::string& header,
+                                     const std::string& polygons) {
   Chart chart;
   State state;
   const std::vector<std::string> columns = names_of(header);
@@ -289,7 +305,7 @@ std::optional<Chart> chart_of_script(const std::string& script,
         read_unset(words_of(line), state);
       else if (line.starts_with(plot))
         chart.panels.push_back(
-            panel_of(line.substr(plot.size()), state, columns));
+            panel_of(line.substr(plot.size()), state, columns, polygons));
       else
         return std::nullopt;
     }

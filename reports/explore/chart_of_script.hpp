@@ -23,12 +23,15 @@ namespace asperity::reports {
 /// lines "0", "2.5" and "x". Each `plot` is one panel. Commands that only
 /// concern the appearance on paper are skipped.
 ///
-/// @param header  first line of the table; a column that is called "log10 X"
+/// @param header    first line of the table; a column that is called "log10 X"
 ///                is shown as X on a logarithmic axis
-/// @return        nothing if any part of a plot is not understood, such as an
+/// @param polygons  file of the bands, which are filled polygons
+///                  (script_bands.hpp); empty: none
+/// @return          nothing if any part of a plot is not understood, such as an
 ///                image, because a curve must not be missing
 std::optional<Chart> chart_of_script(const std::string& script,
-                                     const std::string& header);
+                                     const std::string& header,
+                                     const std::string& polygons = "");
 
 /// Converts gnuplot's markup to plain text: "h_{rms}" to "h_rms", "A_0" to
 /// "A₀", "m^4" to "m⁴".

@@ -287,6 +287,7 @@
       ctx.beginPath();
       ctx.rect(area.left, area.top, area.width, area.height);
       ctx.clip();
+      this.drawBands(chart);
       for (const mark of this.panel.marks) {
         const [from, to] = [x.getPixelForValue(mark.low), x.getPixelForValue(mark.high)];
         ctx.fillStyle = lineColor(mark.color);
@@ -295,6 +296,21 @@
         else ctx.fillRect(from, area.bottom - mark.height * area.height - 1.5, to - from, 3);
       }
       ctx.restore();
+    }
+
+    // A band is shown as long as a curve of its colour is.
+    drawBands(chart) {
+      const {ctx, scales: {x, y}} = chart;
+      const inside = (value, scale) => scale.type === 'logarithmic' ? Math.max(value, scale.min / 10) : value;
+      for (const band of this.panel.bands) {
+        if (!this.panel.curves.some((curve, i) => curve.color === band.color && chart.isDatasetVisible(i))) continue;
+        ctx.fillStyle = lineColor(band.color);
+        ctx.globalAlpha = 0.18;
+        ctx.beginPath();
+        for (const [across, up] of band.corners) ctx.lineTo(x.getPixelForValue(inside(across, x)), y.getPixelForValue(inside(up, y)));
+        ctx.fill();
+      }
+      ctx.globalAlpha = 1;
     }
 
     drawIntervals(chart) {

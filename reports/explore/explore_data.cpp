@@ -65,6 +65,10 @@ Json json_of(const Chart& chart) {
                                {"high", mark.high},
                                {"height", mark.height},
                                {"color", mark.color}});
+    json["bands"] = Json::array();
+    for (const ChartBand& band : panel.bands)
+      json["bands"].push_back(
+          {{"color", band.color}, {"corners", band.corners}});
     panels.push_back(std::move(json));
   }
   return panels;

@@ -146,9 +146,14 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
 }
 
 std::string explore_data(const Figure& figure) {
+  std::string polygons;
+  for (const auto& [suffix, text] : figure.maps)
+    if (suffix == "bands")
+      polygons = text;
   return explore_data(
       figure.name, figure.title, figure.data,
-      figure.stack ? std::nullopt : chart_of_script(figure.script, figure.data),
+      figure.stack ? std::nullopt
+                   : chart_of_script(figure.script, figure.data, polygons),
       figure.stack);
 }
 

@@ -69,6 +69,26 @@ TEST(ChartOfScript, ReadsIntervalsAxesAndMarks) {
   EXPECT_EQ(panel.curves.at(0).low, 3);
 }
 
+// Claim: a band has the corners of its own block, on the axes of the chart.
+TEST(ChartOfScript, ReadsBands) {
+  const std::string script =
+      "plot 'a-bands.csv' index 1 using 1:2 with filledcurves closed "
+      "fillcolor rgb '#0072B2' fillstyle transparent solid 0.18 noborder "
+      "notitle, 'a.csv' using ($2==0 ? $5 : NaN):4 with lines";
+  const std::string polygons = "1,1\n2,2\n3,3\n\n\n4,-1\n5,0\n6,2\n";
+
+  const auto chart = chart_of_script(script, header, polygons);
+
+  ASSERT_TRUE(chart);
+  const ChartBand& band = chart->panels.at(0).bands.at(0);
+  EXPECT_EQ(band.color, "#0072B2");
+  ASSERT_EQ(band.corners.size(), 3U);
+  EXPECT_EQ(band.corners[2].first, 6.0);
+  EXPECT_NEAR(band.corners[0].second, 0.1, 1e-16); // the column is a logarithm
+  EXPECT_FALSE(chart_of_script(script, header, "1,1\n2,2\n"));
+  EXPECT_FALSE(chart_of_script(script, header, "\n\n\na,b\n"));
+}
+
 // Claim: settings hold from panel to panel until they are unset.
 TEST(ChartOfScript, ReadsEveryPanel) {
   const auto chart = chart_of_plot(
