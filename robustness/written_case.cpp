@@ -225,6 +225,7 @@ std::string case_text_of(const Scene& scene) {
       "schema = 1\ntitle = \"problem instance {}\"\n\n"
       "[surface]\nkind = \"measured\"\nfile = \"map.txt\"\n"
       "format = \"plain\"\nlevel = \"none\"\nedges = \"periodic\"\n"
+      "fill = \"none\"\n"
       "height_unit = 1.0\nlength = {}\n\n"
       "[material]\ncontact_modulus = {}\npoisson_ratio = {}\n{}\n"
       "[load]\n{} = [{}]\n\n{}",

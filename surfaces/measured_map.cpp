@@ -70,8 +70,8 @@ void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
   const double fraction = missing / static_cast<double>(map.map.grid.size());
   if (missing > 0.0 && surface.fill == cases::Filling::none)
     throw cases::CaseError(fmt::format(
-        "{}: {} of {} points are missing ({:.3g} %), and surface.fill = "
-        "\"none\" does not fill them",
+        "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
+        "= \"none\" none must be",
         surface.file, missing, map.map.grid.size(), 100.0 * fraction));
   if (fraction > surface.max_missing || fraction == 1.0)
     throw cases::CaseError(fmt::format(

@@ -15,6 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <stdexcept>
+#include <utility>
 
 namespace asperity::app {
 namespace {
@@ -53,9 +55,25 @@ void write_converted(const SurfaceCommand& command,
   const surfaces::MapAnalysis& map = report.maps.front();
   surfaces::write_map(command.write, map.map, map.name);
   if (!command.is_json)
-    fmt::print("written: {} (heights in m, {} x {} m; levelled as above, keep "
-               "them as measured by --level none)\n",
-               command.write, map.map.grid.length_x, map.map.grid.length_y);
+    fmt::print(
+        "written: {} (heights in m, {:.6g} x {:.6g} m; levelled as above, keep "
+        "them as measured by --level none)\n",
+        command.write, map.map.grid.length_x, map.map.grid.length_y);
+}
+
+void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
+                  reports::SurfaceReport& report) {
+  if (auto* line = std::get_if<surfaces::LineScan>(&input.heights)) {
+    report.lines.push_back(surfaces::analyse_line(std::move(*line)));
+    report.lines.back().name = input.name;
+    report.lines.back().origin = input.origin;
+    return;
+  }
+  auto& map = std::get<SurfaceMap>(input.heights);
+  report.maps.push_back(
+      surfaces::analyse_map(std::move(map.map), map.is_periodic, tip_radius));
+  report.maps.back().name = input.name;
+  report.maps.back().origin = input.origin;
 }
 
 reports::SurfaceReport analysed(const SurfaceCommand& command) {
@@ -71,17 +89,11 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
   reports::SurfaceReport report;
   for (const std::string& word : command.inputs) {
     SurfaceInput input = read_surface_input(word, command);
-    if (auto* line = std::get_if<surfaces::LineScan>(&input.heights)) {
-      report.lines.push_back(surfaces::analyse_line(std::move(*line)));
-      report.lines.back().name = input.name;
-      report.lines.back().origin = input.origin;
-      continue;
+    try {
+      add_analysis(std::move(input), tip_radius, report);
+    } catch (const std::domain_error& error) { // flat, or too few points
+      throw cases::CaseError(word + ": " + error.what());
     }
-    auto& map = std::get<SurfaceMap>(input.heights);
-    report.maps.push_back(
-        surfaces::analyse_map(std::move(map.map), map.is_periodic, tip_radius));
-    report.maps.back().name = input.name;
-    report.maps.back().origin = input.origin;
   }
   report.title =
       report.parts() == 1

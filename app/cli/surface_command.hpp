@@ -23,7 +23,7 @@ struct SurfaceCommand {
   std::string channel;         ///< title; empty: the one with heights
   std::string tip_radius;      ///< "10 nm"; empty: not known
   std::string contact_modulus; ///< "2 GPa"; empty: no theory
-  double gamma = 0.42;         ///< of the theory
+  double gamma = 0.4;          ///< of the theory, as `run MAP` sets it
   std::string out;             ///< empty: out/<name>
   std::string write;           ///< file to convert the map to
   bool lists_channels = false; ///< print the channels of files, no more

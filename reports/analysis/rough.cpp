@@ -36,15 +36,13 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
     return theory_of_formula(contact_case.surface, result.contact_modulus,
                              highest);
   }
-  // A map without its periodic continuation has no spectrum: only roughness
-  // above a magnification makes another theory.
-  if (!magnification_of(contact_case, method) &&
-      realization < result.surfaces.size())
-    return theory_of_surface(result.surfaces[realization],
-                             result.contact_modulus);
-  if (!method.realizations[realization].own_surface)
+  // A map without its periodic continuation has no spectrum.
+  const auto& own = method.realizations[realization].own_surface;
+  if (own && !has_free_boundaries(contact_case, method))
+    return theory_of_surface(*own, result.contact_modulus);
+  if (realization >= result.surfaces.size())
     return {};
-  return theory_of_surface(*method.realizations[realization].own_surface,
+  return theory_of_surface(result.surfaces[realization],
                            result.contact_modulus);
 }
 

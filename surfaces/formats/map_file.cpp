@@ -93,10 +93,9 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
       given = found;
   };
   if (header.pixel_size) {
-    require_sound_lengths(table.name,
-                          {points.points_x, points.points_y,
-                           *header.pixel_size * points.points_x,
-                           *header.pixel_size * points.points_y});
+    require_sound_lengths(table.name, {points.points_x, points.points_y,
+                                       *header.pixel_size * points.points_x,
+                                       *header.pixel_size * points.points_y});
     take(scale.length, "length", *header.pixel_size * points.points_x);
     take(scale.length_y, "length_y", *header.pixel_size * points.points_y);
   }
@@ -114,9 +113,9 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
 
 HeightMap complete_map(Scan scan, const std::string& name) {
   if (!scan.is_missing.empty())
-    throw cases::CaseError(fmt::format(
-        "{}: {} of {} points are missing, but every point is needed", name,
-        count_missing(scan), scan.map.grid.size()));
+    throw cases::CaseError(
+        fmt::format("{}: {} of {} points are missing, but none must be", name,
+                    count_missing(scan), scan.map.grid.size()));
   return std::move(scan.map);
 }
 

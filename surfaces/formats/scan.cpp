@@ -2,6 +2,7 @@
 
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
+#include "results/trial_read.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
 
@@ -59,8 +60,12 @@ FileContent read_file_of(const std::string& path, const ScanRequest& request,
   const std::string bytes =
       cases::read_input_file(path, cases::largest_number_file);
   const MapFormat format = format_of(bytes, request);
-  if (format == MapFormat::hdf5)
+  if (format == MapFormat::hdf5) {
+    // The packaged library has memory errors that a damaged file can trigger.
+    results::require_readable(
+        path, [&] { (void)read_hdf5_file(path, request, asked); });
     return read_hdf5_file(path, request, asked);
+  }
   if (format == MapFormat::convert)
     return read_converted_file(path, request, asked);
   if (format == MapFormat::gwy)

@@ -163,7 +163,7 @@ def check_messages(program, folder):
             ([some, *scale, "--write", folder / "a.docx"], ".npy"),
             ([some, *scale, "--set", "surface.levl=bow"], "level"),
             ([flat, *scale], "flat"),
-            ([tiny, *scale], "points per side"),
+            ([tiny, *scale], "tiny.txt: points per side"),
             ([], "input")]:
         message = run(program, *words, "--no-report", code=2)
         assert expected in message, f"{words}: {message}"

@@ -120,7 +120,7 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
               "map.txt:1: column 2: found '" + word +
                   "', but must be a finite number");
   EXPECT_EQ(message_of("1 2\n\n# missing\nnan 4\n", scale),
-            "map.txt: 1 of 4 points are missing, but every point is needed");
+            "map.txt: 1 of 4 points are missing, but none must be");
   EXPECT_EQ(message_of("1 inf\n", scale),
             "map.txt:1: column 2: found 'inf', but must be a finite number");
   EXPECT_EQ(message_of("1 1e999\n", scale),

@@ -56,8 +56,8 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
   surface.max_missing = 0.05;
   surface.fill = cases::Filling::none;
   EXPECT_EQ(refusal_of(surface),
-            surface.file + ": 2 of 400 points are missing (0.5 %), and "
-                           "surface.fill = \"none\" does not fill them");
+            surface.file + ": 2 of 400 points are missing (0.5 %), but with "
+                           "surface.fill = \"none\" none must be");
 }
 
 // Claim: the map is cropped first, so that missing points outside the window do

@@ -43,7 +43,7 @@ TEST_F(RealMaps, X3pOfAnOpticalProfiler) {
   EXPECT_NEAR(scan.map.grid.length_y, 0.0002044783737930349, 1e-17);
   remove_mean(scan.map);
   EXPECT_NEAR(statistics(scan.map).rms_height, 7.728033273597876e-08,
-              1e-19); // sums of 4e5 squares in another order
+              1e-20); // sums of 4e5 squares in another order
   EXPECT_EQ(scan.reader, "own reader of X3P");
 }
 
