@@ -27,10 +27,12 @@ namespace fs = std::filesystem;
 void require_junit_folder(const std::string& junit) {
   if (junit.empty())
     return;
-  const fs::path folder = fs::absolute(junit).parent_path();
+  fs::path folder = fs::absolute(junit).parent_path();
+  while (!fs::exists(folder) && folder.has_relative_path())
+    folder = folder.parent_path(); // the rest will be created
   if (!fs::is_directory(folder))
-    throw cases::CaseError("--junit " + junit + ": there is no folder " +
-                           folder.string());
+    throw cases::CaseError("--junit " + junit + ": " + folder.string() +
+                           " is no folder");
   if (fs::is_directory(junit))
     throw cases::CaseError("--junit " + junit +
                            ": is a folder, but must be a file");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 namespace asperity::app {
@@ -92,8 +93,11 @@ void Checks::end_target(const std::string& target) {
 }
 
 ExitCode Checks::end(const std::string& junit) const {
-  if (!junit.empty())
+  if (!junit.empty()) {
+    std::filesystem::create_directories(
+        std::filesystem::absolute(junit).parent_path());
     write_file_atomically(junit, reports::junit_xml(summaries_));
+  }
   answer_.print(end_);
   return end_;
 }

@@ -23,7 +23,7 @@ struct MeanSquare {
   double value() const { return count > 0.0 ? sum / count : not_a_number; }
 };
 
-struct Sums {
+struct DifferenceSums {
   MeanSquare slope_x, slope_y, second_x, second_y, laplacian;
   double lowest_x = 0.0; ///< smallest second difference, not yet divided [m]
   double lowest_y = 0.0;
@@ -38,15 +38,14 @@ struct Rows {
 void copy_row(const HeightMap& map, int row, int margin,
               std::vector<double>& copy) {
   const int columns = map.grid.points_x;
-  copy.resize(static_cast<std::size_t>(columns + 2 * margin));
-  for (int i = 0; i < columns + 2 * margin; ++i)
-    copy[static_cast<std::size_t>(i)] =
-        map.heights[map.grid.index((i - margin + columns) % columns, row)];
+  copy.clear();
+  for (int i = -margin; i < columns + margin; ++i)
+    copy.push_back(map.heights[map.grid.index((i + columns) % columns, row)]);
 }
 
 /// @param first, end  columns at which forward differences are defined
 void add_along_x(const std::vector<double>& here, std::size_t lag,
-                 std::size_t first, std::size_t end, Sums& sums) {
+                 std::size_t first, std::size_t end, DifferenceSums& sums) {
   double slope = 0.0;
   for (std::size_t i = first; i < end; ++i) {
     const double forward = here[i + lag] - here[i];
@@ -64,7 +63,7 @@ void add_along_x(const std::vector<double>& here, std::size_t lag,
 
 /// @param first, end  the columns of the map itself
 void add_slope_along_y(const Rows& rows, std::size_t first, std::size_t end,
-                       Sums& sums) {
+                       DifferenceSums& sums) {
   double slope = 0.0;
   for (std::size_t i = first; i < end; ++i) {
     const double forward = rows.above[i] - rows.here[i];
@@ -74,7 +73,7 @@ void add_slope_along_y(const Rows& rows, std::size_t first, std::size_t end,
 }
 
 void add_second_along_y(const Rows& rows, std::size_t first, std::size_t end,
-                        Sums& sums) {
+                        DifferenceSums& sums) {
   double second = 0.0;
   for (std::size_t i = first; i < end; ++i) {
     const double bend = rows.above[i] - 2.0 * rows.here[i] + rows.below[i];
@@ -85,7 +84,7 @@ void add_second_along_y(const Rows& rows, std::size_t first, std::size_t end,
 }
 
 void add_laplacian(const Rows& rows, std::size_t lag, double square_x,
-                   double square_y, Sums& sums) {
+                   double square_y, DifferenceSums& sums) {
   double laplacian = 0.0;
   for (std::size_t i = lag; i + lag < rows.here.size(); ++i) {
     const double here = 2.0 * rows.here[i];
@@ -131,7 +130,7 @@ LocalDifferences local_differences(const HeightMap& map, int lag_x, int lag_y,
   const auto lag = static_cast<std::size_t>(lag_x);
   const auto first = static_cast<std::size_t>(margin);
   const auto end = first + static_cast<std::size_t>(grid.points_x);
-  Sums sums;
+  DifferenceSums sums;
   Rows rows;
   for (int row = 0; row < grid.points_y; ++row) {
     copy_row(map, row, margin, rows.here);

@@ -50,7 +50,7 @@ ChildCommand gwyddion_command(std::vector<std::string> words,
                          "LC_ALL=C.UTF-8"};
   command.limits = {.wall_time = 60.0,
                     .cpu_time = 60.0,
-                    .memory = 8 * 1024 * cases::mebibyte,
+                    .memory = std::size_t{8} * 1024 * cases::mebibyte,
                     .file_size = 2 * cases::largest_number_file};
   return command;
 }

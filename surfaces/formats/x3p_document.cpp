@@ -63,7 +63,7 @@ std::vector<std::string> X3pDocument::texts_in(std::string_view path) const {
 }
 
 std::string X3pDocument::needed_text(const std::string& path) const {
-  const std::string text = text_at(path);
+  std::string text = text_at(path);
   if (text.empty())
     refuse("there is no " + path);
   return text;
