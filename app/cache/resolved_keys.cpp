@@ -24,7 +24,6 @@ using cases::read_quantity;
 using cases::ReferenceUnit;
 using cases::Scales;
 using cases::si_unit;
-using cases::Table;
 using cases::toml_key;
 using cases::toml_value;
 using cases::ValueType;
@@ -95,7 +94,7 @@ private:
   }
 
   Node layers(const Node& given) const {
-    const Table& table = vocabulary_table("material.layer");
+    const cases::Table& table = vocabulary_table("material.layer");
     Node list = given;
     for (Node& layer : list.list)
       for (NodeEntry& entry : layer.entries)
@@ -137,7 +136,7 @@ public:
   }
 
   std::vector<ResolvedKey> list() {
-    for (const Table& table : vocabulary()) {
+    for (const cases::Table& table : vocabulary()) {
       if (table.is_part)
         continue;
       const Node* const node = find(table.name);
@@ -163,7 +162,7 @@ private:
     return node;
   }
 
-  static bool has_key(const Table& table, const std::string& name) {
+  static bool has_key(const cases::Table& table, const std::string& name) {
     return std::ranges::any_of(
         table.keys, [&](const Key& key) { return key.name == name; });
   }
@@ -173,7 +172,7 @@ private:
     keys_.push_back({path, std::move(value), unit, written});
   }
 
-  void add_table(const Table& table, const Node& node,
+  void add_table(const cases::Table& table, const Node& node,
                  const std::string& path) {
     const std::string prefix = path.empty() ? "" : path + ".";
     for (const Key& key : table.keys) {
@@ -194,7 +193,7 @@ private:
   }
 
   /// Adds the keys of each variant, [fem.hard], with those it inherits.
-  void add_variants(const Table& table, const Node& base) {
+  void add_variants(const cases::Table& table, const Node& base) {
     for (const NodeEntry& variant : base.entries) {
       if (!variant.node.is_table() || has_key(table, variant.key))
         continue;

@@ -11,18 +11,18 @@
 namespace asperity::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using cases::Node;
 using cases::NodeType;
 
 constexpr std::size_t most_letters = 60; ///< of a value in the text
 
-Json number_json(double number) {
-  return std::isfinite(number) ? Json(number) : Json(nullptr);
+OrderedJson number_json(double number) {
+  return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr);
 }
 
-Json node_json(const Node& node) {
-  Json json;
+OrderedJson node_json(const Node& node) {
+  OrderedJson json;
   switch (node.type) {
   case NodeType::boolean:
     return node.boolean;
@@ -31,12 +31,12 @@ Json node_json(const Node& node) {
   case NodeType::floating:
     return number_json(node.floating);
   case NodeType::list:
-    json = Json::array();
+    json = OrderedJson::array();
     for (const Node& one : node.list)
       json.push_back(node_json(one));
     return json;
   case NodeType::table:
-    json = Json::object();
+    json = OrderedJson::object();
     for (const cases::NodeEntry& entry : node.entries)
       json[entry.key] = node_json(entry.node);
     return json;
@@ -123,17 +123,17 @@ std::string description_text(const CaseDescription& description,
 }
 
 std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
-  Json json = {{"case", contact_case.name},
-               {"cpu_time [s]", number_json(plan.cpu_time)},
-               {"wall_time [s]", number_json(plan.wall_time)},
-               {"threads", plan.threads},
-               {"memory [bytes]", number_json(plan.memory)},
-               {"result [bytes]", number_json(plan.disk)},
-               {"factor", plan.factor},
-               {"refusal", refusal_of(plan)},
-               {"methods", Json::array()},
-               {"skipped", Json::array()},
-               {"warnings", plan.warnings}};
+  OrderedJson json = {{"case", contact_case.name},
+                      {"cpu_time [s]", number_json(plan.cpu_time)},
+                      {"wall_time [s]", number_json(plan.wall_time)},
+                      {"threads", plan.threads},
+                      {"memory [bytes]", number_json(plan.memory)},
+                      {"result [bytes]", number_json(plan.disk)},
+                      {"factor", plan.factor},
+                      {"refusal", refusal_of(plan)},
+                      {"methods", OrderedJson::array()},
+                      {"skipped", OrderedJson::array()},
+                      {"warnings", plan.warnings}};
   for (const PlannedMethod& method : plan.methods)
     json["methods"].push_back(
         {{"name", method.name},
@@ -151,12 +151,12 @@ std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
                                {"why", one.why},
                                {"cpu_time [s]", number_json(one.cpu_time)},
                                {"memory [bytes]", number_json(one.bytes)}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string description_json(const CaseDescription& description,
                              const cases::Case& contact_case) {
-  Json json = {
+  OrderedJson json = {
       {"format", "asperity-description"},
       {"format_version", 1},
       {"case", description.name},
@@ -164,18 +164,19 @@ std::string description_json(const CaseDescription& description,
       {"file", description.file},
       {"case_hash", description.hash},
       {"inputs", description.inputs},
-      {"keys", Json::object()},
-      {"derived", Json::object()},
+      {"keys", OrderedJson::object()},
+      {"derived", OrderedJson::object()},
       {"control", description.control == cases::Control::nominal_pressure
                       ? "nominal_pressure"
                       : "mean_gap"},
-      {"loads", Json::array()},
-      {"methods", Json::array()}};
+      {"loads", OrderedJson::array()},
+      {"methods", OrderedJson::array()}};
   for (const ResolvedKey& key : description.keys)
-    json["keys"][key.path] = {
-        {"value", node_json(key.value)},
-        {"unit", key.unit},
-        {"written", key.written.empty() ? Json(nullptr) : Json(key.written)}};
+    json["keys"][key.path] = {{"value", node_json(key.value)},
+                              {"unit", key.unit},
+                              {"written", key.written.empty()
+                                              ? OrderedJson(nullptr)
+                                              : OrderedJson(key.written)}};
   for (const DerivedNumber& number : description.derived)
     json["derived"][number.name] = {{"value", number_json(number.value)},
                                     {"unit", number.unit},
@@ -188,8 +189,8 @@ std::string description_json(const CaseDescription& description,
     json["methods"].push_back({{"name", method.name},
                                {"kind", method.kind},
                                {"description", method.text}});
-  json["plan"] = Json::parse(plan_json(description.plan, contact_case));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  json["plan"] = OrderedJson::parse(plan_json(description.plan, contact_case));
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 } // namespace asperity::app

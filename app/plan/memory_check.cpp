@@ -6,11 +6,7 @@
 #include <fmt/format.h>
 
 namespace asperity::app {
-namespace {
-
-constexpr int memory_probe_points = 64; // small, because times are not needed
-
-} // namespace
+namespace {} // namespace
 
 std::string refusal_of(const Plan& plan) {
   const std::string shortage = memory_shortage(plan.memory);

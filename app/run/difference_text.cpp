@@ -9,7 +9,7 @@
 namespace asperity::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t most_rows = 20; ///< listed for one method
 
@@ -56,21 +56,22 @@ std::string method_lines(const MethodDifference& method, double tolerance) {
   return lines;
 }
 
-Json number_or_null(double number) {
-  return std::isfinite(number) ? Json(number) : Json(nullptr);
+OrderedJson number_or_null(double number) {
+  return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr);
 }
 
-Json texts_json(const std::vector<TextDifference>& texts) {
-  Json list = Json::array();
+OrderedJson texts_json(const std::vector<TextDifference>& texts) {
+  OrderedJson list = OrderedJson::array();
   for (const TextDifference& text : texts)
-    list.push_back(
-        {{"name", text.name},
-         {"one", text.one.empty() ? Json(nullptr) : Json(text.one)},
-         {"other", text.other.empty() ? Json(nullptr) : Json(text.other)}});
+    list.push_back({{"name", text.name},
+                    {"one", text.one.empty() ? OrderedJson(nullptr)
+                                             : OrderedJson(text.one)},
+                    {"other", text.other.empty() ? OrderedJson(nullptr)
+                                                 : OrderedJson(text.other)}});
   return list;
 }
 
-Json row_json(const NumberDifference& row) {
+OrderedJson row_json(const NumberDifference& row) {
   return {{"realization", row.realization},
           {"step", row.step},
           {"column", row.column},
@@ -95,17 +96,17 @@ std::string difference_text(const Difference& difference, double tolerance) {
 }
 
 std::string difference_json(const Difference& difference, double tolerance) {
-  Json json = {{"format", "asperity-diff"},
-               {"format_version", 1},
-               {"is_different", difference.is_any()},
-               {"tolerance", tolerance},
-               {"keys", texts_json(difference.keys)},
-               {"inputs", texts_json(difference.inputs)},
-               {"build", texts_json(difference.build)},
-               {"missing", texts_json(difference.missing)},
-               {"methods", Json::array()}};
+  OrderedJson json = {{"format", "asperity-diff"},
+                      {"format_version", 1},
+                      {"is_different", difference.is_any()},
+                      {"tolerance", tolerance},
+                      {"keys", texts_json(difference.keys)},
+                      {"inputs", texts_json(difference.inputs)},
+                      {"build", texts_json(difference.build)},
+                      {"missing", texts_json(difference.missing)},
+                      {"methods", OrderedJson::array()}};
   for (const MethodDifference& method : difference.methods) {
-    Json rows = Json::array();
+    OrderedJson rows = OrderedJson::array();
     for (const NumberDifference& row : method.rows_listed)
       rows.push_back(row_json(row));
     json["methods"].push_back(
@@ -113,10 +114,10 @@ std::string difference_json(const Difference& difference, double tolerance) {
          {"rows", method.rows},
          {"rows_that_differ", method.rows_that_differ},
          {"largest", method.largest.relative > 0.0 ? row_json(method.largest)
-                                                   : Json(nullptr)},
+                                                   : OrderedJson(nullptr)},
          {"differences", rows}});
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 } // namespace asperity::app

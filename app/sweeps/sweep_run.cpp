@@ -4,6 +4,7 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/worker_pool.hpp"
+#include "app/plan/memory_check.hpp"
 #include "app/run/child_run.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
@@ -32,8 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-constexpr int memory_probe_points = 64; // small, because times are not needed
 
 reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
   reports::SweepRecord record{

@@ -83,7 +83,7 @@ void read_function(const std::string& word, ChartCurve& curve) {
     curve.intercept = number_of(word);
 }
 
-ChartCurve curve_of(const std::string& part) {
+ChartCurve chart_curve(const std::string& part) {
   const std::vector<std::string> words = words_of(part);
   if (words.empty())
     throw NotUnderstood();
@@ -128,7 +128,7 @@ struct State {
   std::vector<ChartMark> marks;
 };
 
-ChartAxis* axis_of(State& state, const std::string& word) {
+ChartAxis* chart_axis(State& state, const std::string& word) {
   return word.starts_with("x2")   ? nullptr
          : word.starts_with("y2") ? &state.second
          : word.starts_with("x")  ? &state.x
@@ -181,7 +181,7 @@ void read_set(const std::vector<std::string>& words, State& state) {
   if (words.size() < 3)
     return;
   const std::string& name = words[1];
-  ChartAxis* const axis = axis_of(state, name);
+  ChartAxis* const axis = chart_axis(state, name);
   if (name.ends_with("label") && axis != nullptr)
     axis->label = plain_label(unquoted(words[2]));
   else if (name.ends_with("range") && axis != nullptr)
@@ -197,7 +197,7 @@ void read_set(const std::vector<std::string>& words, State& state) {
 void read_unset(const std::vector<std::string>& words, State& state) {
   if (words.size() < 2)
     return;
-  ChartAxis* const axis = axis_of(state, words[1]);
+  ChartAxis* const axis = chart_axis(state, words[1]);
   if (words[1].ends_with("label") && axis != nullptr)
     axis->label.clear();
   else if (words[1].ends_with("range") && axis != nullptr)
@@ -270,7 +270,7 @@ ChartPanel panel_of(const std::string& plot, const State& state,
   ChartPanel panel{state.x, state.y, std::nullopt, {}, state.marks};
   for (const std::string& part : split_outside(plot, ',')) {
     if (!is_band(part)) {
-      panel.curves.push_back(curve_of(part));
+      panel.curves.push_back(chart_curve(part));
       continue;
     }
     const std::optional<ChartBand> band = band_of(part, polygons);

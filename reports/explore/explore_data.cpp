@@ -96,8 +96,8 @@ Json json_of(const MapStack& stack) {
   return json;
 }
 
-void replace_all(std::string& text, const std::string& from,
-                 const std::string& to) {
+void escape_all(std::string& text, const std::string& from,
+                const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
        at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
@@ -119,9 +119,9 @@ std::string explore_data(const std::string& name, const std::string& title,
   std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   // None of these stands outside a string of JSON, where the escape sequence
   // means the same character. The text can then end no element of a page.
-  replace_all(text, "<", "\\u003c");
-  replace_all(text, ">", "\\u003e");
-  replace_all(text, "&", "\\u0026");
+  escape_all(text, "<", "\\u003c");
+  escape_all(text, ">", "\\u003e");
+  escape_all(text, "&", "\\u0026");
   return text;
 }
 
@@ -145,9 +145,9 @@ std::string explore_script() {
 }
 
 std::string inline_script(std::string script) {
-  replace_all(script, "</script", "<\\/script");
-  replace_all(script, "<!--", "<\\!--");
-  replace_all(script, "]]>", "]] >");
+  escape_all(script, "</script", "<\\/script");
+  escape_all(script, "<!--", "<\\!--");
+  escape_all(script, "]]>", "]] >");
   return "//<![CDATA[\n" + script + "\n//]]>";
 }
 

@@ -117,6 +117,20 @@ Figure area_figure(std::span<const Series> series) {
   return figure;
 }
 
+namespace {
+
+/// Returns " Fitted: fem 2.28 ± 0.06."; empty without a fit.
+std::string fitted_kappas(std::span<const Series> series) {
+  std::string limits;
+  for (const Series& one : series)
+    if (quantity(one, "kappa").has_value())
+      limits += fmt::format("{}{} {}", limits.empty() ? " Fitted: " : ", ",
+                            one.label, number_text(quantity(one, "kappa")));
+  return limits.empty() ? limits : limits + ".";
+}
+
+} // namespace
+
 Figure area_coefficient_figure(std::span<const Series> series) {
   Figure figure;
   figure.name = "area-coefficient";
@@ -156,14 +170,8 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   figure.caption =
       "Markers: counted; coloured lines: corrected. κ is the value at A/A₀ = 0 "
       "of the line through the load steps with A/A₀ ≤ 15 %.";
-  std::string limits;
-  for (const Series& one : series)
-    if (quantity(one, "kappa").has_value())
-      limits += fmt::format("{}{} {}", limits.empty() ? " Fitted: " : ", ",
-                            one.label, number_text(quantity(one, "kappa")));
-  if (!limits.empty())
-    figure.caption += limits + ".";
-  figure.caption += " Dotted: √(8/π) of Persson and √(2π) of Bush, Gibson and "
+  figure.caption += fitted_kappas(series) +
+                    " Dotted: √(8/π) of Persson and √(2π) of Bush, Gibson and "
                     "Thomas." +
                     joined_words(series);
   for (const double theory :

@@ -116,7 +116,8 @@ Figure stitched_figure(const SurfaceReport& report) {
       {"curve", "index", "q [1/m]", "C [m^4]", "low [m^4]", "high [m^4]"});
   const std::string file = "'stitched-spectrum.csv' ";
   std::vector<std::string> plots;
-  const auto add = [&](std::size_t part, surfaces::SpectrumPart spectrum) {
+  const auto add = [&](std::size_t part,
+                       const surfaces::SpectrumPart& spectrum) {
     const bool is_line = part >= report.maps.size();
     const std::vector<surfaces::SpectrumRing> rows =
         is_line ? spectrum.rings

@@ -145,9 +145,8 @@ Figure heat_map(const SweepRecord& record, const Results& results,
   figure.title = quantity_name + ": " + method;
   const FigureAxis across = axis_of(record.keys[0]);
   const FigureAxis up = axis_of(record.keys[1]);
-  CsvTable table({"cell", "x", "y", quantity_name,
-                  "half-width of 95 % "
-                  "interval"});
+  CsvTable table(
+      {"cell", "x", "y", quantity_name, "half-width of 95 % interval"});
   std::string labels;
   for (const auto& result : results) {
     const Estimate* const estimate =
