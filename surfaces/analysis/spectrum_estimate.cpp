@@ -71,6 +71,7 @@ std::vector<SpectrumRing> joined_rings(const std::vector<SpectrumRing>& rings,
     sums.square += ring.wavevector * ring.wavevector * ring.mean_square_height;
   }
   std::vector<SpectrumRing> joined;
+  joined.reserve(steps.size());
   for (const auto& [step, sums] : steps)
     joined.push_back({std::sqrt(sums.square / sums.power),
                       sums.density / sums.weight, sums.weight, sums.power});

@@ -107,6 +107,7 @@ private:
                                    "MatrixDimension",
                                    points.size(), count()));
     std::vector<double> heights;
+    heights.reserve(points.size());
     for (const std::string& point : points)
       heights.push_back(listed_height(point));
     return heights;
