@@ -2,17 +2,16 @@
 
 #include "base/child_process.hpp"
 #include "base/require.hpp"
+#include "base/temporary_folder.hpp"
 #include "meshes/mesh_bytes.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <system_error>
 
 namespace asperity::meshes {
 namespace {
@@ -35,28 +34,6 @@ fs::path mesh_program() {
       here.string());
 }
 
-/// A temporary folder that is removed with all of its contents.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    std::string name =
-        (fs::temp_directory_path() / "asperity-mesh-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), name);
-    path = name;
-  }
-
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-
-  fs::path path;
-};
-
 [[noreturn]] void refuse(const std::string& path, const ChildAnswer& answer,
                          const MeshFileLimits& limits) {
   if (answer.end.exit_code == 2) // the output is a message that begins with the
@@ -77,8 +54,8 @@ BlockMesh read_mesh_file(const std::string& path, double unit,
                          cases::BlockSides sides,
                          const MeshFileLimits& limits) {
   require_positive("unit", unit, "m");
-  const ScratchFolder scratch;
-  const fs::path output = scratch.path / "mesh";
+  const TemporaryFolder scratch("asperity-mesh");
+  const fs::path output = scratch.path() / "mesh";
   const ChildAnswer answer = run_child(
       {.words = {mesh_program().string(), path, fmt::format("{}", unit),
                  sides == cases::BlockSides::periodic ? "periodic" : "free",

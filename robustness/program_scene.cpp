@@ -1,5 +1,6 @@
 #include "base/atomic_file.hpp"
 #include "base/child_process.hpp"
+#include "base/temporary_folder.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>
@@ -18,32 +19,6 @@ namespace asperity::robustness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A temporary folder that is removed with the object.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    std::string name =
-        (fs::temp_directory_path() / "asperity-robustness-XXXXXX");
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error(
-          "robustness: cannot create the folder of a case: " + name);
-    path_ = name;
-  }
-
-  ~ScratchFolder() {
-    std::error_code ignored; // leftovers in /tmp are harmless
-    fs::remove_all(path_, ignored);
-  }
-
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 /// Returns the environment of this process without the variables that an MPI
 /// started here has set: a second mpirun would take them for its own.
@@ -126,7 +101,7 @@ std::optional<Failure> verify_report(const fs::path& folder,
 
 void run_program(const Scene& scene, const fs::path& program,
                  SceneReport& report) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch("asperity-robustness");
   write_file_atomically(scratch.path() / "map.txt", map_text_of(scene));
   write_file_atomically(scratch.path() / "case.toml", case_text_of(scene));
   const ChildAnswer answer = run_case_in(scratch.path(), program, scene);

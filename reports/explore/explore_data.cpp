@@ -4,6 +4,7 @@
 #include "base/read_file.hpp"
 #include "reports/explore/explore_script.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
@@ -96,13 +97,6 @@ Json json_of(const MapStack& stack) {
   return json;
 }
 
-void escape_all(std::string& text, const std::string& from,
-                const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
 } // namespace
 
 std::string explore_data(const std::string& name, const std::string& title,
@@ -119,9 +113,9 @@ std::string explore_data(const std::string& name, const std::string& title,
   std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   // None of these stands outside a string of JSON, where the escape sequence
   // means the same character. The text can then end no element of a page.
-  escape_all(text, "<", "\\u003c");
-  escape_all(text, ">", "\\u003e");
-  escape_all(text, "&", "\\u0026");
+  boost::replace_all(text, "<", "\\u003c");
+  boost::replace_all(text, ">", "\\u003e");
+  boost::replace_all(text, "&", "\\u0026");
   return text;
 }
 
@@ -145,9 +139,9 @@ std::string explore_script() {
 }
 
 std::string inline_script(std::string script) {
-  escape_all(script, "</script", "<\\/script");
-  escape_all(script, "<!--", "<\\!--");
-  escape_all(script, "]]>", "]] >");
+  boost::replace_all(script, "</script", "<\\/script");
+  boost::replace_all(script, "<!--", "<\\!--");
+  boost::replace_all(script, "]]>", "]] >");
   return "//<![CDATA[\n" + script + "\n//]]>";
 }
 

@@ -7,6 +7,7 @@
 #include "reports/explore/chart_of_script.hpp"
 #include "reports/explore/explore_data.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -42,13 +43,6 @@ std::string in_quotes(const std::string& text) {
       quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return quoted + "'";
-}
-
-void replace_all(std::string& text, const std::string& from,
-                 const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
 }
 
 // These names are written into scripts, between quotes.
@@ -137,10 +131,10 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
     drawn.problem = program + " produced no picture";
     return drawn;
   }
-  replace_all(drawn.svg, "font-family=\"Helvetica\"",
-              fmt::format("font-family=\"{}\"", font_list));
-  replace_all(drawn.svg, "<title>Gnuplot</title>",
-              "<title>" + figure.name + "</title>");
+  boost::replace_all(drawn.svg, "font-family=\"Helvetica\"",
+                     fmt::format("font-family=\"{}\"", font_list));
+  boost::replace_all(drawn.svg, "<title>Gnuplot</title>",
+                     "<title>" + figure.name + "</title>");
   write_file_atomically(svg_path, drawn.svg);
   return drawn;
 }

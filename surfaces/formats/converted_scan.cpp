@@ -1,5 +1,6 @@
 #include "base/child_process.hpp"
 #include "base/plain_text.hpp"
+#include "base/temporary_folder.hpp"
 #include "cases/text/case_error.hpp"
 #include "cases/text/input_file.hpp"
 #include "surfaces/formats/own_readers.hpp"
@@ -7,38 +8,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 namespace asperity::surfaces {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A new folder for temporary files, which the destructor removes.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = fs::temp_directory_path() / "asperity-map-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 ChildCommand gwyddion_command(std::vector<std::string> words,
                               const fs::path& folder) {
@@ -96,7 +71,7 @@ FileContent read_converted_file(const std::string& path,
         "{}: no own reader knows this format{}; it can be read where the "
         "program gwyddion is installed (Debian: apt-get install gwyddion)",
         path, name_in_brackets(path)));
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("asperity-map");
   const std::string bytes = converted(program, path, folder.path());
   if (!bytes.starts_with("GWYP"))
     throw cases::CaseError(path + ": Gwyddion wrote no .gwy file");
