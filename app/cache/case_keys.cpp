@@ -103,8 +103,13 @@ Node CaseKeys::table_of(const cases::MethodSpec& method) const {
 }
 
 std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
-  std::string text = method.name.substr(0, method.name.find('.')) +
-                     canonical(table_of(method));
+  // A step does not depend on the number of realisations.
+  Node table = table_of(method);
+  std::erase_if(table.entries, [](const NodeEntry& entry) {
+    return entry.key == "realizations";
+  });
+  std::string text =
+      method.name.substr(0, method.name.find('.')) + canonical(table);
   if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
     text += md::engine_identity(*md);
   if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
@@ -138,7 +143,7 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "contact" || entry.key == "penalty" ||
            entry.key == "tolerance" || entry.key == "max_iterations" ||
-           entry.key == "magnification";
+           entry.key == "magnification" || entry.key == "realizations";
   });
   return fmt::format("{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y,
                      grid.length_x, grid.length_y, text_of(file_, "material"),

@@ -41,7 +41,10 @@ std::vector<MethodSpec> chosen_methods(const cases::Case& contact_case,
 }
 
 int n_realizations(const cases::Case& contact_case, const MethodSpec& method) {
-  return method.needs_surface() ? contact_case.surface.realizations : 1;
+  const int all = contact_case.surface.realizations;
+  if (!method.needs_surface())
+    return 1;
+  return std::min(method.realizations.value_or(all), all);
 }
 
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {

@@ -43,8 +43,10 @@ private:
     return n_steps() * n_realizations(scene_.contact_case, method);
   }
 
-  void add_of_settings(const MethodSpec& method,
-                       const cases::TheorySettings& settings);
+  void add_realizations(const MethodSpec& method);
+
+  void add_of_settings(const MethodSpec&, const cases::TheorySettings&) {}
+
   void add_of_settings(const MethodSpec& method,
                        const cases::HalfspaceSettings& settings);
   void add_of_settings(const MethodSpec& method,
@@ -106,22 +108,25 @@ void Skips::add_of(const MethodSpec& method) {
     list.push_back({fmt::format("{}: roughness above {:g} q_0", method.name,
                                 *method.magnification),
                     "its magnification", not_a_number, not_a_number});
+  add_realizations(method);
   std::visit([&](const auto& own) { add_of_settings(method, own); },
              method.settings);
 }
 
-void Skips::add_of_settings(const MethodSpec& method,
-                            const cases::TheorySettings&) {
-  const int others = scene_.contact_case.surface.realizations - 1;
-  if (method.needs_surface() || others == 0)
+void Skips::add_realizations(const MethodSpec& method) {
+  const int omitted = scene_.contact_case.surface.realizations -
+                      n_realizations(scene_.contact_case, method);
+  if (omitted == 0)
     return;
   const MethodCost cost =
       cost_of(scene_.contact_case, method, scene_.grid, rates_);
-  list.push_back({fmt::format("{} on {} realisation{}", method.name, others,
-                              others == 1 ? "" : "s"),
-                  "the formula of the spectrum holds for every realisation",
-                  others * (cost.setup_time + n_steps() * cost.step_time),
-                  0.0});
+  list.push_back(
+      {fmt::format("{} on {} realisation{}", method.name, omitted,
+                   omitted == 1 ? "" : "s"),
+       method.needs_surface()
+           ? "its number of realizations"
+           : "the formula of the spectrum holds for every realisation",
+       omitted * (cost.setup_time + n_steps() * cost.step_time), 0.0});
 }
 
 void Skips::add_of_settings(const MethodSpec& method,

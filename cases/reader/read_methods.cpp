@@ -119,6 +119,8 @@ MethodSpec read_method(const Node& node, const std::string& kind,
   table.refuse_unknown();
   MethodSpec method{
       node.path, {}, read_magnification(table, surroundings.surface)};
+  if (table.has("realizations"))
+    method.realizations = table.integer("realizations");
   method.settings = default_settings(kind);
   std::visit([&](auto& own) { read_settings(table, surroundings, own); },
              method.settings);

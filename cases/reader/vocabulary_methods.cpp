@@ -244,7 +244,6 @@ Table winkler_table() {
           }};
 }
 
-/// Returns the key that all methods have.
 Key magnification_key() {
   return {.name = "magnification",
           .range = positive(),
@@ -255,11 +254,23 @@ Key magnification_key() {
                          "remaining waves keep their phases and amplitudes."};
 }
 
-/// Appends the common key to the keys of a method.
+Key realizations_key() {
+  return {.name = "realizations",
+          .type = ValueType::integer,
+          .range = between(1, 1000),
+          .when = "default: all",
+          .example = "4",
+          .description = "Number of realisations of the surface that this "
+                         "method solves, beginning with the first; more than "
+                         "surface.realizations means all of them."};
+}
+
+/// Appends the keys that all methods have to those of a method.
 Table as_method(Table table) {
   table.is_method = true;
   table.when = "The method runs only if this table is present.";
   table.keys.push_back(magnification_key());
+  table.keys.push_back(realizations_key());
   return table;
 }
 

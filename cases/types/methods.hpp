@@ -184,6 +184,9 @@ struct MethodSpec {
   /// zeta: for a self-affine surface, this method omits roughness above zeta
   /// q_0. Phases and amplitudes of the remaining roughness do not change.
   std::optional<double> magnification = {};
+  /// The number of realisations that this method solves, beginning with the
+  /// first; the surface may have fewer. Default: all.
+  std::optional<int> realizations = {};
 
   /// Returns whether the method solves for a pressure and gap field.
   bool has_fields() const {

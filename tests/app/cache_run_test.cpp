@@ -162,6 +162,21 @@ TEST_F(CachedRun, RealizationsAreKeptOneByOne) {
   EXPECT_EQ(computed({"surface.realizations=3"}), 2 * 4);
 }
 
+// Claim: a method with a number of realisations of its own solves the first
+// ones, finds them in the cache, and never has more than the surface.
+TEST_F(CachedRun, AMethodMaySolveFewerRealizations) {
+  const Overrides fewer{"halfspace.soft.realizations=1"};
+  EXPECT_EQ(computed(fewer, "fewer"), 4 + a_method + 4);
+  const results::Result written = result("fewer");
+  EXPECT_EQ(written.methods.at(1).realizations.size(), 2U);
+  EXPECT_EQ(written.methods.at(2).realizations.size(), 1U);
+
+  EXPECT_EQ(computed(), 4);
+  EXPECT_EQ(computed(fewer), 0);
+  EXPECT_EQ(computed({"halfspace.soft.realizations=9"}, "more"), 0);
+  EXPECT_EQ(result("more").methods.at(2).realizations.size(), 2U);
+}
+
 // Claim: a load at the end costs one step a curve, and the answer is that of a
 // run that never stopped, bit by bit: it starts from the kept state.
 TEST_F(CachedRun, ALoadAtTheEndCostsOneStep) {
@@ -265,9 +280,9 @@ TEST_F(CachedRun, OnlyTheContactLawSharesAnOperator) {
         keys.operator_text(read.methods[1], {32, 32, 1.0, 1.0}),
         keys.operator_text(read.methods.back(), {32, 32, 1.0, 1.0}));
   };
-  for (const char* key :
-       {"tolerance = 1e-6", "max_iterations = 9",
-        "contact = \"penalty\"\npenalty = \"9 E*/h\"", "magnification = 2.0"}) {
+  for (const char* key : {"tolerance = 1e-6", "max_iterations = 9",
+                          "contact = \"penalty\"\npenalty = \"9 E*/h\"",
+                          "magnification = 2.0", "realizations = 1"}) {
     const auto [base, other] = of_variant(key);
     EXPECT_EQ(base, other) << key;
   }

@@ -165,6 +165,13 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
   EXPECT_TRUE(find(alone.skipped, "fem"));
   EXPECT_FALSE(find(all_maps.skipped, "pressure and gap fields"));
   EXPECT_FALSE(find(all_maps.skipped, "theory on"));
+
+  const Plan fewer = plan({"fem.realizations=1"});
+  const Skipped* omitted = find(fewer.skipped, "fem on 1 realisation");
+  ASSERT_TRUE(omitted);
+  EXPECT_EQ(omitted->why, "its number of realizations");
+  EXPECT_EQ(fewer.methods.at(2).steps, 4);
+  EXPECT_FALSE(find(planned.skipped, "fem on"));
 }
 
 // The plan prints what the block would have without its elimination: three

@@ -84,6 +84,20 @@ TEST(MarkSpikes, FindsThemAndNothingElse) {
   EXPECT_THROW(mark_spikes(map, 2.9), std::domain_error);
 }
 
+// Claim: the threshold decides: a spike of 10 standard deviations is none
+// at 20.
+TEST(MarkSpikes, ComparesWithTheThreshold) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  FlaggedMap map =
+      map_of({40, 30, 1.0, 1.0}, [&](int, int) { return noise(random); });
+  map.map.heights[300] += 10.0;
+  map.map.heights[700] += 40.0;
+  EXPECT_EQ(mark_spikes(map, 20.0), 1U);
+  EXPECT_EQ(map.is_missing[300], 0);
+  EXPECT_EQ(map.is_missing[700], 1);
+}
+
 TEST(MarkSpikes, FindsTheOnlyStepOfAFlatMap) {
   FlaggedMap map = map_of({20, 20, 1.0, 1.0}, [](int ix, int iy) {
     return ix == 7 && iy == 8 ? 5.0 : 1.0;
