@@ -2,8 +2,8 @@
 
 #include "base/field_sums.hpp"
 #include "base/fourier.hpp"
-#include "cases/text/case_error.hpp"
 #include "contact/certificate/certificate.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -259,7 +259,7 @@ void require_grid(const Problem& problem, const SubmittedLoad& load) {
     known = ": leave out the periodic end points";
   else if (load.rows * load.columns == rows * columns)
     known = ": it must not be flattened or reshaped";
-  throw cases::CaseError(fmt::format(
+  throw input::InputError(fmt::format(
       "{}: has {} rows and {} columns, but the problem has {} and {}{}",
       load.file.string(), load.rows, load.columns, rows, columns, known));
 }

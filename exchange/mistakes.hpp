@@ -15,9 +15,9 @@
 namespace asperity::exchange {
 
 /// Requires the field to have the grid of the problem.
-/// @throws cases::CaseError  naming the file, what was found and, if it is
-///                           recognised, the mistake: transposed, periodic end
-///                           points included, another number of points
+/// @throws input::InputError  naming the file, what was found and, if it is
+///                            recognised, the mistake: transposed, periodic end
+///                            points included, another number of points
 void require_grid(const Problem& problem, const SubmittedLoad& load);
 
 /// Returns the mistakes that are recognised in a field on the right grid;

@@ -1,8 +1,8 @@
 #include "exchange/pressure_file.hpp"
 
 #include "base/field_sums.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
 #include "surfaces/formats/number_table.hpp"
@@ -29,16 +29,16 @@ surfaces::Matrix read_dataset(const fs::path& path) {
   const std::vector<std::string> names = file.children();
   const bool has_name = file.has("pressure");
   if (!has_name && names.size() != 1)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has the members {}, but must have the dataset "
                     "\"pressure\"",
                     path.string(), fmt::join(names, ", ")));
   const std::string name = has_name ? "pressure" : names.front();
   const std::vector<std::size_t> extents = file.extents(name);
   if (extents.size() != 2)
-    throw cases::CaseError(fmt::format("{}: {} has {} dimensions, but must "
-                                       "have 2: rows and columns",
-                                       path.string(), name, extents.size()));
+    throw input::InputError(fmt::format("{}: {} has {} dimensions, but must "
+                                        "have 2: rows and columns",
+                                        path.string(), name, extents.size()));
   return {extents[0], extents[1], file.numbers(name)};
 }
 
@@ -48,7 +48,7 @@ surfaces::Matrix read_hdf5_matrix(const fs::path& path) {
   try {
     return read_dataset(path);
   } catch (const results::Hdf5Error& error) {
-    throw cases::CaseError(error.what());
+    throw input::InputError(error.what());
   }
 }
 
@@ -64,12 +64,12 @@ surfaces::Matrix read_pressure_file(const fs::path& path) {
   else if (ending == ".csv" || ending == ".txt" || ending == ".dat")
     matrix = read_text_matrix(path);
   else
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has the ending \"{}\"; allowed are .npy, .h5, .hdf5, "
                     ".csv, .txt and .dat",
                     path.string(), ending));
   if (!all_finite(matrix.numbers))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has a number that is not finite", path.string()));
   return matrix;
 }

@@ -11,8 +11,8 @@ namespace asperity::exchange {
 /// Reads a matrix from a file; its ending decides how: .npy; .h5 or .hdf5, from
 /// the dataset "pressure" or the only one; .csv, .txt or .dat, numbers
 /// separated by commas, semicolons, blanks or tabs.
-/// @throws cases::CaseError  another ending, a file that cannot be read, or
-///                           numbers that are not finite
+/// @throws input::InputError  another ending, a file that cannot be read, or
+///                            numbers that are not finite
 surfaces::Matrix read_pressure_file(const std::filesystem::path& path);
 
 } // namespace asperity::exchange

@@ -3,8 +3,8 @@
 #include "base/content_hash.hpp"
 #include "base/field_sums.hpp"
 #include "base/rms_height.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "surfaces/formats/npy.hpp"
 
 #include <fmt/format.h>
@@ -70,8 +70,8 @@ public:
     const auto pointer = Json::json_pointer(member);
     const std::string found =
         json_.contains(pointer) ? json_.at(pointer).dump() : "missing";
-    throw cases::CaseError(fmt::format("{}: {} is {}, but must be {}", path_,
-                                       member, found.substr(0, 60), rule));
+    throw input::InputError(fmt::format("{}: {} is {}, but must be {}", path_,
+                                        member, found.substr(0, 60), rule));
   }
 
   const Json& at(const std::string& member, const std::string& rule) const {
@@ -152,15 +152,15 @@ contact::ElasticBlock read_body(const ProblemMembers& members) {
 
 Json parsed(const std::filesystem::path& path) {
   const std::string text =
-      cases::read_input_file(path, cases::largest_case_file);
+      input::read_input_file(path, input::largest_text_file);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(
                                         std::min(error.byte, text.size()));
-    throw cases::CaseError(fmt::format("{}:{}: is not JSON: {}", path.string(),
-                                       1 + std::count(text.begin(), end, '\n'),
-                                       error.what()));
+    throw input::InputError(fmt::format("{}:{}: is not JSON: {}", path.string(),
+                                        1 + std::count(text.begin(), end, '\n'),
+                                        error.what()));
   }
 }
 
@@ -168,9 +168,9 @@ void read_heights(const std::filesystem::path& folder,
                   const ProblemMembers& members, Problem& problem) {
   const std::filesystem::path file = folder / "heights.npy";
   const std::string bytes =
-      cases::read_input_file(file, cases::largest_number_file);
+      input::read_input_file(file, input::largest_number_file);
   if (content_hash(bytes) != members.text("/heights/files/heights.npy"))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: its SHA-256 is {}, but problem.json states {}: it is "
                     "not the surface of this problem",
                     file.string(), content_hash(bytes),
@@ -179,17 +179,17 @@ void read_heights(const std::filesystem::path& folder,
   const Grid& grid = problem.grid;
   if (matrix.rows != static_cast<std::size_t>(grid.points_y) ||
       matrix.columns != static_cast<std::size_t>(grid.points_x))
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: has {} rows and {} columns, but problem.json states {} and {}",
         file.string(), matrix.rows, matrix.columns, grid.points_y,
         grid.points_x));
   if (!all_finite(matrix.numbers))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: must hold finite numbers", file.string()));
   problem.heights = std::move(matrix.numbers);
   problem.rms_height = rms_height(problem.heights);
   if (!(problem.rms_height > 0.0))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: the surface is flat", file.string()));
 }
 

@@ -55,9 +55,9 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
              std::span<const std::pair<std::string, std::string>> hashes);
 
 /// Reads problem.json and heights.npy of a folder.
-/// @throws cases::CaseError  naming the file and the member: what was found and
-///                           what is allowed; the heights are not those of the
-///                           checksum
+/// @throws input::InputError  naming the file and the member: what was found
+///                            and what is allowed; the heights are not those of
+///                            the checksum
 Problem read_problem(const std::filesystem::path& folder);
 
 } // namespace asperity::exchange

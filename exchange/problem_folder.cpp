@@ -3,8 +3,8 @@
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "surfaces/formats/gwyddion_file.hpp"
 #include "surfaces/formats/npy.hpp"
@@ -163,7 +163,7 @@ References read_references(const fs::path& folder) {
   };
   try {
     const Json json =
-        Json::parse(cases::read_input_file(file, cases::largest_case_file));
+        Json::parse(input::read_input_file(file, input::largest_text_file));
     for (const Json& answer : json.at("discrete").at("answers"))
       found.discrete.push_back({number(answer, "nominal_pressure [Pa]"),
                                 number(answer, "mean_gap [m]"),
@@ -179,7 +179,7 @@ References read_references(const fs::path& folder) {
            number(answer, "contact_area_fraction_error [1]"),
            answer.at("source").get<std::string>()});
   } catch (const Json::exception& error) {
-    throw cases::CaseError(fmt::format("{}: {}", file.string(), error.what()));
+    throw input::InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
   return found;
 }

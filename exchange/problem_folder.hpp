@@ -32,7 +32,7 @@ struct References {
 };
 
 /// Reads reference.json of a folder; empty if there is none.
-/// @throws cases::CaseError  the file is damaged
+/// @throws input::InputError  the file is damaged
 References read_references(const std::filesystem::path& folder);
 
 } // namespace asperity::exchange

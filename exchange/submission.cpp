@@ -1,9 +1,9 @@
 #include "exchange/submission.hpp"
 
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
+#include "input/nearest.hpp"
 #include "surfaces/formats/number_table.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@
 namespace asperity::exchange {
 namespace {
 
-using cases::Mistakes;
 using cases::Node;
 using cases::NodeType;
+using input::Mistakes;
 
 /// Reads the keys of one table of submission.toml and collects the mistakes.
 class SubmissionTable {
@@ -32,7 +32,7 @@ public:
         mistakes_.add(entry.node.place,
                       fmt::format("{} is unknown; nearest: {}; allowed are {}",
                                   entry.node.path,
-                                  cases::nearest(entry.key, keys_),
+                                  input::nearest(entry.key, keys_),
                                   fmt::join(keys_, ", ")));
   }
 
@@ -153,12 +153,12 @@ void read_load(const Node& node, const Problem& problem,
 /// Reads "nominal_pressure [Pa],mean_gap [m],area_fraction [1]" and its rows.
 std::vector<SubmittedRow> read_curve(const std::filesystem::path& file) {
   const std::string text =
-      cases::read_input_file(file, cases::largest_number_file);
+      input::read_input_file(file, input::largest_number_file);
   const std::string header =
       "nominal_pressure [Pa],mean_gap [m],area_fraction [1]";
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   if (text.substr(0, end) != header)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}:1: begins with \"{}\", but must "
         "begin with \"{}\"",
         file.string(), text.substr(0, std::min(end, 60UL)), header));
@@ -206,7 +206,7 @@ Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem) {
   const std::filesystem::path file = folder / "submission.toml";
   const Node root =
-      cases::parse_toml(cases::read_input_file(file, cases::largest_case_file),
+      cases::parse_toml(input::read_input_file(file, input::largest_text_file),
                         file.string(), "submission.toml");
   Mistakes mistakes;
   SubmissionTable table(root,

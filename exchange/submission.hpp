@@ -52,8 +52,8 @@ struct Submission {
 
 /// Reads a submission to a problem with its fields.
 /// @param folder  contains submission.toml
-/// @throws cases::CaseError  every mistake of submission.toml with its line and
-///                           key, or the first field that cannot be read
+/// @throws input::InputError  every mistake of submission.toml with its line
+///                            and key, or the first field that cannot be read
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem);
 

@@ -21,8 +21,8 @@ using BlockMaker =
 /// Only one call may be active at a time, from any thread. On a single rank the
 /// block itself is returned. A failure on every rank is thrown as an exception;
 /// a failure on some ranks terminates all of them (ranks.hpp).
-/// @throws std::domain_error, cases::CaseError  as problem_of_case and
-///                                              make_full_block
+/// @throws std::domain_error, input::InputError  as problem_of_case and
+///                                               make_full_block
 std::unique_ptr<FullBlock> make_distributed_block(const FullRequest& request,
                                                   const BlockMaker& make_block);
 

@@ -27,7 +27,7 @@ struct FullRequest {
 /// @param mesh  the mesh, if another process has generated it
 /// @throws std::domain_error  the mesh cannot be generated or is refused, with
 ///                            the reason; or a parameter is outside its range
-/// @throws cases::CaseError  the text or a file that it names is invalid
+/// @throws input::InputError  the text or a file that it names is invalid
 BlockProblem problem_of_case(const FullRequest& request,
                              std::optional<meshes::BlockMesh> mesh = {});
 

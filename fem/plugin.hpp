@@ -56,7 +56,7 @@ public:
 
   /// The full method: settings.solver is full. Under mpirun all ranks share the
   /// work; only one call may be active at a time.
-  /// @throws cases::CaseError  in addition, for a file that the case names
+  /// @throws input::InputError  in addition, for a file that the case names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
   /// The full method without a case: the block of condensed() as a full 3-D

@@ -13,8 +13,8 @@ namespace asperity::md {
 
 /// Checks whether the programs that the engine needs are installed. It is
 /// called before any output is written.
-/// @throws cases::CaseError  a program is missing; the message names the
-///                           package that provides it
+/// @throws input::InputError  a program is missing; the message names the
+///                            package that provides it
 void require_engine(const cases::MdSettings& settings);
 
 /// Identifies the external program that computes the result by the path, size
@@ -23,8 +23,8 @@ void require_engine(const cases::MdSettings& settings);
 std::string engine_identity(const cases::MdSettings& settings);
 
 /// Creates the engine that the request selects.
-/// @throws cases::CaseError   incompatible settings, or a program that is not
-///                            installed
+/// @throws input::InputError   incompatible settings, or a program that is not
+///                             installed
 /// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request);
 

@@ -1,6 +1,6 @@
 #include "meshes/geometry_files.hpp"
 
-#include "cases/text/input_file.hpp"
+#include "input/input_file.hpp"
 
 #include <algorithm>
 #include <string>
@@ -35,7 +35,7 @@ std::vector<fs::path> geometry_files(const fs::path& mesh_file) {
       continue;
     const fs::path folder = files[i].parent_path();
     const std::string text =
-        cases::read_input_file(files[i], cases::largest_number_file);
+        input::read_input_file(files[i], input::largest_number_file);
     for (const std::string& name : literals(text)) {
       const fs::path path = (folder / name).lexically_normal();
       std::error_code none;

@@ -13,8 +13,8 @@ namespace asperity::meshes {
 /// the order of the text. Relative names refer to the folder of the file that
 /// names them. Names that gmsh composes at run time are not found.
 ///
-/// @throws cases::CaseError  a file cannot be read or exceeds the limit of
-///                           files of numbers (cases/text/input_file.hpp)
+/// @throws input::InputError  a file cannot be read or exceeds the limit of
+///                            files of numbers (input/input_file.hpp)
 std::vector<std::filesystem::path>
 geometry_files(const std::filesystem::path& mesh_file);
 

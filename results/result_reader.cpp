@@ -2,7 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "base/special_numbers.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/observables/contact_stiffness.hpp"
 #include "results/storage/curve_storage.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -36,7 +36,7 @@ std::vector<Item> read_indexed(const Hdf5Group& group, Read read) {
   for (const std::string& name : group.children())
     if (const std::optional<int> index = index_of(name)) {
       if (*index >= layout::most_realizations)
-        throw cases::CaseError(
+        throw input::InputError(
             fmt::format("{} is realisation {}, but must be below {}",
                         group.place(name), *index, layout::most_realizations));
       const auto place = static_cast<std::size_t>(*index);
@@ -58,14 +58,14 @@ std::vector<std::string> good_names(std::vector<std::string> names,
 void require_format(const Hdf5Group& file) {
   const std::string format = text_or(file, "format", "");
   if (format != layout::format)
-    throw cases::CaseError(fmt::format("{} = \"{}\", but must be \"{}\"",
-                                       file.place("format"), format,
-                                       layout::format));
+    throw input::InputError(fmt::format("{} = \"{}\", but must be \"{}\"",
+                                        file.place("format"), format,
+                                        layout::format));
   const double version = number_or(file, "format_version", not_a_number);
   if (!(version >= 1 && version < layout::format_version + 1))
-    throw cases::CaseError(fmt::format("{} = {}, but must lie between 1 and {}",
-                                       file.place("format_version"), version,
-                                       layout::format_version));
+    throw input::InputError(fmt::format(
+        "{} = {}, but must lie between 1 and {}", file.place("format_version"),
+        version, layout::format_version));
 }
 
 Curve read_curve(const Hdf5Group& group) {
@@ -125,11 +125,12 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   result.reference = text_or(file, "reference", "");
   result.status = text_or(file, "status", "complete");
   if (!file.has_attribute("contact_modulus"))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} [Pa] is missing", file.place("contact_modulus")));
   result.contact_modulus = file.number_attribute("contact_modulus");
   if (!file.has("methods"))
-    throw cases::CaseError(fmt::format("{} is missing", file.place("methods")));
+    throw input::InputError(
+        fmt::format("{} is missing", file.place("methods")));
 
   if (file.has("provenance")) {
     const Hdf5Group provenance = file.open("provenance");
@@ -168,7 +169,7 @@ FileContent read_file(const std::filesystem::path& path) {
     const Hdf5File file(path, Hdf5File::Mode::read);
     return {read_file(file, path), journal_state(file)};
   } catch (const Hdf5Error& error) {
-    throw cases::CaseError(error.what());
+    throw input::InputError(error.what());
   }
 }
 
@@ -193,7 +194,7 @@ bool merge_journal(FileContent& content, const std::filesystem::path& path) {
 
 /// Checks the names of methods and tables, including those from the journal,
 /// which are not names of groups in the file.
-/// @throws cases::CaseError  a name is not permitted
+/// @throws input::InputError  a name is not permitted
 void require_good_names(const Result& result) {
   try {
     for (const MethodRecord& method : result.methods)
@@ -201,7 +202,7 @@ void require_good_names(const Result& result) {
     for (const Table& table : result.tables)
       require_good_name(table.name, result.path + ": /tables");
   } catch (const Hdf5Error& error) {
-    throw cases::CaseError(error.what());
+    throw input::InputError(error.what());
   }
 }
 
@@ -212,7 +213,7 @@ FileContent read_file_and_journal(const std::filesystem::path& path) {
     if (merge_journal(content, path))
       return content;
   }
-  throw cases::CaseError(path.string() + " changed while it was being read");
+  throw input::InputError(path.string() + " changed while it was being read");
 }
 
 } // namespace
@@ -222,7 +223,7 @@ Result read_result(const std::filesystem::path& path) {
   const std::filesystem::path file_path =
       is_folder ? path / layout::file_name : path;
   if (!std::filesystem::exists(file_path))
-    throw cases::CaseError(file_path.string() + ": there is no such file");
+    throw input::InputError(file_path.string() + ": there is no such file");
   Result result = std::move(read_file_and_journal(file_path).result);
   require_good_names(result);
   for (MethodRecord& method : result.methods)

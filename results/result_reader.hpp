@@ -19,9 +19,9 @@ namespace asperity::results {
 ///          missing step is the index of its row, and a missing status is
 ///          converged. A missing or NaN contact stiffness is computed from the
 ///          curve by finite differences. Rows are sorted by step.
-/// @throws cases::CaseError  "file: ..." naming the group, dataset or attribute
-///                           that is missing, of the wrong kind or outside its
-///                           range (validity.hpp)
+/// @throws input::InputError  "file: ..." naming the group, dataset or
+///                            attribute that is missing, of the wrong kind or
+///                            outside its range (validity.hpp)
 Result read_result(const std::filesystem::path& path);
 
 /// The steps of each (method, realization) that a result contains.

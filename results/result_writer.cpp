@@ -2,7 +2,7 @@
 
 #include "base/cpu_clock.hpp"
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/same_case.hpp"
 #include "results/storage/curve_storage.hpp"
 #include "results/storage/hdf5_file.hpp"

@@ -53,10 +53,10 @@ public:
   };
 
   /// Creates the folder if necessary and sets the status to "running".
-  /// @throws cases::CaseError  in mode `resume`, the file is not a result file,
-  ///                           or it belongs to another case, other input files
-  ///                           or another program. The message names the
-  ///                           difference, and nothing is changed.
+  /// @throws input::InputError  in mode `resume`, the file is not a result
+  ///                            file, or it belongs to another case, other
+  ///                            input files or another program. The message
+  ///                            names the difference, and nothing is changed.
   ResultWriter(const std::filesystem::path& folder, const CaseInfo& info,
                Mode mode = Mode::create);
 

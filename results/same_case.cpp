@@ -1,6 +1,6 @@
 #include "results/same_case.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/result_layout.hpp"
 
@@ -78,9 +78,10 @@ void require_same_case(const Result& old, const CaseInfo& info) {
         info.inputs.at(name) != before.at(name))
       differences.push_back(input_difference(info.inputs, before, name));
   if (!differences.empty())
-    throw cases::CaseError(fmt::format("{} cannot be resumed: {}; run without "
-                                       "--resume, or choose another --out",
-                                       old.path, fmt::join(differences, "; ")));
+    throw input::InputError(fmt::format("{} cannot be resumed: {}; run without "
+                                        "--resume, or choose another --out",
+                                        old.path,
+                                        fmt::join(differences, "; ")));
 }
 
 } // namespace asperity::results

@@ -10,9 +10,9 @@ namespace asperity::results {
 struct CaseInfo;
 
 /// Checks that the result belongs to the same case.
-/// @throws cases::CaseError  the result was computed from another case, from
-///                           other input files or by another program; the
-///                           message names every difference
+/// @throws input::InputError  the result was computed from another case, from
+///                            other input files or by another program; the
+///                            message names every difference
 void require_same_case(const Result& old, const CaseInfo& info);
 
 } // namespace asperity::results

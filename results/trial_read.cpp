@@ -1,7 +1,7 @@
 #include "results/trial_read.hpp"
 
 #include "base/child_process.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>
@@ -30,9 +30,10 @@ void require_readable(const std::filesystem::path& path,
       {.cpu_time = longest_read});
   const ChildEnd& end = child.wait();
   if (!end.failure.empty())
-    throw cases::CaseError(fmt::format("{}: is damaged or malicious: the HDF5 "
-                                       "library cannot read it to its end ({})",
-                                       path.string(), end.failure));
+    throw input::InputError(
+        fmt::format("{}: is damaged or malicious: the HDF5 "
+                    "library cannot read it to its end ({})",
+                    path.string(), end.failure));
 }
 
 } // namespace asperity::results

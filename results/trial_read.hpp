@@ -11,8 +11,8 @@ namespace asperity::results {
 
 /// Returns if read_result() of `path` terminates normally, with a result or
 /// with an exception. No other thread of this process may be running.
-/// @throws cases::CaseError  the child process was terminated by a signal, or
-///                           it took more than ten minutes of CPU time
+/// @throws input::InputError  the child process was terminated by a signal, or
+///                            it took more than ten minutes of CPU time
 void require_readable(const std::filesystem::path& path);
 
 /// The same for another way to read the file.

@@ -1,6 +1,6 @@
 #include "results/validity.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ public:
     std::string text = fmt::format("{}", fmt::join(lines_, "\n"));
     if (count_ > most_lines)
       text += fmt::format("\n{}: and {} more", file_, count_ - most_lines);
-    throw cases::CaseError(text);
+    throw input::InputError(text);
   }
 
 private:

@@ -15,9 +15,9 @@ namespace asperity::results {
 /// column of the same name, where NaN and infinity are allowed. E* is finite
 /// and > 0.
 ///
-/// @throws cases::CaseError  "file: /methods/fem/0/curve/mean_gap, step 3 =
-///                           nan, but must be finite [m]", with one line for
-///                           each of the first ten errors
+/// @throws input::InputError  "file: /methods/fem/0/curve/mean_gap, step 3 =
+///                            nan, but must be finite [m]", with one line for
+///                            each of the first ten errors
 void require_valid(const Result& result);
 
 } // namespace asperity::results

@@ -14,7 +14,7 @@ namespace asperity::robustness {
 /// Grid and load are drawn at random later. A surface that is not self-affine
 /// is represented by its statistics: by its slope, and by waves down to eight
 /// node spacings.
-/// @throws cases::CaseError  the surface cannot be built
+/// @throws input::InputError  the surface cannot be built
 Scene scene_of_case(const cases::Case& contact_case);
 
 } // namespace asperity::robustness

@@ -1,6 +1,6 @@
 #include "robustness/run_scene.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <ctime>
 #include <exception>
@@ -65,7 +65,7 @@ SceneReport run_scene(const Scene& scene,
     run_by_path(scene, program, report);
   } catch (const std::domain_error& error) {
     refuse(error.what(), report);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     refuse(error.what(), report);
   } catch (const std::exception& error) {
     report.outcome = Outcome::threw;

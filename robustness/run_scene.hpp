@@ -10,7 +10,7 @@
 namespace asperity::robustness {
 
 /// Runs the instance and every check on it. Nothing is thrown:
-/// std::domain_error and cases::CaseError count as a refusal, and any other
+/// std::domain_error and input::InputError count as a refusal, and any other
 /// exception is reported as such. A refusal must state a reason and what is
 /// allowed. A flawed instance that is not refused fails the check "refusal".
 /// @param program  path of `asperity`, for the instances that go through it;

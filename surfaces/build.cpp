@@ -1,7 +1,7 @@
 #include "surfaces/build.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
@@ -28,7 +28,7 @@ using cases::SurfaceSpec;
 template <class Number>
 Number required(const std::optional<Number>& number, const char* key) {
   if (!number)
-    throw cases::CaseError(std::string(key) + " is missing");
+    throw input::InputError(std::string(key) + " is missing");
   return *number;
 }
 
@@ -90,7 +90,7 @@ void require_points(const SurfaceSpec& surface, const char* points_name,
   const int points = std::min(grid.points_x, grid.points_y);
   if (points >= needed)
     return;
-  throw cases::CaseError(
+  throw input::InputError(
       fmt::format("{} = {}, but must be >= {} to resolve {} = {:.6g} 1/m (a "
                   "wavelength of {:.6g} m) over surface.length = {:.6g} m",
                   points_name, points, needed, highest_name, highest,
@@ -183,7 +183,7 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
   Resampled resampled = resample(map, grid);
   constexpr double rounding = 1e-20; // roundoff of two transforms, squared
   if (resampled.dropped > rounding * rms_height * rms_height)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "a grid of {} by {} points is too coarse for the {} by {} of {}: "
         "Fourier modes of rms height {:.6g} m would be lost",
         grid.points_x, grid.points_y, map.grid.points_x, map.grid.points_y,

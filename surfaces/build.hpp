@@ -17,8 +17,8 @@ bool is_random(cases::SurfaceKind kind);
 /// The height spectrum of a case of kind self-affine or spectrum, with the
 /// prescribed rms height or slope over its whole band; a table keeps its own
 /// amplitude if none is prescribed.
-/// @throws cases::CaseError   the table cannot be read, or there is no
-///                            amplitude
+/// @throws input::InputError   the table cannot be read, or there is no
+///                             amplitude
 /// @throws std::domain_error  another kind, or values that no case can have
 IsotropicSpectrum formula_spectrum(const cases::SurfaceSpec& surface);
 
@@ -27,8 +27,8 @@ IsotropicSpectrum formula_spectrum(const cases::SurfaceSpec& surface);
 /// table without either: to the rms height of the table). Kinds that are not
 /// random have only realisation 0 and are rebuilt for any other number; the
 /// caller should build them once.
-/// @throws cases::CaseError   a missing key, a file that cannot be read, or too
-///                            few points for the shortest wavelength
+/// @throws input::InputError   a missing key, a file that cannot be read, or
+///                             too few points for the shortest wavelength
 /// @throws std::domain_error  values that no case can have
 HeightMap build_surface(const cases::SurfaceSpec& surface, int realization);
 
@@ -42,8 +42,8 @@ HeightMap build_surface(const cases::SurfaceSpec& surface, int realization);
 /// and mean 0 over the nodes of this grid.
 /// @param grid                has the lengths of the surface
 /// @param highest_wavevector  modes of larger |q| are omitted [rad/m] > 0
-/// @throws cases::CaseError   as build_surface, or the grid is too coarse for
-///                            the remaining modes
+/// @throws input::InputError   as build_surface, or the grid is too coarse for
+///                             the remaining modes
 /// @throws std::domain_error  values that no case can have, another length, or
 ///                            a highest_wavevector that leaves no mode of a
 ///                            random surface

@@ -1,7 +1,7 @@
 #include "surfaces/measured_map.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
@@ -59,7 +59,7 @@ void crop_to(FlaggedMap& map, cases::MapWindow window,
   try {
     crop(map, window);
   } catch (const std::domain_error& error) {
-    throw cases::CaseError(fmt::format("{}: {}", file, error.what()));
+    throw input::InputError(fmt::format("{}: {}", file, error.what()));
   }
 }
 
@@ -69,12 +69,12 @@ void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
       std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
   const double fraction = missing / static_cast<double>(map.map.grid.size());
   if (missing > 0.0 && surface.fill == cases::Filling::none)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
         "= \"none\" none must be",
         surface.file, missing, map.map.grid.size(), 100.0 * fraction));
   if (fraction > surface.max_missing || fraction == 1.0)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
         "surface.max_missing = {:.4g} may be filled; crop the map or raise "
         "that limit",
@@ -87,13 +87,13 @@ void level_form(HeightMap& map, const SurfaceSpec& surface) {
   try {
     remove_trend(map, surface.level);
   } catch (const std::domain_error& error) {
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: surface.level: {}", surface.file, error.what()));
   }
   const double left = largest_magnitude(map);
   constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
   if (left <= rounding * before)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
         "remain, the roundoff of the original {:.3g} m; there is no roughness",
         surface.file, left, before));

@@ -23,9 +23,9 @@ struct MeasuredMap {
 /// Reads the map of the case and prepares it, in this order: cropping,
 /// alignment of scan lines, removal of spikes, filling of missing points, and
 /// levelling ([surface] crop_x ..., align_lines, remove_spikes, fill, level).
-/// @throws cases::CaseError  the file is not a map, the window is not inside
-///                           it, more points are missing than max_missing, or
-///                           the map is flat
+/// @throws input::InputError  the file is not a map, the window is not inside
+///                            it, more points are missing than max_missing, or
+///                            the map is flat
 MeasuredMap measured_map(const cases::SurfaceSpec& surface);
 
 /// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
@@ -35,7 +35,7 @@ std::string description_of(const MeasuredMap& measured);
 /// The map of the case after levelling. A map that was a perfect plane is
 /// considered flat: levelling leaves only the roundoff of its heights, a few
 /// eps of the largest.
-/// @throws cases::CaseError  as measured_map
+/// @throws input::InputError  as measured_map
 HeightMap levelled_map(const cases::SurfaceSpec& surface);
 
 /// Roughness of a map that need not be periodic: the slope is computed from
@@ -52,7 +52,7 @@ struct EdgeEffect {
 };
 
 /// Computes the roughness before and after the edge treatment.
-/// @throws cases::CaseError  as levelled_map
+/// @throws input::InputError  as levelled_map
 EdgeEffect edge_effect(const cases::SurfaceSpec& surface);
 
 } // namespace asperity::surfaces

@@ -12,23 +12,24 @@ from pathlib import Path
 # Which other modules a module may include; a path allows these files alone.
 MAY_INCLUDE = {
     "base": set(),
-    "cases": {"base"},
+    "input": {"base"},
+    "cases": {"base", "input"},
     "theory": {"base"},
     "contact": {"base"},
-    "surfaces": {"base", "cases", "results/storage/hdf5_file.hpp",
+    "surfaces": {"base", "input", "cases", "results/storage/hdf5_file.hpp",
                  "results/trial_read.hpp"},
-    "meshes": {"base", "cases", "surfaces"},
-    "fem": {"base", "cases", "surfaces", "meshes", "contact"},
-    "md": {"base", "cases", "surfaces"},
-    "results": {"base", "cases", "theory"},  # its Eq. (20) is (1) with another variance
-    "exchange": {"base", "cases", "surfaces", "contact", "results"},
-    "reports": {"base", "cases", "surfaces", "theory", "results"},
-    "robustness": {"base", "cases", "surfaces", "theory", "contact", "meshes",
+    "meshes": {"base", "input", "cases", "surfaces"},
+    "fem": {"base", "input", "cases", "surfaces", "meshes", "contact"},
+    "md": {"base", "input", "cases", "surfaces"},
+    "results": {"base", "input", "cases", "theory"},  # its Eq. (20) is (1) with another variance
+    "exchange": {"base", "input", "cases", "surfaces", "contact", "results"},
+    "reports": {"base", "input", "cases", "surfaces", "theory", "results"},
+    "robustness": {"base", "input", "cases", "surfaces", "theory", "contact", "meshes",
                    "results", "fem/plugin.hpp", "md/engines.hpp"},
-    "app": {"base", "cases", "surfaces", "theory", "meshes", "contact", "results",
+    "app": {"base", "input", "cases", "surfaces", "theory", "meshes", "contact", "results",
             "exchange", "reports", "fem/plugin.hpp", "md/contact/atomic_contact.hpp",
             "md/engines.hpp"},
-    "bench": {"base", "cases", "surfaces", "theory", "results", "reports", "app"},
+    "bench": {"base", "input", "cases", "surfaces", "theory", "results", "reports", "app"},
 }
 
 # The sub-folders of a module, lowest first; "." is the module's own folder. A

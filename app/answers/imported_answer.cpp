@@ -3,7 +3,7 @@
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
 #include "base/special_numbers.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/pages/published_json.hpp"
 #include "results/observables/contact_stiffness.hpp"
 
@@ -103,7 +103,7 @@ ImportedLoad imported(contact::SurfaceOperator& elasticity,
   done.file = load.file.filename().string();
   done.mistakes = recognised_mistakes(elasticity, problem, load);
   if (!(std::ranges::max(load.pressure) > 0.0))
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: no pressure is > 0, so that nothing can be certified: {}",
         load.file.string(), fmt::join(done.mistakes, "; ")));
   done.field = certified(elasticity,

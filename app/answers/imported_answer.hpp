@@ -43,8 +43,8 @@ SurfaceOfCase surface_of(const exchange::Problem& problem);
 /// Reads and certifies a submission. The contact stiffness follows from
 /// differences between the loads.
 /// @param surface  surface_of(problem)
-/// @throws cases::CaseError  the submission cannot be read, or a field cannot
-///                           be certified
+/// @throws input::InputError  the submission cannot be read, or a field cannot
+///                            be certified
 ImportedAnswer import_answer(const std::filesystem::path& folder,
                              const exchange::Problem& problem,
                              const SurfaceOfCase& surface);

@@ -3,9 +3,9 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/surfaces_of_case.hpp"
-#include "cases/text/case_error.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/refinement.hpp"
 #include "results/observables/observables.hpp"
@@ -43,7 +43,7 @@ const cases::MethodSpec& method_of_problem(const cases::Case& contact_case,
         return method;
       names.push_back(method.name);
     }
-  throw cases::CaseError(
+  throw input::InputError(
       names.empty()
           ? fmt::format("{}: has no half-space or condensed finite-element "
                         "method, which a problem needs",
@@ -215,13 +215,13 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   const cases::MethodSpec& method =
       method_of_problem(contact_case, method_name);
   if (contact_case.material.inclusion || contact_case.material.variation)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has a block that is not layered, which no problem can "
                     "describe",
                     contact_case.path));
   const auto* half = std::get_if<cases::HalfspaceSettings>(&method.settings);
   if (half != nullptr && half->has_free_boundaries)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: {} has free boundaries, but a problem is periodic: "
                     "{}.boundaries = \"periodic\" is allowed",
                     contact_case.path, method.name, method.name));

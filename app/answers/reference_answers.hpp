@@ -33,7 +33,7 @@ struct AnsweredProblem {
 /// on a half-space; a measured map is refined by interpolation.
 /// @param method_name  of a half-space or condensed finite-element method;
 ///                     empty: the first one
-/// @throws cases::CaseError   no such method, or a block that is not layered
+/// @throws input::InputError   no such method, or a block that is not layered
 /// @throws NoAnswer           there is no contact at a load, or a solution did
 ///                            not converge
 AnsweredProblem answered_problem(const cases::Case& contact_case,

@@ -2,8 +2,8 @@
 
 #include "app/answers/reference_answers.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/nearest.hpp"
+#include "input/input_error.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ submission_folders(const fs::path& root) {
         found[below.begin()->string()].push_back(entry.path().parent_path());
       }
   if (found.empty())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: has no submission; expected <problem>/<code>/<version>/"
         "submission.toml",
         root.string()));
@@ -57,11 +57,11 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
                            const fs::path& site) {
   const std::vector<std::string> names = stated_problems(folder);
   if (std::ranges::find(names, name) == names.end())
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: there are submissions to this problem, but no folder "
                     "{} with a problem.json or case.toml; nearest: {}",
                     (folder / "submissions" / name).string(),
-                    (folder / name).string(), cases::nearest(name, names)));
+                    (folder / name).string(), input::nearest(name, names)));
   const fs::path home = folder / name;
   const fs::path copy = site / "problems" / name;
   if (fs::exists(home / "problem.json")) {
@@ -78,7 +78,7 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
   BoardProblem read;
   read.problem = exchange::read_problem(copy);
   if (read.problem.name != name)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: states the problem \"{}\", but its folder is {}: both must be the "
         "same",
         home.string(), read.problem.name, name));

@@ -56,9 +56,9 @@ struct BoardProblem {
 ///
 /// A problem that is given as a case is computed. Each problem is written into
 /// or copied to problems/<problem> of the site.
-/// @throws cases::CaseError  no submissions, or a problem that does not exist
-///                           or is invalid. A submission cannot cause an
-///                           exception: it becomes an entry that failed.
+/// @throws input::InputError  no submissions, or a problem that does not exist
+///                            or is invalid. A submission cannot cause an
+///                            exception: it becomes an entry that failed.
 std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
                                      const std::filesystem::path& site);
 

@@ -2,7 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -257,7 +257,7 @@ std::uintmax_t cache_size() {
                                       : -1.0;
   if (error != std::errc() || scale < 0.0 || !(number >= 0.0) ||
       !(number * scale < 1e18))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("ASPERITY_CACHE_SIZE = \"{}\", but must be a size such as "
                     "500 MB or 2 GB, or 0 for no cache",
                     text));

@@ -99,7 +99,7 @@ std::filesystem::path cache_folder();
 /// Returns the size limit [B] from $ASPERITY_CACHE_SIZE, such as "500 MB" or a
 /// number of bytes. The default is 2 GB.
 ///
-/// @throws cases::CaseError  the value is not a size
+/// @throws input::InputError  the value is not a size
 std::uintmax_t cache_size();
 
 } // namespace asperity::app

@@ -3,8 +3,8 @@
 #include "app/cache/resolved_keys.hpp"
 #include "base/content_hash.hpp"
 #include "cases/reader/vocabulary.hpp"
-#include "cases/text/input_file.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_file.hpp"
 #include "md/engines.hpp"
 #include "meshes/geometry_files.hpp"
 #include "results/provenance.hpp"
@@ -161,7 +161,7 @@ input_hashes(const cases::Case& contact_case) {
   const auto add = [&](const char* key, const std::string& path) {
     if (!path.empty())
       inputs[key] = content_hash(
-          cases::read_input_file(path, cases::largest_number_file));
+          input::read_input_file(path, input::largest_number_file));
   };
   add(surface_file, contact_case.surface.file);
   if (contact_case.material.variation)
@@ -170,7 +170,7 @@ input_hashes(const cases::Case& contact_case) {
     std::string hashes;
     for (const auto& path : meshes::geometry_files(contact_case.mesh.file))
       hashes += content_hash(
-          cases::read_input_file(path, cases::largest_number_file));
+          input::read_input_file(path, input::largest_number_file));
     inputs[mesh_file] = content_hash(hashes);
   }
   return inputs;

@@ -67,7 +67,7 @@ private:
 /// names it: "surface.file", "material.variation.file" or "mesh.file". A base
 /// case is part of the text of the case.
 ///
-/// @throws cases::CaseError  a file cannot be read
+/// @throws input::InputError  a file cannot be read
 std::map<std::string, std::string>
 input_hashes(const cases::Case& contact_case);
 

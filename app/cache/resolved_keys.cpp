@@ -216,7 +216,7 @@ private:
 
 cases::Node parsed_case(const cases::Case& read) {
   cases::Node file = cases::parse_toml(read.text, read.path);
-  cases::Mistakes none;
+  input::Mistakes none;
   for (const std::string& entry : cases::overrides_in(read.text))
     cases::apply_override(file, entry, none);
   return file;

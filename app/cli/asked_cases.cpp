@@ -2,9 +2,9 @@
 
 #include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
 #include "reports/pages/paper_report.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ Asked read_asked(const std::string& word,
   if (is_map_file(word))
     return asked_map({word, contact_modulus}, overrides);
   if (!contact_modulus.empty())
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("--contact-modulus applies only to a measured map, but {} "
                     "is a case: please use --set material.contact_modulus=...",
                     word));

@@ -43,9 +43,8 @@ struct Asked {
 ///                   `overrides`
 /// @param contact_modulus  E* for a measured map, which may stand for a case;
 ///                   "" if none is given
-/// @throws cases::CaseError  the argument matches no case, a case is invalid,
-/// or
-///                   a map has no contact modulus
+/// @throws input::InputError  the argument matches no case, a case is invalid,
+///                            or a map has no contact modulus
 Asked read_asked(const std::string& word,
                  const std::vector<std::string>& overrides = {},
                  bool is_quick = false,

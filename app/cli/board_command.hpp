@@ -15,7 +15,7 @@ struct BoardCommand {
 };
 
 /// @return  exit_expectation_failed if a submission failed
-/// @throws cases::CaseError  there are no submissions, or a problem is invalid
+/// @throws input::InputError  there are no submissions, or a problem is invalid
 ExitCode build_board(const BoardCommand& command);
 
 } // namespace asperity::app

@@ -9,7 +9,7 @@
 #include "app/run/interrupt.hpp"
 #include "app/run/run_case.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 
@@ -31,11 +31,11 @@ void require_junit_folder(const std::string& junit) {
   while (!fs::exists(folder) && folder.has_relative_path())
     folder = folder.parent_path(); // the rest will be created
   if (!fs::is_directory(folder))
-    throw cases::CaseError("--junit " + junit + ": " + folder.string() +
-                           " is no folder");
+    throw input::InputError("--junit " + junit + ": " + folder.string() +
+                            " is no folder");
   if (fs::is_directory(junit))
-    throw cases::CaseError("--junit " + junit +
-                           ": is a folder, but must be a file");
+    throw input::InputError("--junit " + junit +
+                            ": is a folder, but must be a file");
 }
 
 /// Throws if an option for cases was given and no target is a case.
@@ -46,9 +46,9 @@ void require_a_case(const CheckCommand& command) {
                        : !command.out.empty()       ? "--out"
                                                     : nullptr;
   if (option != nullptr)
-    throw cases::CaseError(std::string(option) +
-                           " applies to cases, which are run, but each target "
-                           "is a result");
+    throw input::InputError(std::string(option) +
+                            " applies to cases, which are run, but each target "
+                            "is a result");
 }
 
 /// Checks one target after another.
@@ -189,7 +189,7 @@ ExitCode check_targets(const CheckCommand& command) {
   try {
     checker.read();
     checker.run();
-  } catch (const cases::CaseError& error) { // still report what was found
+  } catch (const input::InputError& error) { // still report what was found
     end_by(error, exit_bad_input);
     throw;
   } catch (const std::domain_error& error) {

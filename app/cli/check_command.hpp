@@ -30,9 +30,9 @@ void add_check(CLI::App& program, CheckCommand& check, OutputOptions& output,
 /// targets are read before the first one is run. The JUnit file is written
 /// however the command ends.
 ///
-/// @throws cases::CaseError  a target cannot be read, the folder of the JUnit
-///                           file does not exist, or an option for cases is
-///                           given without a case
+/// @throws input::InputError  a target cannot be read, the folder of the JUnit
+///                            file does not exist, or an option for cases is
+///                            given without a case
 ExitCode check_targets(const CheckCommand& command);
 
 } // namespace asperity::app

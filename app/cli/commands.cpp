@@ -16,7 +16,7 @@
 #include "app/run/run_case.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/pages/paper_report.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
@@ -72,8 +72,8 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
 ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
                        const RunOptions& options) {
   if (read.found.file.empty())
-    throw cases::CaseError("--target-error needs a case file: asperity new "
-                           "NAME --map FILE writes one");
+    throw input::InputError("--target-error needs a case file: asperity new "
+                            "NAME --map FILE writes one");
   cases::Case asked = read.contact_case;
   asked.methods = chosen_methods(asked, options.methods, options.is_exact);
   TargetRun target(asked, read.found.file, read.overrides, options.folder,
@@ -224,17 +224,17 @@ ExitCode report_results(const ReportCommand& command) {
   for (const std::string& path : paths)
     if (is_sweep_folder(path)) {
       if (paths.size() > 1)
-        throw cases::CaseError(path +
-                               " is a sweep, whose report is written by "
-                               "itself; to compare points, give their "
-                               "folders: " +
-                               path + "/points/000");
+        throw input::InputError(path +
+                                " is a sweep, whose report is written by "
+                                "itself; to compare points, give their "
+                                "folders: " +
+                                path + "/points/000");
       if (has_pdf || !formats.empty())
-        throw cases::CaseError(path +
-                               " is a sweep, whose report takes neither "
-                               "--pdf nor --figures; give the folder of "
-                               "a point: " +
-                               path + "/points/000");
+        throw input::InputError(path +
+                                " is a sweep, whose report takes neither "
+                                "--pdf nor --figures; give the folder of "
+                                "a point: " +
+                                path + "/points/000");
       return report_sweep(path, out);
     }
   std::vector<results::Result> read;

@@ -78,9 +78,8 @@ struct NewCommand {
 
 /// Writes the file name/case.toml: a template, or the case of a map.
 ///
-/// @throws cases::CaseError  the file exists already, the map cannot be read,
-/// or
-///                           the case is invalid
+/// @throws input::InputError  the file exists already, the map cannot be read,
+///                            or the case is invalid
 ExitCode new_case(const NewCommand& made);
 
 ExitCode print_schema();

@@ -21,7 +21,7 @@ struct DescribeCommand {
 };
 
 /// Prints the description of a case, or of each part of a collection.
-/// @throws cases::CaseError  the case is invalid
+/// @throws input::InputError  the case is invalid
 ExitCode describe_cases(const DescribeCommand& command);
 
 } // namespace asperity::app

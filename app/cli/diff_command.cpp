@@ -5,7 +5,7 @@
 #include "app/cli/result_outputs.hpp"
 #include "app/run/difference.hpp"
 #include "app/run/output.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -32,7 +32,7 @@ ComparedSide read_side(const std::string& word) {
   }
   const Asked asked = read_asked(word);
   if (!asked.found.collection.empty())
-    throw cases::CaseError(
+    throw input::InputError(
         word + " is a collection of " + std::to_string(asked.cases.size()) +
         " cases; compare its parts, such as " + asked.cases.front().found.name);
   side.contact_case = asked.cases.front().contact_case;

@@ -17,7 +17,7 @@ struct DiffCommand {
 
 /// Prints how two results or cases differ.
 /// @return  exit_expectation_failed if they differ
-/// @throws cases::CaseError  one of them cannot be read, or is a collection
+/// @throws input::InputError  one of them cannot be read, or is a collection
 ExitCode diff_two(const DiffCommand& command);
 
 } // namespace asperity::app

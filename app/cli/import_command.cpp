@@ -7,7 +7,7 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_file.hpp"
 #include "results/result_writer.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ results::CaseInfo case_info(const Problem& problem, const fs::path& folder) {
                          problem.body.contact_modulus};
   const fs::path file = folder / "case.toml";
   if (fs::exists(file)) {
-    info.text = cases::read_input_file(file, cases::largest_case_file);
+    info.text = input::read_input_file(file, input::largest_text_file);
     info.hash =
         cases::case_hash(cases::read_case_text(info.text, file.string()));
   }

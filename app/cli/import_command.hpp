@@ -18,7 +18,7 @@ struct ImportCommand {
 /// Certifies each field, names typical mistakes and the claims that do not
 /// hold, and writes result.h5 and certificate.json.
 /// @return  exit_expectation_failed if there is a mistake or a broken claim
-/// @throws cases::CaseError  the problem or the submission is invalid
+/// @throws input::InputError  the problem or the submission is invalid
 ExitCode import_submission(const ImportCommand& command);
 
 } // namespace asperity::app

@@ -12,7 +12,7 @@
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
 #include "base/freed_memory.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -278,7 +278,7 @@ int main(int argc, char** argv) {
     return end;
   } catch (const asperity::FolderInUse& error) {
     fmt::print(stderr, "{}\n", error.what());
-  } catch (const asperity::cases::CaseError& error) {
+  } catch (const asperity::input::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::domain_error& error) {
     fmt::print(stderr, "{}\n", error.what());

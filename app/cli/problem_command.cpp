@@ -3,7 +3,7 @@
 #include "app/answers/reference_answers.hpp"
 #include "app/cli/asked_cases.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ void print_answers(const AnsweredProblem& answered) {
 ExitCode write_problem_of(const ProblemCommand& command) {
   const Asked asked = read_asked(command.contact_case, command.overrides);
   if (asked.cases.size() != 1)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{} is a collection; name one of its parts", command.contact_case));
   const ReadCase& read = asked.cases.front();
   const std::filesystem::path folder =

@@ -19,8 +19,8 @@ struct ProblemCommand {
 
 /// Writes the folder that exchange/problem_folder.hpp describes.
 /// @return  exit_not_converged if a load has no answer; nothing is written then
-/// @throws cases::CaseError  the case is invalid, is a collection, or has no
-///                           method with a surface operator
+/// @throws input::InputError  the case is invalid, is a collection, or has no
+///                            method with a surface operator
 ExitCode write_problem_of(const ProblemCommand& command);
 
 } // namespace asperity::app

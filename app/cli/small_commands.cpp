@@ -8,7 +8,7 @@
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/documents.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
@@ -77,11 +77,11 @@ ExitCode list_cases() {
 ExitCode new_case(const NewCommand& made) {
   const fs::path file = fs::path(made.name) / "case.toml";
   if (fs::exists(file))
-    throw cases::CaseError(file.string() +
-                           " already exists; choose another name");
+    throw input::InputError(file.string() +
+                            " already exists; choose another name");
   const bool has_map = !made.map.file.empty();
   if (!has_map && !made.map.contact_modulus.empty())
-    throw cases::CaseError("--contact-modulus needs --map");
+    throw input::InputError("--contact-modulus needs --map");
   const std::string text = cases::text_with_overrides(
       has_map ? map_case_text(made.map)
               : cases::case_template(fs::path(made.name).filename().string()),

@@ -2,8 +2,8 @@
 
 #include "app/cli/surface_input.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/text/case_error.hpp"
 #include "cases/types/units.hpp"
+#include "input/input_error.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_json.hpp"
 #include "reports/surface/surface_page.hpp"
@@ -23,17 +23,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @throws cases::CaseError  no number with such a unit, or not above 0
+/// @throws input::InputError  no number with such a unit, or not above 0
 double positive_quantity(const char* option, const std::string& text,
                          cases::Dimension dimension) {
   const cases::QuantityReading read = cases::read_quantity(text, dimension, {});
   if (!read.quantity)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} = \"{}\" {}", option, text, read.mistake));
   if (!(read.quantity->value > 0.0))
-    throw cases::CaseError(fmt::format("{} = \"{}\", but must be > 0 [{}]",
-                                       option, text,
-                                       cases::si_unit(dimension)));
+    throw input::InputError(fmt::format("{} = \"{}\", but must be > 0 [{}]",
+                                        option, text,
+                                        cases::si_unit(dimension)));
   return read.quantity->value;
 }
 
@@ -43,15 +43,15 @@ void require_known_ending(const fs::path& file) {
   if (ending.empty() ||
       (surfaces::written_map_endings() + ",").find(ending + ",") ==
           std::string::npos)
-    throw cases::CaseError(fmt::format("--write {}: the name must end with {}",
-                                       file.string(),
-                                       surfaces::written_map_endings()));
+    throw input::InputError(fmt::format("--write {}: the name must end with {}",
+                                        file.string(),
+                                        surfaces::written_map_endings()));
 }
 
 void write_converted(const SurfaceCommand& command,
                      const reports::SurfaceReport& report) {
   if (report.parts() != 1 || report.maps.empty())
-    throw cases::CaseError("--write converts one map; give one map file");
+    throw input::InputError("--write converts one map; give one map file");
   const surfaces::MapAnalysis& map = report.maps.front();
   surfaces::write_map(command.write, map.map, map.name);
   if (!command.is_json)
@@ -92,7 +92,7 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
     try {
       add_analysis(std::move(input), tip_radius, report);
     } catch (const std::domain_error& error) { // flat, or too few points
-      throw cases::CaseError(word + ": " + error.what());
+      throw input::InputError(word + ": " + error.what());
     }
   }
   report.title =

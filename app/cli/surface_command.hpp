@@ -32,7 +32,7 @@ struct SurfaceCommand {
 };
 
 /// Analyses the inputs, prints the results and writes the report.
-/// @throws cases::CaseError  an input cannot be read, or an option is invalid
+/// @throws input::InputError  an input cannot be read, or an option is invalid
 ExitCode inspect_surface(const SurfaceCommand& command);
 
 /// @param surface, action  must outlive the parsing of the command line

@@ -3,8 +3,8 @@
 #include "app/cli/asked_cases.hpp"
 #include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
 #include "cases/types/units.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
 
@@ -71,10 +71,10 @@ double length_of(const std::string& option, const std::string& text) {
   const cases::QuantityReading read =
       cases::read_quantity(text, cases::Dimension::length, {});
   if (!read.quantity)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} = \"{}\" {}", option, text, read.mistake));
   if (!(read.quantity->value > 0.0))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} = \"{}\", but must be > 0", option, text));
   return read.quantity->value;
 }
@@ -82,7 +82,7 @@ double length_of(const std::string& option, const std::string& text) {
 SurfaceInput line_input(const std::string& file,
                         const SurfaceCommand& command) {
   if (command.length.empty() || command.height_unit.empty())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: is a line scan; give its length and the unit of its heights, for "
         "example --length \"5 mm\" --height-unit um",
         file));
@@ -91,9 +91,10 @@ SurfaceInput line_input(const std::string& file,
              length_of("--height-unit", with_number(command.height_unit))});
   if (command.level != "none" && command.level != "plane" &&
       command.level != "bow")
-    throw cases::CaseError(fmt::format("--level {}: a line scan is levelled by "
-                                       "none, plane or bow",
-                                       command.level));
+    throw input::InputError(
+        fmt::format("--level {}: a line scan is levelled by "
+                    "none, plane or bow",
+                    command.level));
   const int degree = command.level == "none"    ? 0
                      : command.level == "plane" ? 1
                                                 : 2;
@@ -112,12 +113,12 @@ SurfaceInput file_input(const std::string& file,
     return line_input(file, command);
   try {
     return measured_input(case_of_file(file, command).surface);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     const std::string message = error.what();
     if (message.find("surface.length is missing") != std::string::npos ||
         message.find("surface.height_unit is missing") != std::string::npos)
-      throw cases::CaseError(message +
-                             "\ngive --length \"20 um\" and --height-unit nm");
+      throw input::InputError(message +
+                              "\ngive --length \"20 um\" and --height-unit nm");
     throw;
   }
 }
@@ -126,14 +127,14 @@ SurfaceInput case_input(const std::string& word,
                         const SurfaceCommand& command) {
   const Asked asked = read_asked(word, command.overrides);
   if (asked.cases.size() != 1)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} is a collection; name one of its parts", word));
   const cases::Case& found = asked.cases.front().contact_case;
   const cases::SurfaceSpec& surface = found.surface;
   if (surface.kind == cases::SurfaceKind::measured)
     return measured_input(surface);
   if (!surface.length || !surface.points)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: surface.length and surface.points are missing: the case has only "
         "a formula, no heights; give them by --set",
         found.path));
@@ -153,7 +154,7 @@ SurfaceInput read_surface_input(const std::string& word,
   const fs::path path(word);
   const bool is_lost = !fs::exists(path) && path.has_extension();
   if (is_lost)
-    throw cases::CaseError(word + ": there is no such file");
+    throw input::InputError(word + ": there is no such file");
   SurfaceInput input =
       is_map_file(word) ? file_input(word, command) : case_input(word, command);
   const fs::path name = path.has_filename() ? path : path.parent_path();

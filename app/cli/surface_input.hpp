@@ -28,7 +28,7 @@ struct SurfaceInput {
 /// Reads one input. A regular file whose name does not end with .toml is a map
 /// or a line scan, anything else a case. A file is read as a case of kind
 /// "measured" would read it, so that the overrides surface.* apply.
-/// @throws cases::CaseError  it is neither, or cannot be read
+/// @throws input::InputError  it is neither, or cannot be read
 SurfaceInput read_surface_input(const std::string& word,
                                 const SurfaceCommand& command);
 

@@ -5,7 +5,7 @@
 #include "app/sweeps/sweep_plan.hpp"
 #include "app/sweeps/sweep_run.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/sweeps/sweep_report.hpp"
 
@@ -100,9 +100,9 @@ void print_sweep_plan(const AskedSweep& asked, const RunCommand& command) {
 ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
                          const fs::path& folder) {
   if (!command.target_error.empty())
-    throw cases::CaseError("--target-error: " + asked.sweep.path +
-                           " is a sweep, but a target error is met for one "
-                           "case; --set sweep= removes the sweep");
+    throw input::InputError("--target-error: " + asked.sweep.path +
+                            " is a sweep, but a target error is met for one "
+                            "case; --set sweep= removes the sweep");
   const FolderLock lock(folder, "run " + asked.sweep.name);
   const SweepOutcome outcome = run_to(asked, command, folder);
   ExitCode end = outcome.worst;

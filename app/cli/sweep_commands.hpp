@@ -20,8 +20,8 @@ void print_sweep_plan(const AskedSweep& asked, const RunCommand& command);
 /// Runs a sweep into a folder, writes its report and prints the expectations
 /// that are not met.
 ///
-/// @throws cases::CaseError  --target-error, which is about one case; otherwise
-///                           as run_sweep()
+/// @throws input::InputError  --target-error, which is about one case;
+///                            otherwise as run_sweep()
 ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
                          const std::filesystem::path& folder);
 

@@ -46,7 +46,7 @@ std::string completion_script(const ProgramModel& model,
 
 /// Returns a manual page in the format of man(7).
 /// @param command  name of a command; empty: the page of the program
-/// @throws cases::CaseError  there is no such command
+/// @throws input::InputError  there is no such command
 std::string manual_page(const ProgramModel& model, const std::string& command);
 
 /// Writes the pages of the program and of all commands, such as asperity-run.1.

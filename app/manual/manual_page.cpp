@@ -1,8 +1,8 @@
 // Generates the manual pages, in the format of man(7).
 #include "app/manual/command_model.hpp"
 #include "base/atomic_file.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/nearest.hpp"
+#include "input/input_error.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -163,8 +163,8 @@ std::string manual_page(const ProgramModel& model, const std::string& command) {
       return command_page(model, one);
     names.push_back(one.name);
   }
-  throw cases::CaseError("there is no command " + command +
-                         "; nearest: " + cases::nearest(command, names));
+  throw input::InputError("there is no command " + command +
+                          "; nearest: " + input::nearest(command, names));
 }
 
 void write_manual(const ProgramModel& model, const std::string& folder) {

@@ -1,7 +1,7 @@
 #include "app/methods/atomic_method.hpp"
 
 #include "app/methods/curve_row.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/engines.hpp"
 #include "surfaces/build.hpp"
 
@@ -22,7 +22,7 @@ Grid square(int points, double length) {
 double square_length(const AtomisticInput& scene) {
   const Grid& grid = scene.surface.record.grid;
   if (grid.length_x != grid.length_y)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: [{}] needs a square surface, but this one is {:g} m by {:g} m",
         scene.contact_case.path, scene.method.name, grid.length_x,
         grid.length_y));

@@ -27,8 +27,8 @@ struct AtomisticInput {
 
 /// Creates the solver of an atomistic method.
 ///
-/// @throws cases::CaseError   the surface is not square, settings contradict
-///                            each other, or a required program is missing
+/// @throws input::InputError   the surface is not square, settings contradict
+///                             each other, or a required program is missing
 /// @throws std::domain_error  the md module rejects the block
 std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& scene);
 

@@ -1,7 +1,7 @@
 #include "app/methods/chosen.hpp"
 
-#include "cases/text/case_error.hpp"
-#include "cases/text/nearest.hpp"
+#include "input/input_error.hpp"
+#include "input/nearest.hpp"
 
 #include <algorithm>
 
@@ -26,10 +26,10 @@ std::vector<MethodSpec> chosen_methods(const cases::Case& contact_case,
   }
   for (const std::string& name : names)
     if (!known.contains(name))
-      throw cases::CaseError(
+      throw input::InputError(
           "--methods " + name + ": " + contact_case.path +
           " has no such method; nearest: " +
-          cases::nearest(name, {known.begin(), known.end()}));
+          input::nearest(name, {known.begin(), known.end()}));
   std::vector<MethodSpec> chosen;
   for (const MethodSpec& method : contact_case.methods)
     if (names.empty() ||

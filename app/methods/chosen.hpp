@@ -18,8 +18,8 @@ namespace asperity::app {
 /// @param names     names or kinds of methods; empty: all
 /// @param is_exact  if true, `names` are names only: "fem" does not include
 ///                  "fem.hard"
-/// @throws cases::CaseError  the case has no such method; the message gives the
-///                           nearest name
+/// @throws input::InputError  the case has no such method; the message gives
+///                            the nearest name
 std::vector<cases::MethodSpec>
 chosen_methods(const cases::Case& contact_case,
                const std::vector<std::string>& names, bool is_exact = false);

@@ -18,8 +18,9 @@ namespace asperity::app {
 ///
 /// @param surface  the surface of the method; must outlive the solver
 /// @param scratch  folder of the files, created when needed
-/// @throws std::domain_error, cases::CaseError  the mesh cannot be generated or
-///                            is rejected; the message gives the reason
+/// @throws std::domain_error, input::InputError  the mesh cannot be generated
+///                                               or is rejected; the message
+///                                               gives the reason
 std::unique_ptr<StepSolver>
 make_whole_block(const cases::Case& contact_case,
                  const cases::MethodSpec& method, const SurfaceOfCase& surface,

@@ -36,7 +36,7 @@ public:
   ///
   /// @param surface  the surface of the method, see CaseSurfaces::of(). It must
   ///                 outlive the solver, and so must the case.
-  /// @throws cases::CaseError  settings contradict each other
+  /// @throws input::InputError  settings contradict each other
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
                                    const SurfaceOfCase& surface,
                                    int realization, const Resources& resources);

@@ -1,7 +1,7 @@
 #include "app/methods/surfaces_of_case.hpp"
 
 #include "app/methods/chosen.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -35,9 +35,9 @@ SurfaceOfCase as_taken(const cases::Case& contact_case,
   SurfaceOfCase surface =
       surface_of_map(map, contact_case.material.contact_modulus);
   if (!(surface.record.rms_height > 0.0))
-    throw cases::CaseError(contact_case.path +
-                           ": the surface is flat; there is no roughness "
-                           "to press on");
+    throw input::InputError(contact_case.path +
+                            ": the surface is flat; there is no roughness "
+                            "to press on");
   return surface;
 }
 

@@ -48,8 +48,8 @@ public:
   /// Builds the surfaces that the methods need, possibly none. The case must
   /// outlive this object.
   ///
-  /// @throws cases::CaseError, std::domain_error  the surfaces module rejects
-  ///                           the surface
+  /// @throws input::InputError, std::domain_error  the surfaces module rejects
+  ///           the surface
   CaseSurfaces(const cases::Case& contact_case,
                const std::vector<cases::MethodSpec>& methods);
 

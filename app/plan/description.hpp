@@ -53,8 +53,8 @@ struct CaseDescription {
 /// Describes a case. The surface of the first realisation is built if a method
 /// needs it and the run fits into memory.
 ///
-/// @throws cases::CaseError, std::domain_error  an unknown method name, or a
-///                           surface that cannot be built
+/// @throws input::InputError, std::domain_error  an unknown method name, or a
+///                                               surface that cannot be built
 CaseDescription describe_case(const cases::Case& contact_case,
                               const RunOptions& options);
 

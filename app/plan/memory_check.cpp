@@ -1,7 +1,7 @@
 #include "app/plan/memory_check.hpp"
 
 #include "base/available_memory.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void require_memory(const cases::Case& contact_case,
   const std::string refusal =
       refusal_of(make_plan(contact_case, options, memory_probe_points));
   if (!refusal.empty())
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: surface.points = {} with {} realisation(s) {}",
                     contact_case.path, *contact_case.surface.points,
                     contact_case.surface.realizations, refusal));

@@ -18,7 +18,7 @@ std::string refusal_of(const Plan& plan);
 /// Checks that a run fits into the available memory. A measured map on its own
 /// grid is not checked, because its file limits the size.
 ///
-/// @throws cases::CaseError  the run does not fit
+/// @throws input::InputError  the run does not fit
 void require_memory(const cases::Case& contact_case, const RunOptions& options);
 
 } // namespace asperity::app

@@ -4,10 +4,10 @@
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/types/reference.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
+#include "input/nearest.hpp"
 #include "reports/figures/figure_names.hpp"
 
 #include <fmt/format.h>
@@ -58,12 +58,12 @@ std::vector<std::string> shipped_words() {
 // Throws unless reports can draw a figure of this name.
 void require_figure(const cases::ShownFigure& figure) {
   if (!reports::is_figure_name(figure.name))
-    cases::throw_mistake(
+    input::throw_mistake(
         figure.place,
         fmt::format("figures.{} has \"{}\", but no figure has this name; "
                     "nearest: {}",
                     figure.part, figure.name,
-                    cases::nearest(figure.name, reports::figure_names())));
+                    input::nearest(figure.name, reports::figure_names())));
 }
 
 FoundCases collection_in(const fs::path& folder, const std::string& name) {
@@ -101,26 +101,25 @@ FoundCases find_cases(const std::string& word) {
   if (std::find(words.begin(), words.end(), word) != words.end())
     return is_collection(shipped) ? collection_in(shipped, word)
                                   : single(shipped / "case.toml", word);
-  throw cases::CaseError(
+  throw input::InputError(
       word +
       " is neither a case file, nor a folder with a case.toml, nor a "
       "shipped case; nearest shipped case: " +
-      cases::nearest(word, words) + " ('asperity list' shows all)");
+      input::nearest(word, words) + " ('asperity list' shows all)");
 }
 
 std::string reference_text_of(const cases::Case& read) {
   const fs::path path = fs::path(read.path).parent_path() / "reference.csv";
   if (!fs::exists(path))
     return "";
-  std::string text =
-      cases::read_input_file(path, cases::largest_reference_file);
+  std::string text = input::read_input_file(path, input::largest_text_file);
   cases::read_reference_text(text, path.string());
   return text;
 }
 
 std::string text_of_file(const fs::path& file) {
   return fs::exists(file)
-             ? cases::read_input_file(file, cases::largest_number_file)
+             ? input::read_input_file(file, input::largest_number_file)
              : "";
 }
 

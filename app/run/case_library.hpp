@@ -34,20 +34,20 @@ struct FoundCases {
 /// case.toml, the name of a shipped case ("polymer", "paper/polymer"), or a
 /// collection, which is a folder or a shipped one ("paper").
 ///
-/// @throws cases::CaseError  none of these; the message names the nearest
-///                           shipped case
+/// @throws input::InputError  none of these; the message names the nearest
+///                            shipped case
 FoundCases find_cases(const std::string& word);
 
 /// Returns the text of reference.csv beside the case file; empty if there is
 /// none.
 ///
-/// @throws cases::CaseError  the file cannot be read, or is invalid; all
-///                           mistakes are listed
+/// @throws input::InputError  the file cannot be read, or is invalid; all
+///                            mistakes are listed
 std::string reference_text_of(const cases::Case& read);
 
 /// Returns the text of a file; empty if there is none.
 ///
-/// @throws cases::CaseError  the file cannot be read
+/// @throws input::InputError  the file cannot be read
 std::string text_of_file(const std::filesystem::path& file);
 
 /// Returns the "key=value" lines of quick.set beside a case file, without empty

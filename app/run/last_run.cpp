@@ -1,6 +1,6 @@
 #include "app/run/last_run.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 
@@ -60,7 +60,7 @@ void put_last_run_aside(const fs::path& folder) {
   try {
     results::settle_result(folder);
     remove_files_of_methods(folder, results::read_result(folder));
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     fmt::print("the previous result cannot be read: {}\n", error.what());
   }
   remove_report(folder);

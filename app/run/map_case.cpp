@@ -1,8 +1,8 @@
 #include "app/run/map_case.hpp"
 
-#include "cases/text/case_error.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ bool is_map_file(const std::string& word) {
 
 std::string map_case_text(const MapOfCase& map) {
   if (map.contact_modulus.empty())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{} is no case file (.toml); to press it as a measured map, please add "
         "--contact-modulus, for example --contact-modulus \"2 GPa\"",
         map.file));

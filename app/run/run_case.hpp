@@ -28,8 +28,8 @@ struct RunOutcome {
 /// not depend on the distribution of the jobs. Cached steps are read, including
 /// their CPU times, instead of being computed, and the result records this.
 ///
-/// @throws cases::CaseError  an unknown method name, or a module rejects the
-///                           case
+/// @throws input::InputError  an unknown method name, or a module rejects the
+///                            case
 RunOutcome run_case(const cases::Case& contact_case, const RunOptions& options);
 
 } // namespace asperity::app

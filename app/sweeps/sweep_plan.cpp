@@ -3,7 +3,7 @@
 #include "app/methods/worker_pool.hpp"
 #include "app/plan/memory_check.hpp"
 #include "base/available_memory.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ SweepPlan make_sweep_plan(const cases::CaseSweep& sweep,
         make_plan(sweep.points[i].contact_case, options, rates));
     if (const std::string refusal = refusal_of(plan.points.back());
         !refusal.empty())
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "{}: point {} of [sweep], {}, {}", sweep.path, i,
           point_label(sweep.keys, sweep.points[i].choice), refusal));
   }

@@ -31,8 +31,8 @@ struct SweepPlan {
 ///
 /// @param options        those of the sweep; the folder is not used
 /// @param largest_probe  see MachineRates
-/// @throws cases::CaseError  as make_plan(); or a point that does not fit into
-///                           the available memory, which is named
+/// @throws input::InputError  as make_plan(); or a point that does not fit into
+///                            the available memory, which is named
 SweepPlan make_sweep_plan(const cases::CaseSweep& sweep,
                           const RunOptions& options, int largest_probe);
 

@@ -12,7 +12,7 @@
 #include "app/sweeps/sweep_plan.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_hash.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/provenance.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -114,7 +114,7 @@ EarlierPoint earlier_point(const cases::Case& contact_case,
       return {PointState::complete, result.case_hash};
     if (result.case_hash == cases::case_hash(contact_case))
       return {PointState::to_resume, result.case_hash};
-  } catch (const cases::CaseError&) { // damaged: it is computed again
+  } catch (const input::InputError&) { // damaged: it is computed again
   }
   return {};
 }

@@ -41,8 +41,8 @@ struct SweepOutcome {
 /// beside each other as threads and predicted memory allow. The numbers do not
 /// depend on that.
 ///
-/// @throws cases::CaseError  a method that the case does not have, or a point
-///                           that does not fit into memory; nothing is written
+/// @throws input::InputError  a method that the case does not have, or a point
+///                            that does not fit into memory; nothing is written
 SweepOutcome run_sweep(const cases::CaseSweep& sweep,
                        const SweepRunOptions& options);
 

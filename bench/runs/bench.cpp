@@ -39,8 +39,8 @@ struct Subject {
 Subject subject_of(const BenchCommand& command) {
   const FoundCases found = find_cases(command.contact_case);
   if (!found.collection.empty())
-    throw cases::CaseError("bench: " + found.collection +
-                           " is a collection; name one of its cases");
+    throw input::InputError("bench: " + found.collection +
+                            " is a collection; name one of its cases");
   Subject subject{found.cases.front().file, {}, {}};
   if (command.is_quick)
     subject.overrides = quick_overrides(subject.file);
@@ -159,7 +159,7 @@ double read_target_error(const std::string& text) {
   const double share = unit == "%" ? number / 100.0 : number;
   if (failure != std::errc() || (!unit.empty() && unit != "%") ||
       !(share > 0.0 && share < 1.0))
-    throw cases::CaseError(
+    throw input::InputError(
         "--target-error " + text +
         ": expected a relative error between 0 and 1, such as 1% or 0.01");
   return share;

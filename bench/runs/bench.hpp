@@ -25,12 +25,13 @@ struct BenchCommand {
   std::string target_error; ///< "1%"; empty: no target
 };
 
-/// @throws cases::CaseError  the case has mistakes, is a collection, or lacks a
+/// @throws input::InputError  the case has mistakes, is a collection, or lacks
+///                            a
 ///     requested method
 ExitCode bench_case(const BenchCommand& command);
 
 /// Reads "1%", "1 %" or "0.01" as 0.01.
-/// @throws cases::CaseError  none of these, or outside 0 .. 1
+/// @throws input::InputError  none of these, or outside 0 .. 1
 double read_target_error(const std::string& text);
 
 } // namespace asperity::app

@@ -78,7 +78,7 @@ void add_without_spacings(const Node& table, const std::string& path,
 
 CaseValues::CaseValues(const cases::Case& contact_case)
     : file_(cases::parse_toml(contact_case.text, contact_case.path)) {
-  cases::Mistakes mistakes;
+  input::Mistakes mistakes;
   for (const std::string& one : cases::overrides_in(contact_case.text))
     cases::apply_override(file_, one, mistakes);
 }

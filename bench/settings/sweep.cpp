@@ -1,6 +1,6 @@
 #include "bench/settings/sweep.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -252,8 +252,8 @@ Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options) {
                      [&](const MethodSpec& method) {
                        return is_chosen(method, {name});
                      }))
-      throw cases::CaseError("--methods " + name + ": " + contact_case.path +
-                             " has no such method");
+      throw input::InputError("--methods " + name + ": " + contact_case.path +
+                              " has no such method");
   return Planner(contact_case, options).plan();
 }
 

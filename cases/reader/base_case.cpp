@@ -3,8 +3,8 @@
 #include "base/read_file.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
-#include "cases/text/input_file.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,12 +18,12 @@ constexpr int deepest = 8; // a longer chain is assumed to be circular
 
 std::string text_of_file(const std::string& path, const Place& asked_at) {
   try {
-    return read_file(path, largest_case_file);
+    return read_file(path, input::largest_text_file);
   } catch (const FileError& error) {
     const bool is_asked_for = asked_at.text == path;
     const std::string what = error.what();
-    throw_mistake(asked_at, is_asked_for ? what.substr(path.size() + 2)
-                                         : "base: " + what);
+    input::throw_mistake(asked_at, is_asked_for ? what.substr(path.size() + 2)
+                                                : "base: " + what);
   }
 }
 
@@ -90,17 +90,17 @@ void move_paths(const Node& base, const fs::path& base_folder,
 StackedText read_level(const std::string& path, const Place& asked_at,
                        int level) {
   if (level > deepest)
-    throw_mistake(asked_at, "base refers back to itself in a cycle");
+    input::throw_mistake(asked_at, "base refers back to itself in a cycle");
   StackedText stacked{text_of_file(path, asked_at), path, {}};
   Node file = parse_toml(stacked.text, path);
   const Node* const base = file.find("base");
   if (!base)
     return stacked;
   if (base->type != NodeType::text || base->text.empty())
-    throw_mistake(base->place, "base = " + written(*base) +
-                                   ", but must be the path of a file");
+    input::throw_mistake(base->place, "base = " + written(*base) +
+                                          ", but must be the path of a file");
   if (file.entries.front().key != "base")
-    throw_mistake(base->place, "base must be the file's first key");
+    input::throw_mistake(base->place, "base must be the file's first key");
   const fs::path named(base->text);
   const fs::path base_path =
       named.is_absolute() ? named : fs::path(path).parent_path() / named;

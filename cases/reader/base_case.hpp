@@ -3,8 +3,8 @@
 // Cases that are based on another case: `base = "../polymer/case.toml"`.
 // Combines the files into one text that does not depend on any of them.
 
-#include "cases/text/case_error.hpp"
 #include "cases/text/node.hpp"
+#include "input/input_error.hpp"
 
 #include <string>
 #include <vector>
@@ -32,14 +32,15 @@ struct StackedText {
 /// an override; `key = ""` removes the key or a whole table. Relative paths in
 /// the base are rewritten to start at the folder of this file.
 ///
-/// @throws CaseError  a file cannot be opened or is not TOML; `base` is not the
-///                    first key, is not a string, or refers back to itself
+/// @throws input::InputError  a file cannot be opened or is not TOML; `base` is
+///                            not the first key, is not a string, or refers
+///                            back to itself
 StackedText read_stacked(const std::string& path);
 
 /// Returns the parsed text with all overrides applied, for inspection. An
 /// override that cannot be applied is left out; reading the case reports it.
 ///
-/// @throws CaseError  the text is not TOML
+/// @throws input::InputError  the text is not TOML
 Node parsed(const StackedText& stacked);
 
 } // namespace asperity::cases

@@ -1,9 +1,9 @@
 #include "cases/reader/collection.hpp"
 
-#include "cases/text/input_file.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_file.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ void read_parts(const Node& node, const std::vector<std::string>& folders,
                    fmt::format("parts has \"{}\", but no "
                                "sub-folder with a case.toml has "
                                "this name; nearest: {}",
-                               item.text, nearest(item.text, folders)));
+                               item.text, input::nearest(item.text, folders)));
     else if (contains(collection.parts, item.text))
       mistakes.add(item.place,
                    fmt::format("parts has \"{}\" twice", item.text));
@@ -65,7 +65,7 @@ void read_figures(const Node& table, Collection& collection,
       mistakes.add(entry.node.place,
                    fmt::format("figures.{} is not a part; nearest: {}",
                                entry.key,
-                               nearest(entry.key, collection.parts)));
+                               input::nearest(entry.key, collection.parts)));
       continue;
     }
     for_each_text(entry.node, mistakes, [&](const Node& item) {
@@ -78,8 +78,8 @@ void read_figures(const Node& table, Collection& collection,
 
 Collection read_collection(const std::filesystem::path& file,
                            const std::vector<std::string>& folders) {
-  const Node root =
-      parse_toml(read_input_file(file, largest_case_file), file.string());
+  const Node root = parse_toml(
+      input::read_input_file(file, input::largest_text_file), file.string());
   Mistakes mistakes;
   for (const NodeEntry& entry : root.entries)
     if (entry.key != "parts" && entry.key != "figures")

@@ -3,7 +3,7 @@
 // Reads collection.toml, which lists the parts of a collection of cases and the
 // figures that its common report shows.
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <filesystem>
 #include <string>
@@ -32,9 +32,10 @@ struct Collection {
 ///
 /// @param file     collection.toml
 /// @param folders  the sub-folders that hold a case
-/// @throws CaseError  an unknown key, a part that is no such sub-folder, a
-///                    sub-folder that no part names, a part named twice, or
-///                    figures of something that is not a part
+/// @throws input::InputError  an unknown key, a part that is no such
+///                            sub-folder, a sub-folder that no part names, a
+///                            part named twice, or figures of something that is
+///                            not a part
 Collection read_collection(const std::filesystem::path& file,
                            const std::vector<std::string>& folders);
 

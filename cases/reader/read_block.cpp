@@ -2,7 +2,7 @@
 // of [fem] for the full block.
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
-#include "cases/text/expression.hpp"
+#include "input/expression.hpp"
 
 #include <filesystem>
 #include <stdexcept>
@@ -57,7 +57,7 @@ std::string read_expression(TableReader& table, const std::string& key) {
   std::string text = table.text(key);
   try {
     if (!text.empty())
-      Expression{text};
+      input::Expression{text};
   } catch (const std::domain_error& error) {
     table.refuse(*table.node().find(key),
                  std::string("must be an expression of x, y and z: ") +

@@ -5,9 +5,9 @@
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
-#include "cases/text/input_file.hpp"
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -115,14 +115,14 @@ void require_file(const Case& read, const std::string& key,
   if (file.empty())
     return;
   if (!std::filesystem::exists(file))
-    throw_mistake(
+    input::throw_mistake(
         {read.path, 0},
         key + ": there is no file " + file +
             " (a relative path is resolved from the case file's folder)");
   try {
-    require_regular_file(file, largest_number_file);
+    require_regular_file(file, input::largest_number_file);
   } catch (const FileError& error) {
-    throw_mistake({read.path, 0}, key + ": " + error.what());
+    input::throw_mistake({read.path, 0}, key + ": " + error.what());
   }
 }
 
@@ -147,9 +147,9 @@ Case read_text(const StackedText& stacked, const std::string& path) {
   Mistakes mistakes;
   const std::vector<std::string> own = overrides_in(stacked.text);
   if (own.size() + entries.size() > most_overrides)
-    throw_mistake({path, 0},
-                  "has more than " + std::to_string(most_overrides) +
-                      " overridden keys (by --set or over a base case)");
+    input::throw_mistake({path, 0},
+                         "has more than " + std::to_string(most_overrides) +
+                             " overridden keys (by --set or over a base case)");
   for (const std::string& entry : own)
     apply_override(file, entry, mistakes);
   for (const LaidOver& over : stacked.overrides)

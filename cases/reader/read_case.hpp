@@ -3,8 +3,8 @@
 // Reads a case file into a Case. All parameters enter the program through these
 // functions.
 
-#include "cases/text/case_error.hpp"
 #include "cases/types/case.hpp"
+#include "input/input_error.hpp"
 
 #include <filesystem>
 #include <string>
@@ -26,9 +26,10 @@ inline constexpr int all_fields = 1000000;
 ///                   to the file in order before it is interpreted. The value
 ///                   is TOML or otherwise a string ("surface.length=20 um"
 ///                   needs no quotes); an empty value removes the key.
-/// @throws CaseError  the file cannot be opened, is not TOML, or has mistakes,
-///                    which are all listed, one per line. It is also thrown if
-///                    a map or spectrum file named in the case does not exist.
+/// @throws input::InputError  the file cannot be opened, is not TOML, or has
+///                            mistakes, which are all listed, one per line. It
+///                            is also thrown if a map or spectrum file named in
+///                            the case does not exist.
 Case read_case(const std::string& path,
                const std::vector<std::string>& overrides = {});
 
@@ -38,7 +39,7 @@ std::string case_name(const std::filesystem::path& path);
 
 /// Reads the case that base_case.hpp has put together for the file at `path`.
 ///
-/// @throws CaseError  as read_case()
+/// @throws input::InputError  as read_case()
 Case read_stacked_case(const StackedText& stacked, const std::string& path);
 
 /// Reads a case from a text. `path` determines the folder of relative file

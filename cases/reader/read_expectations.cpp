@@ -1,8 +1,8 @@
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/types/expectations.hpp"
 #include "cases/types/quantity_at_load.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -136,7 +136,7 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
                     fmt::format("names \"{}\", but the methods of this case "
                                 "that compute {} are: {}; nearest: {}",
                                 name, quantity.name, fmt::join(allowed, ", "),
-                                nearest(name, allowed)));
+                                input::nearest(name, allowed)));
 }
 
 /// Returns the keys that are quantities at a load, and reports the mistakes in

@@ -1,7 +1,7 @@
 #include "cases/reader/table_reader.hpp"
 
-#include "cases/text/nearest.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/nearest.hpp"
 
 #include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
@@ -168,7 +168,7 @@ std::optional<int> TableReader::word(const std::string& name) {
   const auto match = std::find(key.words.begin(), key.words.end(), found->text);
   if (match == key.words.end()) {
     refuse(*found, "must be " + allowed_text(key) +
-                       "; nearest: " + nearest(found->text, key.words));
+                       "; nearest: " + input::nearest(found->text, key.words));
     return std::nullopt;
   }
   return static_cast<int>(match - key.words.begin());
@@ -234,8 +234,8 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
          {std::pair(from_node, from.value), std::pair(to_node, to.value)})
       if (value > highest_by_area) {
         refuse(*end, fmt::format("spacing = \"area\" needs pressures of at "
-                                  "most {} E* h', where contact is complete",
-                                  highest_by_area));
+                                 "most {} E* h', where contact is complete",
+                                 highest_by_area));
         return {};
       }
   }
@@ -284,7 +284,7 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
                  ? "is not a table of a case file; "
                  : "is not a key at the top of a case file; ";
     what += home.empty() ? "nearest: " : "it belongs to [";
-    what += home.empty() ? nearest(candidate.key, known) : home + "]";
+    what += home.empty() ? input::nearest(candidate.key, known) : home + "]";
     complain(candidate.node, what);
   }
 }

@@ -43,7 +43,7 @@ std::string title_text(const std::string& title) {
 }
 
 /// The words of an error after its first line, "1 mistake in the case file:".
-std::string mistakes_in(const CaseError& error) {
+std::string mistakes_in(const input::InputError& error) {
   const std::string whole = error.what();
   const std::size_t end = whole.find('\n');
   return end == std::string::npos ? whole : whole.substr(end + 1);
@@ -62,11 +62,11 @@ public:
     for (const std::vector<std::size_t>& choice : choices)
       read_point(choice);
     if (bad_points_ > 0)
-      throw CaseError(fmt::format("{}: {} of the {} points of [sweep] {}\n{}",
-                                  sweep_.path, bad_points_, choices.size(),
-                                  bad_points_ == 1 ? "is not a valid case"
-                                                   : "are not valid cases",
-                                  first_mistake_));
+      throw input::InputError(fmt::format(
+          "{}: {} of the {} points of [sweep] {}\n{}", sweep_.path, bad_points_,
+          choices.size(),
+          bad_points_ == 1 ? "is not a valid case" : "are not valid cases",
+          first_mistake_));
   }
 
 private:
@@ -85,7 +85,7 @@ private:
     add("title=" + title_text(sweep_.title + ": " + label), {sweep_.path, 0});
     try {
       point.contact_case = read_stacked_case(whole, sweep_.path);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       if (bad_points_++ == 0)
         first_mistake_ = fmt::format("Point {}, {}:\n{}", sweep_.points.size(),
                                      label, mistakes_in(error));
@@ -140,10 +140,10 @@ CaseSweep read_sweep(const std::string& path,
   const Node file = parsed(stacked);
   const Node* const table = file.find("sweep");
   if (table == nullptr)
-    throw_mistake({path, 0}, "the table [sweep] is missing");
+    input::throw_mistake({path, 0}, "the table [sweep] is missing");
   if (!table->is_table())
-    throw_mistake(table->place, "sweep = " + written(*table) +
-                                    ", but must be a table: [sweep]");
+    input::throw_mistake(table->place, "sweep = " + written(*table) +
+                                           ", but must be a table: [sweep]");
   Mistakes mistakes;
   CaseSweep sweep;
   sweep.path = path;

@@ -52,12 +52,12 @@ std::string point_label(const std::vector<SweptKey>& keys,
 /// they belong to different sweeps.
 ///
 /// @param text  Case::text
-/// @throws CaseError  the text is not TOML
+/// @throws input::InputError  the text is not TOML
 std::string point_content(const std::string& text);
 
 /// Returns true if the case file, after its overrides, has a [sweep].
 ///
-/// @throws CaseError  the file cannot be read, or is not TOML
+/// @throws input::InputError  the file cannot be read, or is not TOML
 bool is_sweep(const std::string& path,
               const std::vector<std::string>& overrides = {});
 
@@ -66,12 +66,13 @@ bool is_sweep(const std::string& path,
 /// @param overrides  "key.path=value" entries that are applied to the file
 ///                   first, also to the table itself:
 ///                   sweep."surface.hurst"=[0.5, 0.7]
-/// @throws CaseError  a mistake in [sweep]: an unknown key, a value that is not
-///                    a list, an empty list, a value twice in a product, lists
-///                    of different lengths in a zip, more than
-///                    most_sweep_points points, a swept key that --set also
-///                    gives; or a point that is not a valid case, whose values
-///                    are named with its mistakes
+/// @throws input::InputError  a mistake in [sweep]: an unknown key, a value
+///                            that is not a list, an empty list, a value twice
+///                            in a product, lists of different lengths in a
+///                            zip, more than most_sweep_points points, a swept
+///                            key that --set also gives; or a point that is not
+///                            a valid case, whose values are named with its
+///                            mistakes
 CaseSweep read_sweep(const std::string& path,
                      const std::vector<std::string>& overrides = {});
 

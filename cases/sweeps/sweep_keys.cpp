@@ -1,8 +1,8 @@
 #include "cases/sweeps/sweep_keys.hpp"
 
 #include "cases/reader/vocabulary.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ private:
           return fmt::format("\"{}.{}\"", table.name, key);
         else if (!table.name.empty() && !table.is_part)
           words.push_back(known.name);
-    return nearest(key, words);
+    return input::nearest(key, words);
   }
 
   /// A key that is given again replaces the first if it comes from --set or

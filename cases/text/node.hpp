@@ -3,13 +3,16 @@
 // The parsed syntax tree of a case file before it is interpreted: plain values
 // with their place in the file. It does not depend on the TOML library.
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace asperity::cases {
+
+using input::Mistakes;
+using input::Place;
 
 enum class NodeType { boolean, integer, floating, text, list, table, other };
 

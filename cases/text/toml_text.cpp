@@ -132,7 +132,7 @@ Node value_or_text(const std::string& text, const Place& place,
                    const std::string& path) {
   try {
     return parse_toml_value(text, place, path);
-  } catch (const CaseError&) { // not TOML: a string without quotes
+  } catch (const input::InputError&) { // not TOML: a string without quotes
     Node node;
     node.type = NodeType::text;
     node.text = text;
@@ -207,7 +207,7 @@ Node* table_for(Node& file, const std::vector<std::string>& keys,
 Node parse_toml(const std::string& text, const std::string& path,
                 const std::string& name) {
   if (const auto broken = broken_limit(text))
-    throw_mistake(
+    input::throw_mistake(
         {broken->line == 0 ? path : path + ":" + std::to_string(broken->line),
          broken->line},
         broken->what, name);
@@ -216,8 +216,8 @@ Node parse_toml(const std::string& text, const std::string& path,
     return node_from(toml::parse(stream, path), Source(text, path), "");
   } catch (const toml::syntax_error& error) {
     const int line = static_cast<int>(error.location().line());
-    throw_mistake({path + ":" + std::to_string(line), line},
-                  "is not TOML: " + short_reason(error.what()), name);
+    input::throw_mistake({path + ":" + std::to_string(line), line},
+                         "is not TOML: " + short_reason(error.what()), name);
   }
 }
 
@@ -225,7 +225,7 @@ Node parse_toml_value(const std::string& text, const Place& place,
                       const std::string& path) {
   const Node file = parse_toml("value = " + text, place.text);
   if (file.entries.size() != 1)
-    throw_mistake(place, "more than one value: " + text);
+    input::throw_mistake(place, "more than one value: " + text);
   Node node = file.entries.front().node;
   move_to(node, place, path);
   return node;

@@ -14,15 +14,15 @@ namespace asperity::cases {
 ///
 /// @param path  for messages only; the file is not opened
 /// @param name  what the text is, for messages
-/// @throws CaseError  the text is not TOML: "path:line: is not TOML: ...", or
-///                    it breaks a limit of toml_limits.hpp
+/// @throws input::InputError  the text is not TOML: "path:line: is not TOML:
+///                            ...", or it breaks a limit of toml_limits.hpp
 Node parse_toml(const std::string& text, const std::string& path,
                 const std::string& name = "the case file");
 
 /// Parses one TOML value, such as 3, "14 nm" or { from = 1, to = 2 }.
 ///
 /// @param path  path of the key of this value, such as "surface.length"
-/// @throws CaseError  the text is not a TOML value
+/// @throws input::InputError  the text is not a TOML value
 Node parse_toml_value(const std::string& text, const Place& place,
                       const std::string& path);
 

@@ -1,8 +1,8 @@
 #include "cases/types/quantity_at_load.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/nearest.hpp"
 #include "cases/types/units.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ std::string mistake_in_name(const std::string& quantity,
     return "";
   return fmt::format(
       "asks for {} at a load, which is not a known quantity; nearest: {}",
-      quantity, nearest(quantity, names));
+      quantity, input::nearest(quantity, names));
 }
 
 } // namespace

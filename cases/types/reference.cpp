@@ -1,9 +1,9 @@
 #include "cases/types/reference.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
 #include "cases/types/quantity_at_load.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -93,8 +93,8 @@ void read_line(const std::string& line, const Place& place,
 } // namespace
 
 std::vector<ReferenceValue> read_reference(const std::string& path) {
-  return read_reference_text(read_input_file(path, largest_reference_file),
-                             path);
+  return read_reference_text(
+      input::read_input_file(path, input::largest_text_file), path);
 }
 
 std::vector<ReferenceValue> read_reference_text(const std::string& text,

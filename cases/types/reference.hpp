@@ -28,7 +28,7 @@ struct ReferenceValue {
 /// may be in double quotes, and "" inside them is one quote. Empty lines and
 /// lines that begin with # are skipped.
 ///
-/// @throws CaseError  lists all mistakes with their lines
+/// @throws input::InputError  lists all mistakes with their lines
 std::vector<ReferenceValue> read_reference(const std::string& path);
 
 /// Reads the same format from a text; `path` is used in messages.

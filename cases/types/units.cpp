@@ -2,7 +2,7 @@
 
 #include "base/physical_constants.hpp"
 #include "base/plain_text.hpp"
-#include "cases/text/nearest.hpp"
+#include "input/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +32,7 @@ std::string wrong_unit(const std::string& symbol,
     return fmt::format("has the unit {} of a {}, but must have one of: {}",
                        symbol, dimension_name(unit->dimension), choice);
   return fmt::format("has the unknown unit \"{}\"; allowed: {}; nearest: {}",
-                     symbol, choice, nearest(symbol, allowed));
+                     symbol, choice, input::nearest(symbol, allowed));
 }
 
 } // namespace

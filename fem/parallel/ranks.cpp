@@ -1,8 +1,8 @@
 #include "fem/parallel/ranks.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
 #include "fem/parallel/mpi_session.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -78,7 +78,7 @@ struct Failure {
 Failure described(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return {error.what(), 2};
   } catch (const std::domain_error& error) {
     return {error.what(), 2};

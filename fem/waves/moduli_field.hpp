@@ -61,9 +61,9 @@ ModulusFactor table_factor(FactorTable table);
 /// Reads a text file of numbers: a comment "# boxes nx ny nz", then ny nz rows
 /// of nx factors, starting at the contact surface.
 /// @param lengths  of the block [m]
-/// @throws cases::CaseError  as surfaces::read_number_file; also for a wrong
-///                           number of factors, or a factor that is not
-///                           positive, with its line
+/// @throws input::InputError  as surfaces::read_number_file; also for a wrong
+///                            number of factors, or a factor that is not
+///                            positive, with its line
 FactorTable read_factor_table(const std::string& path,
                               const std::array<double, 3>& lengths);
 
@@ -119,7 +119,7 @@ private:
 /// @param grid   grid of the surface: expressions measure lengths in
 ///               grid.length_x, random factors places in grid.spacing_x()
 /// @param depth  depth of the block, which a table covers [m] > 0
-/// @throws std::domain_error, cases::CaseError  as the factors above
+/// @throws std::domain_error, input::InputError  as the factors above
 ModuliField moduli_field(const cases::MaterialSpec& material,
                          const cases::Scales& scales,
                          const cases::BodyModuli& block, const Grid& grid,

@@ -1,6 +1,6 @@
 #include "base/require.hpp"
-#include "cases/text/expression.hpp"
 #include "fem/waves/moduli_field.hpp"
+#include "input/expression.hpp"
 
 #include <Random123/philox.h>
 
@@ -22,7 +22,7 @@ std::uint32_t eighths(double place, double spacing) {
 
 ModulusFactor expression_factor(const std::string& expression, double length) {
   require_positive("length", length, "m");
-  return [factor = cases::Expression(expression),
+  return [factor = input::Expression(expression),
           length](const meshes::Place& place) {
     return factor.at({place[0] / length, place[1] / length, place[2] / length});
   };

@@ -1,6 +1,6 @@
 #include "md/contact/explicit_contact.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/contact/dump.hpp"
 #include "md/contact/explicit_system.hpp"
 #include "md/contact/load_step_driver.hpp"
@@ -23,10 +23,10 @@ using cases::AtomMinimizer;
 void require_explicit_bulk(const cases::MdSettings& settings) {
   if (settings.engine != cases::AtomEngine::asperity ||
       settings.bulk != cases::AtomBulk::explicit_layers)
-    throw cases::CaseError(
+    throw input::InputError(
         "[md] this block needs engine = \"asperity\" and bulk = \"explicit\"");
   if (settings.modes != cases::AtomModes::vector)
-    throw cases::CaseError(
+    throw input::InputError(
         "[md] modes = \"normal\" is available only with bulk = \"green\": the "
         "atoms of bulk = \"explicit\" move in all three directions");
 }

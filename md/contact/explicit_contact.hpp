@@ -28,7 +28,7 @@ namespace asperity::md {
 ///
 /// If settings.dump is set, all atoms are written to scratch / "step-0003.xyz".
 ///
-/// @throws cases::CaseError   modes = "normal", or another engine or bulk
+/// @throws input::InputError   modes = "normal", or another engine or bulk
 /// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_explicit_contact(AtomRequest request);
 

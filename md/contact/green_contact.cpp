@@ -1,7 +1,7 @@
 #include "md/contact/green_contact.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/contact/dump.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/contact/load_step_driver.hpp"
@@ -23,11 +23,11 @@ namespace {
 void require_green_bulk(const cases::MdSettings& settings) {
   if (settings.engine != cases::AtomEngine::asperity ||
       settings.bulk != cases::AtomBulk::green)
-    throw cases::CaseError(
+    throw input::InputError(
         "[md] this block needs engine = \"asperity\" and bulk = \"green\"");
   if (settings.minimizer != cases::AtomMinimizer::automatic &&
       settings.minimizer != cases::AtomMinimizer::lbfgs)
-    throw cases::CaseError(
+    throw input::InputError(
         "[md] bulk = \"green\" has no internal degrees of freedom for "
         "dynamics: minimizer must be \"auto\" or \"lbfgs\"");
 }

@@ -15,8 +15,8 @@ namespace asperity::md {
 /// mean gap is approached in short steps, so that the surface can deform and no
 /// atom is pushed through the substrate.
 ///
-/// @throws cases::CaseError   the engine, bulk or minimizer is not supported
-///                            here
+/// @throws input::InputError   the engine, bulk or minimizer is not supported
+///                             here
 /// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_green_contact(AtomRequest request);
 

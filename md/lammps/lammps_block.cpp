@@ -1,7 +1,7 @@
 #include "md/lammps/lammps_block.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/contact/request_parts.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 void require_supported(const cases::MdSettings& settings,
                        double poisson_ratio) {
   const auto refuse = [](const std::string& what) {
-    throw cases::CaseError("[md] engine = \"lammps\" " + what);
+    throw input::InputError("[md] engine = \"lammps\" " + what);
   };
   if (settings.lattice != cases::AtomLattice::central ||
       std::abs(poisson_ratio - 0.25) > 1e-12)

@@ -45,8 +45,8 @@ struct LammpsBlock {
 enum class AtomType { lowest = 1, inner = 2, top = 3, substrate = 4 };
 
 /// Converts a request.
-/// @throws cases::CaseError   the lattice is not central, or a setting is
-///                            supported only by the built-in engine
+/// @throws input::InputError   the lattice is not central, or a setting is
+///                             supported only by the built-in engine
 /// @throws std::domain_error  grids, heights or a modulus outside their range
 LammpsBlock lammps_block(const AtomRequest& request);
 

@@ -19,8 +19,8 @@ namespace asperity::md {
 /// remains there and, if settings.dump is set, also the atoms, e.g.
 /// step-0003.dump.
 ///
-/// @throws cases::CaseError   a setting is not supported by the LAMMPS engine,
-///                            or the program lmp is not found
+/// @throws input::InputError   a setting is not supported by the LAMMPS engine,
+///                             or the program lmp is not found
 /// @throws std::domain_error  an argument of a component is out of range
 std::unique_ptr<AtomicContact> make_lammps_contact(AtomRequest request);
 

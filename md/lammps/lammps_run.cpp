@@ -1,7 +1,7 @@
 #include "md/lammps/lammps_run.hpp"
 
 #include "base/child_process.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/lammps/lammps_answer.hpp"
 
 #include <fmt/format.h>
@@ -52,9 +52,9 @@ std::string version_of(const std::filesystem::path& lmp,
   const std::string before = "Simulator - ";
   const std::size_t found = text.find(before);
   if (!end.failure.empty() || found == std::string::npos)
-    throw cases::CaseError(fmt::format("[md] engine = \"lammps\": {} -h does "
-                                       "not print a LAMMPS version; see {}",
-                                       lmp.string(), output.string()));
+    throw input::InputError(fmt::format("[md] engine = \"lammps\": {} -h does "
+                                        "not print a LAMMPS version; see {}",
+                                        lmp.string(), output.string()));
   const std::size_t begin = found + before.size();
   return text.substr(begin, text.find('\n', begin) - begin);
 }
@@ -75,13 +75,13 @@ LammpsProgram require_lammps(int ranks) {
   program.ranks = ranks;
   program.lmp = program_on_path("lmp");
   if (program.lmp.empty())
-    throw cases::CaseError("[md] engine = \"lammps\" needs the program lmp; "
-                           "install the Debian package lammps");
+    throw input::InputError("[md] engine = \"lammps\" needs the program lmp; "
+                            "install the Debian package lammps");
   if (ranks > 1) {
     program.mpirun = program_on_path("mpirun");
     if (program.mpirun.empty())
-      throw cases::CaseError("[md] ranks above 1 need the program mpirun; "
-                             "install the Debian package mpi-default-bin");
+      throw input::InputError("[md] ranks above 1 need the program mpirun; "
+                              "install the Debian package mpi-default-bin");
   }
   return program;
 }

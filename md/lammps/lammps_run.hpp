@@ -18,13 +18,14 @@ struct LammpsProgram {
 
 /// Finds the programs that a run needs, without determining their version. It
 /// accesses no file of the run.
-/// @throws cases::CaseError  a program is not installed
+/// @throws input::InputError  a program is not installed
 LammpsProgram require_lammps(int ranks);
 
 /// Searches PATH for the programs and determines the version of lmp.
 /// @param folder  working folder for the output of `lmp -h`
-/// @throws cases::CaseError  lmp is not found or does not start, or mpirun is
-///                           not found although more than one rank is requested
+/// @throws input::InputError  lmp is not found or does not start, or mpirun is
+///                            not found although more than one rank is
+///                            requested
 LammpsProgram find_lammps(int ranks, const std::filesystem::path& folder);
 
 struct LammpsRun {

@@ -153,7 +153,7 @@ reference_theory(const results::Result& result, const cases::Case& contact_case,
 const results::MethodRecord* base_method(const results::Result& result,
                                          const results::MethodRecord& method);
 
-/// @throws cases::CaseError  the reference data in the result contain mistakes
+/// @throws input::InputError  the reference data in the result contain mistakes
 Summary summarize(const results::Result& result,
                   const cases::Case& contact_case);
 

@@ -38,7 +38,7 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
 
 /// Does the same from results alone: the case text that each result contains is
 /// parsed again.
-/// @throws cases::CaseError  a result's case text has mistakes
+/// @throws input::InputError  a result's case text has mistakes
 std::vector<std::string> write_report(std::span<const results::Result> results,
                                       const std::filesystem::path& folder,
                                       const std::string& gnuplot = "gnuplot",

@@ -1,7 +1,7 @@
 #include "reports/sweeps/sweep_record.hpp"
 
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ const char* combine_word(cases::Combine combine) {
 /// Throws unless the record is one that a sweep can have.
 void require_consistent(const SweepRecord& record, const std::string& file) {
   const auto refuse = [&](const std::string& what) {
-    throw cases::CaseError(file + ": " + what);
+    throw input::InputError(file + ": " + what);
   };
   if (record.keys.empty() || record.points.empty())
     refuse("has no swept key or no point");
@@ -94,15 +94,15 @@ Json record_json(const SweepRecord& record) {
 SweepRecord read_sweep_record(const std::filesystem::path& folder) {
   const std::string file = (folder / sweep_file).string();
   const std::string text =
-      cases::read_input_file(file, cases::largest_number_file);
+      input::read_input_file(file, input::largest_number_file);
   SweepRecord record;
   try {
     const Json json = Json::parse(text);
     if (json.at("format") != "asperity-sweep" || json.at("format_version") != 1)
-      throw cases::CaseError(file + ": is not a sweep.json of this version");
+      throw input::InputError(file + ": is not a sweep.json of this version");
     record = record_in(json);
   } catch (const Json::exception& error) {
-    throw cases::CaseError(file + ": is not a sweep.json: " + error.what());
+    throw input::InputError(file + ": is not a sweep.json: " + error.what());
   }
   require_consistent(record, file);
   return record;

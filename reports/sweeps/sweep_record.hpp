@@ -46,8 +46,8 @@ nlohmann::ordered_json record_json(const SweepRecord& record);
 
 /// Reads the record from folder/sweep.json.
 ///
-/// @throws cases::CaseError  there is no such file, or it is not what
-///                           record_json() writes
+/// @throws input::InputError  there is no such file, or it is not what
+///                            record_json() writes
 SweepRecord read_sweep_record(const std::filesystem::path& folder);
 
 } // namespace asperity::reports

@@ -1,6 +1,6 @@
 #include "reports/sweeps/swept_results.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/published_json.hpp"
 #include "reports/pages/report.hpp"
@@ -59,7 +59,7 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     swept->status = result.status;
     if (result.status != "complete" && swept->problem.empty())
       swept->problem = "is not complete (" + result.status + ")";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     swept->problem = error.what();
   }
   return swept;

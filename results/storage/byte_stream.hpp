@@ -4,7 +4,7 @@
 // order of the machine. The writer and the reader have the same functions, so
 // that one description of a layout serves both directions.
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -54,7 +54,7 @@ private:
   std::string bytes_;
 };
 
-/// Every function throws cases::CaseError if the data end too early.
+/// Every function throws input::InputError if the data end too early.
 class ByteReader {
 public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -103,7 +103,7 @@ public:
 
 private:
   [[noreturn]] static void refuse() {
-    throw cases::CaseError("a record of the journal has an unknown layout");
+    throw input::InputError("a record of the journal has an unknown layout");
   }
 
   std::size_t size_of_items(std::size_t bytes_each) {

@@ -1,6 +1,6 @@
 #include "results/storage/change.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/storage/curve_storage.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/storage/map_storage.hpp"
@@ -62,11 +62,11 @@ Item& named(std::vector<Item>& items, const std::string& name) {
 }
 
 /// Returns the item of that realisation.
-/// @throws cases::CaseError  the index is out of range
+/// @throws input::InputError  the index is out of range
 template <class Item>
 Item& at_index(std::vector<Item>& items, int index) {
   if (index < 0 || index >= layout::most_realizations)
-    throw cases::CaseError(
+    throw input::InputError(
         "a record of the journal has an invalid realisation index");
   const auto place = static_cast<std::size_t>(index);
   items.resize(std::max(items.size(), place + 1));

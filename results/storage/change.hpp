@@ -44,7 +44,7 @@ struct Change {
 std::string bytes_of(Change change);
 
 /// Deserialises a change.
-/// @throws cases::CaseError  the bytes do not have the layout of bytes_of()
+/// @throws input::InputError  the bytes do not have the layout of bytes_of()
 Change change_in(std::string_view bytes);
 
 /// Applies a change to an open result file.

@@ -140,7 +140,7 @@ Change change_in(std::string_view bytes) {
   Change change;
   Layout(reader).pass(change);
   if (!reader.is_at_end())
-    throw cases::CaseError("a record of the journal is too long");
+    throw input::InputError("a record of the journal is too long");
   return change;
 }
 

@@ -1,6 +1,6 @@
 #include "results/storage/curve_storage.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/observables/contact_stiffness.hpp"
 #include "results/types/curve_columns.hpp"
 
@@ -20,7 +20,7 @@ constexpr const char* length_column = "nominal_pressure";
 void require_length(const Hdf5Group& curve, const std::string& name,
                     std::size_t found, std::size_t expected) {
   if (found != expected)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} has {} values, but must have {}, as {}",
                     curve.place(name), found, expected, length_column));
 }
@@ -40,7 +40,7 @@ void read_column(const Hdf5Group& curve, const CurveColumn& column,
     // (validity.hpp). A value that is not an integer, or not the number of a
     // status, must be rejected here, because the conversion would lose it.
     if (column.is_integer && !is_integer_of(column, numbers[i]))
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "{}[{}] = {}, but must be an integer "
           "{}",
           curve.place(name), i, numbers[i],
@@ -84,7 +84,8 @@ void append_points(Hdf5Group& curve, std::span<const CurvePoint> points) {
 std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
   for (const char* needed : {length_column, "mean_gap"})
     if (!curve.has(needed))
-      throw cases::CaseError(fmt::format("{} is missing", curve.place(needed)));
+      throw input::InputError(
+          fmt::format("{} is missing", curve.place(needed)));
 
   std::vector<CurvePoint> points;
   const std::size_t length = curve.column(length_column).size();

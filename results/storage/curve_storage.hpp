@@ -16,8 +16,8 @@ namespace asperity::results {
 void append_points(Hdf5Group& curve, std::span<const CurvePoint> points);
 
 /// Returns the rows, sorted by step.
-/// @throws cases::CaseError  nominal_pressure or mean_gap is missing, or the
-///                           columns differ in length
+/// @throws input::InputError  nominal_pressure or mean_gap is missing, or the
+///                            columns differ in length
 std::vector<CurvePoint> read_points(const Hdf5Group& curve);
 
 /// Computes each contact stiffness that is NaN by finite differences.

@@ -1,7 +1,7 @@
 #include "results/storage/map_storage.hpp"
 
 #include "base/special_numbers.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/observables/observables.hpp"
 #include "results/storage/result_layout.hpp"
 
@@ -43,7 +43,7 @@ Hdf5Shape shape_of(const Grid& grid) {
 /// Validates a number of points read from a file; 0 means that it is unknown.
 int points_in(double points, const std::string& place) {
   if (!(points >= 0.0 && points <= most_points && points == std::floor(points)))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} = {} points, but must be an integer between 0 and {}",
                     place, points, most_points));
   return static_cast<int>(points);
@@ -60,8 +60,8 @@ Grid read_grid(const Hdf5Group& surface) {
   if (surface.has("heights")) {
     const std::vector<std::size_t> extents = surface.extents("heights");
     if (extents.size() != 2)
-      throw cases::CaseError(surface.place("heights") +
-                             " must have two dimensions: points_y, points_x");
+      throw input::InputError(surface.place("heights") +
+                              " must have two dimensions: points_y, points_x");
     set_points(grid, extents, surface.place("heights"));
   } else {
     for (const auto& [name, points] : {std::pair("points_x", &grid.points_x),
@@ -79,7 +79,7 @@ Grid grid_of_map(const Hdf5Group& maps) {
   Grid grid;
   const std::vector<std::size_t> extents = maps.extents("pressure");
   if (maps.extents("gap") != extents)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{} has [{}] values, but must have [{}], as pressure",
                     maps.place("gap"), fmt::join(maps.extents("gap"), ", "),
                     fmt::join(extents, ", ")));
@@ -102,7 +102,7 @@ std::vector<SpectrumPoint> read_spectrum(const Hdf5Group& group) {
   const std::vector<double> wavevector = group.column("wavevector");
   const std::vector<double> spectrum = group.column("height_spectrum");
   if (spectrum.size() != wavevector.size())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{} has {} values, but must have {}, as wavevector",
         group.place("height_spectrum"), spectrum.size(), wavevector.size()));
   std::vector<SpectrumPoint> points;

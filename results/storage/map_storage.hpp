@@ -21,7 +21,7 @@ void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
 /// Reads the maps of all steps, sorted by step. The lengths of a grid are 0 if
 /// the file does not contain them, and so are its numbers of points if the map
 /// is not two-dimensional.
-/// @throws cases::CaseError  pressure and gap differ in shape
+/// @throws input::InputError  pressure and gap differ in shape
 std::vector<Fields> read_fields(const Hdf5Group& group);
 
 /// Sets the attributes `name` and `name`_unit.

@@ -1,6 +1,6 @@
 #include "results/storage/skipped_storage.hpp"
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ std::vector<Skipped> read_skipped(const Hdf5Group& group) {
   const std::vector<double> sizes = group.column(bytes_name);
   for (const std::size_t length : {reasons.size(), times.size(), sizes.size()})
     if (length != things.size())
-      throw cases::CaseError(
+      throw input::InputError(
           fmt::format("{}: a column has {} values, but must have {}, as {}",
                       group.place(), length, things.size(), what_name));
   std::vector<Skipped> skipped;

@@ -15,7 +15,7 @@ namespace asperity::results {
 void write_skipped(Hdf5Group& group, std::span<const Skipped> skipped);
 
 /// Reads the list of skipped computations.
-/// @throws cases::CaseError  the columns differ in length
+/// @throws input::InputError  the columns differ in length
 std::vector<Skipped> read_skipped(const Hdf5Group& group);
 
 } // namespace asperity::results

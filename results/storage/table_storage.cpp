@@ -1,7 +1,7 @@
 #include "results/storage/table_storage.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/storage/hdf5_limits.hpp"
 #include "results/storage/result_layout.hpp"
 #include "results/types/map_size.hpp"
@@ -86,7 +86,7 @@ Table read_table(const Hdf5Group& group, const std::string& name) {
     const Column& column = table.columns.back();
     const std::size_t length = table.columns.front().values.size();
     if (column.values.size() != length)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "{} has {} values, but must have {}, as {}", group.place(column.name),
           column.values.size(), length, table.columns.front().name));
   }

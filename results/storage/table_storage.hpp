@@ -21,7 +21,7 @@ void write_table(Hdf5Group& group, const Table& table);
 
 /// Reads a table. Columns are sorted by their attribute `order`; those without
 /// it keep the order of the file.
-/// @throws cases::CaseError  the columns differ in length
+/// @throws input::InputError  the columns differ in length
 Table read_table(const Hdf5Group& group, const std::string& name);
 
 } // namespace asperity::results

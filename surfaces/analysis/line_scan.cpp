@@ -2,7 +2,7 @@
 
 #include "base/fourier.hpp"
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/number_table.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
@@ -151,7 +151,7 @@ bool is_line_scan(const std::string& path) {
     return false;
   try {
     return is_line(read_number_file(path));
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
     return false; // text of an instrument, which has its own reader
   }
 }
@@ -161,7 +161,7 @@ LineScan read_line_scan(const std::string& path, const LineScale& scale) {
   require_positive("height_unit", scale.height_unit, "m");
   NumberTable table = read_number_file(path);
   if (!is_line(table))
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} columns and {} rows, but a line scan has one column, one row, "
         "or two columns x and z with x ascending in equal steps",
         path, table.columns, table.rows()));
@@ -172,7 +172,7 @@ LineScan read_line_scan(const std::string& path, const LineScale& scale) {
   else
     line.heights = std::move(table.numbers);
   if (line.heights.size() < fewest_points)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: {} points, but a line scan must have at least {}",
                     path, line.heights.size(), fewest_points));
   line.spacing = scale.length / static_cast<double>(line.heights.size());

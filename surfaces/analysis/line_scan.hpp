@@ -34,8 +34,8 @@ bool is_line_scan(const std::string& path);
 /// Reads such a file. With two columns, x and z, the steps of x may differ by
 /// 1 % of their mean; x is scaled so that the number of points times the mean
 /// step is `length`.
-/// @throws cases::CaseError  the file is no line scan, or has fewer than 16
-///                           points
+/// @throws input::InputError  the file is no line scan, or has fewer than 16
+///                            points
 LineScan read_line_scan(const std::string& path, const LineScale& scale);
 
 /// Subtracts the least-squares polynomial of degree 0, 1 or 2.

@@ -3,7 +3,7 @@
 // This file reads numbers and texts one after the other from the bytes of a
 // binary file. Every access is checked against the end of the file.
 
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ public:
   const std::string& name() const { return name_; }
 
   /// Takes the next `count` bytes.
-  /// @throws cases::CaseError  there are fewer
+  /// @throws input::InputError  there are fewer
   std::string_view take_bytes(std::size_t count) {
     if (count > remaining())
       refuse(fmt::format("ends here, but {} more bytes must follow",
@@ -61,9 +61,9 @@ public:
     return text;
   }
 
-  /// @throws cases::CaseError  "name: byte N: what"
+  /// @throws input::InputError  "name: byte N: what"
   [[noreturn]] void refuse(const std::string& what) const {
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: byte {}: {}", name_, offset(), what));
   }
 

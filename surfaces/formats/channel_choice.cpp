@@ -1,7 +1,7 @@
 #include "surfaces/formats/channel_choice.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
 
 #include <fmt/format.h>
@@ -78,12 +78,12 @@ std::size_t chosen_channel(std::span<const ChannelCandidate> channels,
   if (wanted) {
     const std::optional<std::size_t> found = titled(channels, *wanted);
     if (!found)
-      throw cases::CaseError(
+      throw input::InputError(
           fmt::format("surface.channel = \"{}\": {} has no such channel; its "
                       "channels are {}",
                       printable(*wanted), name, list_of(channels)));
     if (!channels[*found].has_heights)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "surface.channel = \"{}\": this channel of {} is in '{}', but must "
           "be a length over a length; its channels are {}",
           printable(*wanted), name, printable(channels[*found].info.unit),
@@ -100,7 +100,7 @@ std::size_t chosen_channel(std::span<const ChannelCandidate> channels,
     }
   }
   if (!best)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: no channel contains heights; its channels are {}",
                     name, list_of(channels)));
   return *best;

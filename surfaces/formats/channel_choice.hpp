@@ -23,8 +23,8 @@ struct ChannelCandidate {
 /// channels of heights, the first whose title names heights (height,
 /// topography, z sensor, and the like), or else the first whose title does not
 /// name another signal (deflection, amplitude, phase, error, friction, ...).
-/// @throws cases::CaseError  there is no such channel or none contains heights;
-///                           the message lists the channels
+/// @throws input::InputError  there is no such channel or none contains
+///                            heights; the message lists the channels
 std::size_t chosen_channel(std::span<const ChannelCandidate> channels,
                            const std::optional<std::string>& wanted,
                            const std::string& name);

@@ -1,8 +1,8 @@
 #include "base/child_process.hpp"
 #include "base/plain_text.hpp"
 #include "base/temporary_folder.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
 
@@ -25,8 +25,8 @@ ChildCommand gwyddion_command(std::vector<std::string> words,
                          "LC_ALL=C.UTF-8"};
   command.limits = {.wall_time = 60.0,
                     .cpu_time = 60.0,
-                    .memory = std::size_t{8} * 1024 * cases::mebibyte,
-                    .file_size = 2 * cases::largest_number_file};
+                    .memory = std::size_t{8} * 1024 * input::mebibyte,
+                    .file_size = 2 * input::largest_number_file};
   return command;
 }
 
@@ -52,13 +52,13 @@ std::string converted(const std::string& program, const std::string& path,
                         fs::absolute(path).string()},
                        folder));
   if (!fs::exists(target) || !answer.end.failure.empty())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: cannot be read: no own reader knows this format{}, and Gwyddion "
         "cannot convert it ({})",
         path, name_in_brackets(path),
         answer.output.empty() ? answer.end.failure
                               : first_line(answer.output)));
-  return cases::read_input_file(target, 2 * cases::largest_number_file);
+  return input::read_input_file(target, 2 * input::largest_number_file);
 }
 
 } // namespace
@@ -67,14 +67,14 @@ FileContent read_converted_file(const std::string& path,
                                 const ScanRequest& request, Asked asked) {
   const fs::path program = program_on_path("gwyddion");
   if (program.empty())
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: no own reader knows this format{}; it can be read where the "
         "program gwyddion is installed (Debian: apt-get install gwyddion)",
         path, name_in_brackets(path)));
   const TemporaryFolder folder("asperity-map");
   const std::string bytes = converted(program, path, folder.path());
   if (!bytes.starts_with("GWYP"))
-    throw cases::CaseError(path + ": Gwyddion wrote no .gwy file");
+    throw input::InputError(path + ": Gwyddion wrote no .gwy file");
   FileContent content = read_gwy_file(bytes, path, request, asked);
   content.scan.reader = version_of(program, folder.path());
   return content;

@@ -158,7 +158,7 @@ std::optional<GwyField> field_in(const GwyComponent& component,
       static_cast<std::size_t>(field.points_x) *
               static_cast<std::size_t>(field.points_y) !=
           count)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: byte {}: the field {} has {} x {} points, but {} values", name,
         component.offset, printable(component.name), field.points_x,
         field.points_y, count));

@@ -31,9 +31,8 @@ struct GwyChannel {
 /// Reads a file that begins with GWYP.
 /// @param bytes  must outlive the result
 /// @return  the channels by their number n
-/// @throws cases::CaseError  with name and byte: malformed objects, fields
-/// whose
-///                           sizes do not agree with their values
+/// @throws input::InputError  with name and byte: malformed objects, fields
+///                            whose sizes do not agree with their values
 std::map<int, GwyChannel> read_gwy_channels(std::string_view bytes,
                                             const std::string& name);
 

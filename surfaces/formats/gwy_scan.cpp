@@ -1,4 +1,4 @@
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/channel_choice.hpp"
 #include "surfaces/formats/gwy_objects.hpp"
 #include "surfaces/formats/length_units.hpp"
@@ -23,7 +23,7 @@ double gwy_value(const GwyField& field, std::size_t index) {
 void apply_mask(Scan& scan, const GwyField& mask, const std::string& name) {
   const Grid& grid = scan.map.grid;
   if (mask.points_x != grid.points_x || mask.points_y != grid.points_y)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: the mask has {} x {} points, but its channel has {} x {}", name,
         mask.points_x, mask.points_y, grid.points_x, grid.points_y));
   for (std::size_t i = 0; i < grid.size(); ++i)

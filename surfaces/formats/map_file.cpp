@@ -1,7 +1,7 @@
 #include "surfaces/formats/map_file.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/own_readers.hpp"
@@ -21,7 +21,7 @@ namespace {
 double header_length(const NumberTable& table, const CommentLine& line,
                      const char* key) {
   if (line.line == 0)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: no line '# {}: 20 um', which a Gwyddion text matrix begins with",
         table.name, key));
   const std::optional<double> length = length_of_text(line.text);
@@ -37,13 +37,13 @@ double header_height_unit(const NumberTable& table, const CommentLine& line,
                           const MapScale& scale) {
   if (line.line == 0) {
     if (!scale.height_unit)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "surface.height_unit is missing: {} has no line '# Value units: m'",
           table.name));
     return *scale.height_unit;
   }
   if (scale.height_unit)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.height_unit = {:.6g} m, but must be left out: line {} of {} "
         "gives '{}'",
         *scale.height_unit, line.line, table.name, printable(line.text)));
@@ -65,7 +65,7 @@ Scan from_gwyddion(NumberTable table, const Grid& points,
                                    std::pair("length_y", scale.length_y),
                                    std::pair("length_unit", scale.length_unit)})
     if (value)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "surface.{} = {:.6g} m, but must be left out: line {} of {} gives "
           "'{}'",
           key, *value, header.width.line, table.name,
@@ -85,7 +85,7 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
   const auto take = [&](std::optional<double>& given, const char* key,
                         const std::optional<double>& found) {
     if (given && found)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "surface.{} = {:.6g} m, but must be left out: the header of {} gives "
           "it",
           key, *given, table.name));
@@ -101,7 +101,7 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
   }
   take(scale.height_unit, "height_unit", header.height_unit);
   if (scale.length_unit)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.length_unit = {:.6g} m, but must be left out: {} is a matrix, "
         "and only a list x y z has columns x and y",
         *scale.length_unit, table.name));
@@ -113,7 +113,7 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
 
 HeightMap complete_map(Scan scan, const std::string& name) {
   if (!scan.is_missing.empty())
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: {} of {} points are missing, but none must be", name,
                     count_missing(scan), scan.map.grid.size()));
   return std::move(scan.map);
@@ -131,10 +131,10 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
   if (is_automatic && !is_gwyddion)
     refuse_possible_list(table);
   if (table.columns < 2 || table.rows() < 2)
-    throw cases::CaseError(fmt::format("{}: {} column(s) and {} row(s), but a "
-                                       "map must have at least two of each",
-                                       table.name, table.columns,
-                                       table.rows()));
+    throw input::InputError(fmt::format("{}: {} column(s) and {} row(s), but a "
+                                        "map must have at least two of each",
+                                        table.name, table.columns,
+                                        table.rows()));
   Grid points;
   points.points_x = static_cast<int>(table.columns);
   points.points_y = static_cast<int>(table.rows());

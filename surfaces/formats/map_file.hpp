@@ -37,9 +37,9 @@ namespace asperity::surfaces {
 /// @param format  automatic: Gwyddion if a comment contains a width; a list if
 ///                three columns are the points of a regular grid; three columns
 ///                and four or more rows that are no such grid are refused
-/// @throws cases::CaseError  with name:line of the error in the file, or the
-///                           key of the case that is missing or superfluous, or
-///                           the number of missing points
+/// @throws input::InputError  with name:line of the error in the file, or the
+///                            key of the case that is missing or superfluous,
+///                            or the number of missing points
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                cases::MapFormat format, const MapScale& scale);
 /// Reads a map of any format (scan.hpp) that has no missing points.

@@ -3,7 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "surfaces/formats/gwyddion_file.hpp"
 #include "surfaces/formats/npy.hpp"
@@ -131,7 +131,7 @@ void write_map(const std::filesystem::path& path, const HeightMap& map,
   else if (ending == ".x3p")
     write_file_atomically(path, x3p_bytes(map));
   else
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has the ending \"{}\", but a map can be written as {}",
                     path.string(), printable(ending), written_map_endings()));
 }

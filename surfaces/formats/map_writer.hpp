@@ -22,7 +22,7 @@ std::string written_map_endings();
 ///     .x3p  ISO 5436-2, a surface with incremental axes and float64 heights
 ///
 /// @param title  of the channel, one line; .npy and .x3p do not store it
-/// @throws cases::CaseError   another ending; the message lists these
+/// @throws input::InputError   another ending; the message lists these
 /// @throws std::system_error  the file cannot be written; std::runtime_error if
 ///                            a library fails
 void write_map(const std::filesystem::path& path, const HeightMap& map,

@@ -1,5 +1,5 @@
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/npy.hpp"
@@ -87,17 +87,17 @@ std::size_t chosen_dataset(const FoundDatasets& found,
   for (const std::string& one : found.paths)
     list += (list.empty() ? "" : ", ") + printable(one);
   if (found.paths.empty())
-    throw cases::CaseError(path + ": has no dataset with two dimensions");
+    throw input::InputError(path + ": has no dataset with two dimensions");
   for (std::size_t i = 0; wanted && i < found.paths.size(); ++i)
     if (found.paths[i] == *wanted || found.paths[i] == "/" + *wanted)
       return i;
   if (wanted)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("surface.channel = \"{}\": {} has no such dataset with two "
                     "dimensions; it has {}",
                     printable(*wanted), path, printable(list, 500)));
   if (found.paths.size() > 1)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.channel is missing: {} has several datasets with two "
         "dimensions, {}",
         path, printable(list, 500)));
@@ -111,7 +111,7 @@ void take_attribute(std::optional<double>& given,
   if (!dataset.has_attribute(key))
     return;
   if (given)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.{} = {:.6g} m, but must be left out: {} gives it as an "
         "attribute",
         key, *given, path));
@@ -126,12 +126,12 @@ void take_height_unit(std::optional<double>& given,
     return;
   const std::optional<double> unit = length_unit(text);
   if (!unit)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: the dataset is in '{}', but heights must be in one of "
                     "{}",
                     path, printable(text), known_length_units));
   if (given)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.height_unit = {:.6g} m, but must be left out: {} gives the "
         "unit '{}'",
         *given, path, printable(text)));
@@ -198,7 +198,7 @@ FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
           request);
     return content;
   } catch (const results::Hdf5Error& error) {
-    throw cases::CaseError(error.what());
+    throw input::InputError(error.what());
   }
 }
 

@@ -1,7 +1,7 @@
 #include "surfaces/formats/npy.hpp"
 
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ using namespace std::string_view_literals;
 constexpr std::string_view npy_magic = "\x93NUMPY"sv;
 
 [[noreturn]] void refuse_npy(const std::string& name, const std::string& what) {
-  throw cases::CaseError(fmt::format("{}: {}", name, what));
+  throw input::InputError(fmt::format("{}: {}", name, what));
 }
 
 /// The header and the bytes of the numbers behind it.
@@ -139,7 +139,7 @@ Matrix read_npy_text(std::string_view bytes, const std::string& name) {
 }
 
 Matrix read_npy(const std::filesystem::path& path) {
-  return read_npy_text(cases::read_input_file(path, cases::largest_number_file),
+  return read_npy_text(input::read_input_file(path, input::largest_number_file),
                        path.string());
 }
 

@@ -22,13 +22,13 @@ struct Matrix {
 /// Reads a two-dimensional array of 4- or 8-byte floating-point numbers. They
 /// need not be finite.
 /// @param name  of the file, for messages
-/// @throws cases::CaseError  "name: what was found, what is allowed": not an
-///                           .npy file, another type of number or number of
-///                           dimensions, or fewer or more bytes than numbers
+/// @throws input::InputError  "name: what was found, what is allowed": not an
+///                            .npy file, another type of number or number of
+///                            dimensions, or fewer or more bytes than numbers
 Matrix read_npy_text(std::string_view bytes, const std::string& name);
 
 /// Reads a whole file in the same way.
-/// @throws cases::CaseError  as above, or the file cannot be read
+/// @throws input::InputError  as above, or the file cannot be read
 Matrix read_npy(const std::filesystem::path& path);
 
 /// Returns a file of version 1 with little-endian float64 in C order.

@@ -1,8 +1,8 @@
 #include "surfaces/formats/number_table.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "surfaces/formats/length_units.hpp"
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ public:
 
   NumberTable finish() {
     if (table_.lines.empty())
-      throw cases::CaseError(table_.name + ": contains no numbers");
+      throw input::InputError(table_.name + ": contains no numbers");
     return std::move(table_);
   }
 
@@ -159,7 +159,7 @@ private:
 } // namespace
 
 void refuse_line(const std::string& name, int line, const std::string& what) {
-  throw cases::CaseError(fmt::format("{}:{}: {}", name, line, what));
+  throw input::InputError(fmt::format("{}:{}: {}", name, line, what));
 }
 
 NumberTable read_number_text(std::string_view text, const std::string& name,
@@ -175,7 +175,7 @@ NumberTable read_number_text(std::string_view text, const std::string& name,
 
 NumberTable read_number_file(const std::string& path) {
   return read_number_text(
-      cases::read_input_file(path, cases::largest_number_file), path);
+      input::read_input_file(path, input::largest_number_file), path);
 }
 
 } // namespace asperity::surfaces

@@ -52,19 +52,19 @@ struct NumberTable {
 /// missing points in any case of letters; a comma inside a column is a decimal
 /// comma unless the line has a decimal point, too; and lines before the first
 /// row that contain '=' or no number are kept with the comments.
-/// @throws cases::CaseError  name:line: of the first entry that is not a finite
-///                           number, or of a row whose length differs from the
-///                           first, or the text contains no numbers
+/// @throws input::InputError  name:line: of the first entry that is not a
+///                            finite number, or of a row whose length differs
+///                            from the first, or the text contains no numbers
 NumberTable read_number_text(std::string_view text, const std::string& name,
                              NumberStyle style = NumberStyle::strict);
 
 /// Reads a whole file in the same way.
-/// @throws cases::CaseError  as above, or the file is not a regular file or is
-///                           larger than cases::largest_number_file
+/// @throws input::InputError  as above, or the file is not a regular file or is
+///                            larger than input::largest_number_file
 NumberTable read_number_file(const std::string& path);
 
 /// Reports an error in a line of a file.
-/// @throws cases::CaseError  "name:line: what"
+/// @throws input::InputError  "name:line: what"
 [[noreturn]] void refuse_line(const std::string& name, int line,
                               const std::string& what);
 

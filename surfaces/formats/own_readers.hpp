@@ -21,7 +21,7 @@ struct FileContent {
 /// How a request is answered: one channel, or only the list.
 enum class Asked { scan, channels };
 
-/// The readers. Each throws cases::CaseError with the name of the file and the
+/// The readers. Each throws input::InputError with the name of the file and the
 /// line, byte or part that is malformed, and checks every size against the
 /// bytes that are there before it allocates memory.
 
@@ -51,18 +51,18 @@ FileContent read_converted_file(const std::string& path,
 
 /// The scales of the case for a file without any: square pixels unless
 /// scale.length_y is given.
-/// @throws cases::CaseError  length or height_unit is missing
+/// @throws input::InputError  length or height_unit is missing
 /// @param what  the file in words: "a plain matrix"
 Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
                    const std::string& name, const std::string& what,
                    const MapScale& scale);
 
 /// Refuses keys of the case for what the file itself says.
-/// @throws cases::CaseError  a member of scale is given
+/// @throws input::InputError  a member of scale is given
 void refuse_scale(const MapScale& scale, const std::string& name);
 
 /// Marks every height that is not finite as missing and sets it to 0.
-/// @throws cases::CaseError  all points are missing
+/// @throws input::InputError  all points are missing
 void mark_missing(Scan& scan, const std::string& name);
 
 /// Multiplies all heights.
@@ -72,8 +72,8 @@ void multiply_heights(Scan& scan, double factor);
 /// allocated for them.
 /// @param bytes_each  smallest size of a point in the file
 /// @param bytes       bytes that are there
-/// @throws cases::CaseError  fewer than two points per side, more points than
-///                           the bytes can hold, lengths that are not positive
+/// @throws input::InputError  fewer than two points per side, more points than
+///                            the bytes can hold, lengths that are not positive
 void require_sound_grid(const std::string& name, std::int64_t points_x,
                         std::int64_t points_y, double bytes_each,
                         std::size_t bytes);

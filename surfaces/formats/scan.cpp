@@ -1,7 +1,7 @@
 #include "surfaces/formats/scan.hpp"
 
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "results/trial_read.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
@@ -33,7 +33,7 @@ MapFormat format_of(std::string_view bytes, const ScanRequest& request) {
 void refuse_channel(const ScanRequest& request, const Scan& scan,
                     const std::string& name) {
   if (request.channel && *request.channel != scan.channel)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.channel must be left out: {} has only one channel", name));
 }
 
@@ -58,7 +58,7 @@ Scan scan_of_bytes(std::string_view bytes, const std::string& name,
 FileContent read_file_of(const std::string& path, const ScanRequest& request,
                          Asked asked) {
   const std::string bytes =
-      cases::read_input_file(path, cases::largest_number_file);
+      input::read_input_file(path, input::largest_number_file);
   const MapFormat format = format_of(bytes, request);
   if (format == MapFormat::hdf5) {
     // The packaged library has memory errors that a damaged file can trigger.
@@ -92,7 +92,7 @@ Scan read_scan_bytes(std::string_view bytes, const std::string& name,
                      const ScanRequest& request) {
   const MapFormat format = format_of(bytes, request);
   if (!is_read_from_bytes(format))
-    throw cases::CaseError(name + ": this format is read from files only");
+    throw input::InputError(name + ": this format is read from files only");
   return scan_of_bytes(bytes, name, request, format);
 }
 

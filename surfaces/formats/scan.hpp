@@ -56,10 +56,10 @@ struct ChannelInfo {
 std::size_t count_missing(const Scan& scan);
 
 /// Reads a channel of a file.
-/// @throws cases::CaseError  the file is not a regular file, too large, of an
-///                           unknown format or malformed (with its line or the
-///                           part of the file), it has no such channel, or a
-///                           key of the case is missing or superfluous
+/// @throws input::InputError  the file is not a regular file, too large, of an
+///                            unknown format or malformed (with its line or the
+///                            part of the file), it has no such channel, or a
+///                            key of the case is missing or superfluous
 Scan read_scan(const std::string& path, const ScanRequest& request);
 
 /// Reads a channel from the bytes of a file in the same way.
@@ -68,7 +68,7 @@ Scan read_scan_bytes(std::string_view bytes, const std::string& name,
                      const ScanRequest& request);
 
 /// Lists the channels of a file, also those that contain no heights.
-/// @throws cases::CaseError  as read_scan
+/// @throws input::InputError  as read_scan
 std::vector<ChannelInfo> list_channels(const std::string& path);
 
 } // namespace asperity::surfaces

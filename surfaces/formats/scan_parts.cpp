@@ -1,5 +1,5 @@
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/own_readers.hpp"
 
 #include <fmt/format.h>
@@ -32,18 +32,18 @@ void mark_missing(Scan& scan, const std::string& name) {
       heights[i] = 0.0;
     }
   if (count_missing(scan) == heights.size())
-    throw cases::CaseError(name + ": all points are missing");
+    throw input::InputError(name + ": all points are missing");
 }
 
 Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
                    const std::string& name, const std::string& what,
                    const MapScale& scale) {
   if (!scale.length)
-    throw cases::CaseError(fmt::format("surface.length is missing: {} is {}, "
-                                       "which does not give its width",
-                                       name, what));
+    throw input::InputError(fmt::format("surface.length is missing: {} is {}, "
+                                        "which does not give its width",
+                                        name, what));
   if (!scale.height_unit)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("surface.height_unit is missing: {} is "
                     "{}, which does not give the unit of its "
                     "heights",
@@ -69,7 +69,7 @@ void refuse_scale(const MapScale& scale, const std::string& name) {
       {"height_unit", &scale.height_unit}};
   for (const auto& [key, value] : keys)
     if (*value)
-      throw cases::CaseError(
+      throw input::InputError(
           fmt::format("surface.{} = {:.6g} m, but must be left out: {} itself "
                       "gives its lengths and its unit of height",
                       key, **value, name));
@@ -80,13 +80,14 @@ void require_sound_grid(const std::string& name, std::int64_t points_x,
                         std::size_t bytes) {
   constexpr std::int64_t most = 1 << 20;
   if (points_x < 2 || points_y < 2 || points_x > most || points_y > most)
-    throw cases::CaseError(fmt::format("{}: has {} x {} points, but a map must "
-                                       "have 2 to {} along each side",
-                                       name, points_x, points_y, most));
+    throw input::InputError(
+        fmt::format("{}: has {} x {} points, but a map must "
+                    "have 2 to {} along each side",
+                    name, points_x, points_y, most));
   const double needed = static_cast<double>(points_x) *
                         static_cast<double>(points_y) * bytes_each;
   if (needed > static_cast<double>(bytes))
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: has {} x {} points according to its header, which need {:.0f} "
         "bytes, but only {} follow",
         name, points_x, points_y, needed, bytes));
@@ -95,7 +96,7 @@ void require_sound_grid(const std::string& name, std::int64_t points_x,
 void require_sound_lengths(const std::string& name, const Grid& grid) {
   for (const double length : {grid.length_x, grid.length_y})
     if (!std::isfinite(length) || length <= 0.0)
-      throw cases::CaseError(
+      throw input::InputError(
           fmt::format("{}: has a side length of {:.6g} m, but it must be > 0",
                       name, length));
 }

@@ -28,15 +28,15 @@ struct SdfHeader {
 /// Checks everything but the grid, which depends on the bytes that follow.
 void check_header(const SdfHeader& header, const std::string& name) {
   if (header.compression != 0)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: Compression = {}, but only uncompressed SDF files can be read",
         name, header.compression));
   if (!std::isfinite(header.scale_z) || header.scale_z <= 0.0)
-    throw cases::CaseError(fmt::format("{}: Zscale = {:.6g} m, but must be > 0",
-                                       name, header.scale_z));
+    throw input::InputError(fmt::format(
+        "{}: Zscale = {:.6g} m, but must be > 0", name, header.scale_z));
   for (const double scale : {header.scale_x, header.scale_y})
     if (!std::isfinite(scale) || scale <= 0.0)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "{}: Xscale or Yscale is {:.6g} m, but must be > 0", name, scale));
 }
 
@@ -95,14 +95,14 @@ SdfFields read_fields(SdfLines& lines, const std::string& name) {
     fields[trimmed(line->substr(0, equals))] =
         number_of_text(trimmed(line->substr(equals + 1)));
   }
-  throw cases::CaseError(name + ": the header has no end, a line with *");
+  throw input::InputError(name + ": the header has no end, a line with *");
 }
 
 double field_of(const SdfFields& fields, const char* key,
                 const std::string& name) {
   const auto found = fields.find(key);
   if (found == fields.end() || !std::isfinite(found->second))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: the header has no line '{} = number'", name, key));
   return found->second;
 }
@@ -111,7 +111,7 @@ std::int64_t count_of(const SdfFields& fields, const char* key,
                       const std::string& name) {
   const double number = field_of(fields, key, name);
   if (number != std::floor(number) || std::abs(number) > 1e9)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} = {:.6g}, but must be a whole number", name, key, number));
   return static_cast<std::int64_t>(number);
 }
@@ -148,7 +148,7 @@ std::vector<double> read_words(SdfLines& lines, std::size_t count,
     }
   }
   if (numbers.size() != count)
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: has {} numbers, but the header says {}", name,
                     numbers.size(), count));
   return numbers;
@@ -203,7 +203,7 @@ SdfType type_of(int code, const std::string& name) {
       {1, take_numbers<std::int8_t>},   {2, take_numbers<std::int16_t>},
       {4, take_numbers<std::int32_t>},  {8, take_numbers<double>}};
   if (code < 0 || code >= static_cast<int>(std::size(types)))
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: DataType = {}, but must lie between 0 and {}", name,
                     code, std::size(types) - 1));
   return types[code];

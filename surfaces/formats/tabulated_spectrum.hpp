@@ -44,7 +44,7 @@ private:
 
 /// Reads the columns q [rad/m] and C [m^4], with comments and separators as in
 /// read_number_text.
-/// @throws cases::CaseError  with name:line of the first invalid row
+/// @throws input::InputError  with name:line of the first invalid row
 TabulatedSpectrum read_tabulated_spectrum_text(std::string_view text,
                                                const std::string& name);
 TabulatedSpectrum read_tabulated_spectrum(const std::string& path);

@@ -34,8 +34,8 @@ struct MatrixHeader {
   std::optional<double> height_unit; ///< [m] per unit of the numbers
 };
 
-/// @throws cases::CaseError  with name:line, if h or w is not the number of
-///                           rows or columns or a number is not > 0
+/// @throws input::InputError  with name:line, if h or w is not the number of
+///                            rows or columns or a number is not > 0
 MatrixHeader matrix_header(const NumberTable& table);
 
 } // namespace asperity::surfaces

@@ -1,7 +1,7 @@
 #include "surfaces/formats/x3p_document.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ X3pDocument::X3pDocument(const std::string& text, std::string name)
 }
 
 void X3pDocument::refuse(const std::string& what) const {
-  throw cases::CaseError(fmt::format("{}: main.xml: {}", name_, what));
+  throw input::InputError(fmt::format("{}: main.xml: {}", name_, what));
 }
 
 pugi::xml_node X3pDocument::node_at(std::string_view path) const {

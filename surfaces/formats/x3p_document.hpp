@@ -37,11 +37,11 @@ struct X3pHeader {
 class X3pDocument {
 public:
   /// @param name  of the X3P file, for messages
-  /// @throws cases::CaseError  the text is no XML
+  /// @throws input::InputError  the text is no XML
   X3pDocument(const std::string& text, std::string name);
 
-  /// @throws cases::CaseError  the file is no surface with one layer, or an
-  ///                           entry is missing or malformed
+  /// @throws input::InputError  the file is no surface with one layer, or an
+  ///                            entry is missing or malformed
   X3pHeader header() const;
 
   /// The text of an entry such as "Record3/DataLink/PointDataLink", whatever
@@ -51,7 +51,7 @@ public:
   /// The texts of the entries of an element; empty if there is none.
   std::vector<std::string> texts_in(std::string_view path) const;
 
-  /// @throws cases::CaseError  "name: main.xml: what"
+  /// @throws input::InputError  "name: main.xml: what"
   [[noreturn]] void refuse(const std::string& what) const;
 
 private:

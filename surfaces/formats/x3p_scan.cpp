@@ -187,7 +187,7 @@ private:
           static_cast<char>(std::tolower(static_cast<unsigned char>(digit)));
     const std::string found = md5_hash(content);
     if (stated != found)
-      throw cases::CaseError(fmt::format(
+      throw input::InputError(fmt::format(
           "{}: {} has the MD5 checksum {}, but the file states {}; it is "
           "damaged or was changed",
           name_, printable(member), found, printable(stated)));

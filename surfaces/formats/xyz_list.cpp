@@ -1,7 +1,7 @@
 #include "surfaces/formats/xyz_list.hpp"
 
 #include "base/require.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/own_readers.hpp"
 
 #include <fmt/format.h>
@@ -103,13 +103,13 @@ bool is_regular_list(const NumberTable& table) {
 
 void refuse_possible_list(const NumberTable& table) {
   if (may_be_list(table))
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} rows of 3 columns may be a list x y z, whose positions are not "
         "the points of a regular grid, or a matrix; format = \"plain\" reads "
         "a matrix with three columns, and a list must be interpolated first",
         table.name, table.rows()));
   if (table.columns == 2 && table.rows() >= 4)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: {} rows of 2 columns are probably a line scan x z, which is no "
         "map; format = \"plain\" reads a matrix with two columns",
         table.name, table.rows()));
@@ -117,16 +117,16 @@ void refuse_possible_list(const NumberTable& table) {
 
 Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
   if (table.columns != 3)
-    throw cases::CaseError(fmt::format("{}: {} columns, but a list x y z has 3",
-                                       table.name, table.columns));
+    throw input::InputError(fmt::format(
+        "{}: {} columns, but a list x y z has 3", table.name, table.columns));
   const auto grid = grid_of(table);
   if (!grid)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "{}: the positions x and y of the list are not the points of a regular "
         "grid; interpolate the heights on one first",
         table.name));
   if (!scale.length_unit || !scale.height_unit)
-    throw cases::CaseError(fmt::format(
+    throw input::InputError(fmt::format(
         "surface.{} is missing: {} is a list x y z, which does not give the "
         "unit of {}",
         scale.length_unit ? "height_unit" : "length_unit", table.name,

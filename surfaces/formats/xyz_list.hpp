@@ -19,7 +19,7 @@ bool is_regular_list(const NumberTable& table);
 /// Refuses what may be a list, but whose positions are not regular, and what
 /// may be a line scan (four or more rows of two columns): it must not be taken
 /// for a matrix unless the case says so.
-/// @throws cases::CaseError  as described
+/// @throws input::InputError  as described
 void refuse_possible_list(const NumberTable& table);
 
 /// The map of a list: x along rows and y along columns, both ascending, with
@@ -27,7 +27,7 @@ void refuse_possible_list(const NumberTable& table);
 /// missing.
 /// @param scale  length_unit (columns x and y) and height_unit (column z) are
 ///               needed, the others must be empty
-/// @throws cases::CaseError  with name:line, or the key of the case
+/// @throws input::InputError  with name:line, or the key of the case
 Scan scan_of_list(const NumberTable& table, const MapScale& scale);
 
 } // namespace asperity::surfaces

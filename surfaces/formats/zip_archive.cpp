@@ -2,8 +2,8 @@
 
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
-#include "cases/text/case_error.hpp"
-#include "cases/text/input_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ ZipArchive::ZipArchive(std::string_view bytes, std::string name)
     zip_source_free(source);
     const std::string reason = zip_error_strerror(&error);
     zip_error_fini(&error);
-    throw cases::CaseError(
+    throw input::InputError(
         fmt::format("{}: is a damaged zip archive ({})", name_, reason));
   }
   zip_error_fini(&error);
@@ -57,7 +57,7 @@ bool ZipArchive::has(const std::string& member) const {
 
 void ZipArchive::refuse_member(const std::string& member,
                                const std::string& what) const {
-  throw cases::CaseError(
+  throw input::InputError(
       fmt::format("{}: {}: {}", name_, printable(member), what));
 }
 
@@ -67,11 +67,11 @@ std::string ZipArchive::member(const std::string& member) const {
   if (zip_stat(as_zip(archive_), member.c_str(), 0, &facts) != 0 ||
       (facts.valid & ZIP_STAT_SIZE) == 0)
     refuse_member(member, "the archive has no such file");
-  if (facts.size > cases::largest_number_file)
+  if (facts.size > input::largest_number_file)
     refuse_member(member,
                   fmt::format("has {}, but must have at most {}",
                               bytes_text(static_cast<double>(facts.size)),
-                              bytes_text(cases::largest_number_file)));
+                              bytes_text(input::largest_number_file)));
   const std::unique_ptr<zip_file_t, CloseMember> file(
       zip_fopen(as_zip(archive_), member.c_str(), 0));
   if (file == nullptr)

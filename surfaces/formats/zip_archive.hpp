@@ -13,7 +13,7 @@ namespace asperity::surfaces {
 class ZipArchive {
 public:
   /// @param name  of the file, for messages
-  /// @throws cases::CaseError  the bytes are no archive
+  /// @throws input::InputError  the bytes are no archive
   ZipArchive(std::string_view bytes, std::string name);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;
@@ -22,9 +22,9 @@ public:
   bool has(const std::string& member) const;
 
   /// Returns the uncompressed bytes of a member.
-  /// @throws cases::CaseError  there is no such member, it is damaged,
-  /// encrypted
-  ///                           or larger than cases::largest_number_file
+  /// @throws input::InputError  there is no such member, it is damaged,
+  ///                            encrypted or larger than
+  ///                            input::largest_number_file
   std::string member(const std::string& member) const;
 
 private:

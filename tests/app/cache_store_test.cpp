@@ -2,7 +2,7 @@
 // and the bound holds.
 #include "app/cache/cache.hpp"
 #include "base/content_hash.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -220,9 +220,9 @@ TEST(CacheSize, IsReadWithItsUnit) {
   EXPECT_EQ(size_of("4096"), 4096u);
   EXPECT_EQ(size_of("0"), 0u);
   EXPECT_EQ(cache_size(), 2'000'000'000u);
-  EXPECT_THROW(size_of("much"), cases::CaseError);
-  EXPECT_THROW(size_of("2 GiB"), cases::CaseError);
-  EXPECT_THROW(size_of("-1"), cases::CaseError);
+  EXPECT_THROW(size_of("much"), input::InputError);
+  EXPECT_THROW(size_of("2 GiB"), input::InputError);
+  EXPECT_THROW(size_of("-1"), input::InputError);
 }
 
 } // namespace

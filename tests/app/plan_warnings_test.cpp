@@ -2,7 +2,7 @@
 #include "app/methods/methods.hpp"
 #include "app/plan/plan.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST_F(PlanWarnings, ARefusedTableOfFactorsIsNamed) {
           "fem.solver=full", "halfspace.contact=hard"},
          {"fem"});
     FAIL() << "planned";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("factors.txt:2: expected a line"),
               std::string::npos)
         << error.what();

@@ -1,5 +1,5 @@
 // Claim: whatever stands behind a key, the reader reads it or answers with a
-// CaseError that names a place; it never throws anything else.
+// input::InputError that names a place; it never throws anything else.
 #include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ RC_GTEST_PROP(AnyText, IsReadOrRefusedWithAPlace, ()) {
     RC_ASSERT(read.load.targets.size() == read.load.is_unloading.size());
     RC_ASSERT(!read.load.targets.empty());
     RC_ASSERT(read.material.contact_modulus > 0.0);
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     const std::string message = error.what();
     RC_ASSERT(message.find(" mistake(s) in the case file\n  ") !=
               std::string::npos);
@@ -98,7 +98,7 @@ RC_GTEST_PROP(AnyText, OfLettersAndSignsIsNoCase, ()) {
   const auto text = *rc::gen::container<std::string>(
       rc::gen::elementOf(std::string("a1.=[]{}\"'# \n,-+_e\\")));
 
-  RC_ASSERT_THROWS_AS(read_case_text(text, "case.toml"), CaseError);
+  RC_ASSERT_THROWS_AS(read_case_text(text, "case.toml"), input::InputError);
 }
 
 } // namespace

@@ -40,7 +40,7 @@ protected:
   std::string mistakes_of(const std::string& name) const {
     try {
       (void)read(name);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       std::string message = error.what();
       for (std::size_t at = message.find(folder.string());
            at != std::string::npos; at = message.find(folder.string()))

@@ -52,7 +52,7 @@ inline std::string mistakes_of(const std::string& text,
                                const std::vector<std::string>& overrides = {}) {
   try {
     (void)read_case_text(text, "case.toml", overrides);
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     const std::string message = error.what();
     return message.substr(message.find('\n') + 1);
   }

@@ -23,7 +23,7 @@ protected:
   std::string mistake(const std::string& text) const {
     try {
       read(text);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "";

@@ -128,7 +128,7 @@ TEST(Template, ShowsGoodExamplesInItsComments) {
     try {
       (void)read_case_text(case_template("x"), "case.toml",
                            {table + line.substr(2)});
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       EXPECT_NE(std::string(error.what()).find("are both given"),
                 std::string::npos)
           << line << "\n"

@@ -279,7 +279,7 @@ TEST(ReadCase, SaysThatAFileIsNotThere) {
                        const std::vector<std::string>& overrides) {
     try {
       (void)read_case(path, overrides);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       return std::string(error.what());
     }
     return std::string();

@@ -1,6 +1,6 @@
 // Claims about cases/types/reference.hpp.
-#include "cases/text/case_error.hpp"
 #include "cases/types/reference.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ const std::string head = "quantity,value,unit,uncertainty,source\n";
 std::string mistakes_of(const std::string& text) {
   try {
     (void)read_reference_text(text, "reference.csv");
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     const std::string message = error.what();
     return message.substr(message.find('\n') + 1);
   }
@@ -110,8 +110,8 @@ TEST(Reference, NeedsItsHeader) {
                 head);
   EXPECT_EQ(mistakes_of(""),
             "  reference.csv:1: is empty, but must begin with " + head);
-  EXPECT_THROW(read_reference("no/such/reference.csv"), CaseError);
-  EXPECT_THROW(read_reference("/dev/zero"), CaseError);
+  EXPECT_THROW(read_reference("no/such/reference.csv"), input::InputError);
+  EXPECT_THROW(read_reference("/dev/zero"), input::InputError);
 }
 
 } // namespace

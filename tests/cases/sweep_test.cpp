@@ -2,7 +2,7 @@
 // each is an ordinary case, and that every mistake names file, line and key.
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ protected:
                       const std::vector<std::string>& overrides = {}) const {
     try {
       (void)read(lines, overrides);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "";
@@ -173,7 +173,7 @@ TEST_F(Sweep, IsNoSingleCase) {
   const std::string file = with("surface.hurst = [0.5, 0.7]\n");
 
   EXPECT_TRUE(is_sweep(file));
-  EXPECT_THROW((void)read_case(file), CaseError);
+  EXPECT_THROW((void)read_case(file), input::InputError);
 }
 
 // Claim: a case with a base may sweep it, and may sweep other values.

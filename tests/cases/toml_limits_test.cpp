@@ -26,7 +26,7 @@ std::string repeated(const std::string& part, int count) {
 std::string error_of(const std::string& text) {
   try {
     (void)parse_toml(text, "case.toml");
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";
@@ -114,7 +114,7 @@ TEST(TomlLimits, HoldForOverridesToo) {
       (void)read_case_text(text_with_overrides(contact_case, {entry}),
                            "case.toml");
       ADD_FAILURE() << entry.substr(0, 60);
-    } catch (const CaseError& error) {
+    } catch (const input::InputError& error) {
       EXPECT_NE(std::string(error.what()).find("--set: "), std::string::npos)
           << std::string(error.what()).substr(0, 200);
     }
@@ -129,7 +129,7 @@ TEST(TomlLimits, HoldForTheNumberOfOverrides) {
   try {
     (void)read_case_text(text, "case.toml");
     ADD_FAILURE() << "accepted";
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               one_mistake("case.toml: has more than 2000 overridden keys (by "
                           "--set or over a base case)"));

@@ -13,7 +13,7 @@ namespace {
 std::string error_of(const std::string& text) {
   try {
     (void)parse_toml(text, "case.toml");
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";
@@ -30,7 +30,7 @@ Overridden with_override(const std::string& text, const std::string& entry) {
   apply_override(result.file, entry, mistakes);
   try {
     mistakes.throw_if_any();
-  } catch (const CaseError& error) {
+  } catch (const input::InputError& error) {
     result.mistakes = error.what();
   }
   return result;

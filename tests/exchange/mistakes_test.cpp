@@ -1,6 +1,6 @@
 // Claims about exchange/mistakes.hpp: each of 31 faults that are planted in a
 // correct answer is named, and a correct answer has none.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -252,7 +252,7 @@ std::string grid_message(std::size_t rows, std::size_t columns) {
   load.columns = columns;
   try {
     require_grid(problem, load);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "";

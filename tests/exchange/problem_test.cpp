@@ -2,7 +2,7 @@
 // written is read again, and what is damaged is refused by name.
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ protected:
     std::ofstream(folder / "problem.json") << json;
     try {
       read_problem(folder);
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "no error";
@@ -185,12 +185,12 @@ TEST_F(ProblemFolder, RefusesAnotherSurface) {
   write();
   std::ofstream(folder / "problem.json") << old_json;
   EXPECT_THROW(
-      try { read_problem(folder); } catch (const cases::CaseError& error) {
+      try { read_problem(folder); } catch (const input::InputError& error) {
         EXPECT_NE(std::string(error.what()).find("its SHA-256 is"),
                   std::string::npos);
         throw;
       },
-      cases::CaseError);
+      input::InputError);
 }
 
 // Claim: no text of a few random bytes crashes the reader.
@@ -205,7 +205,7 @@ TEST_F(ProblemFolder, RefusesDamagedText) {
     std::ofstream(folder / "problem.json") << damaged;
     try {
       read_problem(folder);
-    } catch (const cases::CaseError&) {
+    } catch (const input::InputError&) {
     }
   }
 }

@@ -1,6 +1,6 @@
 // Claims about exchange/submission.hpp and exchange/pressure_file.hpp: each key
 // is read, and each mistake is named with its line.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ protected:
   std::string message_of(const std::string& text) {
     try {
       read(text);
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "no error";

@@ -5,9 +5,9 @@
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
 #include "fem/block_proxy.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "input/input_error.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -116,7 +116,7 @@ int main(int n_arguments, char** arguments) {
   try {
     lead(words.at(0), make_block);
     return 0;
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
   } catch (const std::domain_error& error) {
     std::fprintf(stderr, "%s\n", error.what());

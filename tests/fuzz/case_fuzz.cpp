@@ -1,9 +1,9 @@
-// Any bytes as a case file: a case that reads itself back, or a CaseError.
+// Any bytes as a case file: a case that reads itself back, or an InputError.
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/case_error.hpp"
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
 
 #include <algorithm>
 #include <string>
@@ -33,7 +33,7 @@ void read_input(const std::string& bytes) {
     const cases::Case again = cases::read_case_text(read.text, read.path);
     require(cases::case_hash(read) == cases::case_hash(again),
             "a case reads itself back");
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
 }
 

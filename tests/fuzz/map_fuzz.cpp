@@ -1,6 +1,6 @@
-// Any bytes as a height map of each format: finite heights on a grid, or a
-// CaseError.
-#include "cases/text/case_error.hpp"
+// Any bytes as a height map of each format: finite heights on a grid, or an
+// InputError.
+#include "input/input_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void read_as(const std::string& bytes, cases::MapFormat format,
     require(std::all_of(map.heights.begin(), map.heights.end(),
                         [](double height) { return std::isfinite(height); }),
             "heights are finite");
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
 }
 

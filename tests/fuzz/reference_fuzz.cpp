@@ -1,7 +1,7 @@
 // Any bytes as reference.csv: lines with a quantity and a source, or a
-// CaseError.
-#include "cases/text/case_error.hpp"
+// InputError.
 #include "cases/types/reference.hpp"
+#include "input/input_error.hpp"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ void read_input(const std::string& bytes) {
       require(std::isfinite(value.value) && value.uncertainty >= 0.0,
               "values are finite, uncertainties not negative");
     }
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
 }
 

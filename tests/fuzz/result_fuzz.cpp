@@ -1,7 +1,7 @@
-// Any bytes as a result file: a result whose lists fit each other, or a
-// CaseError.
+// Any bytes as a result file: a result whose lists fit each other, or an
+// InputError.
 #include "base/atomic_file.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 
 #include <filesystem>
@@ -37,7 +37,7 @@ void read_input(const std::string& bytes) {
         for (const results::Fields& fields : curve.fields)
           require(fields.pressure.size() == fields.gap.size(),
                   "maps of a step are of one size");
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
   fs::remove(result_path());
 }

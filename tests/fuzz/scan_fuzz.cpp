@@ -1,6 +1,6 @@
 // Any bytes as a map file of each format that is read from memory: finite
-// heights on a grid with flags of the missing points, or a CaseError.
-#include "cases/text/case_error.hpp"
+// heights on a grid with flags of the missing points, or an InputError.
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void read_as(const std::string& bytes, cases::MapFormat format,
     require(std::all_of(map.heights.begin(), map.heights.end(),
                         [](double height) { return std::isfinite(height); }),
             "heights are finite");
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
 }
 

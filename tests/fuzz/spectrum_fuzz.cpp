@@ -1,5 +1,6 @@
-// Any bytes as a tabulated spectrum: one that can be evaluated, or a CaseError.
-#include "cases/text/case_error.hpp"
+// Any bytes as a tabulated spectrum: one that can be evaluated, or an
+// InputError.
+#include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 
 #include "tests/fuzz/fuzz_target.hpp"
@@ -12,7 +13,7 @@ void read_input(const std::string& bytes) {
         surfaces::read_tabulated_spectrum_text(bytes, "spectrum.csv");
     for (const double wavevector : spectrum.isotropic().kinks)
       require(spectrum(wavevector) >= 0.0, "the density is not negative");
-  } catch (const cases::CaseError&) {
+  } catch (const input::InputError&) {
   }
 }
 

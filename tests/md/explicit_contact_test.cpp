@@ -1,6 +1,6 @@
 // Claims about md/contact/explicit_contact.hpp: the load program of a rough
 // contact by each minimiser, and what is said about a step.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/contact/explicit_contact.hpp"
 #include "md/engines.hpp"
 #include "md/lattice/effective_modulus.hpp"
@@ -239,10 +239,10 @@ TEST(ShownModulus, IsThatOfTheSlab) {
 TEST(ExplicitContact, RefusesWhatItIsNot) {
   AtomRequest request = request_of(small_scene());
   request.settings.bulk = cases::AtomBulk::green;
-  EXPECT_THROW(make_explicit_contact(request), cases::CaseError);
+  EXPECT_THROW(make_explicit_contact(request), input::InputError);
   request = request_of(small_scene());
   request.settings.modes = cases::AtomModes::normal;
-  EXPECT_THROW(make_explicit_contact(request), cases::CaseError);
+  EXPECT_THROW(make_explicit_contact(request), input::InputError);
   request = request_of(small_scene());
   request.settings.levels = 6;
   EXPECT_THROW(make_explicit_contact(request), std::domain_error);

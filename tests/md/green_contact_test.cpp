@@ -1,6 +1,6 @@
 // Claims about bulk green behind md/contact/atomic_contact.hpp: the curve has
 // no memory, load and energy belong together, and what went through is flagged.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/contact/green_contact.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/contact/request_parts.hpp"
@@ -288,10 +288,10 @@ TEST(GreenContact, SaysWhatItIs) {
 TEST(GreenContact, RefusesWhatItIsNot) {
   AtomRequest request = rough_request();
   request.settings.minimizer = cases::AtomMinimizer::dynamics;
-  EXPECT_THROW(make_atomic_contact(request), cases::CaseError);
+  EXPECT_THROW(make_atomic_contact(request), input::InputError);
   request = rough_request();
   request.settings.bulk = cases::AtomBulk::explicit_layers;
-  EXPECT_THROW(make_green_contact(request), cases::CaseError);
+  EXPECT_THROW(make_green_contact(request), input::InputError);
   EXPECT_THROW(make_atomic_contact(rough_request())
                    ->solve(Control::nominal_pressure, 0.0, 0),
                std::domain_error);

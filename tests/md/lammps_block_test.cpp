@@ -2,7 +2,7 @@
 // crystal of md/lattice/crystal.hpp and the pair law of
 // md/interface/interaction.hpp. The bonds are read back from the text of the
 // data file, as LAMMPS does.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/lammps/lammps_block.hpp"
 #include "md/lammps/lammps_units.hpp"
 

@@ -2,7 +2,7 @@
 // for by its package, and how it ended is told in its own words. What needs the
 // program is skipped where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "md/lammps/lammps_run.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ protected:
   std::string refusal(int ranks) const {
     try {
       find_lammps(ranks, folder);
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "none";

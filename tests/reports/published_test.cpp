@@ -1,6 +1,6 @@
 // Claims about published values: each stands beside ours wherever a method has
 // a quantity of its name, and is said to be alone where none has.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
 
@@ -62,7 +62,7 @@ TEST_F(Published, OfAForeignFileAreRefusedWithTheirLine) {
   try {
     summarize(result, rough);
     FAIL() << "a word was taken for a number";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_NE(
         std::string(error.what()).find("theirs.h5: reference:6: value = high"),
         std::string::npos)

@@ -28,7 +28,7 @@ void expect_exact_length(const Item& item,
   EXPECT_TRUE(reader.is_at_end());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     ByteReader cut(std::string_view(bytes).substr(0, length));
-    EXPECT_THROW((cut.*read)(found), cases::CaseError) << length;
+    EXPECT_THROW((cut.*read)(found), input::InputError) << length;
   }
 }
 

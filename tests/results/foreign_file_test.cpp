@@ -1,7 +1,7 @@
 // Claims about results/result_reader.hpp on files it did not write: the least
 // that docs/reference/results.md asks for is enough, and what is wrong is
 // named.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
 
@@ -47,7 +47,7 @@ protected:
   std::string complaint() const {
     try {
       read_result(path_);
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       const std::string text = error.what();
       EXPECT_TRUE(text.starts_with(path_.string() + ": ")) << text;
       return text.substr(path_.string().size() + 2);
@@ -162,10 +162,11 @@ TEST_F(ForeignFile, IsAnsweredByTheNameOfWhatIsWrong) {
 TEST_F(ForeignFile, ThatIsMissingOrNoResultIsSaid) {
   EXPECT_EQ(complaint(), "there is no such file");
   std::filesystem::create_directories(folder_ / "empty");
-  EXPECT_THROW(read_result(folder_ / "empty"), cases::CaseError);
+  EXPECT_THROW(read_result(folder_ / "empty"), input::InputError);
 }
 
-// Claim: however much of a file is lost at its end, the answer is a CaseError.
+// Claim: however much of a file is lost at its end, the answer is an
+// InputError.
 TEST_F(ForeignFile, CutShortAnywhereIsSaid) {
   write([](Hdf5File&) {});
   for (auto size = std::filesystem::file_size(path_); size > 0;

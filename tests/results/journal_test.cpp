@@ -1,7 +1,7 @@
 // Claims about the journal of a result: it reads as the file would, a step
 // costs its own size alone, and no damage or full disk takes what was done.
 #include "base/child_process.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"

@@ -1,7 +1,7 @@
 // Claims about going on with a result file: what is there is known, and a
 // result of another case is not touched.
 #include "base/atomic_file.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -86,7 +86,7 @@ TEST_F(ResultResume, SaysWhatDiffersAndChangesNothing) {
   try {
     const ResultWriter second(folder_, now, ResultWriter::Mode::resume);
     FAIL() << "a result of another case was taken for this one's";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_EQ(
         std::string(error.what()),
         (folder_ / "result.h5").string() +
@@ -109,7 +109,7 @@ TEST_F(ResultResume, DoesNotGoOnWithUnknownInputs) {
   now.inputs = {{"surface.file", std::string(64, 'd')}};
 
   EXPECT_THROW(ResultWriter(folder_, now, ResultWriter::Mode::resume),
-               cases::CaseError);
+               input::InputError);
 }
 
 // The published values are no part of what is computed: those of today stand

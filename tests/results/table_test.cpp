@@ -1,6 +1,6 @@
 // Claims about the tables of a result file: what is written is what is read,
 // a table is replaced whole, and a bad one changes nothing.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -122,7 +122,7 @@ TEST_F(ResultTable, OfAnotherProgramIsReadOrRefused) {
   try {
     (void)read_result(folder_);
     FAIL() << "columns of two lengths were read";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_NE(std::string(error.what())
                   .find("/tables/leak/c has 1 values, but must have 2, as a"),
               std::string::npos)

@@ -1,6 +1,6 @@
 // Claims about results/trial_read.hpp: a file that makes the HDF5
 // library fail is an error of the file and no end of the program.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
 
@@ -21,7 +21,7 @@ TEST_F(TrialRead, RefusesWhatEndsTheLibrary) {
   try {
     require_readable("tests/results/data/damaged-heap.h5");
     FAIL() << "a damaged file was accepted";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_NE(std::string(error.what())
                   .find("damaged-heap.h5: is damaged or malicious"),
               std::string::npos)

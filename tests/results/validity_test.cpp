@@ -1,7 +1,7 @@
 // Claims about results/validity.hpp: a number that no solution has is refused
 // by file, method, realisation, step, column, value and range; every other is
 // accepted.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/curve_columns.hpp"
@@ -76,7 +76,7 @@ protected:
     }
     try {
       read_result(path);
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       const std::string text = error.what();
       EXPECT_TRUE(text.starts_with(path.string() + ": ")) << text;
       return text.substr(path.string().size() + 2);

@@ -1,5 +1,5 @@
 // Claims about build_surface_on of surfaces/build.hpp: one surface, any grid.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -67,7 +67,7 @@ template <class Call>
 std::string message_of(Call call) {
   try {
     call();
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

@@ -1,5 +1,5 @@
 // Claims about surfaces/build.hpp: each kind of a case becomes its surface.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
@@ -49,7 +49,7 @@ template <class Call>
 std::string message_of(Call call) {
   try {
     call();
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

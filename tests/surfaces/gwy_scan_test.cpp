@@ -1,6 +1,6 @@
 // Claims about the reader of Gwyddion's native format: units, masks, the choice
 // of a channel, and damaged files. The files are written here.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ std::string gwy_refusal(const std::string& bytes,
                         const std::optional<std::string>& channel = {}) {
   try {
     gwy_scan(bytes, channel);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

@@ -1,5 +1,5 @@
 // Claims about surfaces/analysis/line_scan.hpp and stitched_spectrum.hpp.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/analysis/line_scan.hpp"
 #include "surfaces/analysis/stitched_spectrum.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
@@ -154,10 +154,10 @@ TEST(LineScan, IsNotEveryTable) {
   EXPECT_FALSE(is_line_scan(map));
   EXPECT_FALSE(is_line_scan(pairs));
   EXPECT_FALSE(is_line_scan(binary));
-  EXPECT_THROW(read_line_scan(map, {1.0, 1.0}), cases::CaseError);
+  EXPECT_THROW(read_line_scan(map, {1.0, 1.0}), input::InputError);
   EXPECT_THROW(
       read_line_scan(written("asperity-short.txt", "1\n2\n3\n"), {1.0, 1.0}),
-      cases::CaseError);
+      input::InputError);
 }
 
 // Two parts of one power law that overlap: the mean is that law, and a part

@@ -1,6 +1,6 @@
 // Claims about surfaces/formats/map_file.hpp: units, orientation, and what the
 // reader says about a bad file.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ std::string message_of(const std::string& text, const MapScale& scale = {},
                        MapFormat format = MapFormat::automatic) {
   try {
     read(text, scale, format);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";
@@ -191,7 +191,7 @@ TEST(MapFile, ReadsFromDiskAndSaysWhatIsNoFile) {
   std::filesystem::remove(path);
   for (const std::string& bad : {path, folder.string(), "/dev/zero"s})
     EXPECT_THROW(read_height_map(bad, MapFormat::automatic, {}),
-                 cases::CaseError)
+                 input::InputError)
         << bad;
 }
 

@@ -1,7 +1,7 @@
 // Claims about surfaces/formats/map_writer.hpp: what is written is read again,
 // by our readers and, where it is installed, by the program Gwyddion.
 #include "base/child_process.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -67,7 +67,7 @@ TEST_F(MapWriter, RefusesAnotherEnding) {
   try {
     write_map(folder_ / "a.png", odd_map(), "");
     FAIL();
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               (folder_ / "a.png").string() +
                   ": has the ending \".png\", but a map can be written as "
@@ -82,7 +82,7 @@ TEST_F(MapWriter, AsksForTheScalesThatAFileLacks) {
   const auto refusal = [](const std::string& path, const MapScale& scale) {
     try {
       read_scan(path, {cases::MapFormat::automatic, {}, scale});
-    } catch (const cases::CaseError& error) {
+    } catch (const input::InputError& error) {
       return std::string(error.what());
     }
     return std::string("accepted");
@@ -106,13 +106,13 @@ TEST_F(MapWriter, ChoosesADataset) {
   const std::string path = written("a.h5");
   EXPECT_EQ(read_scan(path, {{}, "/heights", {}}).channel, "/heights");
   EXPECT_EQ(read_scan(path, {{}, "heights", {}}).channel, "/heights");
-  EXPECT_THROW(read_scan(path, {{}, "/height", {}}), cases::CaseError);
+  EXPECT_THROW(read_scan(path, {{}, "/height", {}}), input::InputError);
   const std::vector<ChannelInfo> channels = list_channels(path);
   ASSERT_EQ(channels.size(), 1U);
   EXPECT_EQ(channels[0].title, "/heights");
   EXPECT_EQ(channels[0].unit, "m");
   fs::resize_file(path, fs::file_size(path) / 2);
-  EXPECT_THROW(read_scan(path, {}), cases::CaseError);
+  EXPECT_THROW(read_scan(path, {}), input::InputError);
 }
 
 // Claim: Gwyddion agrees with our readers on every format that both read.
@@ -136,7 +136,7 @@ TEST_F(MapWriter, SaysWhenNobodyReadsAFile) {
   try {
     read_scan(path, {});
     FAIL();
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_NE(std::string(error.what())
                   .find("no own reader knows this format (Igor binary wave, "
                         "Asylum Research)"),

@@ -1,6 +1,6 @@
 // Claims about surfaces/measured_map.hpp: the order of the corrections, the
 // limit of missing points, and what is said of them.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/measured_map.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ cases::SurfaceSpec surface_of(const std::string& name,
 std::string refusal_of(const cases::SurfaceSpec& surface) {
   try {
     measured_map(surface);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

@@ -1,6 +1,6 @@
 // Claims about surfaces/formats/npy.hpp. The files are written byte by byte as
 // numpy.lib.format describes them.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::string bytes_of(const std::vector<Number>& numbers, bool is_swapped) {
 std::string message_of(const std::string& bytes) {
   try {
     read_npy_text(bytes, "p.npy");
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "no error";

@@ -1,6 +1,6 @@
 // Claims about the reader of ISO 25178-71 (SDF), with files written here from
 // the layout of the standard.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Scan sdf_scan(const std::string& bytes) {
 std::string sdf_refusal(const std::string& bytes) {
   try {
     sdf_scan(bytes);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

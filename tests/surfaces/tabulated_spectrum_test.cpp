@@ -1,6 +1,6 @@
 // Claims about surfaces/formats/tabulated_spectrum.hpp: interpolation, moments,
 // and what the reader says about a bad table.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
 
@@ -66,7 +66,7 @@ TEST(TabulatedSpectrumReader, TakesCommentsCommasAndWindowsLineEnds) {
 std::string message_of(const std::string& text) {
   try {
     read(text);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";
@@ -98,7 +98,7 @@ TEST(TabulatedSpectrumReader, SaysThatAFileIsMissing) {
   try {
     read_tabulated_spectrum("no/such/spectrum.csv");
     FAIL() << "a missing file was accepted";
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_STREQ(error.what(), "no/such/spectrum.csv: there is no such file");
   }
 }

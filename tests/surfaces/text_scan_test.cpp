@@ -1,6 +1,6 @@
 // Claims about text files of instruments: headers in any language, decimal
 // commas, missing points, lists x y z, and what must not be taken for a matrix.
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::string refusal(const std::string& text, const MapScale& scale = {},
                     MapFormat format = MapFormat::automatic) {
   try {
     text_scan(text, scale, format);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";

@@ -1,6 +1,6 @@
 // Claims about the reader of ISO 5436-2 (X3P), with archives written here.
 #include "base/content_hash.hpp"
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/zip_archive.hpp"
 
@@ -57,7 +57,7 @@ template <class... Arguments>
 std::string x3p_refusal(const Arguments&... arguments) {
   try {
     x3p_scan(arguments...);
-  } catch (const cases::CaseError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "accepted";
@@ -170,7 +170,7 @@ TEST(X3pScan, SaysWhatIsWrong) {
   const std::string whole = zip_bytes({{"main.xml", document.text()}});
   EXPECT_THROW(
       read_scan_bytes(whole.substr(0, whole.size() / 2), "map.x3p", {}),
-      cases::CaseError);
+      input::InputError);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "cases/text/nearest.hpp"
+#include "input/nearest.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace asperity::cases {
+namespace asperity::input {
 namespace {
 
 std::string lower_case(std::string word) {
@@ -46,4 +46,4 @@ std::string nearest(const std::string& word,
   return best == words.end() ? "" : *best;
 }
 
-} // namespace asperity::cases
+} // namespace asperity::input

@@ -1,9 +1,9 @@
-#include "cases/text/case_error.hpp"
+#include "input/input_error.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 
-namespace asperity::cases {
+namespace asperity::input {
 
 void Mistakes::add(const Place& place, const std::string& what) {
   const std::string text = place.text + ": " + what;
@@ -25,7 +25,7 @@ void Mistakes::throw_if_any(const std::string& where) const {
       std::to_string(sorted.size()) + " mistake(s) in " + where + "\n";
   for (const Entry& entry : sorted)
     message += "  " + entry.text + "\n";
-  throw CaseError(message);
+  throw InputError(message);
 }
 
 void throw_mistake(const Place& place, const std::string& what,
@@ -36,4 +36,4 @@ void throw_mistake(const Place& place, const std::string& what,
   std::abort(); // not reached, because there is one mistake
 }
 
-} // namespace asperity::cases
+} // namespace asperity::input

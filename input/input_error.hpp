@@ -1,18 +1,18 @@
 #pragma once
 
-// Errors in a case file, reported to its author. Defines the exception and the
-// list that collects all mistakes before it is thrown.
+// Errors in an input file, reported to its author. Defines the exception and
+// the list that collects all mistakes before it is thrown.
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace asperity::cases {
+namespace asperity::input {
 
 /// Invalid user input. The program ends with exit code 2. The message gives the
 /// file and line (or --set), the key, what was found, what is allowed and the
 /// nearest valid alternative.
-struct CaseError : std::runtime_error {
+struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -22,7 +22,7 @@ struct Place {
   int line = 0;     ///< line in the file; 0 for an override
 };
 
-/// Collects all mistakes of one case. Identical mistakes are stored once: a
+/// Collects all mistakes of one file. Identical mistakes are stored once: a
 /// variant inherits keys, and with them their mistakes.
 class Mistakes {
 public:
@@ -33,8 +33,8 @@ public:
   /// Throws if there are any mistakes.
   ///
   /// @param where  in what the mistakes are
-  /// @throws CaseError  "N mistake(s) in the case file", one line each: first
-  ///                    the overrides, then in the order of the file
+  /// @throws InputError  "N mistake(s) in the case file", one line each: first
+  ///                     the overrides, then in the order of the file
   void throw_if_any(const std::string& where = "the case file") const;
 
 private:
@@ -48,8 +48,8 @@ private:
 
 /// Throws a single mistake.
 ///
-/// @throws CaseError  with this mistake only
+/// @throws InputError  with this mistake only
 [[noreturn]] void throw_mistake(const Place& place, const std::string& what,
                                 const std::string& where = "the case file");
 
-} // namespace asperity::cases
+} // namespace asperity::input

@@ -1,13 +1,12 @@
 #pragma once
 
-// A formula in a case file as a function of x, y and z. Encapsulates the
-// parser.
+// A formula of the user as a function of x, y and z. Encapsulates the parser.
 
 #include <array>
 #include <memory>
 #include <string>
 
-namespace asperity::cases {
+namespace asperity::input {
 
 /// A muParser expression in x, y and z, with the constant `pi`. Copies share
 /// one parser, so the class is not thread-safe.
@@ -28,4 +27,4 @@ private:
   std::shared_ptr<Bound> bound_;
 };
 
-} // namespace asperity::cases
+} // namespace asperity::input

@@ -1,10 +1,10 @@
-#include "cases/text/expression.hpp"
+#include "input/expression.hpp"
 
 #include <muParser.h>
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::cases {
+namespace asperity::input {
 
 /// The parser and the variables to which it is bound.
 struct Expression::Bound {
@@ -40,4 +40,4 @@ double Expression::at(const std::array<double, 3>& place) const {
   return bound_->value();
 }
 
-} // namespace asperity::cases
+} // namespace asperity::input

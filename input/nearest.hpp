@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::cases {
+namespace asperity::input {
 
 /// Returns the Levenshtein distance: the number of letters to insert, delete or
 /// replace to change `a` into `b`.
@@ -18,4 +18,4 @@ int edit_distance(const std::string& a, const std::string& b);
 std::string nearest(const std::string& word,
                     const std::vector<std::string>& words);
 
-} // namespace asperity::cases
+} // namespace asperity::input

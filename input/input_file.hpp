@@ -1,0 +1,25 @@
+#pragma once
+
+// Reads input files as bytes: the case file, the files that it names, and those
+// of other programs. Defines their size limits (docs/reference/case.md) and
+// reports file errors as InputError.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace asperity::input {
+
+inline constexpr std::uintmax_t mebibyte = std::uintmax_t{1024} * 1024;
+/// Size limit for text that people write: cases, references and descriptions.
+inline constexpr std::uintmax_t largest_text_file = mebibyte;
+/// Size limit for files of numbers: height maps and spectra.
+inline constexpr std::uintmax_t largest_number_file = 1024 * mebibyte;
+
+/// Returns the complete content of a regular file.
+///
+/// @throws InputError  "path: what was found, what is allowed" (read_file.hpp)
+std::string read_input_file(const std::filesystem::path& path,
+                            std::uintmax_t largest);
+
+} // namespace asperity::input
