@@ -64,7 +64,7 @@ struct Totals {
   void take(const char* kind, LoadSequence& sequence, double pressure) {
     const Clock clock;
     const ContactSolution solution =
-        sequence.solve({LoadTarget::Kind::nominal_pressure, pressure});
+        sequence.solve({mechanics::Control::nominal_pressure, pressure});
     const double seconds = clock.cpu_seconds();
     const double wall_seconds = clock.wall_seconds();
     const auto contacts =
@@ -98,10 +98,11 @@ void run(int points, int threads, double thickness, int n_steps) {
   scene.gap_tolerance = 1e-8 * scenes::rms(scene.heights);
   const double infinity = std::numeric_limits<double>::infinity();
   const Clock clock;
-  scene.elasticity = std::make_unique<FourierOperator>(halfspace_operator(
-      grid,
-      {1.0, 0.3, thickness > 0.0 ? thickness : infinity, FarBoundary::pressure},
-      threads));
+  scene.elasticity = std::make_unique<FourierOperator>(
+      halfspace_operator(grid,
+                         {1.0, 0.3, thickness > 0.0 ? thickness : infinity,
+                          mechanics::FarBoundary::pressure},
+                         threads));
   std::printf("%d^2, %d threads; set-up CPU %.3f s\n", points, threads,
               clock.cpu_seconds());
   std::printf("%-7s %9s %7s %6s %6s %8s %8s\n", "start", "p0/E*h'", "area",

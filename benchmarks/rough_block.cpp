@@ -45,14 +45,14 @@ int run(int points, const std::string& folder_and_stem) {
       grid, 1,
       homogeneous_block(
           meshes::graded_layers(grid.spacing_x(), 1.2, 0.5 * side),
-          youngs_modulus, poisson_ratio, cases::TopFace::clamped));
+          youngs_modulus, poisson_ratio, mechanics::FarBoundary::clamped));
   const double pressure =
       reduced_pressure * youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 
   const CpuClock solving;
   const BlockSolution found = block->solve(
-      heights, {cases::Control::nominal_pressure, pressure},
-      {cases::ContactLaw::penalty,
+      heights, {mechanics::Control::nominal_pressure, pressure},
+      {mechanics::ContactLaw::penalty,
        penalty_scale * youngs_modulus / grid.spacing_x(), 1e-8, 100});
   const double solve_seconds = solving.seconds();
   const CpuClock looking;

@@ -35,10 +35,10 @@ constexpr double side = 1e-3; // m
 BlockProblem problem_of(int points, bool is_indentation) {
   const Grid grid{points, points, side, side};
   BlockProblem problem{
-      grid, {}, 2, ModuliField(moduli(cases::BodyModuli{2e9, 0.3}))};
+      grid, {}, 2, ModuliField(moduli(mechanics::BodyModuli{2e9, 0.3}))};
   if (is_indentation) {
     meshes::GmshBlock block;
-    block.geometry = cases::MeshGeometry::indentation;
+    block.geometry = mechanics::MeshGeometry::indentation;
     block.length_x = block.length_y = block.depth = side;
     block.size_at_contact = 2.0 * grid.spacing_x();
     block.size_far = 0.125 * side;

@@ -64,7 +64,7 @@ void run(int degree, int points, bool with_multigrid,
   const Grid grid{points, points, 1e-5, 1e-5};
   const LayeredBlock uniform = homogeneous_block(
       meshes::graded_layers(degree * grid.spacing_x(), 1.2, grid.length_x),
-      soft_modulus, 0.3, cases::TopFace::clamped);
+      soft_modulus, 0.3, mechanics::FarBoundary::clamped);
   std::printf(
       "unknowns  k h/E*   method      set-up    solve  iter  memory\n"
       "                               [s CPU]  [s CPU]          [MB]\n");

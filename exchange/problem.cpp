@@ -21,10 +21,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array far_boundary_words{"clamped", "sliding", "pressure"};
 
-Json body_json(const contact::ElasticBlock& body) {
+Json body_json(const mechanics::ElasticBlock& body) {
   const bool is_half_space = std::isinf(body.thickness);
   Json layers = Json::array();
-  for (const contact::BondedLayer& layer : body.layers)
+  for (const mechanics::BondedLayer& layer : body.layers)
     layers.push_back({{"thickness [m]", layer.thickness},
                       {"youngs_modulus [Pa]", layer.youngs_modulus},
                       {"poisson_ratio [1]", layer.poisson_ratio}});
@@ -125,8 +125,8 @@ private:
   std::string path_;
 };
 
-contact::ElasticBlock read_body(const ProblemMembers& members) {
-  contact::ElasticBlock body;
+mechanics::ElasticBlock read_body(const ProblemMembers& members) {
+  mechanics::ElasticBlock body;
   body.contact_modulus = members.number("/body/contact_modulus [Pa]", 0.0);
   if (!members.at("/body/poisson_ratio [1]", "a number or null").is_null())
     body.poisson_ratio = members.number("/body/poisson_ratio [1]", -1.0, 0.5);
@@ -138,7 +138,7 @@ contact::ElasticBlock read_body(const ProblemMembers& members) {
     if (found == far_boundary_words.end())
       members.refuse("/body/far_boundary", "clamped, sliding or pressure");
     body.far_boundary =
-        static_cast<contact::FarBoundary>(found - far_boundary_words.begin());
+        static_cast<mechanics::FarBoundary>(found - far_boundary_words.begin());
   }
   for (std::size_t i = 0; i < members.list_size("/body/layers"); ++i) {
     const std::string layer = fmt::format("/body/layers/{}/", i);

@@ -21,7 +21,7 @@ struct Problem {
   std::string title; ///< one line
   Grid grid;
   std::vector<double> heights; ///< [m], positive towards the block, mean 0
-  contact::ElasticBlock body;
+  mechanics::ElasticBlock body;
   std::vector<double> loads; ///< nominal pressures p_0 [Pa] > 0, ascending
   double rms_height = 0.0;   ///< of the heights [m] > 0
   double rms_slope = 0.0;    ///< of the heights, both directions [1]

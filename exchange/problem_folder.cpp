@@ -93,7 +93,7 @@ std::string reference_json(const Problem& problem,
          "\n";
 }
 
-std::string body_text(const contact::ElasticBlock& body) {
+std::string body_text(const mechanics::ElasticBlock& body) {
   if (std::isinf(body.thickness) && body.layers.empty())
     return half_space_text;
   std::string text =

@@ -1,53 +1,18 @@
 #include "fem/block_proxy.hpp"
 
 #include "fem/parallel/ranks.hpp"
-#include "meshes/mesh_bytes.hpp"
-
-#include <nlohmann/json.hpp>
+#include "fem/request_bytes.hpp"
 
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::fem {
 namespace {
 
-using Json = nlohmann::json;
-
-/// Serialises the request and the mesh. The format is CBOR because the mesh is
-/// binary data.
-std::string packed(const FullRequest& request, const meshes::BlockMesh& mesh) {
-  const Grid& grid = request.grid;
-  const cases::Scales& scales = request.scales;
-  const std::string bytes = meshes::bytes_of(mesh);
-  const Json json{{"text", request.case_text},
-                  {"path", request.case_path},
-                  {"method", request.method},
-                  {"points", {grid.points_x, grid.points_y}},
-                  {"lengths", {grid.length_x, grid.length_y}},
-                  {"scales",
-                   {scales.contact_modulus, scales.length, scales.spacing,
-                    scales.rms_height}},
-                  {"mesh", Json::binary({bytes.begin(), bytes.end()})}};
-  std::string text;
-  Json::to_cbor(json, text);
-  return text;
-}
-
 BlockProblem problem_in(const std::string& text) {
-  const Json json = Json::from_cbor(text);
-  FullRequest request{
-      json.at("text"), json.at("path"), json.at("method"), {}, {}};
-  request.grid.points_x = json.at("points").at(0);
-  request.grid.points_y = json.at("points").at(1);
-  request.grid.length_x = json.at("lengths").at(0);
-  request.grid.length_y = json.at("lengths").at(1);
-  const Json& scales = json.at("scales");
-  request.scales = {scales.at(0), scales.at(1), scales.at(2), scales.at(3)};
-  const auto& bytes = json.at("mesh").get_binary();
-  return problem_of_case(
-      request,
-      meshes::mesh_of_bytes(
-          {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  MeshedRequest meshed = request_of_bytes(text);
+  return problem_of(meshed.request, std::move(meshed.mesh));
 }
 
 /// The arguments of a load step are sent as numbers: the heights, followed by
@@ -55,9 +20,10 @@ BlockProblem problem_in(const std::string& text) {
 constexpr std::size_t n_settings = 6;
 
 std::vector<double> packed(std::span<const double> heights,
-                           const BlockLoad& load, const BlockContact& contact) {
+                           const mechanics::LoadTarget& load,
+                           const BlockContact& contact) {
   std::vector<double> numbers(heights.begin(), heights.end());
-  numbers.insert(numbers.end(), {static_cast<double>(load.control), load.target,
+  numbers.insert(numbers.end(), {static_cast<double>(load.control), load.amount,
                                  static_cast<double>(contact.law),
                                  contact.penalty, contact.tolerance,
                                  static_cast<double>(contact.max_iterations)});
@@ -67,10 +33,11 @@ std::vector<double> packed(std::span<const double> heights,
 void solve_as_told(FullBlock& block, const std::vector<double>& numbers) {
   const std::size_t n_heights = numbers.size() - n_settings;
   const double* settings = numbers.data() + n_heights;
-  const BlockLoad load{
-      static_cast<cases::Control>(static_cast<int>(settings[0])), settings[1]};
+  const mechanics::LoadTarget load{
+      static_cast<mechanics::Control>(static_cast<int>(settings[0])),
+      settings[1]};
   const BlockContact contact{
-      static_cast<cases::ContactLaw>(static_cast<int>(settings[2])),
+      static_cast<mechanics::ContactLaw>(static_cast<int>(settings[2])),
       settings[3], settings[4], static_cast<int>(settings[5])};
   static_cast<void>(block.solve({numbers.data(), n_heights}, load, contact));
 }
@@ -127,7 +94,8 @@ public:
     return found;
   }
 
-  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
+  BlockSolution solve(std::span<const double> heights,
+                      const mechanics::LoadTarget& load,
                       const BlockContact& contact) override {
     BlockSolution found;
     lead({OrderKind::solve, number_, {}, packed(heights, load, contact)},
@@ -217,12 +185,12 @@ struct EndOfFollowers {
 std::unique_ptr<FullBlock>
 make_distributed_block(const FullRequest& request,
                        const BlockMaker& make_block) {
-  const BlockProblem problem = problem_of_case(request);
+  const BlockProblem problem = problem_of(request);
   if (n_ranks() == 1)
     return make_block(problem);
   const int number = built++;
   std::unique_ptr<FullBlock> own;
-  lead({OrderKind::build, number, packed(request, problem.mesh)},
+  lead({OrderKind::build, number, bytes_of(request, problem.mesh)},
        [&] { own = make_block(problem); });
   return std::make_unique<BlockProxy>(number, std::move(own));
 }

@@ -3,7 +3,7 @@
 // Full 3-D blocks that all ranks of an mpirun solve together although only rank
 // 0 runs the program. This file maps each broadcast command to its block.
 
-#include "fem/case_problem.hpp"
+#include "fem/full_request.hpp"
 
 #include <functional>
 #include <memory>
@@ -15,13 +15,13 @@ namespace asperity::fem {
 using BlockMaker =
     std::function<std::unique_ptr<FullBlock>(const BlockProblem&)>;
 
-/// To be called on rank 0. Reads the case and generates the mesh on rank 0
-/// alone, then builds the block on every rank. The block returned is a proxy:
-/// it broadcasts each call to the other ranks before it executes the call here.
-/// Only one call may be active at a time, from any thread. On a single rank the
-/// block itself is returned. A failure on every rank is thrown as an exception;
-/// a failure on some ranks terminates all of them (ranks.hpp).
-/// @throws std::domain_error, input::InputError  as problem_of_case and
+/// To be called on rank 0. Generates the mesh on rank 0 alone, then builds the
+/// block on every rank. The block returned is a proxy: it broadcasts each call
+/// to the other ranks before it executes the call here. Only one call may be
+/// active at a time, from any thread. On a single rank the block itself is
+/// returned. A failure on every rank is thrown as an exception; a failure on
+/// some ranks terminates all of them (ranks.hpp).
+/// @throws std::domain_error, input::InputError  as problem_of and
 ///                                               make_full_block
 std::unique_ptr<FullBlock> make_distributed_block(const FullRequest& request,
                                                   const BlockMaker& make_block);

@@ -17,7 +17,7 @@ namespace asperity::fem {
 namespace {
 
 int degree(const BlockRequest& request) {
-  return request.settings.element == cases::Element::q1 ? 1 : 2;
+  return degree_of(request.settings.element);
 }
 
 LayeredBlock layers_of(const BlockRequest& request) {

@@ -4,10 +4,13 @@
 // is loaded at run time, so that only commands that need it pay for the
 // start-up of deal.II.
 
-#include "cases/types/case.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "fem/block/full_block.hpp"
-#include "fem/case_problem.hpp"
+#include "fem/full_request.hpp"
+#include "mechanics/contact_law.hpp"
+#include "mechanics/fem_settings.hpp"
+#include "mechanics/material.hpp"
+#include "mechanics/quantity.hpp"
 
 #include <functional>
 #include <memory>
@@ -24,12 +27,11 @@ struct Keeper {
   std::function<void(std::string_view)> write;
 };
 
-/// One block to build: the case's [fem] section applied to one realisation of
-/// the surface.
+/// One laterally uniform block to build, for one realisation of the surface.
 struct BlockRequest {
   Grid grid;
-  cases::FemSettings settings;
-  cases::Scales scales;
+  mechanics::BlockSettings settings;
+  mechanics::Scales scales;
   double youngs_modulus = 0.0; ///< E [Pa] > 0
   double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
   int threads = 1;             ///< results are bitwise independent of it
@@ -37,7 +39,7 @@ struct BlockRequest {
   Keeper keeper = {};
   /// Layers bonded to the contact surface, outermost first; youngs_modulus and
   /// poisson_ratio are those of the material below them.
-  std::vector<cases::MaterialLayer> layers = {};
+  std::vector<mechanics::MaterialLayer> layers = {};
 };
 
 /// The services of the finite-element module. Each call throws
@@ -47,20 +49,19 @@ class FemModule {
 public:
   virtual ~FemModule() = default;
 
-  /// The condensed method: settings.solver is automatic or condensed. The
-  /// compliance blocks of Q2 cost more to build than to read, so they are
-  /// requested from the cache first and written to it after they have been
-  /// built.
+  /// The condensed method. The compliance blocks of Q2 cost more to build than
+  /// to read, so they are requested from the cache first and written to it
+  /// after they have been built.
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 
-  /// The full method: settings.solver is full. Under mpirun all ranks share the
-  /// work; only one call may be active at a time.
-  /// @throws input::InputError  in addition, for a file that the case names
+  /// The full method. Under mpirun all ranks share the work; only one call may
+  /// be active at a time.
+  /// @throws input::InputError  in addition, for a file that the request names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
-  /// The full method without a case: the block of condensed() as a full 3-D
-  /// finite-element model, on a single process.
+  /// The full method for a laterally uniform block: the block of condensed() as
+  /// a full 3-D finite-element model, on a single process.
   virtual std::unique_ptr<FullBlock>
   uncondensed(const BlockRequest& request) const = 0;
 
@@ -77,10 +78,9 @@ public:
   virtual std::string versions() const = 0;
 };
 
-/// Converts the contact law of the case to SI units, as the full 3-D block
-/// needs it.
-BlockContact block_contact(const cases::ContactSettings& settings,
-                           const cases::Scales& scales);
+/// Converts the contact law to SI units, as the full 3-D block needs it.
+BlockContact block_contact(const mechanics::ContactSettings& settings,
+                           const mechanics::Scales& scales);
 
 /// Returns the finite-element module, loaded at the first call: the plugin
 /// asperity_fem from the folder of the running program, from ../fem or

@@ -35,8 +35,8 @@ const FemModule* open_module() {
 
 } // namespace
 
-BlockContact block_contact(const cases::ContactSettings& settings,
-                           const cases::Scales& scales) {
+BlockContact block_contact(const mechanics::ContactSettings& settings,
+                           const mechanics::Scales& scales) {
   return {settings.law, settings.penalty.in_si(scales), settings.tolerance,
           settings.max_iterations};
 }

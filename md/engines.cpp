@@ -13,13 +13,13 @@
 
 namespace asperity::md {
 
-void require_engine(const cases::MdSettings& settings) {
-  if (settings.engine == cases::AtomEngine::lammps)
+void require_engine(const mechanics::MdSettings& settings) {
+  if (settings.engine == mechanics::AtomEngine::lammps)
     require_lammps(settings.ranks);
 }
 
-std::string engine_identity(const cases::MdSettings& settings) {
-  if (settings.engine != cases::AtomEngine::lammps)
+std::string engine_identity(const mechanics::MdSettings& settings) {
+  if (settings.engine != mechanics::AtomEngine::lammps)
     return "";
   std::error_code error;
   const std::filesystem::path program =
@@ -34,12 +34,12 @@ std::string engine_identity(const cases::MdSettings& settings) {
 }
 
 std::unique_ptr<AtomicContact> make_atomic_contact(AtomRequest request) {
-  if (request.settings.engine == cases::AtomEngine::lammps)
+  if (request.settings.engine == mechanics::AtomEngine::lammps)
     return make_lammps_contact(std::move(request));
   switch (request.settings.bulk) {
-  case cases::AtomBulk::green:
+  case mechanics::AtomBulk::green:
     return make_green_contact(std::move(request));
-  case cases::AtomBulk::explicit_layers:
+  case mechanics::AtomBulk::explicit_layers:
     return make_explicit_contact(std::move(request));
   }
   throw std::logic_error("unknown bulk");

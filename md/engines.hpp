@@ -15,12 +15,12 @@ namespace asperity::md {
 /// called before any output is written.
 /// @throws input::InputError  a program is missing; the message names the
 ///                            package that provides it
-void require_engine(const cases::MdSettings& settings);
+void require_engine(const mechanics::MdSettings& settings);
 
 /// Identifies the external program that computes the result by the path, size
 /// and modification time of its executable. The string is empty for the
 /// built-in engine, or if the program is not found.
-std::string engine_identity(const cases::MdSettings& settings);
+std::string engine_identity(const mechanics::MdSettings& settings);
 
 /// Creates the engine that the request selects.
 /// @throws input::InputError   incompatible settings, or a program that is not

@@ -16,7 +16,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::MeshGeometry;
+using mechanics::MeshGeometry;
 
 void check_geometry(const GmshBlock& block) {
   const double half = 0.5 * std::min(block.length_x, block.length_y);
@@ -140,7 +140,7 @@ BlockMesh gmsh_block(const GmshBlock& block) {
   const GmshBlock scaled = in_units_of(block, unit);
   BlockMesh mesh;
   in_gmsh([&] {
-    if (block.cells == cases::MeshCells::hexahedra)
+    if (block.cells == mechanics::MeshCells::hexahedra)
       make_hexahedra(scaled);
     else
       make_tetrahedra(scaled);
@@ -149,8 +149,8 @@ BlockMesh gmsh_block(const GmshBlock& block) {
   scale(mesh, block, unit);
   for (const Facet& facet : boundary_facets(mesh))
     mesh.faces.push_back({facet.vertices, side_of(mesh, facet)});
-  require_valid_mesh(mesh, block.is_periodic ? cases::BlockSides::periodic
-                                             : cases::BlockSides::free);
+  require_valid_mesh(mesh, block.is_periodic ? mechanics::BlockSides::periodic
+                                             : mechanics::BlockSides::free);
   return mesh;
 }
 

@@ -3,7 +3,7 @@
 // Blocks meshed by gmsh from a few parameters: the geometry, the cell sizes and
 // where they apply.
 
-#include "cases/types/block_spec.hpp"
+#include "mechanics/mesh_spec.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <vector>
@@ -14,9 +14,10 @@ namespace asperity::meshes {
 /// and its contents. Sizes are edge lengths of cells: the largest at the
 /// contact surface, and the one to which cells grow with the distance from it.
 struct GmshBlock {
-  cases::MeshGeometry geometry = cases::MeshGeometry::block; ///< any value
-                                                             ///< except file
-  cases::MeshCells cells = cases::MeshCells::hexahedra;
+  mechanics::MeshGeometry geometry =
+      mechanics::MeshGeometry::block; ///< any value
+                                      ///< except file
+  mechanics::MeshCells cells = mechanics::MeshCells::hexahedra;
   double length_x = 0.0;        ///< [m] > 0
   double length_y = 0.0;        ///< [m] > 0
   double depth = 0.0;           ///< [m] > 0

@@ -232,7 +232,7 @@ void require_named_on_boundary(const BlockMesh& mesh,
 } // namespace
 
 BlockMesh gmsh_file(const std::string& path, double unit,
-                    cases::BlockSides sides) {
+                    mechanics::BlockSides sides) {
   require_positive("unit", unit, "m");
   const std::filesystem::path file_path = path;
   try {
@@ -245,7 +245,7 @@ BlockMesh gmsh_file(const std::string& path, double unit,
     place(mesh, bounds_of_contact(file), unit);
     add_faces(mesh, file.groups);
     require_named_on_boundary(mesh, file.groups);
-    if (sides == cases::BlockSides::periodic)
+    if (sides == mechanics::BlockSides::periodic)
       align_sides(mesh);
     require_valid_mesh(mesh, sides);
     return mesh;

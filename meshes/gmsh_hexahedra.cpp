@@ -232,10 +232,10 @@ void inclusion(TransfiniteBlocks& blocks, const GmshBlock& block) {
 void make_hexahedra(const GmshBlock& block) {
   TransfiniteBlocks blocks;
   switch (block.geometry) {
-  case cases::MeshGeometry::indentation:
+  case mechanics::MeshGeometry::indentation:
     indentation(blocks, block);
     break;
-  case cases::MeshGeometry::inclusion:
+  case mechanics::MeshGeometry::inclusion:
     inclusion(blocks, block);
     break;
   default:

@@ -64,7 +64,7 @@ std::vector<int> make_volumes(const GmshBlock& block) {
     parts.emplace_back(3,
                        occ::addBox(0.0, 0.0, depths[i], block.length_x,
                                    block.length_y, depths[i + 1] - depths[i]));
-  if (block.geometry == cases::MeshGeometry::inclusion)
+  if (block.geometry == mechanics::MeshGeometry::inclusion)
     parts.emplace_back(
         3, occ::addSphere(0.5 * block.length_x, 0.5 * block.length_y,
                           block.inclusion_depth, block.inclusion_radius));
@@ -95,7 +95,7 @@ double size_at(const GmshBlock& block, const Place& place) {
   const double x = place[0] - 0.5 * block.length_x;
   const double y = place[1] - 0.5 * block.length_y;
   const double near = block.size_at_contact;
-  if (block.geometry == cases::MeshGeometry::indentation) {
+  if (block.geometry == mechanics::MeshGeometry::indentation) {
     const double reach =
         std::min({0.5 * block.length_x, 0.5 * block.length_y, block.depth});
     const double beyond = std::hypot(x, y, place[2]) - block.fine_radius;
@@ -104,7 +104,7 @@ double size_at(const GmshBlock& block, const Place& place) {
                       near, block.size_far);
   }
   const double by_depth = size_at_depth(block, place[2]);
-  if (block.geometry != cases::MeshGeometry::inclusion)
+  if (block.geometry != mechanics::MeshGeometry::inclusion)
     return by_depth;
   const double beyond = std::hypot(x, y, place[2] - block.inclusion_depth) -
                         block.inclusion_radius;

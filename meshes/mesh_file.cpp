@@ -51,14 +51,14 @@ fs::path mesh_program() {
 } // namespace
 
 BlockMesh read_mesh_file(const std::string& path, double unit,
-                         cases::BlockSides sides,
+                         mechanics::BlockSides sides,
                          const MeshFileLimits& limits) {
   require_positive("unit", unit, "m");
   const TemporaryFolder scratch("asperity-mesh");
   const fs::path output = scratch.path() / "mesh";
   const ChildAnswer answer = run_child(
       {.words = {mesh_program().string(), path, fmt::format("{}", unit),
-                 sides == cases::BlockSides::periodic ? "periodic" : "free",
+                 sides == mechanics::BlockSides::periodic ? "periodic" : "free",
                  output.string()},
        .limits = {.wall_time = limits.wall_time, .memory = limits.memory}});
   if (!answer.end.failure.empty())

@@ -2,7 +2,7 @@
 
 // Reads a mesh from a file supplied by the user.
 
-#include "cases/types/block_spec.hpp"
+#include "mechanics/fem_settings.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct MeshFileLimits {
 /// @throws std::runtime_error  asperity_mesh does not exist or cannot be
 ///                             started
 BlockMesh read_mesh_file(const std::string& path, double unit,
-                         cases::BlockSides sides,
+                         mechanics::BlockSides sides,
                          const MeshFileLimits& limits = {});
 
 } // namespace asperity::meshes

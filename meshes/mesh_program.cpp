@@ -19,9 +19,9 @@ namespace asperity::meshes {
 namespace {
 
 int mesh_as_asked(char** words) {
-  const cases::BlockSides sides = std::string(words[3]) == "periodic"
-                                      ? cases::BlockSides::periodic
-                                      : cases::BlockSides::free;
+  const mechanics::BlockSides sides = std::string(words[3]) == "periodic"
+                                          ? mechanics::BlockSides::periodic
+                                          : mechanics::BlockSides::free;
   const std::string bytes =
       bytes_of(gmsh_file(words[1], std::stod(words[2]), sides));
   std::ofstream output(words[4], std::ios::binary);

@@ -197,7 +197,7 @@ void require_held_cells(const BlockMesh& mesh) {
 
 } // namespace
 
-void require_valid_mesh(const BlockMesh& mesh, cases::BlockSides sides) {
+void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides) {
   require_consistent_lists(mesh);
   require_positive_cells(mesh);
   require_joined_vertices(mesh);
@@ -206,7 +206,7 @@ void require_valid_mesh(const BlockMesh& mesh, cases::BlockSides sides) {
   require_group(mesh, FaceGroup::fixed, "fixed");
   require_flat_contact(mesh);
   require_held_cells(mesh);
-  if (sides == cases::BlockSides::periodic)
+  if (sides == mechanics::BlockSides::periodic)
     require_matching_sides(mesh);
 }
 

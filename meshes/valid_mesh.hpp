@@ -3,7 +3,7 @@
 // Validity check of a mesh before the solve, with messages that name the
 // defect.
 
-#include "cases/types/block_spec.hpp"
+#include "mechanics/fem_settings.hpp"
 #include "meshes/block_mesh.hpp"
 
 namespace asperity::meshes {
@@ -25,6 +25,6 @@ namespace asperity::meshes {
 ///   - a cell that is not connected to any face of the group fixed;
 ///   - refinement with hanging nodes for tetrahedra;
 ///   - for periodic sides: the errors of require_matching_sides.
-void require_valid_mesh(const BlockMesh& mesh, cases::BlockSides sides);
+void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides);
 
 } // namespace asperity::meshes

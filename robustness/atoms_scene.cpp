@@ -26,8 +26,8 @@ md::AtomRequest request_of(const Scene& scene) {
   request.settings.cutoff = cutoff;
   request.settings.contact_distance = contact_distance;
   request.settings.tolerance = force_tolerance;
-  request.settings.modes = scene.index % 2 == 0 ? cases::AtomModes::vector
-                                                : cases::AtomModes::normal;
+  request.settings.modes = scene.index % 2 == 0 ? mechanics::AtomModes::vector
+                                                : mechanics::AtomModes::normal;
   request.layer = grid_of(scene);
   const int substrate_points = md::incommensurate_atoms(scene.points);
   request.substrate = {substrate_points, substrate_points, scene.length,
@@ -83,7 +83,7 @@ void run_atoms(const Scene& scene, SceneReport& report) {
     const double pressure =
         factor * scene.load * scene.contact_modulus * scene.rms_slope;
     const md::AtomStep step =
-        atoms->solve(cases::Control::nominal_pressure, pressure,
+        atoms->solve(mechanics::Control::nominal_pressure, pressure,
                      static_cast<int>(steps.size()));
     report.iterations += step.evaluations;
     if (!step.converged) {

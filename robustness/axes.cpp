@@ -75,9 +75,9 @@ std::string where(bool is_meant, const std::string& label) {
 } // namespace
 
 const std::vector<Axis>& axes() {
-  using cases::ContactLaw;
-  using cases::Control;
-  using cases::TopFace;
+  using mechanics::ContactLaw;
+  using mechanics::Control;
+  using mechanics::FarBoundary;
   static const std::vector<Axis> all{
       {"family", names(Family::halfspace, Family::flawed)},
       {"shape", names(Shape::rough, Shape::flat)},
@@ -94,7 +94,7 @@ const std::vector<Axis>& axes() {
       {"length", lengths.labels()},
       {"modulus", moduli.labels()},
       {"nu", {"0", "0.3", "0.49", "0.4999"}},
-      {"top", names(TopFace::clamped, TopFace::pressure)},
+      {"top", names(FarBoundary::clamped, FarBoundary::pressure)},
       {"boundaries", {"periodic", "free"}},
       {"thickness", thicknesses.labels()},
       {"growth", growths.labels()},
@@ -113,8 +113,9 @@ std::vector<std::string> labels_of(const Scene& scene) {
   const bool is_continuum = is_contact && family != Family::atoms;
   const bool is_thick =
       is_continuum && (family == Family::slab || is_elements(family));
-  const bool by_pressure = family == Family::theory ||
-                           scene.control == cases::Control::nominal_pressure;
+  const bool by_pressure =
+      family == Family::theory ||
+      scene.control == mechanics::Control::nominal_pressure;
   const bool is_rough = family == Family::theory ||
                         scene.shape == Shape::rough ||
                         scene.shape == Shape::terraces;
@@ -122,7 +123,7 @@ std::vector<std::string> labels_of(const Scene& scene) {
   return {name_of(family),
           where(is_contact, name_of(scene.shape)),
           where(is_continuum, name_of(scene.law)),
-          where(is_continuum && scene.law != cases::ContactLaw::hard,
+          where(is_continuum && scene.law != mechanics::ContactLaw::hard,
                 penalties.label_of(scene.penalty)),
           where(is_contact, name_of(scene.control)),
           where(is_sound && by_pressure, loads.label_of(scene.load)),

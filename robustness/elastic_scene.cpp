@@ -29,30 +29,11 @@ struct Pass {
   std::vector<StepSummary> summaries;
 };
 
-contact::FarBoundary far_face_of(cases::TopFace top) {
-  switch (top) {
-  case cases::TopFace::sliding:
-    return contact::FarBoundary::sliding;
-  case cases::TopFace::pressure:
-    return contact::FarBoundary::pressure;
-  case cases::TopFace::clamped:
-    break;
-  }
-  return contact::FarBoundary::clamped;
-}
-
-contact::Interface interface_of(const Scene& scene, const Grid& grid) {
-  const double penalty =
-      scene.penalty * scene.contact_modulus / grid.spacing_x();
-  switch (scene.law) {
-  case cases::ContactLaw::penalty:
-    return {contact::Law::penalty, penalty};
-  case cases::ContactLaw::augmented:
-    return {contact::Law::augmented, penalty};
-  case cases::ContactLaw::hard:
-    break;
-  }
-  return {contact::Law::hard, 0.0};
+mechanics::ContactInterface interface_of(const Scene& scene, const Grid& grid) {
+  const bool is_hard = scene.law == mechanics::ContactLaw::hard;
+  return {scene.law,
+          is_hard ? 0.0
+                  : scene.penalty * scene.contact_modulus / grid.spacing_x()};
 }
 
 /// Runs one pass and applies every check to every step. The solutions are empty
@@ -80,7 +61,7 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
                                  max_iterations);
   asked.local_compliance = sequence.local_compliance();
   Pass pass;
-  for (const contact::LoadTarget& target :
+  for (const mechanics::LoadTarget& target :
        targets_of(scene, surface.height_scale)) {
     contact::ContactSolution solution = sequence.solve(target);
     report.iterations += solution.iterations;
@@ -172,7 +153,7 @@ void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
 bool may_lose_contact(const Scene& scene) {
   constexpr double plate = 0.05; // thickness [lengths]
   if (scene.family != Family::halfspace && scene.thickness < plate &&
-      scene.top == cases::TopFace::pressure)
+      scene.top == mechanics::FarBoundary::pressure)
     return true;
   const bool is_block = scene.family == Family::full_block;
   if (!is_block && scene.family != Family::condensed_q1 &&
@@ -181,7 +162,8 @@ bool may_lose_contact(const Scene& scene) {
   const bool is_q2 =
       is_block ? scene.degree == 2 : scene.family == Family::condensed_q2;
   return scene.poisson_ratio >=
-         cases::locking_ratio(is_q2 ? cases::Element::q2 : cases::Element::q1);
+         cases::locking_ratio(is_q2 ? mechanics::Element::q2
+                                    : mechanics::Element::q1);
 }
 
 fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
@@ -189,12 +171,12 @@ fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
   fem::BlockRequest request;
   request.grid = grid;
   request.settings.element =
-      degree == 1 ? cases::Element::q1 : cases::Element::q2;
+      degree == 1 ? mechanics::Element::q1 : mechanics::Element::q2;
   request.settings.surface_cell_depth =
       std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
   request.settings.growth = scene.growth;
-  request.settings.depth = {scene.thickness, cases::ReferenceUnit::length};
-  request.settings.top = scene.top;
+  request.settings.depth = {scene.thickness, mechanics::ReferenceUnit::length};
+  request.settings.far_boundary = scene.top;
   request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
                     scene.rms_slope * grid.spacing_x()};
   request.youngs_modulus =
@@ -203,7 +185,7 @@ fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
   request.threads = threads;
   if (scene.coating_stiffness != 1.0)
     request.layers = {{{scene.coating_thickness * scene.thickness,
-                        cases::ReferenceUnit::length},
+                        mechanics::ReferenceUnit::length},
                        {scene.coating_stiffness * request.youngs_modulus,
                         scene.poisson_ratio}}};
   return request;
@@ -218,9 +200,9 @@ operator_of(const Scene& scene, const Grid& grid, int threads) {
   if (scene.has_free_boundaries)
     return std::make_unique<contact::FreeHalfspace>(grid, scene.contact_modulus,
                                                     threads);
-  contact::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
-                              std::numeric_limits<double>::infinity(),
-                              far_face_of(scene.top)};
+  mechanics::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
+                                std::numeric_limits<double>::infinity(),
+                                scene.top};
   if (scene.family == Family::slab)
     block.thickness = scene.thickness * scene.length;
   return std::make_unique<contact::FourierOperator>(

@@ -40,13 +40,13 @@ void solve_spoilt(Scene scene) {
   SceneSurface surface = surface_of(scene, grid);
   double& spoilt_height =
       surface.map.heights[static_cast<std::size_t>(scene.index) % grid.size()];
-  contact::Interface interface {
-    contact::Law::penalty,
+  mechanics::ContactInterface interface {
+    mechanics::ContactLaw::penalty,
         scene.penalty* scene.contact_modulus / grid.spacing_x()
   };
   double tolerance = relative_tolerance * surface.height_scale;
-  contact::LoadTarget target{contact::LoadTarget::Kind::nominal_pressure,
-                             scene.contact_modulus * scene.rms_slope};
+  mechanics::LoadTarget target{mechanics::Control::nominal_pressure,
+                               scene.contact_modulus * scene.rms_slope};
   switch (scene.flaw) {
   case Flaw::nan_height:
     spoilt_height = not_a_number;
@@ -64,8 +64,8 @@ void solve_spoilt(Scene scene) {
     target.amount = infinity;
     break;
   case Flaw::closed_contact_gap:
-    interface.law = contact::Law::hard;
-    target = {contact::LoadTarget::Kind::mean_gap, 0.0};
+    interface.law = mechanics::ContactLaw::hard;
+    target = {mechanics::Control::mean_gap, 0.0};
     break;
   case Flaw::zero_penalty:
     interface.penalty = 0.0;
@@ -111,7 +111,7 @@ void build_spoilt_block(Scene scene) {
   if (scene.flaw == Flaw::shrinking_layers)
     request.settings.growth = 0.5;
   if (scene.flaw == Flaw::sliver)
-    request.settings.depth = {1.25 * degree, cases::ReferenceUnit::spacing};
+    request.settings.depth = {1.25 * degree, mechanics::ReferenceUnit::spacing};
   fem::load_fem_module().condensed(request);
 }
 
@@ -119,7 +119,7 @@ void read_spoilt_map(Flaw flaw) {
   surfaces::read_height_map_text(
       flaw == Flaw::nan_in_file ? "0 1 2\n3 nan 5\n6 7 8\n"
                                 : "0 1 2\n3 4 inf\n6 7 8\n",
-      "map.txt", cases::MapFormat::plain, {1e-6, 1e-9});
+      "map.txt", mechanics::MapFormat::plain, {1e-6, 1e-9});
 }
 
 void read_spoilt_case() {

@@ -40,19 +40,11 @@ AskedContact asked_of_block(const Scene& scene, std::span<const double> heights,
   AskedContact asked{heights, block.nodal_weights()};
   asked.may_lose_contact = may_lose_contact(scene);
   asked.local_compliance =
-      scene.law == cases::ContactLaw::penalty ? 1.0 / spring : 0.0;
+      scene.law == mechanics::ContactLaw::penalty ? 1.0 / spring : 0.0;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
   asked.load_tolerance = load_tolerance_of_block;
   return asked;
-}
-
-fem::BlockLoad block_load(const contact::LoadTarget& target) {
-  const bool by_pressure =
-      target.kind == contact::LoadTarget::Kind::nominal_pressure;
-  return {by_pressure ? cases::Control::nominal_pressure
-                      : cases::Control::mean_gap,
-          target.amount};
 }
 
 } // namespace
@@ -71,7 +63,7 @@ void run_full_block(const Scene& scene, SceneReport& report) {
     std::copy(answer.begin(), answer.end(), displacement.begin());
   };
   const ComplianceRange range = compliance_range(grid, displace);
-  const bool is_hard = scene.law == cases::ContactLaw::hard;
+  const bool is_hard = scene.law == mechanics::ContactLaw::hard;
   const double spring = (is_hard ? wall_spring : scene.penalty) *
                         scene.contact_modulus / grid.spacing_x();
   AskedContact asked =
@@ -82,10 +74,10 @@ void run_full_block(const Scene& scene, SceneReport& report) {
   const double tolerance_scale =
       scene.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
   std::vector<StepSummary> summaries;
-  for (const contact::LoadTarget& target :
+  for (const mechanics::LoadTarget& target :
        targets_of(scene, surface.height_scale)) {
     const contact::ContactSolution solution =
-        as_contact(block->solve(surface.map.heights, block_load(target),
+        as_contact(block->solve(surface.map.heights, target,
                                 {scene.law, spring, relative_tolerance, 2000}),
                    displace);
     report.iterations += solution.iterations;

@@ -36,8 +36,8 @@ void run_program(const Scene& scene, const std::filesystem::path& program,
 /// Returns the loading path in SI units. The load of the instance itself is at
 /// index load_step().
 /// @param height_scale  [m], see SceneSurface
-std::vector<contact::LoadTarget> targets_of(const Scene& scene,
-                                            double height_scale);
+std::vector<mechanics::LoadTarget> targets_of(const Scene& scene,
+                                              double height_scale);
 std::size_t load_step(const Scene& scene);
 
 /// Returns true if a larger load may open contact: the block is a plate,

@@ -11,7 +11,8 @@ namespace {
 /// Returns pressures relative to the load of the instance, or gaps in h_rms
 /// that are added to its gap.
 std::vector<double> steps_of(const Scene& scene) {
-  const bool by_pressure = scene.control == cases::Control::nominal_pressure;
+  const bool by_pressure =
+      scene.control == mechanics::Control::nominal_pressure;
   switch (scene.program) {
   case Program::increments:
     return by_pressure ? std::vector{0.5, 1.0, 1.01}
@@ -32,20 +33,20 @@ std::size_t load_step(const Scene& scene) {
   return scene.program == Program::cycle ? 2 : 1;
 }
 
-std::vector<contact::LoadTarget> targets_of(const Scene& scene,
-                                            double height_scale) {
-  std::vector<contact::LoadTarget> targets;
+std::vector<mechanics::LoadTarget> targets_of(const Scene& scene,
+                                              double height_scale) {
+  std::vector<mechanics::LoadTarget> targets;
   for (const double step : steps_of(scene)) {
-    if (scene.control == cases::Control::nominal_pressure) {
+    if (scene.control == mechanics::Control::nominal_pressure) {
       targets.push_back(
-          {contact::LoadTarget::Kind::nominal_pressure,
+          {mechanics::Control::nominal_pressure,
            scene.load * step * scene.contact_modulus * scene.rms_slope});
       continue;
     }
     // The last decrease, by one hundredth, must not lead to a negative gap in
     // hard contact.
     const double reach = step < 0.0 ? std::abs(scene.load) : 1.0;
-    targets.push_back({contact::LoadTarget::Kind::mean_gap,
+    targets.push_back({mechanics::Control::mean_gap,
                        (scene.load + step * reach) * height_scale});
   }
   return targets;

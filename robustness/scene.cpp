@@ -155,8 +155,9 @@ Path draw_path(const Draw& draw, Family family) {
 double draw_load(const Draw& draw, const Scene& scene) {
   if (scene.family == Family::theory)
     return draw.log_uniform(Stream::load, 1e-12, 100.0);
-  if (scene.control == cases::Control::mean_gap)
-    return scene.law == cases::ContactLaw::penalty && draw.coin(Stream::load)
+  if (scene.control == mechanics::Control::mean_gap)
+    return scene.law == mechanics::ContactLaw::penalty &&
+                   draw.coin(Stream::load)
                ? draw.uniform(Stream::load, -1.0, 3.0)
                : draw.log_uniform(Stream::load, 1e-3, 4.0);
   return draw.coin(Stream::load) ? draw.log_uniform(Stream::load, 1e-9, 100.0)
@@ -188,9 +189,10 @@ void draw_block(const Draw& draw, Scene& scene) {
           ? draw.log_uniform(Stream::coating_stiffness, 0.05, 20.0)
           : 1.0;
   scene.coating_thickness = draw.uniform(Stream::coating_thickness, 0.02, 0.5);
-  scene.top = draw.pick<cases::TopFace>(
-      Stream::top, {cases::TopFace::clamped, cases::TopFace::sliding,
-                    cases::TopFace::pressure});
+  scene.top = draw.pick<mechanics::FarBoundary>(
+      Stream::top,
+      {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
+       mechanics::FarBoundary::pressure});
 }
 
 /// Restricts an instance to what a case file accepts: surfaces that are not
@@ -198,7 +200,7 @@ void draw_block(const Draw& draw, Scene& scene) {
 Scene within_reach_of_a_case(Scene scene) {
   if (scene.shape == Shape::flat)
     scene.shape = Shape::wave;
-  if (scene.control == cases::Control::mean_gap)
+  if (scene.control == mechanics::Control::mean_gap)
     scene.load = std::max(scene.load, 1e-3);
   return scene;
 }
@@ -214,14 +216,14 @@ Scene draw_scene(std::uint64_t seed, int index) {
   scene.family = draw_family(draw);
   draw_surface(draw, scene);
   draw_block(draw, scene);
-  scene.law = draw.weigh<cases::ContactLaw>(
-      Stream::law, {{cases::ContactLaw::penalty, 4.0},
-                    {cases::ContactLaw::hard, 3.0},
-                    {cases::ContactLaw::augmented, 2.0}});
+  scene.law = draw.weigh<mechanics::ContactLaw>(
+      Stream::law, {{mechanics::ContactLaw::penalty, 4.0},
+                    {mechanics::ContactLaw::hard, 3.0},
+                    {mechanics::ContactLaw::augmented, 2.0}});
   scene.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
-  scene.control = draw.weigh<cases::Control>(
-      Stream::control, {{cases::Control::nominal_pressure, 7.0},
-                        {cases::Control::mean_gap, 3.0}});
+  scene.control = draw.weigh<mechanics::Control>(
+      Stream::control, {{mechanics::Control::nominal_pressure, 7.0},
+                        {mechanics::Control::mean_gap, 3.0}});
   scene.load = draw_load(draw, scene);
   scene.has_free_boundaries = draw.uniform(Stream::boundaries, 0.0, 3.0) < 1.0;
   scene.program = draw.pick<Program>(
@@ -263,7 +265,7 @@ Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
   keep(Stream::growth, &Scene::growth);
   keep(Stream::penalty, &Scene::penalty);
   keep(Stream::gamma, &Scene::gamma);
-  if (scene.law != drawn.law && scene.control == cases::Control::mean_gap)
+  if (scene.law != drawn.law && scene.control == mechanics::Control::mean_gap)
     // Hard contact does not allow a negative gap.
     scene.load = std::abs(scene.load);
   if (scene.family != Family::flawed && draw.coin(Stream::family))
@@ -274,7 +276,7 @@ Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
 Scene within_reach(Scene scene) {
   const bool is_full = scene.family == Family::full_block;
   if (scene.family != Family::halfspace ||
-      scene.control == cases::Control::mean_gap)
+      scene.control == mechanics::Control::mean_gap)
     scene.has_free_boundaries = false;
   if (is_full || scene.family == Family::atoms) {
     scene.points = scene.points <= 48 ? 8 : 16;
@@ -286,8 +288,9 @@ Scene within_reach(Scene scene) {
     scene.growth = std::max(scene.growth, 1.5);
   }
   if (scene.family == Family::atoms) {
-    scene.law = cases::ContactLaw::penalty; // the soft potential of the atoms
-    scene.control = cases::Control::nominal_pressure;
+    scene.law =
+        mechanics::ContactLaw::penalty; // the soft potential of the atoms
+    scene.control = mechanics::Control::nominal_pressure;
     scene.program = Program::increments;
     scene.load = std::clamp(scene.load, 1e-3, 0.3);
     scene.rms_slope = std::clamp(scene.rms_slope, 1e-3, 0.2);

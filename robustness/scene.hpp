@@ -96,9 +96,9 @@ struct Scene {
 
   Family family = Family::halfspace;
   Shape shape = Shape::rough;
-  cases::ContactLaw law = cases::ContactLaw::hard;
-  cases::Control control = cases::Control::nominal_pressure;
-  cases::TopFace top = cases::TopFace::clamped;
+  mechanics::ContactLaw law = mechanics::ContactLaw::hard;
+  mechanics::Control control = mechanics::Control::nominal_pressure;
+  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
   bool has_free_boundaries = false; ///< of a half-space under pressure control
   Program program = Program::increments;
   Twin twin = Twin::none;
@@ -155,9 +155,9 @@ std::string in_words(const Scene& scene);
 /// Return the names of the enumerators for labels: "condensed-q1".
 std::string name_of(Family family);
 std::string name_of(Shape shape);
-std::string name_of(cases::ContactLaw law);
-std::string name_of(cases::Control control);
-std::string name_of(cases::TopFace top);
+std::string name_of(mechanics::ContactLaw law);
+std::string name_of(mechanics::Control control);
+std::string name_of(mechanics::FarBoundary top);
 std::string name_of(Program program);
 std::string name_of(Twin twin);
 std::string name_of(Flaw flaw);

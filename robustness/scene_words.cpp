@@ -28,15 +28,15 @@ std::string name_of(Shape shape) {
              shape);
 }
 
-std::string name_of(cases::ContactLaw law) {
+std::string name_of(mechanics::ContactLaw law) {
   return nth(std::array{"penalty", "hard", "augmented"}, law);
 }
 
-std::string name_of(cases::Control control) {
+std::string name_of(mechanics::Control control) {
   return nth(std::array{"pressure", "gap"}, control);
 }
 
-std::string name_of(cases::TopFace top) {
+std::string name_of(mechanics::FarBoundary top) {
   return nth(std::array{"clamped", "sliding", "pressure"}, top);
 }
 
@@ -101,9 +101,9 @@ std::string in_words(const Scene& scene) {
         fmt::format("a coating of {:.17g} block thicknesses and {:.17g} E, ",
                     scene.coating_thickness, scene.coating_stiffness);
   words += name_of(scene.law);
-  if (scene.law != cases::ContactLaw::hard)
+  if (scene.law != mechanics::ContactLaw::hard)
     words += fmt::format(" of {:.17g} E*/h", scene.penalty);
-  words += scene.control == cases::Control::nominal_pressure
+  words += scene.control == mechanics::Control::nominal_pressure
                ? fmt::format(", {} to {:.17g} E* h'", name_of(scene.program),
                              scene.load)
                : fmt::format(", {} to a mean gap of {:.17g} h_rms",

@@ -20,7 +20,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding_of_a_field = 64.0 * eps;
 
 using contact::ContactSolution;
-using contact::LoadTarget;
+using mechanics::LoadTarget;
 
 double largest(std::span<const double> field) {
   double most = 0.0;
@@ -52,7 +52,8 @@ std::optional<Failure> verify_balance(const AskedContact& asked,
                                       const LoadTarget& target,
                                       const ContactSolution& solution) {
   const double mean = results::weighted_mean(solution.pressure, asked.weights);
-  const bool by_pressure = target.kind == LoadTarget::Kind::nominal_pressure;
+  const bool by_pressure =
+      target.control == mechanics::Control::nominal_pressure;
   const double asked_pressure =
       by_pressure ? target.amount : solution.nominal_pressure;
   const double off = std::abs(mean - asked_pressure);
@@ -103,7 +104,7 @@ std::optional<Failure> verify_apart(const AskedContact& asked,
       *std::max_element(asked.heights.begin(), asked.heights.end());
   const double rounding = rounding_of_a_field * largest(asked.heights);
   const double highest = largest(solution.pressure);
-  if (target.kind == LoadTarget::Kind::mean_gap && clearance > rounding &&
+  if (target.control == mechanics::Control::mean_gap && clearance > rounding &&
       highest > 0.0)
     return Failure{"apart", fmt::format("p = {:.3g} Pa at {:.3g} m from the "
                                         "highest node",

@@ -61,7 +61,7 @@ double gap_rounding(const AskedContact& asked,
 /// The tolerance is that of the solver plus the rounding above.
 /// @return  the first check that fails; empty if all pass
 std::optional<Failure> verify_step(const AskedContact& asked,
-                                   const contact::LoadTarget& target,
+                                   const mechanics::LoadTarget& target,
                                    const contact::ContactSolution& solution,
                                    const Displace& displace);
 

@@ -25,7 +25,7 @@ struct CaseNumbers {
   bool has_elements = false;
   bool is_slab = false;
   bool by_pressure = true;
-  cases::ContactLaw law = cases::ContactLaw::hard;
+  mechanics::ContactLaw law = mechanics::ContactLaw::hard;
   std::vector<double> loads;
 };
 
@@ -42,9 +42,9 @@ CaseNumbers numbers_of(const Scene& scene) {
                          scene.family == Family::condensed_q2 ||
                          scene.family == Family::full_block;
   numbers.is_slab = scene.family == Family::slab;
-  numbers.by_pressure = scene.control == cases::Control::nominal_pressure;
+  numbers.by_pressure = scene.control == mechanics::Control::nominal_pressure;
   const double scale = surface_of(scene, grid_of(scene)).height_scale;
-  for (const contact::LoadTarget& target : targets_of(scene, scale))
+  for (const mechanics::LoadTarget& target : targets_of(scene, scale))
     numbers.loads.push_back(target.amount);
   return numbers;
 }
@@ -65,7 +65,7 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
     numbers.loads[0] = not_a_number;
     break;
   case Flaw::closed_contact_gap:
-    numbers.law = cases::ContactLaw::hard;
+    numbers.law = mechanics::ContactLaw::hard;
     numbers.by_pressure = false;
     numbers.loads = {0.0};
     break;
@@ -181,7 +181,7 @@ std::string method_text(const Scene& scene, const CaseNumbers& numbers) {
   if (numbers.has_elements || numbers.is_slab)
     text += "top = \"" + name_of(scene.top) + "\"\n";
   text += "contact = \"" + name_of(numbers.law) + "\"\n";
-  if (numbers.law != cases::ContactLaw::hard)
+  if (numbers.law != mechanics::ContactLaw::hard)
     text += "penalty = " + number(numbers.penalty) + "\n";
   return text + "tolerance = " + number(numbers.tolerance) + "\n";
 }
@@ -217,7 +217,7 @@ std::string case_text_of(const Scene& scene) {
   spoil_contact(scene.flaw, numbers);
   spoil_block(scene, numbers);
   if (needs_penalty(scene.flaw))
-    numbers.law = cases::ContactLaw::penalty;
+    numbers.law = mechanics::ContactLaw::penalty;
   std::vector<std::string> loads;
   for (const double load : numbers.loads)
     loads.push_back(number(load));

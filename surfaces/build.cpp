@@ -22,8 +22,8 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::SurfaceKind;
-using cases::SurfaceSpec;
+using mechanics::SurfaceKind;
+using mechanics::SurfaceSpec;
 
 template <class Number>
 Number required(const std::optional<Number>& number, const char* key) {

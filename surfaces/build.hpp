@@ -3,7 +3,7 @@
 // This file builds the heights of a surface from its specification in a case.
 // It selects the builder for each kind of surface.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 
@@ -12,7 +12,7 @@
 namespace asperity::surfaces {
 
 /// Whether surfaces of this kind are random, so that realisations differ.
-bool is_random(cases::SurfaceKind kind);
+bool is_random(mechanics::SurfaceKind kind);
 
 /// The height spectrum of a case of kind self-affine or spectrum, with the
 /// prescribed rms height or slope over its whole band; a table keeps its own
@@ -20,7 +20,7 @@ bool is_random(cases::SurfaceKind kind);
 /// @throws input::InputError   the table cannot be read, or there is no
 ///                             amplitude
 /// @throws std::domain_error  another kind, or values that no case can have
-IsotropicSpectrum formula_spectrum(const cases::SurfaceSpec& surface);
+IsotropicSpectrum formula_spectrum(const mechanics::SurfaceSpec& surface);
 
 /// The heights [m] of one realisation, with mean 0. With surface.rescale a
 /// random surface is scaled to exactly the prescribed rms height or slope (a
@@ -30,7 +30,7 @@ IsotropicSpectrum formula_spectrum(const cases::SurfaceSpec& surface);
 /// @throws input::InputError   a missing key, a file that cannot be read, or
 ///                             too few points for the shortest wavelength
 /// @throws std::domain_error  values that no case can have
-HeightMap build_surface(const cases::SurfaceSpec& surface, int realization);
+HeightMap build_surface(const mechanics::SurfaceSpec& surface, int realization);
 
 /// The same surface at the nodes of another grid, optionally without its
 /// shorter wavelengths.
@@ -47,8 +47,8 @@ HeightMap build_surface(const cases::SurfaceSpec& surface, int realization);
 /// @throws std::domain_error  values that no case can have, another length, or
 ///                            a highest_wavevector that leaves no mode of a
 ///                            random surface
-HeightMap build_surface_on(const cases::SurfaceSpec& surface, int realization,
-                           const Grid& grid,
+HeightMap build_surface_on(const mechanics::SurfaceSpec& surface,
+                           int realization, const Grid& grid,
                            std::optional<double> highest_wavevector = {});
 
 } // namespace asperity::surfaces

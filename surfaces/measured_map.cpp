@@ -20,7 +20,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::SurfaceSpec;
+using mechanics::SurfaceSpec;
 
 double largest_magnitude(const HeightMap& map) {
   double largest = 0.0;
@@ -49,7 +49,7 @@ MapRoughness rms_height_and_slope(const HeightMap& map) {
 }
 
 /// Keeps the window of the case; a length of 0 reaches to the end of the map.
-void crop_to(FlaggedMap& map, cases::MapWindow window,
+void crop_to(FlaggedMap& map, mechanics::MapWindow window,
              const std::string& file) {
   const Grid& grid = map.map.grid;
   if (window.length_x == 0.0)
@@ -68,7 +68,7 @@ void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
   const auto missing = static_cast<double>(
       std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
   const double fraction = missing / static_cast<double>(map.map.grid.size());
-  if (missing > 0.0 && surface.fill == cases::Filling::none)
+  if (missing > 0.0 && surface.fill == mechanics::Filling::none)
     throw input::InputError(fmt::format(
         "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
         "= \"none\" none must be",
@@ -115,7 +115,7 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
       std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
   if (measured.missing == map.map.grid.size())
     require_few_missing(map, surface);
-  if (surface.align_lines == cases::LineAlignment::median)
+  if (surface.align_lines == mechanics::LineAlignment::median)
     align_lines(map);
   if (surface.spikes)
     measured.spikes = mark_spikes(map, *surface.spikes);

@@ -4,7 +4,7 @@
 // rejection of flat maps, and the effect of the edge treatment
 // ([surface] edges).
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <string>
@@ -26,7 +26,7 @@ struct MeasuredMap {
 /// @throws input::InputError  the file is not a map, the window is not inside
 ///                            it, more points are missing than max_missing, or
 ///                            the map is flat
-MeasuredMap measured_map(const cases::SurfaceSpec& surface);
+MeasuredMap measured_map(const mechanics::SurfaceSpec& surface);
 
 /// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
 /// missing point(s) (0.04 %) filled".
@@ -36,7 +36,7 @@ std::string description_of(const MeasuredMap& measured);
 /// considered flat: levelling leaves only the roundoff of its heights, a few
 /// eps of the largest.
 /// @throws input::InputError  as measured_map
-HeightMap levelled_map(const cases::SurfaceSpec& surface);
+HeightMap levelled_map(const mechanics::SurfaceSpec& surface);
 
 /// Roughness of a map that need not be periodic: the slope is computed from
 /// differences of neighbours inside the map, in both directions.
@@ -53,6 +53,6 @@ struct EdgeEffect {
 
 /// Computes the roughness before and after the edge treatment.
 /// @throws input::InputError  as levelled_map
-EdgeEffect edge_effect(const cases::SurfaceSpec& surface);
+EdgeEffect edge_effect(const mechanics::SurfaceSpec& surface);
 
 } // namespace asperity::surfaces

@@ -39,9 +39,9 @@ void require_points(const char* name, int points, double wavevector_high,
 /// a_q for the mode of the pair (q, -q) that owns the draw.
 std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
                                       int wavenumber_x, int wavenumber_y,
-                                      cases::Amplitudes amplitudes) {
+                                      mechanics::Amplitudes amplitudes) {
   const UniformPair draw = draw_mode(key, wavenumber_x, wavenumber_y);
-  const double spread = amplitudes == cases::Amplitudes::gaussian
+  const double spread = amplitudes == mechanics::Amplitudes::gaussian
                             ? std::sqrt(-std::log(draw.first))
                             : 1.0;
   return std::polar(std::sqrt(mean_square) * spread, two_pi * draw.second);
@@ -51,7 +51,7 @@ std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
 std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
                                              const Grid& grid,
                                              const RandomKey& key,
-                                             cases::Amplitudes amplitudes) {
+                                             mechanics::Amplitudes amplitudes) {
   const double wavevector_high = spectrum.wavevector_high();
   const int highest_x = highest_wavenumber(wavevector_high, grid.length_x);
   const int highest_y = highest_wavenumber(wavevector_high, grid.length_y);
@@ -86,7 +86,7 @@ int points_needed(double wavevector_high, double length) {
 }
 
 HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
-                  const RandomKey& key, cases::Amplitudes amplitudes) {
+                  const RandomKey& key, mechanics::Amplitudes amplitudes) {
   const double wavevector_high = spectrum.wavevector_high();
   require_points("points_x", grid.points_x, wavevector_high, grid.length_x);
   require_points("points_y", grid.points_y, wavevector_high, grid.length_y);

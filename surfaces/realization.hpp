@@ -3,7 +3,7 @@
 // This file realises a random surface with a given spectrum. The map from
 // (spectrum, key) to heights does not depend on the grid spacing.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 #include "surfaces/maps/random_modes.hpp"
@@ -35,9 +35,10 @@ namespace asperity::surfaces {
 /// @par Accuracy  the heights at common points of two grids agree to about
 ///                1e-15 h_rms (two transforms of different size)
 ///                1e-15 h_rms (two transforms of different size)
-HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
-                  const RandomKey& key,
-                  cases::Amplitudes amplitudes = cases::Amplitudes::spectrum);
+HeightMap
+realize(const IsotropicSpectrum& spectrum, const Grid& grid,
+        const RandomKey& key,
+        mechanics::Amplitudes amplitudes = mechanics::Amplitudes::spectrum);
 
 /// The smallest even number of points along a side of this length for which
 /// every mode up to wavevector_high lies strictly below the Nyquist row.

@@ -57,14 +57,14 @@ const cases::MethodSpec& method_of_problem(const cases::Case& contact_case,
 class ReferenceSolver {
 public:
   ReferenceSolver(const Grid& grid, const std::vector<double>& heights,
-                  const contact::ElasticBlock& body, double rms_height)
+                  const mechanics::ElasticBlock& body, double rms_height)
       : heights_(heights),
         elasticity_(contact::halfspace_operator(grid, body)),
         sequence_(elasticity_.clone(), heights, {},
                   reference_tolerance * rms_height, most_reference_iterations) {
   }
 
-  ProblemAnswer answer(const contact::LoadTarget& target) {
+  ProblemAnswer answer(const mechanics::LoadTarget& target) {
     contact::ContactSolution solution = sequence_.solve(target);
     if (!solution.converged || !(solution.nominal_pressure > 0.0))
       throw NoAnswer(fmt::format(
@@ -97,21 +97,20 @@ private:
   std::vector<double> pressure_;
 };
 
-contact::LoadTarget pressure_target(double pressure) {
-  return {contact::LoadTarget::Kind::nominal_pressure, pressure};
+mechanics::LoadTarget pressure_target(double pressure) {
+  return {mechanics::Control::nominal_pressure, pressure};
 }
 
 /// The loads without repetitions, ascending in the contact pressure.
-std::vector<contact::LoadTarget> targets_of(const cases::Case& contact_case,
-                                            const cases::Scales& scales) {
+std::vector<mechanics::LoadTarget> targets_of(const cases::Case& contact_case,
+                                              const mechanics::Scales& scales) {
   const bool is_pressure =
-      contact_case.load.control == cases::Control::nominal_pressure;
-  std::vector<contact::LoadTarget> targets;
+      contact_case.load.control == mechanics::Control::nominal_pressure;
+  std::vector<mechanics::LoadTarget> targets;
   for (std::size_t i = 0; i < contact_case.load.targets.size(); ++i)
     if (!contact_case.load.is_unloading[i])
-      targets.push_back({is_pressure
-                             ? contact::LoadTarget::Kind::nominal_pressure
-                             : contact::LoadTarget::Kind::mean_gap,
+      targets.push_back({is_pressure ? mechanics::Control::nominal_pressure
+                                     : mechanics::Control::mean_gap,
                          contact_case.load.targets[i].in_si(scales)});
   std::ranges::sort(targets, [&](const auto& a, const auto& b) {
     return is_pressure ? a.amount < b.amount : a.amount > b.amount;
@@ -175,7 +174,7 @@ std::pair<double, double> limit_of(const Refined& refined, std::size_t load,
 
 bool has_exact_shape(const cases::Case& contact_case, const Problem& problem) {
   return std::isinf(problem.body.thickness) && problem.body.layers.empty() &&
-         (contact_case.surface.kind == cases::SurfaceKind::wave_1d);
+         (contact_case.surface.kind == mechanics::SurfaceKind::wave_1d);
 }
 
 std::vector<ContinuumAnswer>
@@ -219,7 +218,8 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
         fmt::format("{}: has a block that is not layered, which no problem can "
                     "describe",
                     contact_case.path));
-  const auto* half = std::get_if<cases::HalfspaceSettings>(&method.settings);
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   if (half != nullptr && half->has_free_boundaries)
     throw input::InputError(
         fmt::format("{}: {} has free boundaries, but a problem is periodic: "
@@ -240,7 +240,7 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
       app::continuum_of(method, contact_case.material, surface.scales);
   ReferenceSolver solver(problem.grid, problem.heights, problem.body,
                          problem.rms_height);
-  for (const contact::LoadTarget& target :
+  for (const mechanics::LoadTarget& target :
        targets_of(contact_case, surface.scales)) {
     ProblemAnswer answer = solver.answer(target);
     answer.mean_gap_error = solver.certified_error(answer);

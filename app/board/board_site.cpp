@@ -27,7 +27,7 @@ const BoardEntry* leading(const BoardProblem& problem,
   return nullptr;
 }
 
-std::string body_words(const contact::ElasticBlock& body) {
+std::string body_words(const mechanics::ElasticBlock& body) {
   std::string words = fmt::format("E* = {:.4g} Pa", body.contact_modulus);
   words += std::isinf(body.thickness)
                ? ", half-space"

@@ -63,8 +63,8 @@ std::string surface_text(const Node& file) {
   return canonical(table);
 }
 
-std::string load_text(const cases::LoadingPath& load, std::size_t step) {
-  const cases::Quantity& target = load.targets[step];
+std::string load_text(const mechanics::LoadingPath& load, std::size_t step) {
+  const mechanics::Quantity& target = load.targets[step];
   return fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
                      static_cast<int>(target.yardstick));
 }
@@ -110,10 +110,10 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
   });
   std::string text =
       method.name.substr(0, method.name.find('.')) + canonical(table);
-  if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+  if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
     text += md::engine_identity(*md);
-  if (const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
-      fem != nullptr && fem->uses_case_mesh)
+  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+      fem != nullptr && fem->full.uses_case_mesh)
     text += text_of(file_, "mesh") + hash_in(inputs_, mesh_file);
   return text;
 }

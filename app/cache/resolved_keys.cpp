@@ -18,11 +18,8 @@ using cases::Node;
 using cases::NodeEntry;
 using cases::NodeType;
 using cases::parse_toml_value;
-using cases::Quantity;
 using cases::QuantityReading;
 using cases::read_quantity;
-using cases::ReferenceUnit;
-using cases::Scales;
 using cases::si_unit;
 using cases::toml_key;
 using cases::toml_value;
@@ -30,6 +27,9 @@ using cases::ValueType;
 using cases::vocabulary;
 using cases::vocabulary_table;
 using cases::yardstick_symbol;
+using mechanics::Quantity;
+using mechanics::ReferenceUnit;
+using mechanics::Scales;
 
 Node number_node(double number) {
   Node node;
@@ -223,7 +223,7 @@ cases::Node parsed_case(const cases::Case& read) {
 }
 
 std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
-                                       const cases::Scales& scales) {
+                                       const mechanics::Scales& scales) {
   return KeyLister(read, scales).list();
 }
 

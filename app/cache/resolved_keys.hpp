@@ -30,6 +30,6 @@ cases::Node parsed_case(const cases::Case& read);
 /// @param scales  values of the reference units; one that is 0 or NaN is
 ///                unknown
 std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
-                                       const cases::Scales& scales);
+                                       const mechanics::Scales& scales);
 
 } // namespace asperity::app

@@ -35,11 +35,11 @@ struct Model {
 };
 
 /// The contact law of a method whose answer is that of one surface operator.
-const cases::ContactSettings* contact_of(const cases::MethodSpec& method) {
+const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
   if (const auto* half =
-          std::get_if<cases::HalfspaceSettings>(&method.settings))
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
     return &half->contact;
-  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
+  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
   return fem != nullptr && !is_whole_block(method) ? &fem->contact : nullptr;
 }
 
@@ -128,7 +128,7 @@ private:
                    0.0};
     }
     const cases::MethodSpec& method = *known;
-    const cases::ContactSettings* law = contact_of(method);
+    const mechanics::ContactSettings* law = contact_of(method);
     if (law == nullptr) {
       as_submitted(record, "no bound exists for this method");
       return std::nullopt;
@@ -137,7 +137,7 @@ private:
     const CaseKeys keys(*case_, program_identity(), {}); // nothing is cached
     SolverFactory factory(case_->material, none, keys);
     return Model{factory.operator_of(method, surface, 1),
-                 law->law == cases::ContactLaw::penalty
+                 law->law == mechanics::ContactLaw::penalty
                      ? 1.0 / law->penalty.in_si(surface.scales)
                      : 0.0};
   }

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 /// Reads the map, so that a case is written only if it can be run, and prints
 /// what the loads of the case follow from.
-void print_map(const cases::SurfaceSpec& surface) {
+void print_map(const mechanics::SurfaceSpec& surface) {
   const surfaces::HeightMap map = surfaces::levelled_map(surface);
   const surfaces::Statistics numbers =
       surfaces::statistics(surfaces::with_edges(map, surface.edges));

@@ -43,20 +43,20 @@ cases::Case case_of_file(const std::string& file,
   return cases::read_case_text(map_case_text({file, "1 Pa"}), file, overrides);
 }
 
-std::string level_words(cases::Levelling level) {
-  if (level == cases::Levelling::none)
+std::string level_words(mechanics::Levelling level) {
+  if (level == mechanics::Levelling::none)
     return "Mean height removed, not levelled";
-  if (level == cases::Levelling::plane)
+  if (level == mechanics::Levelling::plane)
     return "Levelled by the least-squares plane";
-  if (level == cases::Levelling::bow)
+  if (level == mechanics::Levelling::bow)
     return "Levelled by the least-squares second-order form";
-  return level == cases::Levelling::sphere
+  return level == mechanics::Levelling::sphere
              ? "Levelled by the least-squares sphere"
              : "Levelled by the least-squares cylinder";
 }
 
-SurfaceInput measured_input(const cases::SurfaceSpec& surface) {
-  const bool is_periodic = surface.edges == cases::Edges::periodic;
+SurfaceInput measured_input(const mechanics::SurfaceSpec& surface) {
+  const bool is_periodic = surface.edges == mechanics::Edges::periodic;
   surfaces::MeasuredMap measured = surfaces::measured_map(surface);
   SurfaceInput input;
   input.origin =
@@ -130,8 +130,8 @@ SurfaceInput case_input(const std::string& word,
     throw input::InputError(
         fmt::format("{} is a collection; name one of its parts", word));
   const cases::Case& found = asked.cases.front().contact_case;
-  const cases::SurfaceSpec& surface = found.surface;
-  if (surface.kind == cases::SurfaceKind::measured)
+  const mechanics::SurfaceSpec& surface = found.surface;
+  if (surface.kind == mechanics::SurfaceKind::measured)
     return measured_input(surface);
   if (!surface.length || !surface.points)
     throw input::InputError(fmt::format(

@@ -13,7 +13,7 @@
 namespace asperity::app {
 namespace {
 
-using cases::MdSettings;
+using mechanics::MdSettings;
 
 Grid square(int points, double length) {
   return {points, points, length, length};
@@ -93,12 +93,12 @@ public:
         atoms_(md::make_atomic_contact(std::move(request_))) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    md::AtomStep step =
-        atoms_->solve(target.control, target.amount, target.step, watch_);
+    md::AtomStep step = atoms_->solve(target.load.control, target.load.amount,
+                                      target.step, watch_);
     results::CurvePoint row = row_of(step);
-    if (target.control == cases::Control::nominal_pressure)
-      row.nominal_pressure = target.amount; // balanced only within the
-                                            // tolerance
+    if (target.load.control == mechanics::Control::nominal_pressure)
+      // balanced only within the tolerance
+      row.nominal_pressure = target.load.amount;
     return {std::move(row), layer_, std::move(step.pressure),
             std::move(step.gap)};
   }
@@ -122,7 +122,7 @@ private:
 
 MethodDescription describe(const MdSettings& settings) {
   return {"md",
-          settings.potential == cases::AtomPotential::repulsive
+          settings.potential == mechanics::AtomPotential::repulsive
               ? "atoms, repulsion r^-12"
               : "atoms, Lennard-Jones 12-6",
           true};

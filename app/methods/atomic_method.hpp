@@ -12,7 +12,7 @@
 
 namespace asperity::app {
 
-MethodDescription describe(const cases::MdSettings& settings);
+MethodDescription describe(const mechanics::MdSettings& settings);
 
 /// The input of an atomistic method besides its settings.
 struct AtomisticInput {

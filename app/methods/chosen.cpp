@@ -59,20 +59,20 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
 }
 
 bool is_whole_block(const MethodSpec& method) {
-  const auto* fem = std::get_if<cases::FemSettings>(&method.settings);
-  return fem != nullptr && fem->solver == cases::FemSolver::full;
+  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 
 std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const MethodSpec& method,
-                                             const cases::Scales& scales) {
+                                             const mechanics::Scales& scales) {
   const std::set<std::size_t> steps = steps_with_fields(contact_case);
   if (!contact_case.report.stress_inside || !is_whole_block(method) ||
       steps.empty())
     return std::nullopt;
-  const cases::LoadingPath& load = contact_case.load;
+  const mechanics::LoadingPath& load = contact_case.load;
   const double sign =
-      load.control == cases::Control::nominal_pressure ? 1.0 : -1.0;
+      load.control == mechanics::Control::nominal_pressure ? 1.0 : -1.0;
   const auto weight = [&](std::size_t step) {
     return sign * load.targets[step].in_si(scales);
   };

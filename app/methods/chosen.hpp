@@ -43,6 +43,6 @@ bool is_whole_block(const cases::MethodSpec& method);
 /// @param scales  scales of the surface of the method
 std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const cases::MethodSpec& method,
-                                             const cases::Scales& scales);
+                                             const mechanics::Scales& scales);
 
 } // namespace asperity::app

@@ -8,55 +8,43 @@
 namespace asperity::app {
 namespace {
 
-contact::FarBoundary far_face_of(cases::TopFace top) {
-  switch (top) {
-  case cases::TopFace::sliding:
-    return contact::FarBoundary::sliding;
-  case cases::TopFace::pressure:
-    return contact::FarBoundary::pressure;
-  case cases::TopFace::clamped:
-    break;
-  }
-  return contact::FarBoundary::clamped;
-}
-
 /// Returns E* of the block without its counterface [Pa].
-double own_modulus(const cases::MaterialSpec& material) {
-  const cases::BodyModuli own = material.first_body();
+double own_modulus(const mechanics::MaterialSpec& material) {
+  const mechanics::BodyModuli own = material.first_body();
   return own.youngs_modulus / (1.0 - own.poisson_ratio * own.poisson_ratio);
 }
 
 } // namespace
 
-contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
-                                   const cases::MaterialSpec& material,
-                                   const cases::Scales& scales) {
-  contact::ElasticBlock block;
+mechanics::ElasticBlock continuum_of(const cases::MethodSpec& method,
+                                     const mechanics::MaterialSpec& material,
+                                     const mechanics::Scales& scales) {
+  mechanics::ElasticBlock block;
   block.contact_modulus = material.contact_modulus;
   block.poisson_ratio = material.poisson_ratio.value_or(0.0);
   block.thickness = std::numeric_limits<double>::infinity();
   if (const auto* half =
-          std::get_if<cases::HalfspaceSettings>(&method.settings)) {
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings)) {
     if (half->thickness)
       block.thickness = half->thickness->in_si(scales);
-    block.far_boundary = far_face_of(half->top);
+    block.far_boundary = half->far_boundary;
   } else if (const auto* fem =
-                 std::get_if<cases::FemSettings>(&method.settings)) {
-    block.thickness = fem->depth.in_si(scales);
-    block.far_boundary = far_face_of(fem->top);
+                 std::get_if<mechanics::FemSettings>(&method.settings)) {
+    block.thickness = fem->block.depth.in_si(scales);
+    block.far_boundary = fem->block.far_boundary;
   } else {
     return block; // the atomistic block has no layers
   }
   if (!material.layers.empty())
     block.contact_modulus = own_modulus(material);
-  for (const cases::MaterialLayer& layer : material.layers)
+  for (const mechanics::MaterialLayer& layer : material.layers)
     block.layers.push_back({layer.thickness.in_si(scales),
                             layer.moduli.youngs_modulus,
                             layer.moduli.poisson_ratio});
   return block;
 }
 
-double rim_modulus(const contact::ElasticBlock& block, double spacing) {
+double rim_modulus(const mechanics::ElasticBlock& block, double spacing) {
   if (block.layers.empty())
     return block.contact_modulus;
   const double wavevector = 0.5 * std::numbers::pi / spacing;

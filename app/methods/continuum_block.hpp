@@ -13,14 +13,14 @@ namespace asperity::app {
 /// Atomistic blocks become a half-space without layers. With layers the moduli
 /// are those of the block itself; otherwise they are the combined moduli of the
 /// pair if there is a second body.
-contact::ElasticBlock continuum_of(const cases::MethodSpec& method,
-                                   const cases::MaterialSpec& material,
-                                   const cases::Scales& scales);
+mechanics::ElasticBlock continuum_of(const cases::MethodSpec& method,
+                                     const mechanics::MaterialSpec& material,
+                                     const mechanics::Scales& scales);
 
 /// Returns the effective modulus E* [Pa] at the contact boundary. Without
 /// layers it is that of the block. With layers it is 2/(C q) at a wavelength of
 /// four grid spacings, which is the modulus of the coating if the coating is
 /// thicker than one or two spacings.
-double rim_modulus(const contact::ElasticBlock& block, double spacing);
+double rim_modulus(const mechanics::ElasticBlock& block, double spacing);
 
 } // namespace asperity::app

@@ -89,13 +89,6 @@ void observe_pressure_fits(results::RowObserver& observe,
   });
 }
 
-contact::LoadTarget load_target(const StepTarget& target) {
-  return {target.control == cases::Control::nominal_pressure
-              ? contact::LoadTarget::Kind::nominal_pressure
-              : contact::LoadTarget::Kind::mean_gap,
-          target.amount};
-}
-
 StepAnswer observe(contact::ContactSolution solution,
                    const Observation& observation,
                    const SurfaceOfCase& surface) {

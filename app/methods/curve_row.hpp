@@ -33,9 +33,6 @@ void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
                            std::span<const double> weights = {});
 
-/// Returns what the contact solvers are to reach in this step.
-contact::LoadTarget load_target(const StepTarget& target);
-
 /// Evaluates a solution. Its fields are moved into the answer. An observable
 /// that cannot be evaluated does not end the run: it is NaN, and the note of
 /// the row gives the reason.

@@ -17,22 +17,14 @@
 namespace asperity::app {
 namespace {
 
-using cases::ContactSettings;
-using cases::FemSettings;
-using cases::HalfspaceSettings;
+using mechanics::ContactSettings;
+using mechanics::FemSettings;
+using mechanics::HalfspaceSettings;
 
-contact::Interface interface_of(const ContactSettings& settings,
-                                const cases::Scales& scales) {
-  const double penalty = settings.penalty.in_si(scales);
-  switch (settings.law) {
-  case cases::ContactLaw::penalty:
-    return {contact::Law::penalty, penalty};
-  case cases::ContactLaw::augmented:
-    return {contact::Law::augmented, penalty};
-  case cases::ContactLaw::hard:
-    break;
-  }
-  return {contact::Law::hard, 0.0};
+mechanics::ContactInterface interface_of(const ContactSettings& settings,
+                                         const mechanics::Scales& scales) {
+  const bool is_hard = settings.law == mechanics::ContactLaw::hard;
+  return {settings.law, is_hard ? 0.0 : settings.penalty.in_si(scales)};
 }
 
 /// The settings that are the same for all load steps.
@@ -66,7 +58,7 @@ public:
 
   StepAnswer solve(const StepTarget& target) override {
     tally_->cpu_time = 0.0;
-    contact::ContactSolution solution = sequence_.solve(load_target(target));
+    contact::ContactSolution solution = sequence_.solve(target.load);
     const int transforms = solution.transforms;
     const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
@@ -126,13 +118,13 @@ private:
 } // namespace
 
 results::AreaCoefficients area_coefficients(const FemSettings& settings) {
-  return settings.element == cases::Element::q1
-             ? results::q1_area_coefficients(settings.surface_cell_depth)
+  return settings.block.element == mechanics::Element::q1
+             ? results::q1_area_coefficients(settings.block.surface_cell_depth)
              : results::q2_area_coefficients;
 }
 
-SolverFactory::SolverFactory(const cases::MaterialSpec& material, Cache& cache,
-                             const CaseKeys& keys)
+SolverFactory::SolverFactory(const mechanics::MaterialSpec& material,
+                             Cache& cache, const CaseKeys& keys)
     : material_(material), cache_(cache), keys_(keys) {}
 
 std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
@@ -201,7 +193,7 @@ fem::BlockRequest SolverFactory::request(const FemSettings& settings,
                                          const SurfaceOfCase& surface,
                                          int threads) const {
   return {surface.record.grid,
-          settings,
+          settings.block,
           surface.scales,
           material_.block_youngs_modulus(),
           *material_.poisson_ratio,

@@ -19,17 +19,18 @@
 
 namespace asperity::app {
 
-MethodDescription describe(const cases::HalfspaceSettings& settings);
-MethodDescription describe(const cases::FemSettings& settings);
+MethodDescription describe(const mechanics::HalfspaceSettings& settings);
+MethodDescription describe(const mechanics::FemSettings& settings);
 
 /// Returns the coefficients of the area correction for finite elements with
 /// these settings.
-results::AreaCoefficients area_coefficients(const cases::FemSettings& settings);
+results::AreaCoefficients
+area_coefficients(const mechanics::FemSettings& settings);
 
 /// Describes how a method treats a block that is not uniform: the layers that
 /// it uses, or that it ignores them. The text is empty for a uniform block.
 std::string material_words(const cases::MethodSpec& method,
-                           const cases::MaterialSpec& material);
+                           const mechanics::MaterialSpec& material);
 
 /// Creates solvers for half-space and condensed finite-element methods.
 /// Operators for equal blocks and grids are set up once and shared. The class
@@ -39,7 +40,7 @@ public:
   /// @param material  material of the case
   /// @param cache     cache of operators; must outlive the factory
   /// @param keys      cache keys; must outlive the factory
-  SolverFactory(const cases::MaterialSpec& material, Cache& cache,
+  SolverFactory(const mechanics::MaterialSpec& material, Cache& cache,
                 const CaseKeys& keys);
 
   /// @param threads  number of threads for set-up and transforms
@@ -65,10 +66,10 @@ private:
   Face build_operator(const cases::MethodSpec& method,
                       const SurfaceOfCase& surface, int threads);
 
-  fem::BlockRequest request(const cases::FemSettings& settings,
+  fem::BlockRequest request(const mechanics::FemSettings& settings,
                             const SurfaceOfCase& surface, int threads) const;
 
-  cases::MaterialSpec material_;
+  mechanics::MaterialSpec material_;
   Cache& cache_;
   const CaseKeys& keys_;
   std::mutex mutex_;

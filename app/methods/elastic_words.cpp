@@ -5,33 +5,34 @@
 namespace asperity::app {
 namespace {
 
-using cases::ContactSettings;
-using cases::FemSettings;
-using cases::HalfspaceSettings;
+using mechanics::ContactSettings;
+using mechanics::FemSettings;
+using mechanics::HalfspaceSettings;
 
 std::string in_words(const ContactSettings& settings) {
   const auto penalty = [&] {
-    const char* unit = settings.penalty.yardstick ==
-                               cases::ReferenceUnit::contact_modulus_per_spacing
-                           ? "E*/h"
-                           : "Pa/m";
+    const char* unit =
+        settings.penalty.yardstick ==
+                mechanics::ReferenceUnit::contact_modulus_per_spacing
+            ? "E*/h"
+            : "Pa/m";
     return fmt::format("{:g} {}", settings.penalty.value, unit);
   };
   switch (settings.law) {
-  case cases::ContactLaw::penalty:
+  case mechanics::ContactLaw::penalty:
     return "penalty " + penalty();
-  case cases::ContactLaw::augmented:
+  case mechanics::ContactLaw::augmented:
     return "augmented Lagrangian with a penalty of " + penalty();
-  case cases::ContactLaw::hard:
+  case mechanics::ContactLaw::hard:
     break;
   }
   return "hard (unilateral) contact";
 }
 
 /// Returns the moduli of each layer as text, beginning at the contact surface.
-std::string in_words(const std::vector<cases::MaterialLayer>& layers) {
+std::string in_words(const std::vector<mechanics::MaterialLayer>& layers) {
   std::string words;
-  for (const cases::MaterialLayer& layer : layers)
+  for (const mechanics::MaterialLayer& layer : layers)
     words +=
         fmt::format("{}E = {:g} Pa, nu = {:g}", words.empty() ? "" : "; ",
                     layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
@@ -41,7 +42,7 @@ std::string in_words(const std::vector<cases::MaterialLayer>& layers) {
 } // namespace
 
 std::string material_words(const cases::MethodSpec& method,
-                           const cases::MaterialSpec& material) {
+                           const mechanics::MaterialSpec& material) {
   if (material.layers.empty())
     return {};
   if (!method.uses_layers())
@@ -52,19 +53,21 @@ std::string material_words(const cases::MethodSpec& method,
 }
 
 MethodDescription describe(const FemSettings& settings) {
-  const std::string solver = settings.solver == cases::FemSolver::full
-                                 ? "the full three-dimensional block"
-                             : settings.solver == cases::FemSolver::condensed
-                                 ? "condensed to the contact surface"
-                                 : "condensed to the contact surface (auto: "
-                                   "the block is laterally uniform)";
+  const std::string solver =
+      settings.solver == mechanics::FemSolver::full
+          ? "the full three-dimensional block"
+      : settings.solver == mechanics::FemSolver::condensed
+          ? "condensed to the contact surface"
+          : "condensed to the contact surface (auto: "
+            "the block is laterally uniform)";
   return {"fem",
           fmt::format("finite elements {}, {}, layers from {:g} h with the "
                       "grading ratio {:g}, {}",
-                      settings.element == cases::Element::q1 ? "Q1" : "Q2",
-                      solver, settings.surface_cell_depth, settings.growth,
-                      in_words(settings.contact)),
-          settings.solver == cases::FemSolver::full};
+                      settings.block.element == mechanics::Element::q1 ? "Q1"
+                                                                       : "Q2",
+                      solver, settings.block.surface_cell_depth,
+                      settings.block.growth, in_words(settings.contact)),
+          settings.solver == mechanics::FemSolver::full};
 }
 
 MethodDescription describe(const HalfspaceSettings& settings) {

@@ -56,9 +56,9 @@ class WholeBlock final : public StepSolver {
 public:
   WholeBlock(std::unique_ptr<fem::FullBlock> block,
              const cases::MethodSpec& method, const SurfaceOfCase& surface,
-             contact::ElasticBlock continuum, StepExtras extras)
+             mechanics::ElasticBlock continuum, StepExtras extras)
       : method_(method.name),
-        settings_(std::get<cases::FemSettings>(method.settings)),
+        settings_(std::get<mechanics::FemSettings>(method.settings)),
         surface_(surface),
         continuum_(std::move(continuum)),
         rim_modulus_(rim_modulus(continuum_, surface.scales.spacing)),
@@ -67,17 +67,17 @@ public:
         extras_(std::move(extras)) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    fem::BlockSolution solution = block_->solve(
-        surface_.record.heights, {target.control, target.amount}, contact_);
+    fem::BlockSolution solution =
+        block_->solve(surface_.record.heights, target.load, contact_);
     const double area = solution.area_by_points;
     const bool has_rim = solution.is_contact_on_grid;
     results::CurvePoint costs;
     costs.linear_iterations = solution.linear_iterations;
     costs.preconditioner_setups = solution.preconditioner_setups;
     costs.memory = solution.memory;
-    const double penalty_compliance = contact_.law == cases::ContactLaw::penalty
-                                          ? 1.0 / contact_.penalty
-                                          : 0.0;
+    const double penalty_compliance =
+        contact_.law == mechanics::ContactLaw::penalty ? 1.0 / contact_.penalty
+                                                       : 0.0;
     StepAnswer answer =
         observe(as_contact(std::move(solution), surface_),
                 {block_->nodal_weights(), penalty_compliance,
@@ -103,18 +103,18 @@ private:
     answer.row.von_mises = peak.von_mises;
     answer.row.von_mises_depth = peak.depth;
     if (extras_.with_section == step)
-      answer.section =
-          stress_section({method_, answer.row.nominal_pressure, peak,
-                          settings_.sides == cases::BlockSides::periodic},
-                         *block_, continuum_);
+      answer.section = stress_section(
+          {method_, answer.row.nominal_pressure, peak,
+           settings_.full.sides == mechanics::BlockSides::periodic},
+          *block_, continuum_);
     if (extras_.with_files.contains(step))
       block_->write(extras_.files);
   }
 
   std::string method_;
-  const cases::FemSettings& settings_;
+  const mechanics::FemSettings& settings_;
   const SurfaceOfCase& surface_;
-  contact::ElasticBlock continuum_; ///< provides thickness and layers
+  mechanics::ElasticBlock continuum_; ///< provides thickness and layers
   double rim_modulus_; ///< E* at the length scale of a grid spacing [Pa]
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
@@ -127,10 +127,11 @@ std::unique_ptr<StepSolver>
 make_whole_block(const cases::Case& contact_case,
                  const cases::MethodSpec& method, const SurfaceOfCase& surface,
                  int realization, const std::filesystem::path& scratch) {
+  const auto& settings = std::get<mechanics::FemSettings>(method.settings);
   return std::make_unique<WholeBlock>(
-      fem::load_fem_module().full({contact_case.text, contact_case.path,
-                                   method.name, surface.record.grid,
-                                   surface.scales}),
+      fem::load_fem_module().full({surface.record.grid, settings.block,
+                                   settings.full, contact_case.material,
+                                   contact_case.mesh, surface.scales}),
       method, surface,
       continuum_of(method, contact_case.material, surface.scales),
       realization == 0 ? extras_of(contact_case, method, surface, scratch)

@@ -21,18 +21,18 @@ struct SolverInput {
   const Resources& resources;
 };
 
-std::unique_ptr<StepSolver> make_solver(const cases::TheorySettings&,
+std::unique_ptr<StepSolver> make_solver(const mechanics::TheorySettings&,
                                         const SolverInput& input) {
   throw std::logic_error(input.method.name + " has no load steps to solve");
 }
 
-std::unique_ptr<StepSolver> make_solver(const cases::HalfspaceSettings&,
+std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
                                         const SolverInput& input) {
   return input.elastic.make(input.method, input.surface,
                             input.resources.threads);
 }
 
-std::unique_ptr<StepSolver> make_solver(const cases::FemSettings&,
+std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
                                         const SolverInput& input) {
   if (is_whole_block(input.method))
     return make_whole_block(input.contact_case, input.method, input.surface,
@@ -41,22 +41,23 @@ std::unique_ptr<StepSolver> make_solver(const cases::FemSettings&,
                             input.resources.threads);
 }
 
-std::unique_ptr<StepSolver> make_solver(const cases::MdSettings&,
+std::unique_ptr<StepSolver> make_solver(const mechanics::MdSettings&,
                                         const SolverInput& input) {
   return make_atomic_solver({input.contact_case, input.method, input.surface,
                              input.realization, input.resources.threads,
                              input.resources.scratch, input.resources.watch});
 }
 
-std::unique_ptr<StepSolver> make_solver(const cases::WinklerSettings& settings,
-                                        const SolverInput& input) {
+std::unique_ptr<StepSolver>
+make_solver(const mechanics::WinklerSettings& settings,
+            const SolverInput& input) {
   return make_winkler_solver(settings, input.surface);
 }
 
 } // namespace
 
 MethodDescription describe(const cases::MethodSpec& method,
-                           const cases::MaterialSpec& material) {
+                           const mechanics::MaterialSpec& material) {
   MethodDescription description = std::visit(
       [](const auto& settings) { return describe(settings); }, method.settings);
   if (const std::string words = material_words(method, material);

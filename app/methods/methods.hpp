@@ -14,7 +14,7 @@
 namespace asperity::app {
 
 MethodDescription describe(const cases::MethodSpec& method,
-                           const cases::MaterialSpec& material);
+                           const mechanics::MaterialSpec& material);
 
 /// The resources of the machine that a solver may use.
 struct Resources {

@@ -15,9 +15,8 @@ namespace asperity::app {
 
 /// One step of the loading path.
 struct StepTarget {
-  cases::Control control = cases::Control::nominal_pressure;
-  double amount = 0.0; ///< p_0 [Pa] or mean gap [m]
-  int step = 0;        ///< index in the loading path
+  mechanics::LoadTarget load;
+  int step = 0; ///< index in the loading path
 };
 
 /// The solution of one load step. The row is complete except for the times, the

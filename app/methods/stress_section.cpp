@@ -18,9 +18,10 @@ constexpr double below_layers = 1.5;  ///< minimum depth as a multiple of the
                                       ///< layer thickness
 
 /// Returns the depth of the section in a block of unlimited thickness [m].
-double depth_of_section(const contact::ElasticBlock& block, double peak_depth) {
+double depth_of_section(const mechanics::ElasticBlock& block,
+                        double peak_depth) {
   double layers = 0.0;
-  for (const contact::BondedLayer& layer : block.layers)
+  for (const mechanics::BondedLayer& layer : block.layers)
     layers += layer.thickness;
   return std::max(section_depth * peak_depth, below_layers * layers);
 }
@@ -75,7 +76,7 @@ std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
 } // namespace
 
 SectionPlaces section_places(const Grid& grid,
-                             const contact::ElasticBlock& block,
+                             const mechanics::ElasticBlock& block,
                              double peak_depth) {
   const double whole_depth = depth_of_section(block, peak_depth);
   const double deepest = std::min(whole_depth, block.thickness);
@@ -86,7 +87,7 @@ SectionPlaces section_places(const Grid& grid,
 }
 
 results::Table stress_section(const std::string& method,
-                              const contact::ElasticBlock& block,
+                              const mechanics::ElasticBlock& block,
                               const results::Fields& map,
                               const contact::StressPeak& peak, int threads) {
   const Grid& grid = map.grid;
@@ -110,7 +111,7 @@ results::Table stress_section(const std::string& method,
 
 results::Table stress_section(const OwnSection& section,
                               const fem::FullBlock& block,
-                              const contact::ElasticBlock& continuum) {
+                              const mechanics::ElasticBlock& continuum) {
   const Grid& grid = block.grid();
   const fem::StressPeak& peak = section.peak;
   SectionPlaces places =

@@ -25,7 +25,7 @@ struct SectionPlaces {
 
 /// @param block  provides thickness and layers
 SectionPlaces section_places(const Grid& grid,
-                             const contact::ElasticBlock& block,
+                             const mechanics::ElasticBlock& block,
                              double peak_depth);
 
 /// Computes the von Mises stress that a pressure map causes in a continuum
@@ -36,7 +36,7 @@ SectionPlaces section_places(const Grid& grid,
 /// @param map   saved fields with the pressure
 /// @param peak  strongest point of the block under this pressure
 results::Table stress_section(const std::string& method,
-                              const contact::ElasticBlock& block,
+                              const mechanics::ElasticBlock& block,
                               const results::Fields& map,
                               const contact::StressPeak& peak, int threads);
 
@@ -55,6 +55,6 @@ struct OwnSection {
 /// @param continuum  used only to choose the sample points
 results::Table stress_section(const OwnSection& section,
                               const fem::FullBlock& block,
-                              const contact::ElasticBlock& continuum);
+                              const mechanics::ElasticBlock& continuum);
 
 } // namespace asperity::app

@@ -43,9 +43,10 @@ SurfaceOfCase as_taken(const cases::Case& contact_case,
 
 bool presses_single_map(const cases::Case& contact_case,
                         const cases::MethodSpec& method) {
-  const auto* half = std::get_if<cases::HalfspaceSettings>(&method.settings);
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   return half != nullptr && half->has_free_boundaries &&
-         contact_case.surface.kind == cases::SurfaceKind::measured;
+         contact_case.surface.kind == mechanics::SurfaceKind::measured;
 }
 
 /// Returns the measured map without its periodic continuation. Slope, curvature
@@ -157,8 +158,8 @@ theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
   return theory::HeightSpectrum(std::move(shells));
 }
 
-cases::Scales formula_scales(const cases::Case& contact_case,
-                             const theory::HeightSpectrum& spectrum) {
+mechanics::Scales formula_scales(const cases::Case& contact_case,
+                                 const theory::HeightSpectrum& spectrum) {
   const double length = contact_case.surface.length.value_or(0.0);
   const int points = contact_case.surface.points.value_or(0);
   return {contact_case.material.contact_modulus, length,

@@ -17,7 +17,7 @@ namespace asperity::app {
 /// The surface of one realisation as a method uses it.
 struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
-  cases::Scales scales;          ///< scales of this surface
+  mechanics::Scales scales;      ///< scales of this surface
 };
 
 /// Returns the surface of a map with its statistics.
@@ -80,7 +80,7 @@ theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
 /// Returns the scales of a case that builds no surface. The rms height follows
 /// from the formula; the spacing is 0 if the case does not give the number of
 /// points.
-cases::Scales formula_scales(const cases::Case& contact_case,
-                             const theory::HeightSpectrum& spectrum);
+mechanics::Scales formula_scales(const cases::Case& contact_case,
+                                 const theory::HeightSpectrum& spectrum);
 
 } // namespace asperity::app

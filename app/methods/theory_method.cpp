@@ -59,26 +59,28 @@ results::CurvePoint row_at_gap(const theory::PerssonContact& contact,
 
 } // namespace
 
-MethodDescription describe(const cases::TheorySettings& settings) {
+MethodDescription describe(const mechanics::TheorySettings& settings) {
   return {"theory",
           fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
                       settings.gamma,
-                      settings.spectrum == cases::TheorySpectrum::formula
+                      settings.spectrum == mechanics::TheorySpectrum::formula
                           ? "by the formula"
                           : "measured on the surface"),
           false};
 }
 
-std::vector<results::CurvePoint> theory_rows(
-    const cases::TheorySettings& settings, const cases::LoadingPath& load,
-    const theory::HeightSpectrum& spectrum, const cases::Scales& scales) {
+std::vector<results::CurvePoint>
+theory_rows(const mechanics::TheorySettings& settings,
+            const mechanics::LoadingPath& load,
+            const theory::HeightSpectrum& spectrum,
+            const mechanics::Scales& scales) {
   const theory::PerssonContact contact(spectrum, scales.contact_modulus,
                                        settings.gamma);
   std::vector<results::CurvePoint> rows;
   for (std::size_t step = 0; step < load.targets.size(); ++step) {
     const CpuClock clock;
     const double target = load.targets[step].in_si(scales);
-    const bool by_gap = load.control == cases::Control::mean_gap;
+    const bool by_gap = load.control == mechanics::Control::mean_gap;
     results::CurvePoint row =
         by_gap ? row_at_gap(contact, target) : row_at(contact, target);
     row.step = static_cast<int>(step);

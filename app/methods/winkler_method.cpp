@@ -18,7 +18,7 @@ public:
     observation.has_rim = false; // each node has its part of the area
     StepAnswer answer =
         observe(contact::winkler_contact(surface_.record.heights, stiffness_,
-                                         load_target(target)),
+                                         target.load),
                 observation, surface_);
     answer.row.area_fraction_corrected = answer.row.area_fraction;
     return answer;
@@ -31,9 +31,10 @@ private:
 
 } // namespace
 
-MethodDescription describe(const cases::WinklerSettings& settings) {
-  const bool is_relative = settings.stiffness.yardstick ==
-                           cases::ReferenceUnit::contact_modulus_per_spacing;
+MethodDescription describe(const mechanics::WinklerSettings& settings) {
+  const bool is_relative =
+      settings.stiffness.yardstick ==
+      mechanics::ReferenceUnit::contact_modulus_per_spacing;
   return {"winkler",
           fmt::format("Winkler foundation of stiffness {:g} {}, hard contact",
                       settings.stiffness.value, is_relative ? "E*/h" : "Pa/m"),
@@ -41,7 +42,7 @@ MethodDescription describe(const cases::WinklerSettings& settings) {
 }
 
 std::unique_ptr<StepSolver>
-make_winkler_solver(const cases::WinklerSettings& settings,
+make_winkler_solver(const mechanics::WinklerSettings& settings,
                     const SurfaceOfCase& surface) {
   return std::make_unique<WinklerSolver>(
       settings.stiffness.in_si(surface.scales), surface);

@@ -10,11 +10,11 @@
 
 namespace asperity::app {
 
-MethodDescription describe(const cases::WinklerSettings& settings);
+MethodDescription describe(const mechanics::WinklerSettings& settings);
 
 /// @param surface  must outlive the solver
 std::unique_ptr<StepSolver>
-make_winkler_solver(const cases::WinklerSettings& settings,
+make_winkler_solver(const mechanics::WinklerSettings& settings,
                     const SurfaceOfCase& surface);
 
 } // namespace asperity::app

@@ -9,7 +9,7 @@
 namespace asperity::app {
 namespace {
 
-using cases::LinearSolverChoice;
+using mechanics::LinearSolver;
 
 // All constants are measured in the release build on one thread of a shared
 // 2-core AMD EPYC. Their sources are tools/plan_accuracy.py and the table of
@@ -52,31 +52,31 @@ constexpr double multigrid_memory[] = {3.2 * kilobyte, 5.8 * kilobyte};
 /// In addition to multigrid_memory.
 constexpr double direct_memory = 5.5 * kilobyte;
 
-LinearSolverChoice solver_of(const cases::Case& contact_case,
-                             const cases::FemSettings& settings,
-                             double unknowns) {
-  if (settings.linear_solver != LinearSolverChoice::automatic)
-    return settings.linear_solver;
+LinearSolver solver_of(const cases::Case& contact_case,
+                       const mechanics::FemSettings& settings,
+                       double unknowns) {
+  if (settings.full.linear_solver != LinearSolver::automatic)
+    return settings.full.linear_solver;
   if (unknowns <= fem::most_direct_unknowns)
-    return LinearSolverChoice::direct;
-  const bool is_layered = !settings.uses_case_mesh ||
-                          contact_case.mesh.kind == cases::MeshKind::layers;
-  return is_layered && settings.bodies == 1 &&
-                 settings.sides == cases::BlockSides::periodic
-             ? LinearSolverChoice::fourier
-             : LinearSolverChoice::multigrid;
+    return LinearSolver::direct;
+  const bool is_layered = !settings.full.uses_case_mesh ||
+                          contact_case.mesh.kind == mechanics::MeshKind::layers;
+  return is_layered && settings.full.bodies == 1 &&
+                 settings.full.sides == mechanics::BlockSides::periodic
+             ? LinearSolver::fourier
+             : LinearSolver::multigrid;
 }
 
-bool is_rough(const cases::SurfaceSpec& surface) {
+bool is_rough(const mechanics::SurfaceSpec& surface) {
   return surfaces::is_random(surface.kind) ||
-         surface.kind == cases::SurfaceKind::measured;
+         surface.kind == mechanics::SurfaceKind::measured;
 }
 
 /// Returns the CPU time of multigrid per unknown and Newton step [s].
 double multigrid_time(const cases::Case& contact_case,
-                      const cases::FemSettings& settings, double nodes_per_side,
-                      std::size_t order) {
-  const bool has_two = settings.bodies == 2;
+                      const mechanics::FemSettings& settings,
+                      double nodes_per_side, std::size_t order) {
+  const bool has_two = settings.full.bodies == 2;
   const double iterations =
       iterations_at_32 *
       std::pow(nodes_per_side / 32.0, block_iterations_exponent) *
@@ -91,22 +91,23 @@ double multigrid_time(const cases::Case& contact_case,
 } // namespace
 
 MethodCost cost_of_full_block(const cases::Case& contact_case,
-                              const cases::FemSettings& settings,
+                              const mechanics::FemSettings& settings,
                               const Grid& grid, MachineRates& rates) {
-  const cases::Scales scales{contact_case.material.contact_modulus,
-                             grid.length_x, grid.spacing_x(), 0.0};
+  const mechanics::Scales scales{contact_case.material.contact_modulus,
+                                 grid.length_x, grid.spacing_x(), 0.0};
   const BlockSize size = block_size(contact_case, settings, scales, grid);
-  const std::size_t order = settings.element == cases::Element::q1 ? 0 : 1;
+  const std::size_t order =
+      settings.block.element == mechanics::Element::q1 ? 0 : 1;
   const bool is_uneven = contact_case.material.inclusion.has_value() ||
                          contact_case.material.variation.has_value();
   double unknown_time = 0.0; // per Newton step
   double unknown_memory = multigrid_memory[order];
   switch (solver_of(contact_case, settings, size.unknowns)) {
-  case LinearSolverChoice::direct:
+  case LinearSolver::direct:
     unknown_time = direct_time * size.unknowns;
     unknown_memory += direct_memory;
     break;
-  case LinearSolverChoice::fourier:
+  case LinearSolver::fourier:
     unknown_time = (is_uneven ? uneven_fourier_time : fourier_time)[order];
     unknown_memory = fourier_memory[order];
     break;

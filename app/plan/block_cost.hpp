@@ -21,7 +21,7 @@ inline constexpr double block_factor = 3.0;
 /// treated as if it used the full block. The prediction is NaN if the mesh is
 /// read from a file.
 MethodCost cost_of_full_block(const cases::Case& contact_case,
-                              const cases::FemSettings& settings,
+                              const mechanics::FemSettings& settings,
                               const Grid& grid, MachineRates& rates);
 
 /// Returns the memory that deal.II and Trilinos need for any full block, in

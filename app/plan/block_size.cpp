@@ -12,17 +12,13 @@
 namespace asperity::app {
 namespace {
 
-using cases::MeshGeometry;
-
-double degree_of(const cases::FemSettings& settings) {
-  return settings.element == cases::Element::q1 ? 1.0 : 2.0;
-}
+using mechanics::MeshGeometry;
 
 std::vector<double> interfaces_of(const cases::Case& contact_case,
-                                  const cases::Scales& scales) {
+                                  const mechanics::Scales& scales) {
   std::vector<double> interfaces;
   double depth = 0.0;
-  for (const cases::MaterialLayer& layer : contact_case.material.layers)
+  for (const mechanics::MaterialLayer& layer : contact_case.material.layers)
     interfaces.push_back(depth += layer.thickness.in_si(scales));
   return interfaces;
 }
@@ -80,8 +76,9 @@ double cells_along(double length, double first, double last) {
 
 /// The mesh consists of a fine cube under the contact, five blocks that fan out
 /// from it, and layers below.
-BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
-                      const Grid& grid, double depth, double degree) {
+BlockSize indentation(const mechanics::MeshSpec& mesh,
+                      const mechanics::Scales& scales, const Grid& grid,
+                      double depth, double degree) {
   const double fine = mesh.fine_radius.in_si(scales);
   const double near = mesh.size_at_contact.in_si(scales);
   const double far = mesh.size_far.in_si(scales);
@@ -106,11 +103,11 @@ BlockSize indentation(const cases::MeshSpec& mesh, const cases::Scales& scales,
 /// ball with a cube inside. Each block between them has as many cells across as
 /// the box.
 BlockSize inclusion(const cases::Case& contact_case,
-                    const cases::Scales& scales, const Grid& grid, double depth,
-                    double degree) {
+                    const mechanics::Scales& scales, const Grid& grid,
+                    double depth, double degree) {
   const double size = contact_case.mesh.size_at_contact.in_si(scales);
   const double far = contact_case.mesh.size_far.in_si(scales);
-  const cases::MaterialInclusion& ball = *contact_case.material.inclusion;
+  const mechanics::MaterialInclusion& ball = *contact_case.material.inclusion;
   const double radius = ball.radius.in_si(scales);
   const double centre = ball.depth.in_si(scales);
   const double room = std::min(
@@ -136,8 +133,9 @@ BlockSize inclusion(const cases::Case& contact_case,
 /// prescribed size, which grows linearly with the depth. A regular tetrahedron
 /// of edge s has the volume s^3/(6 sqrt 2), and there are six tetrahedra per
 /// vertex.
-BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
-                     const Grid& grid, double depth, double degree) {
+BlockSize tetrahedra(const mechanics::MeshSpec& mesh,
+                     const mechanics::Scales& scales, const Grid& grid,
+                     double depth, double degree) {
   const double near = mesh.size_at_contact.in_si(scales);
   const double far = mesh.size_far.in_si(scales);
   double inverse_cube = 1.0 / (near * near * near); // mean of s^-3 over depth
@@ -161,12 +159,13 @@ BlockSize tetrahedra(const cases::MeshSpec& mesh, const cases::Scales& scales,
   return size;
 }
 
-BlockSize by_gmsh(const cases::Case& contact_case, const cases::Scales& scales,
-                  const Grid& grid, double depth, double degree) {
-  const cases::MeshSpec& mesh = contact_case.mesh;
+BlockSize by_gmsh(const cases::Case& contact_case,
+                  const mechanics::Scales& scales, const Grid& grid,
+                  double depth, double degree) {
+  const mechanics::MeshSpec& mesh = contact_case.mesh;
   if (mesh.geometry == MeshGeometry::file)
     return {not_a_number, not_a_number, not_a_number};
-  if (mesh.cells == cases::MeshCells::tetrahedra)
+  if (mesh.cells == mechanics::MeshCells::tetrahedra)
     return tetrahedra(mesh, scales, grid, depth, degree);
   if (mesh.geometry == MeshGeometry::indentation)
     return indentation(mesh, scales, grid, depth, degree);
@@ -191,35 +190,37 @@ BlockSize by_gmsh(const cases::Case& contact_case, const cases::Scales& scales,
 } // namespace
 
 int n_layers(const cases::Case& contact_case,
-             const cases::FemSettings& settings, const cases::Scales& scales,
-             const Grid& grid) {
+             const mechanics::FemSettings& settings,
+             const mechanics::Scales& scales, const Grid& grid) {
   return static_cast<int>(
       meshes::graded_layers_with_interfaces(
-          settings.surface_cell_depth * degree_of(settings) * grid.spacing_x(),
-          settings.growth, interfaces_of(contact_case, scales),
-          settings.depth.in_si(scales))
+          settings.block.surface_cell_depth *
+              degree_of(settings.block.element) * grid.spacing_x(),
+          settings.block.growth, interfaces_of(contact_case, scales),
+          settings.block.depth.in_si(scales))
           .size());
 }
 
 BlockSize block_size(const cases::Case& contact_case,
-                     const cases::FemSettings& settings,
-                     const cases::Scales& scales, const Grid& grid) {
-  const double degree = degree_of(settings);
-  const double depth = settings.depth.in_si(scales);
+                     const mechanics::FemSettings& settings,
+                     const mechanics::Scales& scales, const Grid& grid) {
+  const double degree = degree_of(settings.block.element);
+  const double depth = settings.block.depth.in_si(scales);
   const int step = static_cast<int>(degree);
   const Grid cells{grid.points_x / step, grid.points_y / step, grid.length_x,
                    grid.length_y};
   BlockSize size;
-  if (settings.solver != cases::FemSolver::full || !settings.uses_case_mesh ||
-      contact_case.mesh.kind == cases::MeshKind::layers)
+  if (settings.solver != mechanics::FemSolver::full ||
+      !settings.full.uses_case_mesh ||
+      contact_case.mesh.kind == mechanics::MeshKind::layers)
     size = boxes(cells.points_x, cells.points_y,
                  n_layers(contact_case, settings, scales, grid), degree);
-  else if (contact_case.mesh.kind == cases::MeshKind::hanging)
+  else if (contact_case.mesh.kind == mechanics::MeshKind::hanging)
     size = hanging(cells, depth, contact_case.mesh.cells_a_level, degree);
   else
     size = by_gmsh(contact_case, scales, grid, depth, degree);
-  size.cells *= settings.bodies;
-  size.unknowns *= settings.bodies;
+  size.cells *= settings.full.bodies;
+  size.unknowns *= settings.full.bodies;
   return size;
 }
 

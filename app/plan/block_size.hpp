@@ -24,14 +24,14 @@ struct BlockSize {
 ///
 /// @throws std::domain_error  the mesh itself would be rejected
 BlockSize block_size(const cases::Case& contact_case,
-                     const cases::FemSettings& settings,
-                     const cases::Scales& scales, const Grid& grid);
+                     const mechanics::FemSettings& settings,
+                     const mechanics::Scales& scales, const Grid& grid);
 
 /// Returns the number of cell layers over the depth. The first layer is
 /// surface_cell_depth node spacings thick, and the cell faces match the
 /// material interfaces.
 int n_layers(const cases::Case& contact_case,
-             const cases::FemSettings& settings, const cases::Scales& scales,
-             const Grid& grid);
+             const mechanics::FemSettings& settings,
+             const mechanics::Scales& scales, const Grid& grid);
 
 } // namespace asperity::app

@@ -11,7 +11,7 @@
 namespace asperity::app {
 namespace {
 
-using cases::Element;
+using mechanics::Element;
 
 // The constants are measured in the release build on a 2-core AMD EPYC;
 // MachineRates::slowness() scales the times to other machines.
@@ -64,10 +64,10 @@ double nodes(const Grid& grid) {
   return static_cast<double>(grid.size());
 }
 
-double iterations_per_step(const cases::SurfaceSpec& surface,
+double iterations_per_step(const mechanics::SurfaceSpec& surface,
                            const Grid& grid) {
   const bool is_rough = surfaces::is_random(surface.kind) ||
-                        surface.kind == cases::SurfaceKind::measured;
+                        surface.kind == mechanics::SurfaceKind::measured;
   return (is_rough ? 1.0 : smooth_factor) * iterations_at_512 *
          std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
 }
@@ -79,12 +79,12 @@ struct CostInput {
   MachineRates& rates;
 };
 
-MethodCost cost_on_face(const cases::ContactSettings& contact,
+MethodCost cost_on_face(const mechanics::ContactSettings& contact,
                         const CostInput& input) {
   const auto& [contact_case, grid, rates] = input;
   MethodCost cost;
   const double law =
-      contact.law == cases::ContactLaw::augmented ? augmented_factor : 1.0;
+      contact.law == mechanics::ContactLaw::augmented ? augmented_factor : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
   cost.step_time = law * iterations_per_step(contact_case.surface, grid) *
@@ -93,16 +93,16 @@ MethodCost cost_on_face(const cases::ContactSettings& contact,
   return cost;
 }
 
-MethodCost cost_of_settings(const cases::TheorySettings&,
+MethodCost cost_of_settings(const mechanics::TheorySettings&,
                             const CostInput& input) {
   const double slowness = input.rates.slowness();
   return {1.0, slowness * theory_setup_time, slowness * theory_step_time, 0.0};
 }
 
-MethodCost cost_of_settings(const cases::HalfspaceSettings& settings,
+MethodCost cost_of_settings(const mechanics::HalfspaceSettings& settings,
                             const CostInput& input) {
   if (!settings.has_free_boundaries ||
-      input.contact_case.surface.kind == cases::SurfaceKind::measured)
+      input.contact_case.surface.kind == mechanics::SurfaceKind::measured)
     return cost_on_face(settings.contact, input); // mirrored: twice the points
   Grid padded = input.grid;
   padded.points_x *= 2;
@@ -112,7 +112,7 @@ MethodCost cost_of_settings(const cases::HalfspaceSettings& settings,
 }
 
 /// A sort of the heights, no transform.
-MethodCost cost_of_settings(const cases::WinklerSettings&,
+MethodCost cost_of_settings(const mechanics::WinklerSettings&,
                             const CostInput& input) {
   MethodCost cost;
   cost.unknowns = nodes(input.grid);
@@ -121,17 +121,17 @@ MethodCost cost_of_settings(const cases::WinklerSettings&,
   return cost;
 }
 
-MethodCost cost_of_settings(const cases::FemSettings& settings,
+MethodCost cost_of_settings(const mechanics::FemSettings& settings,
                             const CostInput& input) {
   const auto& [contact_case, grid, rates] = input;
-  if (settings.solver == cases::FemSolver::full)
+  if (settings.solver == mechanics::FemSolver::full)
     return cost_of_full_block(contact_case, settings, grid, rates);
-  const cases::Scales scales{contact_case.material.contact_modulus,
-                             grid.length_x, grid.spacing_x(), 0.0};
+  const mechanics::Scales scales{contact_case.material.contact_modulus,
+                                 grid.length_x, grid.spacing_x(), 0.0};
   MethodCost cost = cost_on_face(settings.contact, input);
   const double layers = n_layers(contact_case, settings, scales, grid);
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
-  if (settings.element == Element::q1) {
+  if (settings.block.element == Element::q1) {
     cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
   } else {
     cost.setup_time = layers * nodes(grid) / 4.0 / symmetry * q2_layer_time;
@@ -141,13 +141,13 @@ MethodCost cost_of_settings(const cases::FemSettings& settings,
   return cost;
 }
 
-MethodCost cost_of_settings(const cases::MdSettings& settings,
+MethodCost cost_of_settings(const mechanics::MdSettings& settings,
                             const CostInput& input) {
   const auto& [contact_case, grid, rates] = input;
   const double side = settings.atoms.value_or(grid.points_x);
   MethodCost cost;
   cost.unknowns = 3.0 * side * side;
-  if (settings.bulk == cases::AtomBulk::green) {
+  if (settings.bulk == mechanics::AtomBulk::green) {
     const double evaluation =
         rates.slowness() * atom_evaluation_time * side * side;
     cost.step_time = evaluations_at_100 *
@@ -164,8 +164,9 @@ MethodCost cost_of_settings(const cases::MdSettings& settings,
     cost.setup_time = cost.step_time / explicit_evaluations;
   }
   cost.memory = doubles_per_atom * sizeof(double) * cost.unknowns / 3.0;
-  const bool is_unknown = settings.engine == cases::AtomEngine::lammps ||
-                          settings.minimizer == cases::AtomMinimizer::dynamics;
+  const bool is_unknown =
+      settings.engine == mechanics::AtomEngine::lammps ||
+      settings.minimizer == mechanics::AtomMinimizer::dynamics;
   if (is_unknown)
     cost.step_time = cost.setup_time = not_a_number;
   return cost;

@@ -18,7 +18,7 @@ using results::not_given;
 
 /// The surface of a case as far as it is known before the run.
 struct KnownSurface {
-  cases::Scales scales;
+  mechanics::Scales scales;
   Grid grid;                     ///< without points if no surface is built
   bool is_built = false;         ///< the statistics are those of realisation 0
   double rms_height = not_given; ///< [m]
@@ -47,14 +47,14 @@ KnownSurface built_surface(const cases::Case& contact_case,
 }
 
 bool has_formula(const cases::Case& contact_case) {
-  return contact_case.surface.kind == cases::SurfaceKind::self_affine ||
-         contact_case.surface.kind == cases::SurfaceKind::spectrum;
+  return contact_case.surface.kind == mechanics::SurfaceKind::self_affine ||
+         contact_case.surface.kind == mechanics::SurfaceKind::spectrum;
 }
 
 /// Returns what the case says of a surface that is not built.
 KnownSurface stated_surface(const cases::Case& contact_case) {
   KnownSurface known;
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   known.scales.contact_modulus = contact_case.material.contact_modulus;
   known.scales.length = surface.length.value_or(0.0);
   if (surface.length && surface.points)
@@ -101,8 +101,8 @@ void add_wavevectors(std::vector<DerivedNumber>& numbers,
                      const KnownSurface& known) {
   const double two_pi = 2.0 * std::numbers::pi;
   double shortest = known.scales.length; // wavelength [m]
-  if (contact_case.surface.kind == cases::SurfaceKind::self_affine) {
-    const cases::SurfaceSpec& surface = contact_case.surface;
+  if (contact_case.surface.kind == mechanics::SurfaceKind::self_affine) {
+    const mechanics::SurfaceSpec& surface = contact_case.surface;
     add(numbers, "wavevector_low", surface.wavevector_low, "1/m",
         "q_L, where the spectrum begins");
     add(numbers, "wavevector_roll_off", surface.wavevector_roll_off, "1/m",
@@ -126,7 +126,7 @@ void add_wavevectors(std::vector<DerivedNumber>& numbers,
 }
 
 void add_material(std::vector<DerivedNumber>& numbers,
-                  const cases::MaterialSpec& material,
+                  const mechanics::MaterialSpec& material,
                   const KnownSurface& known) {
   add(numbers, "contact_modulus", material.contact_modulus, "Pa",
       "E* of the pair");
@@ -138,14 +138,14 @@ void add_material(std::vector<DerivedNumber>& numbers,
       "rms pressure E* h'_rms/2 of full contact");
 }
 
-std::vector<DescribedLoad> loads_of(const cases::LoadingPath& load,
+std::vector<DescribedLoad> loads_of(const mechanics::LoadingPath& load,
                                     const KnownSurface& known) {
-  const bool is_pressure = load.control == cases::Control::nominal_pressure;
+  const bool is_pressure = load.control == mechanics::Control::nominal_pressure;
   const double unit =
       is_pressure ? known.scales.contact_modulus : known.scales.rms_height;
   std::vector<DescribedLoad> loads;
   for (std::size_t step = 0; step < load.targets.size(); ++step) {
-    const cases::Quantity& target = load.targets[step];
+    const mechanics::Quantity& target = load.targets[step];
     double in_si = target.in_si(known.scales);
     if (in_si == 0.0 && target.value != 0.0)
       in_si = not_given; // the reference unit is not known

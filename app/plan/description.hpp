@@ -44,7 +44,7 @@ struct CaseDescription {
   std::map<std::string, std::string> inputs; ///< SHA-256 of the files it names
   std::vector<ResolvedKey> keys;
   std::vector<DerivedNumber> derived;
-  cases::Control control = cases::Control::nominal_pressure;
+  mechanics::Control control = mechanics::Control::nominal_pressure;
   std::vector<DescribedLoad> loads;
   std::vector<DescribedMethod> methods;
   Plan plan;

@@ -82,7 +82,7 @@ std::string keys_text(const std::vector<ResolvedKey>& keys) {
 
 std::string loads_text(const CaseDescription& description) {
   const bool is_pressure =
-      description.control == cases::Control::nominal_pressure;
+      description.control == mechanics::Control::nominal_pressure;
   std::string text = fmt::format("load steps: {} in Pa (and E*)\n",
                                  is_pressure ? "nominal pressure" : "mean gap");
   if (!is_pressure)
@@ -166,7 +166,7 @@ std::string description_json(const CaseDescription& description,
       {"inputs", description.inputs},
       {"keys", OrderedJson::object()},
       {"derived", OrderedJson::object()},
-      {"control", description.control == cases::Control::nominal_pressure
+      {"control", description.control == mechanics::Control::nominal_pressure
                       ? "nominal_pressure"
                       : "mean_gap"},
       {"loads", OrderedJson::array()},

@@ -57,12 +57,12 @@ double transform_time(const Grid& grid) {
 double iteration_time(const Grid& grid) {
   contact::FourierOperator elasticity = contact::halfspace_operator(
       grid, {1.0, 0.3, std::numeric_limits<double>::infinity(),
-             contact::FarBoundary::clamped});
+             mechanics::FarBoundary::clamped});
   const std::vector<double> heights = heights_of(grid);
   const contact::ContactProblem problem{heights, 0.0, 1e-14, n_iterations};
   const CpuClock clock;
   const contact::ContactSolution solution = contact::solve_contact(
-      elasticity, problem, {contact::LoadTarget::Kind::nominal_pressure, 0.01});
+      elasticity, problem, {mechanics::Control::nominal_pressure, 0.01});
   return clock.seconds() / std::max(1, solution.iterations);
 }
 

@@ -125,7 +125,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
       chosen_methods(contact_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(contact_case, methods);
   if (const auto& variation = contact_case.material.variation;
-      variation && variation->kind == cases::VariationKind::table)
+      variation && variation->kind == mechanics::VariationKind::table)
     fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
   const CaseKeys keys(contact_case, program_identity());
   Cache none;
@@ -150,8 +150,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     planned.runs_alone = describe(method, contact_case.material).runs_alone;
     if (!method.needs_surface())
       planned.grid = {};
-    uses_fem |=
-        left > 0 && std::holds_alternative<cases::FemSettings>(method.settings);
+    uses_fem |= left > 0 &&
+                std::holds_alternative<mechanics::FemSettings>(method.settings);
     uses_block |= left > 0 && is_whole_block(method);
     plan.methods.push_back(std::move(planned));
   }

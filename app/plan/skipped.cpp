@@ -45,16 +45,16 @@ private:
 
   void add_realizations(const MethodSpec& method);
 
-  void add_of_settings(const MethodSpec&, const cases::TheorySettings&) {}
+  void add_of_settings(const MethodSpec&, const mechanics::TheorySettings&) {}
 
   void add_of_settings(const MethodSpec& method,
-                       const cases::HalfspaceSettings& settings);
+                       const mechanics::HalfspaceSettings& settings);
   void add_of_settings(const MethodSpec& method,
-                       const cases::FemSettings& settings);
+                       const mechanics::FemSettings& settings);
   void add_of_settings(const MethodSpec& method,
-                       const cases::MdSettings& settings);
+                       const mechanics::MdSettings& settings);
 
-  void add_of_settings(const MethodSpec&, const cases::WinklerSettings&) {}
+  void add_of_settings(const MethodSpec&, const mechanics::WinklerSettings&) {}
 
   const SelectedCase& scene_;
   MachineRates& rates_;
@@ -130,7 +130,7 @@ void Skips::add_realizations(const MethodSpec& method) {
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
-                            const cases::HalfspaceSettings& settings) {
+                            const mechanics::HalfspaceSettings& settings) {
   const MethodCost cost =
       cost_of(scene_.contact_case, method, scene_.grid, rates_);
   list.push_back(
@@ -147,8 +147,8 @@ void Skips::add_of_settings(const MethodSpec& method,
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
-                            const cases::FemSettings& settings) {
-  if (settings.solver == cases::FemSolver::full)
+                            const mechanics::FemSettings& settings) {
+  if (settings.solver == mechanics::FemSolver::full)
     return;
   const MethodCost full =
       cost_of_full_block(scene_.contact_case, settings, scene_.grid, rates_);
@@ -168,14 +168,14 @@ void Skips::add_of_settings(const MethodSpec& method,
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
-                            const cases::MdSettings& settings) {
-  if (settings.bulk != cases::AtomBulk::green ||
-      settings.engine != cases::AtomEngine::asperity)
+                            const mechanics::MdSettings& settings) {
+  if (settings.bulk != mechanics::AtomBulk::green ||
+      settings.engine != mechanics::AtomEngine::asperity)
     return;
   MethodSpec whole = method;
-  auto& block = std::get<cases::MdSettings>(whole.settings);
+  auto& block = std::get<mechanics::MdSettings>(whole.settings);
   const double side = settings.atoms.value_or(scene_.grid.points_x);
-  block.bulk = cases::AtomBulk::explicit_layers;
+  block.bulk = mechanics::AtomBulk::explicit_layers;
   block.levels = 1;
   block.layers =
       static_cast<int>(settings.depth.in_si({0.0, scene_.grid.length_x,
@@ -204,7 +204,7 @@ std::vector<Skipped> skipped_by_scene(const SelectedCase& scene,
 
 Grid grid_of_case(const cases::Case& contact_case,
                   const std::vector<MethodSpec>& methods) {
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   if (surface.length && surface.points)
     return {*surface.points, *surface.points, *surface.length, *surface.length};
   return needs_surfaces(methods) ? surfaces::build_surface(surface, 0).grid

@@ -46,8 +46,8 @@ const std::set<std::string> facts_of_a_run{
     "window"};
 
 /// Returns the values of the reference units that the text of a case states.
-cases::Scales stated_scales(const cases::Case& contact_case) {
-  cases::Scales scales;
+mechanics::Scales stated_scales(const cases::Case& contact_case) {
+  mechanics::Scales scales;
   scales.contact_modulus = contact_case.material.contact_modulus;
   scales.length = contact_case.surface.length.value_or(0.0);
   if (contact_case.surface.points)

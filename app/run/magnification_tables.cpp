@@ -37,9 +37,9 @@ double contact_weight(const MagnifiedContact& contact) {
 std::vector<MagnifiedContact>
 magnified_contacts(const theory::PerssonContact& contact,
                    const cases::MagnificationStudy& study) {
-  const cases::Scales scales{contact.contact_modulus(), 0.0, 0.0, 0.0};
+  const mechanics::Scales scales{contact.contact_modulus(), 0.0, 0.0, 0.0};
   std::vector<MagnifiedContact> contacts;
-  for (const cases::Quantity& pressure : study.nominal_pressures)
+  for (const mechanics::Quantity& pressure : study.nominal_pressures)
     contacts.emplace_back(contact, pressure.in_si(scales),
                           study.reference_wavevector);
   return contacts;

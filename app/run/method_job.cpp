@@ -16,9 +16,9 @@ namespace {
 
 using results::CurvePoint;
 
-StepTarget target_of(const cases::LoadingPath& load, std::size_t step,
-                     const cases::Scales& scales) {
-  return {load.control, load.targets[step].in_si(scales),
+StepTarget target_of(const mechanics::LoadingPath& load, std::size_t step,
+                     const mechanics::Scales& scales) {
+  return {{load.control, load.targets[step].in_si(scales)},
           static_cast<int>(step)};
 }
 
@@ -27,7 +27,7 @@ StepTarget target_of(const cases::LoadingPath& load, std::size_t step,
 /// contain these files.
 bool leaves_files(const cases::MethodSpec& method,
                   const cases::ReportSpec& report) {
-  const auto* md = std::get_if<cases::MdSettings>(&method.settings);
+  const auto* md = std::get_if<mechanics::MdSettings>(&method.settings);
   return (md != nullptr && md->dump) || (is_whole_block(method) && report.vtu);
 }
 
@@ -183,11 +183,11 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
   const theory::HeightSpectrum spectrum =
       by_formula ? formula_of_case(contact_case, method_)
                  : spectrum_of(scene_.surfaces.of(method_, realization_));
-  const cases::Scales scales =
+  const mechanics::Scales scales =
       by_formula ? formula_scales(contact_case, spectrum)
                  : scene_.surfaces.of(method_, realization_).scales;
   std::vector<CurvePoint> rows =
-      theory_rows(std::get<cases::TheorySettings>(method_.settings),
+      theory_rows(std::get<mechanics::TheorySettings>(method_.settings),
                   contact_case.load, spectrum, scales);
   const double setup_time = clock.seconds();
   std::erase_if(rows, [&](const CurvePoint& row) {
@@ -210,7 +210,7 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
   const CpuClock clock(scene_.pool.threads_per_job());
   const std::unique_ptr<StepSolver> solver = set_up();
   const double setup_time = clock.seconds() + solver->saved_setup_time();
-  if (std::holds_alternative<cases::FemSettings>(method_.settings))
+  if (std::holds_alternative<mechanics::FemSettings>(method_.settings))
     scene_.tally.uses_fem = true;
   if (solver->saved_setup_time() > 0.0)
     scene_.tally.add_kept(method_.name + ", operator",
@@ -253,7 +253,7 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
     fmt::print("{}, realization {}: steps {} to {} are computed again, because "
                "the state after them was not saved\n",
                method_.name, realization_, next, step - 1);
-  const cases::Scales& scales =
+  const mechanics::Scales& scales =
       scene_.surfaces.of(method_, realization_).scales;
   for (; next < step && !is_interrupted(); ++next) {
     const Progress::Activity activity(

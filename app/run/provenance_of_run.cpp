@@ -11,7 +11,7 @@ namespace asperity::app {
 namespace {
 
 /// Describes for the report how the window function changes a measured map.
-std::string effect_of_window(const cases::SurfaceSpec& surface) {
+std::string effect_of_window(const mechanics::SurfaceSpec& surface) {
   const auto [measured, pressed] = surfaces::edge_effect(surface);
   return fmt::format("the window changes the rms height of the measured map "
                      "from {:.3g} nm to {:.3g} nm (factor {:.2f}) and the rms "
@@ -32,11 +32,11 @@ results::Provenance provenance_at_start(const cases::Case& contact_case,
   facts.emplace_back("realizations",
                      std::to_string(contact_case.surface.realizations));
   facts.emplace_back("started", results::utc_now());
-  if (contact_case.surface.kind == cases::SurfaceKind::measured)
+  if (contact_case.surface.kind == mechanics::SurfaceKind::measured)
     facts.emplace_back("map", surfaces::description_of(surfaces::measured_map(
                                   contact_case.surface)));
-  if (contact_case.surface.kind == cases::SurfaceKind::measured &&
-      contact_case.surface.edges == cases::Edges::window)
+  if (contact_case.surface.kind == mechanics::SurfaceKind::measured &&
+      contact_case.surface.edges == mechanics::Edges::window)
     facts.emplace_back("window", effect_of_window(contact_case.surface));
   return facts;
 }

@@ -208,7 +208,7 @@ RunOutcome run_case(const cases::Case& contact_case,
   std::vector<MethodSpec> methods =
       chosen_methods(contact_case, options.methods, options.is_exact);
   for (const MethodSpec& method : methods)
-    if (const auto* md = std::get_if<cases::MdSettings>(&method.settings))
+    if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
       md::require_engine(*md);
   require_memory(contact_case, options);
   return Run(contact_case, options, std::move(methods)).execute();

@@ -31,7 +31,7 @@ const CurvePoint& row_of(const results::Fields& map,
 ///
 /// @param table  stress_table() of these maps
 results::Table heaviest_section(const cases::MethodSpec& method,
-                                const contact::ElasticBlock& block,
+                                const mechanics::ElasticBlock& block,
                                 std::span<const results::Fields> maps,
                                 const results::Table& table, int threads) {
   const auto heaviest = std::max_element(
@@ -52,7 +52,7 @@ results::Table heaviest_section(const cases::MethodSpec& method,
 } // namespace
 
 results::Table stress_table(const std::string& method,
-                            const contact::ElasticBlock& block,
+                            const mechanics::ElasticBlock& block,
                             std::span<const results::Fields> maps,
                             int threads) {
   results::Column pressure{"nominal_pressure", "Pa", {}};
@@ -102,7 +102,7 @@ results::Table own_stress_table(const results::Table& of_pressure,
 
 void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
-                          const cases::Scales& scales, int threads,
+                          const mechanics::Scales& scales, int threads,
                           results::ResultWriter& writer, Tally& tally) {
   if (!contact_case.report.stress_inside)
     return;
@@ -119,7 +119,7 @@ void record_stress_inside(const cases::Case& contact_case,
     std::erase_if(maps, [](const auto& map) { return !has_maps(map); });
     if (maps.empty())
       continue;
-    const contact::ElasticBlock block =
+    const mechanics::ElasticBlock block =
         continuum_of(*method, contact_case.material, scales);
     const auto table = tally.attempt("subsurface stress, " + method->name, [&] {
       return stress_table(method->name, block, maps, threads);

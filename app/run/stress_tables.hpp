@@ -15,7 +15,7 @@ namespace asperity::app {
 /// Returns a table with one row per map: load, largest von Mises stress,
 /// largest shear stress at that point, and the position of the point.
 results::Table stress_table(const std::string& method,
-                            const contact::ElasticBlock& block,
+                            const mechanics::ElasticBlock& block,
                             std::span<const results::Fields> maps, int threads);
 
 /// Returns the same table for the finite-element stress of a full block, taken
@@ -37,7 +37,7 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// cannot be computed is recorded in `tally` and does not end the run.
 void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
-                          const cases::Scales& scales, int threads,
+                          const mechanics::Scales& scales, int threads,
                           results::ResultWriter& writer, Tally& tally);
 
 } // namespace asperity::app

@@ -137,7 +137,7 @@ void run_studies(const RunScene& scene, const cases::MethodSpec& theory) {
   const theory::PerssonContact contact(
       formula_of_case(contact_case, theory),
       contact_case.material.contact_modulus,
-      std::get<cases::TheorySettings>(theory.settings).gamma);
+      std::get<mechanics::TheorySettings>(theory.settings).gamma);
   StudyTables tables(scene, theory);
   if (contact_case.magnification_study)
     run_magnification(*contact_case.magnification_study, contact, scene.tally,

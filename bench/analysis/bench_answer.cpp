@@ -15,7 +15,7 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceKind;
+using mechanics::SurfaceKind;
 using results::CurvePoint;
 
 const results::MethodRecord& method_called(const results::Result& result,
@@ -27,9 +27,9 @@ const results::MethodRecord& method_called(const results::Result& result,
 }
 
 /// Returns the columns of a curve that are compared at each load.
-std::vector<results::CurveColumn> compared_columns(cases::Control control) {
+std::vector<results::CurveColumn> compared_columns(mechanics::Control control) {
   const std::string other =
-      control == cases::Control::mean_gap ? "nominal_pressure" : "mean_gap";
+      control == mechanics::Control::mean_gap ? "nominal_pressure" : "mean_gap";
   std::vector<results::CurveColumn> compared;
   for (const results::CurveColumn& column : results::curve_columns())
     if (column.name == other || column.name == "elastic_energy" ||
@@ -68,8 +68,9 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
 
 /// Integrates U(p) from the exact mean gap, whose derivative may be singular at
 /// either end.
-double exact_energy(const cases::SurfaceSpec& surface, double contact_modulus,
-                    double nominal_pressure, double highest) {
+double exact_energy(const mechanics::SurfaceSpec& surface,
+                    double contact_modulus, double nominal_pressure,
+                    double highest) {
   const auto gap = [&](double pressure) {
     return exact_point(surface, contact_modulus, pressure, highest, false)
         .mean_gap;
@@ -87,11 +88,11 @@ double exact_energy(const cases::SurfaceSpec& surface, double contact_modulus,
 /// Whether some methods of the case have free boundaries and others have not:
 /// their mean gaps and energies then have no common exact solution.
 bool is_mixed(const cases::Case& contact_case) {
-  const bool is_free = contact_case.surface.edges == cases::Edges::free;
+  const bool is_free = contact_case.surface.edges == mechanics::Edges::free;
   return std::ranges::any_of(
       contact_case.methods, [&](const cases::MethodSpec& method) {
         const auto* half =
-            std::get_if<cases::HalfspaceSettings>(&method.settings);
+            std::get_if<mechanics::HalfspaceSettings>(&method.settings);
         return (half != nullptr && half->has_free_boundaries) != is_free;
       });
 }
@@ -156,7 +157,7 @@ double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
 
 BenchAnswer exact_answer(const cases::Case& contact_case,
                          const BenchAnswer& answer) {
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   const double contact_modulus = contact_case.material.contact_modulus;
   BenchAnswer exact;
   exact.rms_height = answer.rms_height;
@@ -165,7 +166,7 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
     return exact;
   // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
-  const bool is_free = surface.edges == cases::Edges::free;
+  const bool is_free = surface.edges == mechanics::Edges::free;
   for (const double pressure : answer.pressure) {
     const ExactPoint point =
         exact_point(surface, contact_modulus, pressure, top, is_free);

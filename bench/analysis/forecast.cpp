@@ -118,9 +118,10 @@ void Forecast::learn(const std::string& column, int points, double growth_share,
 }
 
 std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
-  const std::string gap = contact_case.load.control == cases::Control::mean_gap
-                              ? "nominal_pressure"
-                              : "mean_gap";
+  const std::string gap =
+      contact_case.load.control == mechanics::Control::mean_gap
+          ? "nominal_pressure"
+          : "mean_gap";
   std::vector<std::string> asked;
   const auto add = [&](const std::string& name) {
     if (std::find(asked.begin(), asked.end(), name) == asked.end())

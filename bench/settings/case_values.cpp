@@ -64,9 +64,9 @@ void add_without_spacings(const Node& table, const std::string& path,
       continue;
     const cases::QuantityReading reading =
         cases::read_quantity(entry.node.text, cases::Dimension::length,
-                             {cases::ReferenceUnit::spacing});
+                             {mechanics::ReferenceUnit::spacing});
     if (reading.quantity &&
-        reading.quantity->yardstick == cases::ReferenceUnit::spacing)
+        reading.quantity->yardstick == mechanics::ReferenceUnit::spacing)
       overrides.push_back(
           fmt::format("{}.{}={}", path, entry.key,
                       cases::write_quantity({reading.quantity->value * spacing},

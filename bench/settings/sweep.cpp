@@ -124,7 +124,8 @@ void Planner::add_truth() {
   if (own_points_ == 0)
     return;
   const auto kind = case_.surface.kind;
-  if (kind == cases::SurfaceKind::sphere || kind == cases::SurfaceKind::wave_1d)
+  if (kind == mechanics::SurfaceKind::sphere ||
+      kind == mechanics::SurfaceKind::wave_1d)
     return; // all compared quantities have an exact solution
   BenchSeries series{.method = "halfspace",
                      .axis = points_axis,

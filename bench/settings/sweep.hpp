@@ -43,7 +43,7 @@ Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options);
 
 /// Returns the smallest number of points per side, at least 16, even and of the
 /// form 2^a 3^b 5^c, whose grid resolves all of the roughness in the case.
-int least_carrying_points(const cases::SurfaceSpec& surface);
+int least_carrying_points(const mechanics::SurfaceSpec& surface);
 
 /// Returns the overrides that apply to every run of a benchmark: the number of
 /// realisations, and lengths that the case gives in node spacings, converted to

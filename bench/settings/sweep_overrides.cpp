@@ -24,7 +24,7 @@ bool transforms_well(int points) {
 
 } // namespace
 
-int least_carrying_points(const cases::SurfaceSpec& surface) {
+int least_carrying_points(const mechanics::SurfaceSpec& surface) {
   if (!surface.length || !(surface.wavevector_high > 0.0))
     return least_points;
   constexpr double rounding = 1e-9;
@@ -43,7 +43,7 @@ std::vector<std::string> common_overrides(const cases::Case& contact_case,
   std::vector<std::string> overrides;
   if (contact_case.surface.realizations > realizations)
     overrides.push_back(fmt::format("surface.realizations={}", realizations));
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   if (surface.length && surface.points)
     for (std::string& one :
          CaseValues(contact_case)

@@ -120,10 +120,11 @@ std::string at_load_section() {
       "A quantity at one load is written `name@p=pressure`, for example\n"
       "`\"area_fraction@p=0.0129 E*\" = { value = 0.109, within = 0.01 }`, the "
       "pressure\nin " +
-      fmt::format("{}",
-                  fmt::join(unit_symbols(Dimension::pressure,
-                                         {ReferenceUnit::contact_modulus}),
-                            ", ")) +
+      fmt::format(
+          "{}",
+          fmt::join(unit_symbols(Dimension::pressure,
+                                 {mechanics::ReferenceUnit::contact_modulus}),
+                    ", ")) +
       ". The quantity is interpolated in\nthe method's loading curve by "
       "monotone cubics in ln p (the area by its logarithm),\nnever "
       "extrapolated, and averaged over realisations. `reference.csv` uses the "

@@ -15,11 +15,12 @@ namespace asperity::cases {
 /// Returns Poisson's ratio from which on a wave with eight nodes per wavelength
 /// is too stiff by more than a tenth (Q1) or a twentieth (Q2), as measured in
 /// tests/fem/locking_test.cpp.
-double locking_ratio(Element element);
+double locking_ratio(mechanics::Element element);
 
 /// Returns one sentence for each [fem] method with a material above the limit
 /// of its element: the method, the error in stiffness and a remedy.
-std::vector<std::string> locking_warnings(const MaterialSpec& material,
-                                          std::span<const MethodSpec> methods);
+std::vector<std::string>
+locking_warnings(const mechanics::MaterialSpec& material,
+                 std::span<const MethodSpec> methods);
 
 } // namespace asperity::cases

@@ -10,12 +10,12 @@
 namespace asperity::cases {
 namespace {
 
-BodyModuli read_moduli(TableReader& table) {
+mechanics::BodyModuli read_moduli(TableReader& table) {
   return {table.number("youngs_modulus"), table.number("poisson_ratio")};
 }
 
-MaterialLayer read_layer(const Node& node, TableReader& material,
-                         Mistakes& mistakes) {
+mechanics::MaterialLayer read_layer(const Node& node, TableReader& material,
+                                    Mistakes& mistakes) {
   if (!node.is_table()) {
     material.refuse(node, "must be a table of thickness, youngs_modulus and "
                           "poisson_ratio");
@@ -40,11 +40,12 @@ const Node* sub_table(TableReader& parent, const std::string& name) {
   return node && node->is_table() ? node : nullptr;
 }
 
-MaterialInclusion read_inclusion(const Node& node, Mistakes& mistakes) {
+mechanics::MaterialInclusion read_inclusion(const Node& node,
+                                            Mistakes& mistakes) {
   TableReader table(node, vocabulary_table("material.inclusion"), mistakes);
   table.refuse_unknown();
-  MaterialInclusion inclusion{table.quantity("radius"), table.quantity("depth"),
-                              read_moduli(table)};
+  mechanics::MaterialInclusion inclusion{
+      table.quantity("radius"), table.quantity("depth"), read_moduli(table)};
   if (inclusion.radius.yardstick == inclusion.depth.yardstick &&
       inclusion.depth.value > 0.0 &&
       inclusion.depth.value <= inclusion.radius.value)
@@ -66,21 +67,22 @@ std::string read_expression(TableReader& table, const std::string& key) {
   return text;
 }
 
-MaterialVariation read_variation(const Node& node, const std::string& folder,
-                                 Mistakes& mistakes) {
+mechanics::MaterialVariation read_variation(const Node& node,
+                                            const std::string& folder,
+                                            Mistakes& mistakes) {
   TableReader table(node, vocabulary_table("material.variation"), mistakes);
   table.refuse_unknown();
-  MaterialVariation variation;
+  mechanics::MaterialVariation variation;
   variation.kind = table.choice("kind", variation.kind);
   switch (variation.kind) {
-  case VariationKind::function:
+  case mechanics::VariationKind::function:
     variation.factor = read_expression(table, "factor");
     break;
-  case VariationKind::random:
+  case mechanics::VariationKind::random:
     variation.spread = table.number("spread");
     variation.seed = static_cast<std::uint64_t>(table.integer("seed"));
     break;
-  case VariationKind::table:
+  case mechanics::VariationKind::table:
     variation.file = read_path(table, folder);
     break;
   }
@@ -97,7 +99,7 @@ const Node& said_by(TableReader& table, const std::string& key) {
 } // namespace
 
 void read_block(TableReader& material, const std::string& folder,
-                MaterialSpec& spec, Mistakes& mistakes) {
+                mechanics::MaterialSpec& spec, Mistakes& mistakes) {
   if (const Node* const layers = material.node().find("layers")) {
     if (layers->type != NodeType::list || layers->list.empty())
       material.refuse(*layers, "must be a list of tables");
@@ -110,11 +112,11 @@ void read_block(TableReader& material, const std::string& folder,
     spec.variation = read_variation(*node, folder, mistakes);
 }
 
-MeshSpec read_mesh(const Node& node, const std::string& folder,
-                   const Case& read, Mistakes& mistakes) {
+mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
+                              const Case& read, Mistakes& mistakes) {
   TableReader table(node, vocabulary_table("mesh"), mistakes);
   table.refuse_unknown();
-  MeshSpec mesh;
+  mechanics::MeshSpec mesh;
   mesh.kind = table.choice("kind", mesh.kind);
   mesh.cells_a_level = table.integer("cells_a_level");
   mesh.geometry = table.choice("geometry", mesh.geometry);
@@ -123,41 +125,46 @@ MeshSpec read_mesh(const Node& node, const std::string& folder,
   mesh.size_far = table.quantity("size_far");
   mesh.fine_radius = table.quantity("fine_radius");
   mesh.file_unit = table.number("file_unit");
-  if (mesh.kind != MeshKind::gmsh)
+  if (mesh.kind != mechanics::MeshKind::gmsh)
     return mesh;
-  if (mesh.geometry == MeshGeometry::file)
+  if (mesh.geometry == mechanics::MeshGeometry::file)
     mesh.file = read_path(table, folder);
-  if (mesh.geometry == MeshGeometry::layered && read.material.layers.empty())
+  if (mesh.geometry == mechanics::MeshGeometry::layered &&
+      read.material.layers.empty())
     table.refuse(*node.find("geometry"), "material.layers is missing");
-  if (mesh.geometry == MeshGeometry::inclusion && !read.material.inclusion)
+  if (mesh.geometry == mechanics::MeshGeometry::inclusion &&
+      !read.material.inclusion)
     table.refuse(*node.find("geometry"),
                  "the table [material.inclusion] is missing");
   return mesh;
 }
 
-void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem) {
-  fem.sides = table.choice("sides", fem.sides);
-  fem.linear_solver = table.choice("linear_solver", fem.linear_solver);
-  fem.contact_at = table.choice("contact_at", fem.contact_at);
-  fem.bodies = table.integer("bodies");
-  const bool is_full = fem.solver == FemSolver::full;
-  fem.uses_case_mesh = is_full && has_mesh;
+void read_whole_block(TableReader& table, bool has_mesh,
+                      mechanics::FemSettings& fem) {
+  fem.full.sides = table.choice("sides", fem.full.sides);
+  fem.full.linear_solver =
+      table.choice("linear_solver", fem.full.linear_solver);
+  fem.full.contact_at = table.choice("contact_at", fem.full.contact_at);
+  fem.full.bodies = table.integer("bodies");
+  const bool is_full = fem.solver == mechanics::FemSolver::full;
+  fem.full.uses_case_mesh = is_full && has_mesh;
   if (table.has("mesh"))
-    fem.uses_case_mesh = table.word("mesh").value_or(0) == 1;
+    fem.full.uses_case_mesh = table.word("mesh").value_or(0) == 1;
   const auto only_full = [&](bool is_asked, const std::string& key) {
     if (is_asked && !is_full)
       table.refuse(said_by(table, key), "needs solver = \"full\"");
   };
-  only_full(fem.uses_case_mesh, "mesh");
-  only_full(fem.sides == BlockSides::free, "sides");
-  only_full(fem.linear_solver != LinearSolverChoice::automatic,
+  only_full(fem.full.uses_case_mesh, "mesh");
+  only_full(fem.full.sides == mechanics::BlockSides::free, "sides");
+  only_full(fem.full.linear_solver != mechanics::LinearSolver::automatic,
             "linear_solver");
-  only_full(fem.contact_at == ContactPoints::gauss, "contact_at");
-  only_full(fem.bodies == 2, "bodies");
-  if (fem.uses_case_mesh && !has_mesh)
+  only_full(fem.full.contact_at == mechanics::ContactPoints::gauss,
+            "contact_at");
+  only_full(fem.full.bodies == 2, "bodies");
+  if (fem.full.uses_case_mesh && !has_mesh)
     table.refuse(said_by(table, "mesh"), "the table [mesh] is missing");
-  if (fem.contact_at == ContactPoints::gauss &&
-      fem.contact.law == ContactLaw::hard)
+  if (fem.full.contact_at == mechanics::ContactPoints::gauss &&
+      fem.contact.law == mechanics::ContactLaw::hard)
     table.refuse(
         said_by(table, "contact_at"),
         "hard (unilateral) contact at more points than the contact surface has "
@@ -175,9 +182,10 @@ void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
   if (!read.material.counter)
     return;
   for (const MethodSpec& method : read.methods) {
-    const auto* const fem = std::get_if<FemSettings>(&method.settings);
-    if (std::holds_alternative<HalfspaceSettings>(method.settings) ||
-        (fem != nullptr && fem->bodies == 1))
+    const auto* const fem =
+        std::get_if<mechanics::FemSettings>(&method.settings);
+    if (std::holds_alternative<mechanics::HalfspaceSettings>(method.settings) ||
+        (fem != nullptr && fem->full.bodies == 1))
       mistakes.add(entry_of(file, "material", "layers").place,
                    method.name + ": no single block represents a layered body "
                                  "and [material.counter]; use [fem] with "
@@ -188,31 +196,34 @@ void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
 void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
   check_layers(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
-    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    const auto* const fem =
+        std::get_if<mechanics::FemSettings>(&method.settings);
     if (!fem)
       continue;
     const Node& place = entry_of(file, method.name, "solver");
-    const bool is_full = fem->solver == FemSolver::full;
+    const bool is_full = fem->solver == mechanics::FemSolver::full;
     if (!is_full && (read.material.inclusion || read.material.variation))
       mistakes.add(place.place,
                    method.name + ": a block with [material." +
                        (read.material.inclusion ? "inclusion" : "variation") +
                        "] is not laterally uniform; it needs solver = "
                        "\"full\"");
-    if (fem->bodies == 2 && !read.material.counter)
+    if (fem->full.bodies == 2 && !read.material.counter)
       mistakes.add(entry_of(file, method.name, "bodies").place,
                    method.name + ".bodies = 2, but the table "
                                  "[material.counter] is missing");
-    if (fem->bodies == 2 && fem->contact.law == ContactLaw::hard)
+    if (fem->full.bodies == 2 &&
+        fem->contact.law == mechanics::ContactLaw::hard)
       mistakes.add(entry_of(file, method.name, "bodies").place,
                    method.name +
                        ".bodies = 2 cannot be combined with hard (unilateral) "
                        "contact; use contact = \"augmented\" or \"penalty\"");
     const bool is_lattice =
-        fem->sides == BlockSides::periodic &&
-        (!fem->uses_case_mesh || read.mesh.kind == MeshKind::layers);
-    if (fem->linear_solver == LinearSolverChoice::fourier &&
-        (!is_lattice || fem->bodies == 2))
+        fem->full.sides == mechanics::BlockSides::periodic &&
+        (!fem->full.uses_case_mesh ||
+         read.mesh.kind == mechanics::MeshKind::layers);
+    if (fem->full.linear_solver == mechanics::LinearSolver::fourier &&
+        (!is_lattice || fem->full.bodies == 2))
       mistakes.add(entry_of(file, method.name, "linear_solver").place,
                    method.name + ".linear_solver = \"fourier\" needs one "
                                  "periodic block of graded layers");

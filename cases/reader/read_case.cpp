@@ -42,15 +42,15 @@ Node table_called(const Node& file, const std::string& name, bool is_needed,
   return empty;
 }
 
-SurfaceKind kind_of(const Node& surface) {
+mechanics::SurfaceKind kind_of(const Node& surface) {
   const Key& key = vocabulary_key(vocabulary_table("surface"), "kind");
   const Node* const found = surface.find("kind");
   const auto match =
       found ? std::find(key.words.begin(), key.words.end(), found->text)
             : key.words.end();
   return match == key.words.end()
-             ? SurfaceKind::self_affine
-             : static_cast<SurfaceKind>(match - key.words.begin());
+             ? mechanics::SurfaceKind::self_affine
+             : static_cast<mechanics::SurfaceKind>(match - key.words.begin());
 }
 
 void read_top(const Node& file, Case& read, Mistakes& mistakes) {
@@ -77,7 +77,7 @@ void read_studies(const Node& file, Case& read, Mistakes& mistakes) {
 
 void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   const Node surface = table_called(file, "surface", true, mistakes);
-  const SurfaceKind kind = kind_of(surface);
+  const mechanics::SurfaceKind kind = kind_of(surface);
   read.methods = read_methods(file, kind, mistakes);
   const Demands demands = demands_of(read.methods);
   const std::string folder =

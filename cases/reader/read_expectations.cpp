@@ -16,7 +16,7 @@ namespace asperity::cases {
 namespace {
 
 struct ReadSoFar {
-  SurfaceKind surface;
+  mechanics::SurfaceKind surface;
   const std::vector<MethodSpec>& methods;
   const Case& read;
 
@@ -28,7 +28,7 @@ struct ReadSoFar {
 };
 
 bool is_theory(const MethodSpec& method) {
-  return std::holds_alternative<TheorySettings>(method.settings);
+  return std::holds_alternative<mechanics::TheorySettings>(method.settings);
 }
 
 bool answers(const MethodSpec& method, const ExpectationName& quantity,
@@ -92,7 +92,7 @@ void check_scene(TableReader& band, const ExpectationName& quantity,
         vocabulary_key(vocabulary_table("surface"), "kind").words;
     std::vector<std::string> allowed;
     allowed.reserve(kinds.size());
-    for (const SurfaceKind kind : kinds)
+    for (const mechanics::SurfaceKind kind : kinds)
       allowed.push_back(words[static_cast<std::size_t>(kind)]);
     band.complain(band.node(),
                   fmt::format("is defined only for the surfaces {}",
@@ -168,7 +168,8 @@ Expectation read_band(const Node& node, const std::string& name,
 
 } // namespace
 
-std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
+std::vector<Expectation> read_expectations(const Node& table,
+                                           mechanics::SurfaceKind kind,
                                            const Case& read,
                                            Mistakes& mistakes) {
   const ReadSoFar read_so_far{kind, read.methods, read};

@@ -7,7 +7,7 @@ namespace {
 
 enum class Cycle { load, load_unload };
 
-void append_way_back(LoadingPath& program) {
+void append_way_back(mechanics::LoadingPath& program) {
   for (std::size_t step = program.targets.size(); step-- > 1;) {
     program.targets.push_back(program.targets[step - 1]);
     program.is_unloading.push_back(true);
@@ -16,14 +16,14 @@ void append_way_back(LoadingPath& program) {
 
 } // namespace
 
-LoadingPath read_load(const Node& table, Mistakes& mistakes) {
+mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes) {
   TableReader load(table, vocabulary_table("load"), mistakes);
   load.refuse_unknown();
-  LoadingPath program;
+  mechanics::LoadingPath program;
   if (load.has("nominal_pressure") && load.has("mean_gap"))
     load.refuse_both("nominal_pressure", "mean_gap");
   if (load.has("mean_gap")) {
-    program.control = Control::mean_gap;
+    program.control = mechanics::Control::mean_gap;
     program.targets = load.program("mean_gap");
   } else if (load.has("nominal_pressure")) {
     program.targets = load.program("nominal_pressure");

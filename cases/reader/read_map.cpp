@@ -10,24 +10,24 @@ namespace {
 
 /// Requires an explicit confirmation for a windowed map, because its surface
 /// differs from the measured one.
-void read_window(TableReader& table, const SurfaceSpec& spec) {
+void read_window(TableReader& table, const mechanics::SurfaceSpec& spec) {
   const bool is_confirmed = table.boolean("press_windowed_map");
   const Node* const edges = table.node().find("edges");
-  if (spec.edges == Edges::window && !is_confirmed)
+  if (spec.edges == mechanics::Edges::window && !is_confirmed)
     table.refuse(
         *edges,
         "this needs press_windowed_map = true: a window is meant for spectra, "
         "and the windowed map has 9/64 of the measured power and about 3/8 of "
         "the rms height and slope; edges = \"mirror\" preserves both");
-  if (spec.edges != Edges::window && is_confirmed)
+  if (spec.edges != mechanics::Edges::window && is_confirmed)
     table.refuse(*table.node().find("press_windowed_map"),
                  "this key applies only to edges = \"window\"");
 }
 
 /// Reads the part of the map that is used; a side that is not given reaches to
 /// the end of the map.
-void read_crop(TableReader& table, SurfaceSpec& spec) {
-  MapWindow window;
+void read_crop(TableReader& table, mechanics::SurfaceSpec& spec) {
+  mechanics::MapWindow window;
   bool is_cropped = false;
   for (const auto& [key, value] :
        {std::pair("crop_x", &window.x), std::pair("crop_y", &window.y),
@@ -41,7 +41,7 @@ void read_crop(TableReader& table, SurfaceSpec& spec) {
     spec.crop = window;
 }
 
-void read_corrections(TableReader& table, SurfaceSpec& spec) {
+void read_corrections(TableReader& table, mechanics::SurfaceSpec& spec) {
   read_crop(table, spec);
   spec.align_lines = table.choice("align_lines", spec.align_lines);
   if (table.has("remove_spikes"))
@@ -53,18 +53,20 @@ void read_corrections(TableReader& table, SurfaceSpec& spec) {
 
 /// Whether a format contains all lengths and units, so that the case must not
 /// give them.
-bool is_self_describing(MapFormat format) {
-  return format == MapFormat::gwyddion || format == MapFormat::sdf ||
-         format == MapFormat::x3p || format == MapFormat::gwy ||
-         format == MapFormat::convert;
+bool is_self_describing(mechanics::MapFormat format) {
+  return format == mechanics::MapFormat::gwyddion ||
+         format == mechanics::MapFormat::sdf ||
+         format == mechanics::MapFormat::x3p ||
+         format == mechanics::MapFormat::gwy ||
+         format == mechanics::MapFormat::convert;
 }
 
 } // namespace
 
-void read_map(TableReader& table, SurfaceSpec& spec) {
+void read_map(TableReader& table, mechanics::SurfaceSpec& spec) {
   spec.format = table.choice("format", spec.format);
   spec.level = table.choice("level", spec.level);
-  spec.edges = Edges::mirror;
+  spec.edges = mechanics::Edges::mirror;
   if (table.has("edges"))
     spec.edges = table.choice("edges", spec.edges);
   read_window(table, spec);
@@ -76,7 +78,7 @@ void read_map(TableReader& table, SurfaceSpec& spec) {
     if (table.has(key))
       *value = table.number(key);
   read_corrections(table, spec);
-  if (spec.format == MapFormat::plain) {
+  if (spec.format == mechanics::MapFormat::plain) {
     if (!spec.length)
       table.complain_missing("length", ", which a plain map does not contain");
     if (!spec.height_unit)

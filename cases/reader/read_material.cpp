@@ -11,7 +11,7 @@ double plane_strain_modulus(TableReader& body) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 }
 
-void read_counter(TableReader& material, MaterialSpec& spec,
+void read_counter(TableReader& material, mechanics::MaterialSpec& spec,
                   Mistakes& mistakes) {
   const Node& node = *material.node().find("counter");
   if (!node.is_table()) {
@@ -32,11 +32,13 @@ void read_counter(TableReader& material, MaterialSpec& spec,
 
 } // namespace
 
-MaterialSpec read_material(const Node& table, const std::string& folder,
-                           bool is_poisson_needed, Mistakes& mistakes) {
+mechanics::MaterialSpec read_material(const Node& table,
+                                      const std::string& folder,
+                                      bool is_poisson_needed,
+                                      Mistakes& mistakes) {
   TableReader material(table, vocabulary_table("material"), mistakes);
   material.refuse_unknown({"counter", "inclusion", "variation"});
-  MaterialSpec spec;
+  mechanics::MaterialSpec spec;
   if (material.has("contact_modulus")) {
     spec.contact_modulus = material.number("contact_modulus");
     if (material.has("youngs_modulus"))

@@ -18,7 +18,7 @@ std::optional<int> count(TableReader& table, const char* key) {
   return table.has(key) ? std::optional(table.integer(key)) : std::nullopt;
 }
 
-void read_lattice(TableReader& table, MdSettings& md) {
+void read_lattice(TableReader& table, mechanics::MdSettings& md) {
   md.engine = table.choice("engine", md.engine);
   md.lattice = table.choice("lattice", md.lattice);
   md.bulk = table.choice("bulk", md.bulk);
@@ -28,12 +28,13 @@ void read_lattice(TableReader& table, MdSettings& md) {
   md.depth = table.quantity("depth");
   md.levels = table.integer("levels");
   md.layers = table.integer("layers");
-  if (md.engine == AtomEngine::lammps && md.lattice != AtomLattice::central)
+  if (md.engine == mechanics::AtomEngine::lammps &&
+      md.lattice != mechanics::AtomLattice::central)
     table.complain(*table.node().find("engine"),
                    "= \"lammps\" needs lattice = \"central\": its bonds are "
                    "central springs");
   const int coarsest = 1 << std::clamp(md.levels - 1, 0, 30); // range: above
-  if (md.bulk == AtomBulk::explicit_layers && md.atoms &&
+  if (md.bulk == mechanics::AtomBulk::explicit_layers && md.atoms &&
       *md.atoms % coarsest != 0)
     table.refuse(*table.node().find("atoms"),
                  fmt::format("must be a multiple of {} for {} levels, each "
@@ -41,7 +42,7 @@ void read_lattice(TableReader& table, MdSettings& md) {
                              coarsest, md.levels));
 }
 
-void read_interaction(TableReader& table, MdSettings& md) {
+void read_interaction(TableReader& table, mechanics::MdSettings& md) {
   md.potential = table.choice("potential", md.potential);
   md.interaction_energy = table.number("interaction_energy");
   md.interaction_distance = table.number("interaction_distance");
@@ -62,13 +63,13 @@ double if_given(TableReader& table, const char* key, bool is_needed) {
   return 0.0;
 }
 
-void read_balance(TableReader& table, MdSettings& md) {
+void read_balance(TableReader& table, mechanics::MdSettings& md) {
   md.minimizer = table.choice("minimizer", md.minimizer);
   md.tolerance = table.number("tolerance");
   md.max_evaluations = table.integer("max_evaluations");
-  const bool moves = md.minimizer == AtomMinimizer::fire ||
-                     md.minimizer == AtomMinimizer::dynamics;
-  const bool is_dynamics = md.minimizer == AtomMinimizer::dynamics;
+  const bool moves = md.minimizer == mechanics::AtomMinimizer::fire ||
+                     md.minimizer == mechanics::AtomMinimizer::dynamics;
+  const bool is_dynamics = md.minimizer == mechanics::AtomMinimizer::dynamics;
   md.mass = if_given(table, "mass", is_dynamics);
   md.time_step = if_given(table, "time_step", is_dynamics);
   md.damping = if_given(table, "damping", is_dynamics);
@@ -78,7 +79,7 @@ void read_balance(TableReader& table, MdSettings& md) {
     md.seed = static_cast<std::uint64_t>(table.integer("seed"));
   else if (md.temperature > 0.0)
     table.complain_missing("seed", ", which a temperature needs");
-  if (moves && md.bulk != AtomBulk::explicit_layers)
+  if (moves && md.bulk != mechanics::AtomBulk::explicit_layers)
     table.complain(*table.node().find("minimizer"),
                    "needs bulk = \"explicit\": the atoms of a condensed block "
                    "have no mass");
@@ -97,7 +98,8 @@ const Node* method_node(const Node& file, const std::string& name) {
 void check_free_boundaries(const Node& file, const Case& read,
                            Mistakes& mistakes) {
   for (const MethodSpec& method : read.methods) {
-    const auto* const half = std::get_if<HalfspaceSettings>(&method.settings);
+    const auto* const half =
+        std::get_if<mechanics::HalfspaceSettings>(&method.settings);
     if (!half || !half->has_free_boundaries)
       continue;
     const auto refuse = [&](const char* what) {
@@ -108,7 +110,7 @@ void check_free_boundaries(const Node& file, const Case& read,
                                "= \"periodic\" allows it",
                                method.name, what));
     };
-    if (read.load.control == Control::mean_gap)
+    if (read.load.control == mechanics::Control::mean_gap)
       refuse("[load] prescribes mean gaps: please prescribe nominal_pressure");
     if (!read.material.layers.empty())
       refuse("[material] has layers");
@@ -130,8 +132,8 @@ const Node& entry_of(const Node& file, const std::string& name,
   return inherited ? *inherited : method;
 }
 
-MdSettings read_md(TableReader& table) {
-  MdSettings md;
+mechanics::MdSettings read_md(TableReader& table) {
+  mechanics::MdSettings md;
   read_lattice(table, md);
   read_interaction(table, md);
   read_balance(table, md);
@@ -144,9 +146,9 @@ void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
   check_block(file, read, mistakes);
   check_free_boundaries(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
-    const auto* const md = std::get_if<MdSettings>(&method.settings);
+    const auto* const md = std::get_if<mechanics::MdSettings>(&method.settings);
     const double nu = read.material.poisson_ratio.value_or(0.25);
-    if (md && md->lattice == AtomLattice::central &&
+    if (md && md->lattice == mechanics::AtomLattice::central &&
         std::abs(nu - 0.25) > 1e-12) {
       const Node& found = entry_of(file, method.name, "lattice");
       mistakes.add(found.place,

@@ -15,12 +15,12 @@ bool has_free_edges(const Node& file) {
   return edges && edges->text == "free";
 }
 
-ContactSettings read_contact(TableReader& table) {
-  ContactSettings contact;
+mechanics::ContactSettings read_contact(TableReader& table) {
+  mechanics::ContactSettings contact;
   contact.law = table.choice("contact", contact.law);
   if (table.has("penalty"))
     contact.penalty = table.quantity("penalty");
-  else if (contact.law != ContactLaw::hard)
+  else if (contact.law != mechanics::ContactLaw::hard)
     table.complain_missing("penalty", ", which this contact needs");
   contact.tolerance = table.number("tolerance");
   contact.max_iterations = table.integer("max_iterations");
@@ -29,33 +29,33 @@ ContactSettings read_contact(TableReader& table) {
 
 /// The properties of the case that determine which keys of a method are valid.
 struct MethodSurroundings {
-  SurfaceKind surface;
+  mechanics::SurfaceKind surface;
   bool has_mesh;       ///< whether the case has a [mesh]
   bool has_free_edges; ///< surface.edges = "free"
 };
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
-                   TheorySettings& theory) {
-  const SurfaceKind kind = surroundings.surface;
-  const bool has_formula =
-      kind == SurfaceKind::self_affine || kind == SurfaceKind::spectrum;
+                   mechanics::TheorySettings& theory) {
+  const mechanics::SurfaceKind kind = surroundings.surface;
+  const bool has_formula = kind == mechanics::SurfaceKind::self_affine ||
+                           kind == mechanics::SurfaceKind::spectrum;
   theory.gamma = table.number("gamma");
-  theory.spectrum =
-      has_formula ? TheorySpectrum::formula : TheorySpectrum::surface;
+  theory.spectrum = has_formula ? mechanics::TheorySpectrum::formula
+                                : mechanics::TheorySpectrum::surface;
   if (table.has("spectrum"))
     theory.spectrum = table.choice("spectrum", theory.spectrum);
-  if (theory.spectrum == TheorySpectrum::formula && !has_formula)
+  if (theory.spectrum == mechanics::TheorySpectrum::formula && !has_formula)
     table.refuse(*table.node().find("spectrum"),
                  "must be \"surface\": only the kinds self-affine and spectrum "
                  "have a formula");
 }
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
-                   HalfspaceSettings& halfspace) {
+                   mechanics::HalfspaceSettings& halfspace) {
   halfspace.contact = read_contact(table);
   if (table.has("thickness"))
     halfspace.thickness = table.quantity("thickness");
-  halfspace.top = table.choice("top", halfspace.top);
+  halfspace.far_boundary = table.choice("top", halfspace.far_boundary);
   halfspace.has_free_boundaries = surroundings.has_free_edges;
   if (table.has("boundaries"))
     halfspace.has_free_boundaries =
@@ -67,24 +67,24 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
 }
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
-                   FemSettings& fem) {
+                   mechanics::FemSettings& fem) {
   fem.contact = read_contact(table);
-  fem.element = table.choice("element", fem.element);
-  fem.surface_cell_depth = table.number("surface_cell_depth");
-  fem.growth = table.number("growth");
-  fem.depth = table.quantity("depth");
-  fem.top = table.choice("top", fem.top);
+  fem.block.element = table.choice("element", fem.block.element);
+  fem.block.surface_cell_depth = table.number("surface_cell_depth");
+  fem.block.growth = table.number("growth");
+  fem.block.depth = table.quantity("depth");
+  fem.block.far_boundary = table.choice("top", fem.block.far_boundary);
   fem.solver = table.choice("solver", fem.solver);
   read_whole_block(table, surroundings.has_mesh, fem);
 }
 
 void read_settings(TableReader& table, const MethodSurroundings&,
-                   MdSettings& md) {
+                   mechanics::MdSettings& md) {
   md = read_md(table);
 }
 
 void read_settings(TableReader& table, const MethodSurroundings&,
-                   WinklerSettings& winkler) {
+                   mechanics::WinklerSettings& winkler) {
   winkler.stiffness = table.quantity("stiffness");
 }
 
@@ -101,11 +101,11 @@ MethodSettings default_settings(const std::string& kind) {
 }
 
 std::optional<double> read_magnification(TableReader& table,
-                                         SurfaceKind surface) {
+                                         mechanics::SurfaceKind surface) {
   if (!table.has("magnification"))
     return std::nullopt;
   const double magnification = table.number("magnification");
-  if (surface != SurfaceKind::self_affine)
+  if (surface != mechanics::SurfaceKind::self_affine)
     table.refuse(*table.node().find("magnification"),
                  "this key applies only to self-affine surfaces, because it is "
                  "relative to their roll-off wavevector");
@@ -185,7 +185,8 @@ void read_family(const Node& node, const std::string& kind,
 
 } // namespace
 
-std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
+std::vector<MethodSpec> read_methods(const Node& file,
+                                     mechanics::SurfaceKind kind,
                                      Mistakes& mistakes) {
   std::vector<std::vector<MethodSpec>> ranks(2); // methods, then their variants
   const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr,

@@ -18,27 +18,30 @@ struct Demands {
   bool is_poisson_needed = false;
 };
 
-std::vector<MethodSpec> read_methods(const Node& file, SurfaceKind kind,
-                                     Mistakes& mistakes);
+std::vector<MethodSpec>
+read_methods(const Node& file, mechanics::SurfaceKind kind, Mistakes& mistakes);
 /// @param has_mesh  whether the case has a [mesh]
-void read_whole_block(TableReader& table, bool has_mesh, FemSettings& fem);
-MdSettings read_md(TableReader& table);
+void read_whole_block(TableReader& table, bool has_mesh,
+                      mechanics::FemSettings& fem);
+mechanics::MdSettings read_md(TableReader& table);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 
-SurfaceSpec read_surface(const Node& node, const std::string& folder,
-                         bool is_surface_built, Mistakes& mistakes);
+mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
+                                    bool is_surface_built, Mistakes& mistakes);
 /// Reads the keys of a measured map; length has been read before.
-void read_map(TableReader& table, SurfaceSpec& spec);
+void read_map(TableReader& table, mechanics::SurfaceSpec& spec);
 /// @param folder  folder to which file paths are relative
-MaterialSpec read_material(const Node& table, const std::string& folder,
-                           bool is_poisson_needed, Mistakes& mistakes);
+mechanics::MaterialSpec read_material(const Node& table,
+                                      const std::string& folder,
+                                      bool is_poisson_needed,
+                                      Mistakes& mistakes);
 /// Reads layers, inclusion and variation.
 void read_block(TableReader& material, const std::string& folder,
-                MaterialSpec& spec, Mistakes& mistakes);
+                mechanics::MaterialSpec& spec, Mistakes& mistakes);
 /// @param read  the case with its material already read
-MeshSpec read_mesh(const Node& node, const std::string& folder,
-                   const Case& read, Mistakes& mistakes);
-LoadingPath read_load(const Node& table, Mistakes& mistakes);
+mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
+                              const Case& read, Mistakes& mistakes);
+mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its surface and methods already read
 MagnificationStudy read_magnification_study(const Node& node, const Case& read,
                                             Mistakes& mistakes);
@@ -46,7 +49,8 @@ AdhesionStudy read_adhesion_study(const Node& node, const Case& read,
                                   Mistakes& mistakes);
 ReportSpec read_report(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its methods and studies already read
-std::vector<Expectation> read_expectations(const Node& table, SurfaceKind kind,
+std::vector<Expectation> read_expectations(const Node& table,
+                                           mechanics::SurfaceKind kind,
                                            const Case& read,
                                            Mistakes& mistakes);
 

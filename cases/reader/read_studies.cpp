@@ -21,9 +21,10 @@ void check_ends(TableReader& table, double from, double to) {
 /// Returns 2 pi over the wavelength given by that key [rad/m]; 0 after
 /// reporting a mistake.
 double wavevector_of(TableReader& table, const std::string& key,
-                     const SurfaceSpec& surface) {
-  const Quantity wavelength = table.quantity(key);
-  if (wavelength.yardstick == ReferenceUnit::length && !surface.length) {
+                     const mechanics::SurfaceSpec& surface) {
+  const mechanics::Quantity wavelength = table.quantity(key);
+  if (wavelength.yardstick == mechanics::ReferenceUnit::length &&
+      !surface.length) {
     table.refuse(*table.node().find(key),
                  "surface.length is missing, which its unit needs");
     return 0.0;
@@ -34,7 +35,7 @@ double wavevector_of(TableReader& table, const std::string& key,
 }
 
 double read_reference_wavevector(TableReader& table,
-                                 const SurfaceSpec& surface) {
+                                 const mechanics::SurfaceSpec& surface) {
   const std::string direct = "reference_wavevector";
   const std::string inverse = "reference_wavelength";
   if (table.has(direct) && table.has(inverse))
@@ -43,7 +44,7 @@ double read_reference_wavevector(TableReader& table,
     return table.number(direct);
   if (table.has(inverse))
     return wavevector_of(table, inverse, surface);
-  if (surface.kind != SurfaceKind::self_affine)
+  if (surface.kind != mechanics::SurfaceKind::self_affine)
     table.complain_missing(
         direct, " (or " + inverse +
                     "), because the surface has no roll-off wavevector");

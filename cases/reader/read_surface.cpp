@@ -19,7 +19,7 @@ constexpr double printed_rounding = 1e-4;
 /// read before.
 struct SurfaceReader {
   TableReader table;
-  SurfaceSpec spec;
+  mechanics::SurfaceSpec spec;
   bool is_built; ///< whether a method needs a realisation
 
   void complain_where_meaningless();
@@ -58,7 +58,7 @@ void SurfaceReader::complain_where_meaningless() {
 }
 
 void SurfaceReader::read_grid() {
-  const bool is_map = spec.kind == SurfaceKind::measured;
+  const bool is_map = spec.kind == mechanics::SurfaceKind::measured;
   if (table.has("length")) {
     if (const double length = table.number("length"); length > 0.0)
       spec.length = length;
@@ -80,10 +80,11 @@ void SurfaceReader::read_grid() {
 // Returns a length in metres; the reference units "length" and "h" are
 // converted here.
 double SurfaceReader::length_of(const std::string& key) {
-  const Quantity quantity = table.quantity(key);
-  if (quantity.yardstick == ReferenceUnit::si)
+  const mechanics::Quantity quantity = table.quantity(key);
+  if (quantity.yardstick == mechanics::ReferenceUnit::si)
     return quantity.value;
-  const bool is_by_spacing = quantity.yardstick == ReferenceUnit::spacing;
+  const bool is_by_spacing =
+      quantity.yardstick == mechanics::ReferenceUnit::spacing;
   if (!table.has("length") || (is_by_spacing && !table.has("points")))
     table.refuse(*table.node().find(key), is_by_spacing
                                               ? "h needs surface.length and "
@@ -194,7 +195,8 @@ void SurfaceReader::read_edges() {
   if (!table.has("edges"))
     return;
   spec.edges = table.choice("edges", spec.edges);
-  if (spec.edges == Edges::window || spec.edges == Edges::mirror)
+  if (spec.edges == mechanics::Edges::window ||
+      spec.edges == mechanics::Edges::mirror)
     table.refuse(*table.node().find("edges"),
                  "only a measured map is continued in this way; allowed here: "
                  "\"periodic\", \"free\"");
@@ -215,39 +217,39 @@ void SurfaceReader::read_wave() {
 
 } // namespace
 
-SurfaceSpec read_surface(const Node& node, const std::string& folder,
-                         bool is_surface_built, Mistakes& mistakes) {
+mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
+                                    bool is_surface_built, Mistakes& mistakes) {
   SurfaceReader reader{
       {node, vocabulary_table("surface"), mistakes}, {}, is_surface_built};
   reader.table.refuse_unknown();
   const std::optional<int> kind = reader.table.word("kind");
   if (!kind)
     return {}; // the meaning of the other keys is unknown
-  reader.spec.kind = static_cast<SurfaceKind>(*kind);
+  reader.spec.kind = static_cast<mechanics::SurfaceKind>(*kind);
   reader.complain_where_meaningless();
   reader.read_grid();
   switch (reader.spec.kind) {
-  case SurfaceKind::self_affine:
+  case mechanics::SurfaceKind::self_affine:
     reader.read_random();
     reader.read_self_affine();
     break;
-  case SurfaceKind::spectrum:
+  case mechanics::SurfaceKind::spectrum:
     reader.read_random();
     break;
-  case SurfaceKind::measured:
+  case mechanics::SurfaceKind::measured:
     read_map(reader.table, reader.spec);
     break;
-  case SurfaceKind::sphere:
+  case mechanics::SurfaceKind::sphere:
     reader.read_edges();
     reader.spec.radius = reader.length_of("radius");
     break;
-  case SurfaceKind::wave_1d:
-  case SurfaceKind::wave_2d:
+  case mechanics::SurfaceKind::wave_1d:
+  case mechanics::SurfaceKind::wave_2d:
     reader.read_wave();
     break;
   }
-  if (reader.spec.kind == SurfaceKind::measured ||
-      reader.spec.kind == SurfaceKind::spectrum)
+  if (reader.spec.kind == mechanics::SurfaceKind::measured ||
+      reader.spec.kind == mechanics::SurfaceKind::spectrum)
     if (const std::string file = reader.table.text("file"); !file.empty())
       reader.spec.file = (std::filesystem::path(folder) / file).string();
   return reader.spec;

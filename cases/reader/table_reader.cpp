@@ -89,8 +89,8 @@ const Node* TableReader::entry(const std::string& name) {
   return &defaults_.back();
 }
 
-Quantity TableReader::quantity_in(const Node& node, const Key& key) {
-  Quantity quantity;
+mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
+  mechanics::Quantity quantity;
   if (node.is_number()) {
     quantity.value = node.number();
   } else if (node.type == NodeType::text && key.dimension != Dimension::none) {
@@ -106,7 +106,7 @@ Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     return {};
   }
   if (!key.range.contains(quantity.value)) {
-    const bool is_si = quantity.yardstick == ReferenceUnit::si;
+    const bool is_si = quantity.yardstick == mechanics::ReferenceUnit::si;
     refuse(node,
            key.range.sentence(is_si ? si_unit(key.dimension)
                                     : yardstick_symbol(quantity.yardstick)));
@@ -115,9 +115,9 @@ Quantity TableReader::quantity_in(const Node& node, const Key& key) {
   return quantity;
 }
 
-Quantity TableReader::quantity(const std::string& key) {
+mechanics::Quantity TableReader::quantity(const std::string& key) {
   const Node* const found = entry(key);
-  return found ? quantity_in(*found, key_called(key)) : Quantity{};
+  return found ? quantity_in(*found, key_called(key)) : mechanics::Quantity{};
 }
 
 double TableReader::number(const std::string& key) {
@@ -190,7 +190,7 @@ std::vector<std::string> TableReader::names(const std::string& key) {
   return texts;
 }
 
-std::vector<Quantity> TableReader::program(const std::string& name) {
+std::vector<mechanics::Quantity> TableReader::program(const std::string& name) {
   const Node* const found = entry(name);
   if (!found)
     return {};
@@ -201,19 +201,22 @@ std::vector<Quantity> TableReader::program(const std::string& name) {
     return {quantity_in(*found, key)};
   if (found->list.empty())
     refuse(*found, "must be " + allowed_text(key));
-  std::vector<Quantity> targets;
+  std::vector<mechanics::Quantity> targets;
   for (const Node& element : found->list)
     targets.push_back(quantity_in(element, key));
   return targets;
 }
 
-std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
+std::vector<mechanics::Quantity> TableReader::sweep(const Node& node,
+                                                    const Key& key) {
   TableReader part(node, vocabulary_table("load.sweep"), mistakes_);
   part.refuse_unknown();
   const Node* const from_node = part.entry("from");
   const Node* const to_node = part.entry("to");
-  const Quantity from = from_node ? quantity_in(*from_node, key) : Quantity{};
-  const Quantity to = to_node ? quantity_in(*to_node, key) : Quantity{};
+  const mechanics::Quantity from =
+      from_node ? quantity_in(*from_node, key) : mechanics::Quantity{};
+  const mechanics::Quantity to =
+      to_node ? quantity_in(*to_node, key) : mechanics::Quantity{};
   const int steps = part.integer("steps");
   const std::optional<int> word = part.word("spacing");
   if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
@@ -226,7 +229,8 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
     return {};
   }
   if (spacing == Spacing::area) {
-    if (from.yardstick != ReferenceUnit::contact_modulus_times_slope) {
+    if (from.yardstick !=
+        mechanics::ReferenceUnit::contact_modulus_times_slope) {
       refuse(*from_node, "spacing = \"area\" needs pressures in E* h'");
       return {};
     }
@@ -239,7 +243,7 @@ std::vector<Quantity> TableReader::sweep(const Node& node, const Key& key) {
         return {};
       }
   }
-  std::vector<Quantity> targets;
+  std::vector<mechanics::Quantity> targets;
   targets.reserve(static_cast<std::size_t>(steps));
   for (int step = 0; step < steps; ++step)
     targets.push_back(

@@ -31,12 +31,12 @@ public:
   double number(const std::string& key);
   /// Returns a quantity in its reference unit; {0, si} after reporting a
   /// mistake.
-  Quantity quantity(const std::string& key);
+  mechanics::Quantity quantity(const std::string& key);
   int integer(const std::string& name);
   bool boolean(const std::string& key);
   std::string text(const std::string& key);
   std::vector<std::string> names(const std::string& key);
-  std::vector<Quantity> program(const std::string& name);
+  std::vector<mechanics::Quantity> program(const std::string& name);
 
   /// Returns the index of the word in the vocabulary, which is also the order
   /// of the enumeration; empty after reporting a mistake.
@@ -54,7 +54,7 @@ public:
   const Node* entry(const std::string& name);
 
   /// Reads a quantity or number that is part of the value of the key.
-  Quantity quantity_in(const Node& node, const Key& key);
+  mechanics::Quantity quantity_in(const Node& node, const Key& key);
 
   void complain_missing(const std::string& name, const std::string& why = "");
   void complain(const Node& where, const std::string& what);
@@ -70,7 +70,7 @@ public:
   void refuse_unknown(const std::vector<std::string>& also_known = {});
 
 private:
-  std::vector<Quantity> sweep(const Node& node, const Key& key);
+  std::vector<mechanics::Quantity> sweep(const Node& node, const Key& key);
   const Key& key_called(const std::string& name) const;
   std::string path_of(const std::string& key) const;
 

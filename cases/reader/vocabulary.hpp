@@ -63,8 +63,8 @@ struct Key {
   ValueType type = ValueType::quantity;
   Dimension dimension = Dimension::none;
   Range range = any_number();
-  std::vector<ReferenceUnit> yardsticks = {}; ///< reference units allowed
-                                              ///< besides SI
+  std::vector<mechanics::ReferenceUnit> yardsticks = {}; ///< reference units
+                                                         ///< allowed besides SI
   std::vector<std::string> words = {};
   Need need = Need::never;
   std::string when = {}; ///< condition as text for the documentation

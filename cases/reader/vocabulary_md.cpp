@@ -57,7 +57,8 @@ std::vector<Key> lattice_size_keys() {
       {.name = "depth",
        .dimension = Dimension::length,
        .range = positive(),
-       .yardsticks = {ReferenceUnit::length, ReferenceUnit::spacing},
+       .yardsticks = {mechanics::ReferenceUnit::length,
+                      mechanics::ReferenceUnit::spacing},
        .fallback = "\"1 length\"",
        .example = "\"1 length\"",
        .description = "Depth of the block, for green and LAMMPS, rounded to "

@@ -3,8 +3,8 @@
 namespace asperity::cases {
 namespace {
 
-const std::vector<ReferenceUnit> by_the_grid = {ReferenceUnit::length,
-                                                ReferenceUnit::spacing};
+const std::vector<mechanics::ReferenceUnit> by_the_grid = {
+    mechanics::ReferenceUnit::length, mechanics::ReferenceUnit::spacing};
 const std::vector<std::string> random_kinds = {"self-affine", "spectrum"};
 const std::vector<std::string> wave_kinds = {"wave-1d", "wave-2d"};
 

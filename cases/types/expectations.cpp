@@ -62,7 +62,7 @@ std::vector<ExpectationName> rough_surface_names() {
 
 /// Errors of a numerical solution.
 std::vector<ExpectationName> error_names() {
-  using enum SurfaceKind;
+  using enum mechanics::SurfaceKind;
   return {
       {.name = "mean_gap_error",
        .description = "Largest |mean gap - exact| / amplitude [1].",

@@ -20,8 +20,8 @@ struct ExpectationName {
   bool needs_theory = false;   ///< the case must have a [theory] for comparison
   bool variants_only = false;  ///< defined for the variant "md.explicit", but
                                ///< not for "md"
-  std::vector<SurfaceKind> surfaces = {}; ///< empty: any
-  bool theory_only = false;               ///< defined for no numerical method
+  std::vector<mechanics::SurfaceKind> surfaces = {}; ///< empty: any
+  bool theory_only = false;  ///< defined for no numerical method
   Study study = Study::none; ///< if not none, only study_theory() provides the
                              ///< quantity
 };

@@ -126,7 +126,7 @@ QuantityAtLoadReading read_quantity_at_load(const std::string& name) {
   if (!mistake.empty())
     return refused_at_load(mistake);
   const QuantityReading pressure = read_quantity(
-      *load, Dimension::pressure, {ReferenceUnit::contact_modulus});
+      *load, Dimension::pressure, {mechanics::ReferenceUnit::contact_modulus});
   if (!pressure.quantity)
     return refused_at_load("has a p that " + pressure.mistake);
   if (!(pressure.quantity->value > 0.0))

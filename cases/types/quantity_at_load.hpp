@@ -15,7 +15,7 @@ namespace asperity::cases {
 
 struct QuantityAtLoad {
   std::string quantity;                     ///< one of the names below
-  Quantity nominal_pressure;                ///< > 0, in SI or in E*
+  mechanics::Quantity nominal_pressure;     ///< > 0, in SI or in E*
   std::optional<double> magnification = {}; ///< zeta > 0
 };
 

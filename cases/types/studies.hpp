@@ -4,7 +4,7 @@
 // of magnifications, and adhesion (Secs. 8 and 9 of Yang and Persson, 2008).
 // Plain data, part of a Case.
 
-#include "cases/types/quantity.hpp"
+#include "mechanics/quantity.hpp"
 
 #include <optional>
 #include <vector>
@@ -22,9 +22,9 @@ struct LeakStudy {
 
 /// [magnification]: A(zeta), u(zeta) and u_1(zeta) for each pressure.
 struct MagnificationStudy {
-  std::vector<Quantity> nominal_pressures; ///< [Pa] > 0
-  double from = 0.0;                       ///< lowest zeta [1] > 0
-  double to = 0.0;                         ///< highest zeta > from
+  std::vector<mechanics::Quantity> nominal_pressures; ///< [Pa] > 0
+  double from = 0.0;                                  ///< lowest zeta [1] > 0
+  double to = 0.0;                                    ///< highest zeta > from
   int points = 0; ///< number of magnifications, including both ends
   double reference_wavevector = 0.0; ///< q_ref = q/zeta [rad/m] > 0
   std::optional<LeakStudy> leak;

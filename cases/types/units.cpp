@@ -43,8 +43,10 @@ const std::vector<Unit>& units() {
       {"m", length},
       {"mm", length, 1.0, 1e3},
       {"um", length, 1.0, 1e6},
-      {"\u00b5m", length, 1.0, 1e6, ReferenceUnit::si, true}, // micro sign
-      {"\u03bcm", length, 1.0, 1e6, ReferenceUnit::si, true}, // Greek mu
+      {"\u00b5m", length, 1.0, 1e6, mechanics::ReferenceUnit::si,
+       true}, // micro sign
+      {"\u03bcm", length, 1.0, 1e6, mechanics::ReferenceUnit::si,
+       true}, // Greek mu
       {"nm", length, 1.0, 1e9},
       {"angstrom", length, 1.0, 1e10},
       {"Pa", pressure},
@@ -69,12 +71,14 @@ const std::vector<Unit>& units() {
       {"mPa s", viscosity, 1.0, 1e3},
       {"1/m", wavevector},
       {"Pa/m", stiffness},
-      {"E*", pressure, 1.0, 1.0, ReferenceUnit::contact_modulus},
-      {"E* h'", pressure, 1.0, 1.0, ReferenceUnit::contact_modulus_times_slope},
-      {"length", length, 1.0, 1.0, ReferenceUnit::length},
-      {"h", length, 1.0, 1.0, ReferenceUnit::spacing},
-      {"h_rms", length, 1.0, 1.0, ReferenceUnit::rms_height},
-      {"E*/h", stiffness, 1.0, 1.0, ReferenceUnit::contact_modulus_per_spacing},
+      {"E*", pressure, 1.0, 1.0, mechanics::ReferenceUnit::contact_modulus},
+      {"E* h'", pressure, 1.0, 1.0,
+       mechanics::ReferenceUnit::contact_modulus_times_slope},
+      {"length", length, 1.0, 1.0, mechanics::ReferenceUnit::length},
+      {"h", length, 1.0, 1.0, mechanics::ReferenceUnit::spacing},
+      {"h_rms", length, 1.0, 1.0, mechanics::ReferenceUnit::rms_height},
+      {"E*/h", stiffness, 1.0, 1.0,
+       mechanics::ReferenceUnit::contact_modulus_per_spacing},
   };
   return table;
 }
@@ -121,24 +125,25 @@ std::string si_unit(Dimension dimension) {
   return found == units().end() ? "1" : found->symbol;
 }
 
-std::string yardstick_symbol(ReferenceUnit yardstick) {
+std::string yardstick_symbol(mechanics::ReferenceUnit yardstick) {
   for (const Unit& unit : units())
-    if (unit.yardstick == yardstick && yardstick != ReferenceUnit::si)
+    if (unit.yardstick == yardstick &&
+        yardstick != mechanics::ReferenceUnit::si)
       return unit.symbol;
   return "";
 }
 
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<ReferenceUnit>& yardsticks) {
+                const std::vector<mechanics::ReferenceUnit>& yardsticks) {
   return unit.dimension == dimension &&
-         (unit.yardstick == ReferenceUnit::si ||
+         (unit.yardstick == mechanics::ReferenceUnit::si ||
           std::find(yardsticks.begin(), yardsticks.end(), unit.yardstick) !=
               yardsticks.end());
 }
 
 std::vector<std::string>
 unit_symbols(Dimension dimension,
-             const std::vector<ReferenceUnit>& yardsticks) {
+             const std::vector<mechanics::ReferenceUnit>& yardsticks) {
   std::vector<std::string> symbols;
   for (const Unit& unit : units())
     if (is_allowed(unit, dimension, yardsticks) && !unit.is_alias)
@@ -146,8 +151,9 @@ unit_symbols(Dimension dimension,
   return symbols;
 }
 
-QuantityReading read_quantity(const std::string& text, Dimension dimension,
-                              const std::vector<ReferenceUnit>& yardsticks) {
+QuantityReading
+read_quantity(const std::string& text, Dimension dimension,
+              const std::vector<mechanics::ReferenceUnit>& yardsticks) {
   const std::string written = trimmed(text);
   const char* const end = written.data() + written.size();
   double number = 0.0;
@@ -172,11 +178,12 @@ QuantityReading read_quantity(const std::string& text, Dimension dimension,
   const double value = number * unit->multiplier / unit->divisor;
   if (!std::isfinite(value))
     return refused("is out of the range of numbers");
-  return {Quantity{value, unit->yardstick}, ""};
+  return {mechanics::Quantity{value, unit->yardstick}, ""};
 }
 
-std::string write_quantity(const Quantity& quantity, Dimension dimension) {
-  const std::string symbol = quantity.yardstick == ReferenceUnit::si
+std::string write_quantity(const mechanics::Quantity& quantity,
+                           Dimension dimension) {
+  const std::string symbol = quantity.yardstick == mechanics::ReferenceUnit::si
                                  ? si_unit(dimension)
                                  : yardstick_symbol(quantity.yardstick);
   return fmt::format("{} {}", quantity.value, symbol);

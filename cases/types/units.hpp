@@ -37,7 +37,7 @@ struct Unit {
   Dimension dimension = Dimension::none;
   double multiplier = 1.0;
   double divisor = 1.0;
-  ReferenceUnit yardstick = ReferenceUnit::si;
+  mechanics::ReferenceUnit yardstick = mechanics::ReferenceUnit::si;
   bool is_alias = false; ///< alternative spelling, accepted but not listed in
                          ///< messages
 };
@@ -53,31 +53,34 @@ std::string si_unit(Dimension dimension);
 
 /// Returns the symbol of a reference unit: "E*", "length", "h", "h_rms",
 /// "E*/h", "E* h'"; "" for si.
-std::string yardstick_symbol(ReferenceUnit yardstick);
+std::string yardstick_symbol(mechanics::ReferenceUnit yardstick);
 
 /// Returns true if the unit may follow a number of that dimension, given the
 /// allowed reference units.
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<ReferenceUnit>& yardsticks);
+                const std::vector<mechanics::ReferenceUnit>& yardsticks);
 
 /// Returns the symbols of the allowed units without aliases.
 std::vector<std::string>
-unit_symbols(Dimension dimension, const std::vector<ReferenceUnit>& yardsticks);
+unit_symbols(Dimension dimension,
+             const std::vector<mechanics::ReferenceUnit>& yardsticks);
 
 /// The result of reading a quantity: the quantity or the mistake.
 struct QuantityReading {
-  std::optional<Quantity> quantity;
+  std::optional<mechanics::Quantity> quantity;
   std::string mistake; ///< text that follows `key = "text" ` in a message
 };
 
 /// Reads "number unit"; the blank between them is optional. A string with a
 /// number but no unit is a mistake, because a number in SI is written without
 /// quotes. The number is finite; the caller checks its range.
-QuantityReading read_quantity(const std::string& text, Dimension dimension,
-                              const std::vector<ReferenceUnit>& yardsticks);
+QuantityReading
+read_quantity(const std::string& text, Dimension dimension,
+              const std::vector<mechanics::ReferenceUnit>& yardsticks);
 
 /// Writes the quantity such that read_quantity() restores it to the last bit:
 /// "2e-07 m".
-std::string write_quantity(const Quantity& quantity, Dimension dimension);
+std::string write_quantity(const mechanics::Quantity& quantity,
+                           Dimension dimension);
 
 } // namespace asperity::cases

@@ -93,7 +93,7 @@ struct Feasible {
   std::vector<double> excess;       ///< h - (C + c) p [m]
   double lift = 0.0;       ///< mean of C p; 0 on a periodic surface [m]
   double separation = 0.0; ///< smallest u with gap >= 0 everywhere [m]
-  double roundoff = 0.0;            ///< of any value of displacement [m]
+  double roundoff = 0.0;   ///< of any value of displacement [m]
 };
 
 /// The transforms of the operator have a relative roundoff of order
@@ -166,7 +166,7 @@ ContactSolution solve(SurfaceOperator& elasticity,
                       std::span<const double> first_guess) {
   return solve_contact(
       elasticity, {heights, problem.local_compliance, tolerance, 500},
-      {LoadTarget::Kind::nominal_pressure, problem.nominal_pressure},
+      {mechanics::Control::nominal_pressure, problem.nominal_pressure},
       first_guess);
 }
 
@@ -252,11 +252,10 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                                ? std::abs(submitted.mean_gap - check.mean_gap) +
                                      2.0 * answer.roundoff
                                : 0.0;
-  check.mean_gap_error =
-      deviation +
-      separation_error(check.duality_gap, twice_stored,
-                       submitted.nominal_pressure) +
-      lift_error(elasticity, weighted, check.duality_gap);
+  check.mean_gap_error = deviation +
+                         separation_error(check.duality_gap, twice_stored,
+                                          submitted.nominal_pressure) +
+                         lift_error(elasticity, weighted, check.duality_gap);
   return check;
 }
 
@@ -285,17 +284,16 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const double low =
       weighted.product(punch.pressure, submitted.heights) / load -
       largest_of(punch.displacement) - mean_height + answer.lift;
-  const double roundoff =
-      2.0 * punch.roundoff +
-      lift_error(elasticity, weighted, bounds.polished_gap);
+  const double roundoff = 2.0 * punch.roundoff +
+                          lift_error(elasticity, weighted, bounds.polished_gap);
   bounds.low = low - roundoff;
   bounds.high = low + roundoff +
                 excess_of_high(answer, punch, bounds.polished_gap / load);
   const double claimed =
       std::isfinite(submitted.mean_gap)
           ? submitted.mean_gap
-          : weighted.product(first.pressure, first.excess) / load +
-                first.lift - mean_height;
+          : weighted.product(first.pressure, first.excess) / load + first.lift -
+                mean_height;
   bounds.error =
       std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
   return bounds;

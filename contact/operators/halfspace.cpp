@@ -53,15 +53,16 @@ double pressure_factor(double x) {
 } // namespace
 
 double slab_compliance_factor(double reduced_wavevector,
-                              FarBoundary far_boundary, double poisson_ratio) {
+                              mechanics::FarBoundary far_boundary,
+                              double poisson_ratio) {
   require_positive("reduced_wavevector", reduced_wavevector, "1");
   require_between("poisson_ratio", poisson_ratio, -1.0, 0.5, "1");
   switch (far_boundary) {
-  case FarBoundary::clamped:
+  case mechanics::FarBoundary::clamped:
     return clamped_factor(reduced_wavevector, poisson_ratio);
-  case FarBoundary::sliding:
+  case mechanics::FarBoundary::sliding:
     return sliding_factor(reduced_wavevector);
-  case FarBoundary::pressure:
+  case mechanics::FarBoundary::pressure:
     return pressure_factor(reduced_wavevector);
   }
   return 1.0;
@@ -70,7 +71,8 @@ double slab_compliance_factor(double reduced_wavevector,
 namespace {
 
 /// C(q) of a block without layers [m/Pa].
-double uniform_compliance(double wavevector, const ElasticBlock& block) {
+double uniform_compliance(double wavevector,
+                          const mechanics::ElasticBlock& block) {
   const double factor =
       std::isinf(block.thickness)
           ? 1.0
@@ -99,7 +101,7 @@ std::vector<double> on_half_spectrum(const Grid& grid,
 } // namespace
 
 std::vector<double> block_compliance(const Grid& grid,
-                                     const ElasticBlock& block) {
+                                     const mechanics::ElasticBlock& block) {
   require_positive("contact_modulus", block.contact_modulus, "Pa");
   if (!(block.thickness > 0.0))
     refuse_argument("thickness", block.thickness, "> 0 [m], or infinite");
@@ -110,7 +112,8 @@ std::vector<double> block_compliance(const Grid& grid,
   return on_half_spectrum(grid, [&](double q) { return stack.compliance(q); });
 }
 
-FourierOperator halfspace_operator(const Grid& grid, const ElasticBlock& block,
+FourierOperator halfspace_operator(const Grid& grid,
+                                   const mechanics::ElasticBlock& block,
                                    int threads) {
   return FourierOperator(grid, block_compliance(grid, block), threads);
 }

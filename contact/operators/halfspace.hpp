@@ -6,15 +6,11 @@
 
 #include "base/grid.hpp"
 #include "contact/operators/fourier_operator.hpp"
+#include "mechanics/elastic_block.hpp"
 
 #include <vector>
 
 namespace asperity::contact {
-
-/// Boundary condition on the far boundary of a slab, for q > 0: `clamped` has
-/// no displacement, `sliding` no normal displacement and no shear traction,
-/// `pressure` no traction.
-enum class FarBoundary { clamped, sliding, pressure };
 
 /// Compliance of a slab of thickness d relative to the half-space, with
 /// x = q d:
@@ -34,34 +30,18 @@ enum class FarBoundary { clamped, sliding, pressure };
 /// @see  K. L. Johnson, Contact Mechanics (1985), ch. 5; G. Carbone et al.,
 ///       J. Mech. Phys. Solids 56, 684 (2008)
 double slab_compliance_factor(double reduced_wavevector,
-                              FarBoundary far_boundary, double poisson_ratio);
-
-/// A homogeneous, isotropic layer, bonded to the material below it.
-struct BondedLayer {
-  double thickness = 0.0;      ///< [m] > 0
-  double youngs_modulus = 0.0; ///< E [Pa] > 0
-  double poisson_ratio = 0.0;  ///< nu [1], -1 < nu <= 0.5
-};
-
-/// An isotropic elastic block with a frictionless surface and bonded layers.
-struct ElasticBlock {
-  double contact_modulus = 0.0; ///< E* = E/(1 - nu^2) below the layers [Pa] > 0
-  /// Below the layers [1]; read if there are layers or if the far boundary is
-  /// clamped.
-  double poisson_ratio = 0.0;
-  double thickness = 0.0; ///< with layers [m] > 0; infinite for a half-space
-  FarBoundary far_boundary = FarBoundary::clamped;
-  std::vector<BondedLayer> layers = {}; ///< from the contact surface downwards
-};
+                              mechanics::FarBoundary far_boundary,
+                              double poisson_ratio);
 
 /// C(q) [m/Pa] on the half spectrum of the grid: 2 factor(q d) / (E* q), or the
 /// compliance of LayerStack if there are layers. The uniform mode is set to 0.
 /// @throws std::domain_error  a number of the block is outside its range
 std::vector<double> block_compliance(const Grid& grid,
-                                     const ElasticBlock& block);
+                                     const mechanics::ElasticBlock& block);
 
 /// The operator with the compliance block_compliance().
-FourierOperator halfspace_operator(const Grid& grid, const ElasticBlock& block,
+FourierOperator halfspace_operator(const Grid& grid,
+                                   const mechanics::ElasticBlock& block,
                                    int threads = 1);
 
 } // namespace asperity::contact

@@ -138,13 +138,13 @@ Crossing across(const StackLayer& layer, double wavevector,
 }
 
 /// (U, T) on the far boundary.
-Answer far_answer(FarBoundary far_boundary) {
+Answer far_answer(mechanics::FarBoundary far_boundary) {
   switch (far_boundary) {
-  case FarBoundary::sliding:
+  case mechanics::FarBoundary::sliding:
     return {matrix(1.0, 0.0, 0.0, 0.0), matrix(0.0, 0.0, 0.0, 1.0)};
-  case FarBoundary::pressure:
+  case mechanics::FarBoundary::pressure:
     return {Matrix2d::Identity(), Matrix2d::Zero()};
-  case FarBoundary::clamped:
+  case mechanics::FarBoundary::clamped:
     break;
   }
   return {Matrix2d::Zero(), Matrix2d::Identity()};
@@ -154,8 +154,9 @@ Answer far_answer(FarBoundary far_boundary) {
 /// (U, T) at the bottom of each. Returns what visit() returned for the first
 /// layer.
 template <class Visit>
-Answer climb(std::span<const StackLayer> layers, FarBoundary far_boundary,
-             double wavevector, const Visit& visit) {
+Answer climb(std::span<const StackLayer> layers,
+             mechanics::FarBoundary far_boundary, double wavevector,
+             const Visit& visit) {
   const auto deep_layer =
       std::find_if(layers.begin(), layers.end(), [&](const StackLayer& layer) {
         return wavevector * layer.thickness > deep;
@@ -193,7 +194,7 @@ void require_layer(double thickness, double modulus, double poisson_ratio) {
 
 } // namespace
 
-LayerStack::LayerStack(const ElasticBlock& block)
+LayerStack::LayerStack(const mechanics::ElasticBlock& block)
     : thickness_(block.thickness), far_face_(block.far_boundary) {
   double depth = 0.0;
   const auto add = [&](double thickness, double contact_modulus, double nu) {
@@ -201,7 +202,7 @@ LayerStack::LayerStack(const ElasticBlock& block)
     layers_.push_back({depth, thickness, contact_modulus, nu, nu / (1.0 - nu)});
     depth += thickness;
   };
-  for (const BondedLayer& layer : block.layers) {
+  for (const mechanics::BondedLayer& layer : block.layers) {
     require_positive("thickness", layer.thickness, "m");
     add(layer.thickness,
         layer.youngs_modulus /
@@ -274,7 +275,8 @@ LayerStack::Stress LayerStack::stress(std::size_t index, const Wave& wave,
   return {zz, qq, -traction(0), layer.poisson_ratio * (qq + zz)};
 }
 
-double layered_compliance(double wavevector, const ElasticBlock& block) {
+double layered_compliance(double wavevector,
+                          const mechanics::ElasticBlock& block) {
   require_positive("wavevector", wavevector, "rad/m");
   return LayerStack(block).compliance(wavevector);
 }

@@ -84,7 +84,7 @@ public:
   /// @throws std::domain_error  a modulus or thickness is not > 0, a Poisson's
   ///                            ratio is outside -1 < nu <= 0.5, or the layers
   ///                            together are not thinner than the block
-  explicit LayerStack(const ElasticBlock& block);
+  explicit LayerStack(const mechanics::ElasticBlock& block);
 
   /// Number of layers, including the material below the bonded layers as the
   /// last one.
@@ -116,11 +116,12 @@ public:
 private:
   std::vector<StackLayer> layers_;
   double thickness_;
-  FarBoundary far_face_;
+  mechanics::FarBoundary far_face_;
 };
 
 /// C(q) of a block at one wavevector [m/Pa], see LayerStack::compliance.
 /// @throws std::domain_error  as LayerStack, or the wavevector is not > 0
-double layered_compliance(double wavevector, const ElasticBlock& block);
+double layered_compliance(double wavevector,
+                          const mechanics::ElasticBlock& block);
 
 } // namespace asperity::contact

@@ -77,7 +77,8 @@ std::vector<double> largest_shear(const StressPlane& plane) {
   return result;
 }
 
-StressInside::StressInside(const Grid& grid, const ElasticBlock& block,
+StressInside::StressInside(const Grid& grid,
+                           const mechanics::ElasticBlock& block,
                            std::span<const double> pressure, int threads)
     : grid_(grid),
       stack_(block),

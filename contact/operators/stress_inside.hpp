@@ -57,7 +57,7 @@ public:
   ///                  without layers
   /// @param pressure  [Pa], grid.size() values, as computed by a contact solver
   /// @throws std::domain_error  a size or a number is outside its range
-  StressInside(const Grid& grid, const ElasticBlock& block,
+  StressInside(const Grid& grid, const mechanics::ElasticBlock& block,
                std::span<const double> pressure, int threads = 1);
 
   /// Stress on one plane.

@@ -85,7 +85,7 @@ public:
 
 private:
   bool keeps_load() const {
-    return state_.target.kind == LoadTarget::Kind::nominal_pressure;
+    return state_.target.control == mechanics::Control::nominal_pressure;
   }
 
   /// Finds gap + c p of all nodes. Under a prescribed load its mean over the
@@ -158,7 +158,7 @@ double gap_rounding(const ProjectedState& state, double long_wave) {
 
 ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,
-                           const LoadTarget& target,
+                           const mechanics::LoadTarget& target,
                            std::span<const double> initial_pressure) {
   ProjectedState state(elasticity, problem, target, initial_pressure);
   const double long_wave = long_wave_compliance(elasticity);

@@ -44,7 +44,7 @@ inline constexpr std::size_t most_active_nodes = 2048;
 ///       (1994), without a prescribed load.
 ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,
-                           const LoadTarget& target,
+                           const mechanics::LoadTarget& target,
                            std::span<const double> initial_pressure = {});
 
 } // namespace asperity::contact

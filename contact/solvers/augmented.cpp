@@ -36,7 +36,7 @@ double wall_error(const ContactSolution& solution) {
 /// Hard contact has the same answer and starts from their pressure.
 ContactSolution finished_by_hard_contact(SurfaceOperator& elasticity,
                                          const ContactProblem& problem,
-                                         const LoadTarget& target,
+                                         const mechanics::LoadTarget& target,
                                          const ContactSolution& before,
                                          int n_rounds) {
   ContactProblem hard = problem;
@@ -55,7 +55,7 @@ ContactSolution finished_by_hard_contact(SurfaceOperator& elasticity,
 
 ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const ContactProblem& problem,
-                                const LoadTarget& target,
+                                const mechanics::LoadTarget& target,
                                 std::span<const double> initial_pressure) {
   require_positive("local_compliance", problem.local_compliance, "m/Pa");
   const double compliance =
@@ -66,7 +66,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
   round.heights = heights;
   round.local_compliance = compliance;
   round.gap_tolerance = 0.25 * problem.gap_tolerance;
-  LoadTarget round_target = target;
+  mechanics::LoadTarget round_target = target;
 
   ContactSolution solution =
       solve_contact(elasticity, round, round_target, initial_pressure);
@@ -80,7 +80,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
     const double mean_rise =
         compliance *
         weighted_mean(solution.pressure, elasticity.nodal_weights());
-    if (target.kind == LoadTarget::Kind::mean_gap)
+    if (target.control == mechanics::Control::mean_gap)
       round_target.amount = target.amount - mean_rise;
 
     ContactSolution next =

@@ -41,7 +41,7 @@ std::vector<double> interpolated(const Grid& coarse, const Grid& fine,
 
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
                                  const ContactProblem& problem,
-                                 const LoadTarget& target,
+                                 const mechanics::LoadTarget& target,
                                  double coarse_tolerance) {
   const std::unique_ptr<SurfaceOperator> coarse = elasticity.coarsened();
   if (!coarse)

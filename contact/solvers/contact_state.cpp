@@ -31,7 +31,7 @@ struct ResidualSums {
 
 ContactState::ContactState(SurfaceOperator& elasticity_,
                            const ContactProblem& problem_,
-                           const LoadTarget& target_,
+                           const mechanics::LoadTarget& target_,
                            std::span<const double> initial_pressure)
     : elasticity(elasticity_),
       problem(problem_),

@@ -34,7 +34,7 @@ public:
   /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
   ContactState(SurfaceOperator& elasticity, const ContactProblem& problem,
-               const LoadTarget& target,
+               const mechanics::LoadTarget& target,
                std::span<const double> initial_pressure);
 
   /// Updates the residual, the separation u, the error and the node classes.
@@ -78,7 +78,7 @@ public:
   }
 
   bool by_pressure() const {
-    return target.kind == LoadTarget::Kind::nominal_pressure;
+    return target.control == mechanics::Control::nominal_pressure;
   }
 
   /// The state as a solution; its note says if it did not converge.
@@ -86,7 +86,7 @@ public:
 
   SurfaceOperator& elasticity;
   ContactProblem problem;
-  LoadTarget target;
+  mechanics::LoadTarget target;
   std::vector<double> pressure;      ///< p [Pa]
   std::vector<double> raw_gap;       ///< C p - h [m]
   std::vector<float> residual;       ///< gap + c p [m] on active nodes, else 0

@@ -22,11 +22,12 @@ constexpr double longest_extrapolation = 2.5;
 /// With a soft penalty the penetration is far larger than the heights, and the
 /// gap is known only to the roundoff of that penetration and of a sum over N
 /// nearly equal values, whose roundoff errors are alike and add up.
-double reachable_tolerance(double gap_tolerance, const LoadTarget& target,
+double reachable_tolerance(double gap_tolerance,
+                           const mechanics::LoadTarget& target,
                            double local_compliance, std::size_t nodes) {
   const double rounding = (8.0 + 0.125 * static_cast<double>(nodes)) *
                           std::numeric_limits<double>::epsilon();
-  const double depth = target.kind == LoadTarget::Kind::nominal_pressure
+  const double depth = target.control == mechanics::Control::nominal_pressure
                            ? local_compliance * target.amount
                            : std::abs(target.amount);
   return std::max(gap_tolerance, rounding * depth);
@@ -41,26 +42,28 @@ bool has_load(std::span<const double> pressure) {
 
 LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
                            std::vector<double> heights,
-                           const Interface& interface, double gap_tolerance,
-                           int max_iterations)
+                           const mechanics::ContactInterface& interface,
+                           double gap_tolerance, int max_iterations)
     : elasticity_(std::move(elasticity)),
       heights_(std::move(heights)),
       interface_(interface),
       gap_tolerance_(gap_tolerance),
       max_iterations_(max_iterations) {
   require_positive("gap_tolerance", gap_tolerance_, "m");
-  if (interface_.law != Law::hard)
+  if (interface_.law != mechanics::ContactLaw::hard)
     require_positive("penalty", interface_.penalty, "Pa/m");
 }
 
 double LoadSequence::local_compliance() const {
-  return interface_.law == Law::penalty ? 1.0 / interface_.penalty : 0.0;
+  return interface_.law == mechanics::ContactLaw::penalty
+             ? 1.0 / interface_.penalty
+             : 0.0;
 }
 
-ContactSolution LoadSequence::solve(const LoadTarget& target) {
-  if (target.kind != kind_)
+ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
+  if (target.control != control_)
     history_.clear();
-  kind_ = target.kind;
+  control_ = target.control;
   const std::vector<double> start = start_for(target);
   ContactProblem problem{heights_, local_compliance(),
                          reachable_tolerance(gap_tolerance_, target,
@@ -68,7 +71,7 @@ ContactSolution LoadSequence::solve(const LoadTarget& target) {
                                              heights_.size()),
                          max_iterations_};
   ContactSolution solution;
-  if (interface_.law == Law::augmented) {
+  if (interface_.law == mechanics::ContactLaw::augmented) {
     problem.local_compliance = 1.0 / interface_.penalty;
     solution = solve_augmented(*elasticity_, problem, target, start);
   } else {
@@ -83,7 +86,7 @@ std::vector<double> LoadSequence::memory() const {
   std::vector<double> memory;
   for (const Step& step : history_) {
     if (memory.empty())
-      memory.push_back(static_cast<double>(kind_));
+      memory.push_back(static_cast<double>(control_));
     memory.push_back(step.amount);
     memory.insert(memory.end(), step.pressure.begin(), step.pressure.end());
   }
@@ -107,12 +110,14 @@ void LoadSequence::recall(std::span<const double> memory) {
   history_ = std::move(history);
   if (memory.empty())
     return;
-  kind_ = memory[0] == static_cast<double>(LoadTarget::Kind::nominal_pressure)
-              ? LoadTarget::Kind::nominal_pressure
-              : LoadTarget::Kind::mean_gap;
+  control_ =
+      memory[0] == static_cast<double>(mechanics::Control::nominal_pressure)
+          ? mechanics::Control::nominal_pressure
+          : mechanics::Control::mean_gap;
 }
 
-std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
+std::vector<double>
+LoadSequence::start_for(const mechanics::LoadTarget& target) {
   if (history_.size() == 2) {
     const Step& before = history_[0];
     const Step& last = history_[1];
@@ -140,7 +145,7 @@ std::vector<double> LoadSequence::start_for(const LoadTarget& target) {
   return start;
 }
 
-void LoadSequence::remember(const LoadTarget& target,
+void LoadSequence::remember(const mechanics::LoadTarget& target,
                             const ContactSolution& solution) {
   if (!solution.converged || !has_load(solution.pressure)) {
     history_.clear();

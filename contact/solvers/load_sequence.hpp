@@ -5,23 +5,12 @@
 // earlier steps.
 
 #include "contact/solvers/solver.hpp"
+#include "mechanics/contact_law.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace asperity::contact {
-
-/// Contact law. All laws except `penalty` end at hard contact.
-enum class Law {
-  penalty,   ///< p = k * penetration
-  hard,      ///< unilateral contact, complementarity conditions
-  augmented, ///< penalty, its multiplier updated until nothing penetrates
-};
-
-struct Interface {
-  Law law = Law::hard;
-  double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
-};
 
 /// Solves one load step after another. The initial guess of a step is
 ///
@@ -42,10 +31,11 @@ public:
   ///                       penetration c p_0, on N nodes
   /// @throws std::domain_error  a size or a number is outside its range
   LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
-               std::vector<double> heights, const Interface& interface,
+               std::vector<double> heights,
+               const mechanics::ContactInterface& interface,
                double gap_tolerance, int max_iterations);
 
-  ContactSolution solve(const LoadTarget& target);
+  ContactSolution solve(const mechanics::LoadTarget& target);
 
   /// The saved state of the last steps as numbers, from which another process
   /// can continue with identical results; empty before the first step.
@@ -69,15 +59,16 @@ private:
     std::vector<double> pressure;
   };
 
-  std::vector<double> start_for(const LoadTarget& target);
-  void remember(const LoadTarget& target, const ContactSolution& solution);
+  std::vector<double> start_for(const mechanics::LoadTarget& target);
+  void remember(const mechanics::LoadTarget& target,
+                const ContactSolution& solution);
 
   std::unique_ptr<SurfaceOperator> elasticity_;
   std::vector<double> heights_;
-  Interface interface_;
+  mechanics::ContactInterface interface_;
   double gap_tolerance_;
   int max_iterations_;
-  LoadTarget::Kind kind_ = LoadTarget::Kind::nominal_pressure;
+  mechanics::Control control_ = mechanics::Control::nominal_pressure;
   std::vector<Step> history_; ///< the last two steps, oldest first
 };
 
@@ -86,7 +77,7 @@ private:
 /// has no coarse version or if the coarse residual is not finite.
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
                                  const ContactProblem& problem,
-                                 const LoadTarget& target,
+                                 const mechanics::LoadTarget& target,
                                  double coarse_tolerance);
 
 /// Hard contact by the augmented Lagrangian method: penalty problems on heights
@@ -98,7 +89,7 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
 /// larger one.
 ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const ContactProblem& problem,
-                                const LoadTarget& target,
+                                const mechanics::LoadTarget& target,
                                 std::span<const double> initial_pressure);
 
 } // namespace asperity::contact

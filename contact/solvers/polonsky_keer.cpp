@@ -29,7 +29,7 @@ void contact_residual(const ProjectedState& state, std::vector<double>& r) {
 
 ContactSolution polonsky_keer(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
-                              const LoadTarget& target,
+                              const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure) {
   ProjectedState state(elasticity, problem, target, initial_pressure);
   const std::size_t nodes = state.pressure.size();

@@ -18,15 +18,15 @@ void require_size(const char* name, std::size_t size, std::size_t expected) {
                     "the number of grid nodes, " + std::to_string(expected));
 }
 
-void require_problem(const ContactProblem& problem, const LoadTarget& target,
-                     std::size_t nodes) {
+void require_problem(const ContactProblem& problem,
+                     const mechanics::LoadTarget& target, std::size_t nodes) {
   require_size("heights.size()", problem.heights.size(), nodes);
   require_not_negative("local_compliance", problem.local_compliance, "m/Pa");
   require_positive("gap_tolerance", problem.gap_tolerance, "m");
   for (const double height : problem.heights)
     if (!std::isfinite(height))
       refuse_argument("heights", height, "finite [m]");
-  if (target.kind == LoadTarget::Kind::nominal_pressure)
+  if (target.control == mechanics::Control::nominal_pressure)
     require_positive("nominal_pressure", target.amount, "Pa");
   else if (problem.local_compliance == 0.0)
     require_positive("mean_gap in hard contact", target.amount, "m");
@@ -54,8 +54,8 @@ double weighted_sum(std::span<const double> weights,
 /// the residual of a uniform pressure is uniform and does not determine its
 /// magnitude.
 bool is_apart(std::span<const double> heights, std::span<const double> weights,
-              const LoadTarget& target) {
-  if (target.kind != LoadTarget::Kind::mean_gap)
+              const mechanics::LoadTarget& target) {
+  if (target.control != mechanics::Control::mean_gap)
     return false;
   const double highest = *std::max_element(heights.begin(), heights.end());
   const double mean =
@@ -67,11 +67,13 @@ bool is_apart(std::span<const double> heights, std::span<const double> weights,
 
 std::vector<double>
 starting_pressure(const SurfaceOperator& elasticity,
-                  const ContactProblem& problem, const LoadTarget& target,
+                  const ContactProblem& problem,
+                  const mechanics::LoadTarget& target,
                   std::span<const double> initial_pressure) {
   const std::size_t nodes = elasticity.grid().size();
   require_problem(problem, target, nodes);
-  if (target.kind == LoadTarget::Kind::mean_gap && !elasticity.is_periodic())
+  if (target.control == mechanics::Control::mean_gap &&
+      !elasticity.is_periodic())
     refuse_argument("mean_gap", target.amount,
                     "replaced by a nominal pressure: the operator has free "
                     "boundaries");
@@ -82,7 +84,7 @@ starting_pressure(const SurfaceOperator& elasticity,
     // Under gap control any positive scale will do: the first iteration
     // corrects it.
     const double start =
-        target.kind == LoadTarget::Kind::nominal_pressure
+        target.control == mechanics::Control::nominal_pressure
             ? target.amount
             : problem.gap_tolerance / (elasticity.short_wave_compliance() +
                                        problem.local_compliance);
@@ -97,7 +99,7 @@ starting_pressure(const SurfaceOperator& elasticity,
     pressure.assign(initial_pressure.begin(), initial_pressure.end());
   }
   const std::span<const double> weights = elasticity.nodal_weights();
-  if (target.kind == LoadTarget::Kind::nominal_pressure)
+  if (target.control == mechanics::Control::nominal_pressure)
     require_positive("sum of initial_pressure",
                      weighted_sum(weights, pressure, elasticity.threads()),
                      "Pa");
@@ -105,7 +107,7 @@ starting_pressure(const SurfaceOperator& elasticity,
   return pressure;
 }
 
-double load_scale(const LoadTarget& target, std::size_t nodes,
+double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
                   double pressure_sum) {
   const double scale =
       target.amount * static_cast<double>(nodes) / pressure_sum;
@@ -113,9 +115,10 @@ double load_scale(const LoadTarget& target, std::size_t nodes,
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-void scale_to_target(const LoadTarget& target, std::span<const double> weights,
+void scale_to_target(const mechanics::LoadTarget& target,
+                     std::span<const double> weights,
                      std::span<double> pressure, int threads) {
-  if (target.kind != LoadTarget::Kind::nominal_pressure)
+  if (target.control != mechanics::Control::nominal_pressure)
     return;
   const double scale = load_scale(target, pressure.size(),
                                   weighted_sum(weights, pressure, threads));

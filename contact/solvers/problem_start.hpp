@@ -16,20 +16,21 @@ namespace asperity::contact {
 /// @throws std::domain_error  see solve_contact
 std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const ContactProblem& problem,
-                                      const LoadTarget& target,
+                                      const mechanics::LoadTarget& target,
                                       std::span<const double> initial_pressure);
 
 /// Factor that scales a pressure with this (weighted) sum over the nodes to the
 /// prescribed load. It is NaN if it cannot be computed to full precision: the
 /// sum is 0, not finite, or out of proportion to the load.
-double load_scale(const LoadTarget& target, std::size_t nodes,
+double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
                   double pressure_sum);
 
 /// Scales the pressure to the mean pressure of the target, if the target
 /// prescribes one. If no node carries a load, the pressure, and hence its
 /// residual, becomes NaN.
 /// @param threads  >= 1; the result does not depend on it
-void scale_to_target(const LoadTarget& target, std::span<const double> weights,
+void scale_to_target(const mechanics::LoadTarget& target,
+                     std::span<const double> weights,
                      std::span<double> pressure, int threads = 1);
 
 /// Why an iteration that ended with this error [m] has not converged.

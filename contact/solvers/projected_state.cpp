@@ -9,7 +9,7 @@
 namespace asperity::contact {
 ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
                                const ContactProblem& problem_,
-                               const LoadTarget& target_,
+                               const mechanics::LoadTarget& target_,
                                std::span<const double> initial_pressure)
     : elasticity(elasticity_),
       problem(problem_),
@@ -62,7 +62,7 @@ void ProjectedState::measure_residual() {
       contact_weight += weight(i);
     }
   }
-  if (target.kind == LoadTarget::Kind::nominal_pressure) {
+  if (target.control == mechanics::Control::nominal_pressure) {
     rigid_distance = -sum / contact_weight;
   } else {
     double mean_height = 0.0;
@@ -96,7 +96,7 @@ void ProjectedState::advance(double step, std::span<const double> direction,
     sum += weight(i) * pressure[i];
   }
   double scale = 1.0;
-  if (target.kind == LoadTarget::Kind::nominal_pressure) {
+  if (target.control == mechanics::Control::nominal_pressure) {
     scale = load_scale(target, nodes, sum);
     for (double& value : pressure)
       value *= scale;

@@ -17,7 +17,7 @@ public:
   /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
   ProjectedState(SurfaceOperator& elasticity, const ContactProblem& problem,
-                 const LoadTarget& target,
+                 const mechanics::LoadTarget& target,
                  std::span<const double> initial_pressure);
 
   /// Updates the residual gap + c p, the separation u (under pressure control
@@ -48,7 +48,7 @@ public:
 
   SurfaceOperator& elasticity;
   ContactProblem problem;
-  LoadTarget target;
+  mechanics::LoadTarget target;
   std::vector<double> pressure;      ///< p [Pa]
   std::vector<double> displacement;  ///< C p [m]
   std::vector<double> residual;      ///< gap + c p on the active nodes, else 0

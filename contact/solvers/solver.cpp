@@ -228,7 +228,7 @@ ContactSolution hand_over(ContactState&& state) {
 
 ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
-                              const LoadTarget& target,
+                              const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure) {
   ContactState state(elasticity, problem, target, initial_pressure);
   Directions directions(state);

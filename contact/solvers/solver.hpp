@@ -5,6 +5,7 @@
 // preconditioned solver that all elastic models use.
 
 #include "contact/operators/surface_operator.hpp"
+#include "mechanics/loading.hpp"
 
 #include <span>
 #include <string>
@@ -27,12 +28,6 @@ struct ContactProblem {
   /// times this value.
   double gap_tolerance = 0.0;
   int max_iterations = 2000;
-};
-
-/// The prescribed quantity: the mean of p [Pa] > 0, or the mean gap [m].
-struct LoadTarget {
-  enum class Kind { nominal_pressure, mean_gap } kind = Kind::nominal_pressure;
-  double amount = 0.0;
 };
 
 struct ContactSolution {
@@ -77,7 +72,7 @@ struct ContactSolution {
 ///       described in docs/numerics/solver.md.
 ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
-                              const LoadTarget& target,
+                              const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure = {});
 
 /// The reference solver: the conjugate gradients of Polonsky and Keer without a
@@ -85,7 +80,7 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
 /// It is slow, but it always terminates.
 ContactSolution polonsky_keer(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
-                              const LoadTarget& target,
+                              const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure = {});
 
 } // namespace asperity::contact

@@ -15,14 +15,14 @@ namespace {
 /// gap. With the m highest nodes in contact both are linear in s; m is the
 /// number for which s lies between the heights of nodes m and m + 1.
 double spring_level(std::span<const double> heights, double stiffness,
-                    const LoadTarget& target) {
+                    const mechanics::LoadTarget& target) {
   std::vector<double> sorted(heights.begin(), heights.end());
   std::ranges::sort(sorted, std::greater<>());
   const auto n = static_cast<double>(sorted.size());
   double total = 0.0;
   for (const double height : sorted)
     total += height;
-  const bool by_gap = target.kind == LoadTarget::Kind::mean_gap;
+  const bool by_gap = target.control == mechanics::Control::mean_gap;
   double above = by_gap ? 0.0 : sorted.front(); // sum of those in contact
   for (std::size_t m = by_gap ? 0 : 1;; ++m) {
     const auto in_contact = static_cast<double>(m);
@@ -39,7 +39,8 @@ double spring_level(std::span<const double> heights, double stiffness,
 } // namespace
 
 ContactSolution winkler_contact(std::span<const double> heights,
-                                double stiffness, const LoadTarget& target) {
+                                double stiffness,
+                                const mechanics::LoadTarget& target) {
   if (heights.empty() || !all_finite(heights))
     throw std::domain_error("heights must be finite, at least one");
   require_positive("stiffness", stiffness, "Pa/m");

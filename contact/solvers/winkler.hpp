@@ -25,6 +25,7 @@ namespace asperity::contact {
 /// @par Accuracy  exact to roundoff; one sort of the heights
 /// @see  K. L. Johnson, Contact Mechanics (1985), section 4.3
 ContactSolution winkler_contact(std::span<const double> heights,
-                                double stiffness, const LoadTarget& target);
+                                double stiffness,
+                                const mechanics::LoadTarget& target);
 
 } // namespace asperity::contact

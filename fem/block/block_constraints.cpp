@@ -71,15 +71,15 @@ Point<3> best_place(const std::vector<FaceNode>& nodes, double tolerance,
 } // namespace
 
 void BlockSpace::constrain(const BlockProblem& problem) {
-  if (problem.top == cases::TopFace::pressure &&
-      problem.sides == cases::BlockSides::free)
+  if (problem.top == mechanics::FarBoundary::pressure &&
+      problem.sides == mechanics::BlockSides::free)
     throw std::domain_error(
         "top = pressure with sides = free: the block can tilt as a rigid body; "
         "choose top = clamped or sliding");
   constraints_.reinit(relevant_);
   dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints_);
   hold_far_boundary(problem);
-  if (problem.sides == cases::BlockSides::periodic)
+  if (problem.sides == mechanics::BlockSides::periodic)
     identify_sides();
   constraints_.close();
 }
@@ -90,10 +90,10 @@ void BlockSpace::hold_far_boundary(const BlockProblem& problem) {
     throw std::domain_error("the mesh has no face in the group fixed");
   for (const FaceNode& node : nodes)
     for (unsigned int i = 0; i < 3; ++i)
-      if (problem.top == cases::TopFace::clamped ||
-          (problem.top == cases::TopFace::sliding && i == 2))
+      if (problem.top == mechanics::FarBoundary::clamped ||
+          (problem.top == mechanics::FarBoundary::sliding && i == 2))
         constraints_.add_line(node.unknowns[i]);
-  if (problem.top == cases::TopFace::clamped)
+  if (problem.top == mechanics::FarBoundary::clamped)
     return;
   pin(problem, nodes, false);
   if (problem.counter)
@@ -121,7 +121,7 @@ void BlockSpace::pin(const BlockProblem& problem,
       own, tolerance_, [&](const Point<3>& p) { return p.distance(middle); });
   for (unsigned int i = 0; i < 3; ++i)
     hold(pinned, i);
-  if (problem.sides == cases::BlockSides::periodic)
+  if (problem.sides == mechanics::BlockSides::periodic)
     return;
   // The second node may move towards the first and away from it, but not
   // sideways.

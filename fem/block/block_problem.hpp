@@ -4,9 +4,11 @@
 // and treatment of contact and of the linear systems.
 
 #include "base/grid.hpp"
-#include "cases/types/case.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/moduli_field.hpp"
+#include "mechanics/far_boundary.hpp"
+#include "mechanics/fem_settings.hpp"
+#include "mechanics/material.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <memory>
@@ -23,17 +25,17 @@ struct BlockProblem {
                           ///< grid
   int degree = 1;         ///< polynomial degree of the shape functions, 1 or 2
   ModuliField moduli;
-  cases::TopFace top = cases::TopFace::clamped;
+  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
   /// Free sides with a pressure-loaded far boundary are refused, because such a
   /// block may tilt.
-  cases::BlockSides sides = cases::BlockSides::periodic;
-  cases::ContactPoints contact_at = cases::ContactPoints::nodes;
+  mechanics::BlockSides sides = mechanics::BlockSides::periodic;
+  mechanics::ContactPoints contact_at = mechanics::ContactPoints::nodes;
   LinearSolver linear_solver = LinearSolver::automatic;
 
   /// The second body, if it is meshed as well: the mirror image of the first
   /// below the contact surface, supported at its own far boundary as the first
   /// body is.
-  std::optional<cases::BodyModuli> counter = {};
+  std::optional<mechanics::BodyModuli> counter = {};
 
   /// The laterally uniform block on the same node grid that the mesh equals or
   /// approximates; LinearSolver::fourier uses it as preconditioner.

@@ -42,7 +42,7 @@ Moduli BlockSystem::moduli_of(
 
 void BlockSystem::integrate_top_load() {
   top_load_ = space_.make_vector();
-  if (top_ != cases::TopFace::pressure)
+  if (top_ != mechanics::FarBoundary::pressure)
     return;
   dealii::FEFaceValues<3> values(
       space_.mapping(), space_.element(), space_.face_quadrature(),

@@ -58,7 +58,7 @@ private:
   Grid grid_;
   ModuliField field_;
   std::optional<Moduli> counter_;
-  cases::TopFace top_;
+  mechanics::FarBoundary top_;
   std::string quality_;
   BlockSpace space_;
   ContactPoints contact_;

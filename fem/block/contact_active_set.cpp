@@ -53,7 +53,7 @@ std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
 /// The primal-dual active-set method: constrain the active points, solve for
 /// balance, then update the set from tensile pressures and penetrations.
 /// @return  whether the active set converged; if not, the note gives the reason
-bool ContactNewton::active_set(const BlockLoad& load,
+bool ContactNewton::active_set(const mechanics::LoadTarget& load,
                                const BlockContact& contact,
                                double gap_tolerance, BlockSolution& answer) {
   const double spring = first_spring * stiffness_scale_;
@@ -65,8 +65,8 @@ bool ContactNewton::active_set(const BlockLoad& load,
   const int last = std::min(contact.max_iterations, most_steps);
   while (answer.iterations < last) {
     ++answer.iterations;
-    if (load.control == cases::Control::nominal_pressure && !any(active)) {
-      rigid_gap_ = touching_gap(load.target, spring);
+    if (load.control == mechanics::Control::nominal_pressure && !any(active)) {
+      rigid_gap_ = touching_gap(load.amount, spring);
       for (std::size_t i = 0; i < active.size(); ++i)
         active[i] = gap(i) < 0.0;
     }
@@ -92,7 +92,7 @@ bool ContactNewton::active_set(const BlockLoad& load,
 
 /// Solves hard contact by the active-set method and, if that fails, by the
 /// augmented Lagrangian method, which has the same solution.
-void ContactNewton::solve_wall(const BlockLoad& load,
+void ContactNewton::solve_wall(const mechanics::LoadTarget& load,
                                const BlockContact& contact, double height_scale,
                                BlockSolution& answer) {
   std::fill(multiplier_.begin(), multiplier_.end(), 0.0);

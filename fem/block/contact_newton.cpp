@@ -133,8 +133,8 @@ void ContactNewton::update_pressure(double penalty) {
 /// Newton's method at fixed multipliers until the contact set no longer
 /// changes. Steps on an unchanged set reduce the error that the linear solver,
 /// or the roundoff of a large step, has left.
-bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
-                           BlockSolution& answer) {
+bool ContactNewton::newton(const mechanics::LoadTarget& load,
+                           const BlockContact& contact, BlockSolution& answer) {
   int refinements = 0;
   const std::vector<bool> nothing(pressure_.size(), false);
   std::vector<double> springs(pressure_.size());
@@ -142,8 +142,8 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
   while (answer.iterations < contact.max_iterations) {
     const std::vector<bool> before = contact_set(pressure_);
     ++answer.iterations;
-    if (load.control == cases::Control::nominal_pressure && !any(before)) {
-      rigid_gap_ = touching_gap(load.target, contact.penalty);
+    if (load.control == mechanics::Control::nominal_pressure && !any(before)) {
+      rigid_gap_ = touching_gap(load.amount, contact.penalty);
       update_pressure(contact.penalty);
       continue;
     }
@@ -169,7 +169,7 @@ bool ContactNewton::newton(const BlockLoad& load, const BlockContact& contact,
 /// itself; for hard contact the solution does not depend on the working
 /// penalty.
 double ContactNewton::own_spring(const BlockContact& contact) const {
-  const double low = contact.law == cases::ContactLaw::penalty
+  const double low = contact.law == mechanics::ContactLaw::penalty
                          ? 0.0
                          : softest_spring * stiffness_scale_;
   return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
@@ -198,17 +198,18 @@ void ContactNewton::take_heights(std::vector<double> heights, double highest) {
     height -= highest;
 }
 
-void ContactNewton::solve_springs(const BlockLoad& load,
+void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
                                   const BlockContact& contact,
                                   double height_scale, BlockSolution& answer) {
   std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
   BlockContact spring = contact;
   spring.penalty = own_spring(contact);
-  const double compliance =
-      contact.law == cases::ContactLaw::penalty ? 1.0 / contact.penalty : 0.0;
+  const double compliance = contact.law == mechanics::ContactLaw::penalty
+                                ? 1.0 / contact.penalty
+                                : 0.0;
   // The part of a pressure that the working penalty does not represent in the
   // gap.
-  const bool is_own = contact.law == cases::ContactLaw::penalty &&
+  const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
                       spring.penalty == contact.penalty;
   const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
   do {
@@ -223,12 +224,13 @@ void ContactNewton::solve_springs(const BlockLoad& load,
 }
 
 void ContactNewton::solve(std::vector<double> heights, double highest,
-                          double height_scale, const BlockLoad& load,
+                          double height_scale,
+                          const mechanics::LoadTarget& load,
                           const BlockContact& contact, BlockSolution& answer) {
   take_heights(std::move(heights), highest);
   const int iterations = solver_.iterations();
   const int setups = solver_.setups();
-  if (contact.law == cases::ContactLaw::hard)
+  if (contact.law == mechanics::ContactLaw::hard)
     solve_wall(load, contact, height_scale, answer);
   else
     solve_springs(load, contact, height_scale, answer);

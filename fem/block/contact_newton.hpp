@@ -39,7 +39,7 @@ public:
   /// @param height_scale  the tolerance of a gap is relative to this scale [m]
   ///                      > 0
   void solve(std::vector<double> heights, double highest, double height_scale,
-             const BlockLoad& load, const BlockContact& contact,
+             const mechanics::LoadTarget& load, const BlockContact& contact,
              BlockSolution& answer);
 
   /// Computes u under given pressures [Pa] at this rank's points, balanced by
@@ -88,25 +88,28 @@ private:
   double largest_force() const; ///< maximum over the points [N]
   double unbalanced();
   double violation(double compliance) const;
-  void solve_springs(const BlockLoad& load, const BlockContact& contact,
-                     double height_scale, BlockSolution& answer);
-  bool newton(const BlockLoad& load, const BlockContact& contact,
+  void solve_springs(const mechanics::LoadTarget& load,
+                     const BlockContact& contact, double height_scale,
+                     BlockSolution& answer);
+  bool newton(const mechanics::LoadTarget& load, const BlockContact& contact,
               BlockSolution& answer);
-  void solve_wall(const BlockLoad& load, const BlockContact& contact,
-                  double height_scale, BlockSolution& answer);
-  bool active_set(const BlockLoad& load, const BlockContact& contact,
-                  double gap_tolerance, BlockSolution& answer);
+  void solve_wall(const mechanics::LoadTarget& load,
+                  const BlockContact& contact, double height_scale,
+                  BlockSolution& answer);
+  bool active_set(const mechanics::LoadTarget& load,
+                  const BlockContact& contact, double gap_tolerance,
+                  BlockSolution& answer);
   std::vector<bool> next_active(const std::vector<bool>& active,
                                 double gap_tolerance) const;
   void take_wall_pressure(const std::vector<bool>& active);
-  bool step(const BlockLoad& load, std::span<const double> springs,
+  bool step(const mechanics::LoadTarget& load, std::span<const double> springs,
             const std::vector<bool>& held, double tolerance, int refinements);
   bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
   double stiffness_of(std::span<const double> springs) const;
-  bool border(const BlockLoad& load, std::span<const double> springs,
-              const std::vector<bool>& held);
+  bool border(const mechanics::LoadTarget& load,
+              std::span<const double> springs, const std::vector<bool>& held);
 
   const BlockSystem& system_;
   BlockSolver solver_;

@@ -54,7 +54,7 @@ int grid_node_at(const Grid& grid, double x, double y) {
 ContactPoints::ContactPoints(const BlockSpace& space,
                              const BlockProblem& problem)
     : space_(space),
-      is_nodal_(problem.contact_at == cases::ContactPoints::nodes),
+      is_nodal_(problem.contact_at == mechanics::ContactPoints::nodes),
       has_counter_(problem.counter.has_value()) {
   if (has_counter_)
     find_counter();

@@ -131,13 +131,14 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
 /// response of the block to a unit approach or pressure is the same in every
 /// step on one contact set, so its accuracy grows with the number of
 /// `refinements`.
-bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
+bool ContactNewton::step(const mechanics::LoadTarget& load,
+                         std::span<const double> springs,
                          const std::vector<bool>& held, double tolerance,
                          int refinements) {
   const ContactPoints& points = system_.contact();
-  const bool is_load = load.control == cases::Control::nominal_pressure;
+  const bool is_load = load.control == mechanics::Control::nominal_pressure;
   if (is_load)
-    top_pressure_ = load.target; // d is then the only scalar unknown
+    top_pressure_ = load.amount; // d is then the only scalar unknown
   solver_.set_contact(springs, held);
   find_imbalance();
 
@@ -180,7 +181,7 @@ bool ContactNewton::step(const BlockLoad& load, std::span<const double> springs,
 
 /// Solves the two scalar equations, force balance and control, and applies the
 /// step.
-bool ContactNewton::border(const BlockLoad& load,
+bool ContactNewton::border(const mechanics::LoadTarget& load,
                            std::span<const double> springs,
                            const std::vector<bool>& held) {
   const ContactPoints& points = system_.contact();
@@ -217,12 +218,12 @@ bool ContactNewton::border(const BlockLoad& load,
   scalars.force_d = sums[4];
   scalars.force_pressure = sums[5] - area();
   scalars.force_right = top_pressure_ * area() - now - sums[3];
-  if (load.control == cases::Control::nominal_pressure) {
+  if (load.control == mechanics::Control::nominal_pressure) {
     scalars.control_pressure = 1.0;
   } else {
     scalars.control_d = sums[1] / area();
     scalars.control_pressure = sums[2] / area();
-    scalars.control_right = load.target - mean_gap() - sums[0] / area();
+    scalars.control_right = load.amount - mean_gap() - sums[0] / area();
   }
   const auto [approach, pressure] = scalars.solution();
   if (!std::isfinite(approach) || !std::isfinite(pressure))

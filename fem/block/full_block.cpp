@@ -41,7 +41,7 @@ const BlockProblem& checked(const BlockProblem& problem) {
 /// else.
 bool is_lattice(const BlockProblem& problem) {
   if (!problem.lattice || !problem.mesh.refine_below.empty() ||
-      problem.counter || problem.sides != cases::BlockSides::periodic)
+      problem.counter || problem.sides != mechanics::BlockSides::periodic)
     return false;
   const auto degree = static_cast<std::size_t>(problem.degree);
   return problem.mesh.shape == meshes::CellShape::hexahedron &&
@@ -86,7 +86,8 @@ public:
 
   std::vector<double> displacement(std::span<const double> pressure) override;
 
-  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
+  BlockSolution solve(std::span<const double> heights,
+                      const mechanics::LoadTarget& load,
                       const BlockContact& contact) override;
 
   StressPeak strongest_stress() const override {
@@ -114,7 +115,8 @@ private:
 
   void require_field(const char* name, std::span<const double> field,
                      const char* unit) const;
-  void require_arguments(std::span<const double> heights, const BlockLoad& load,
+  void require_arguments(std::span<const double> heights,
+                         const mechanics::LoadTarget& load,
                          const BlockContact& contact) const;
 
   BlockSystem system_;
@@ -153,20 +155,21 @@ void MeshedBlock::require_field(const char* name, std::span<const double> field,
 }
 
 void MeshedBlock::require_arguments(std::span<const double> heights,
-                                    const BlockLoad& load,
+                                    const mechanics::LoadTarget& load,
                                     const BlockContact& contact) const {
   require_positive("penalty", contact.penalty, "Pa/m");
   require_positive("tolerance", contact.tolerance, "1");
-  if (load.control == cases::Control::nominal_pressure)
-    require_positive("nominal pressure", load.target, "Pa");
-  else if (!std::isfinite(load.target))
-    refuse_argument("mean gap", load.target, "finite [m]");
+  if (load.control == mechanics::Control::nominal_pressure)
+    require_positive("nominal pressure", load.amount, "Pa");
+  else if (!std::isfinite(load.amount))
+    refuse_argument("mean gap", load.amount, "finite [m]");
   require_field("height", heights, "m");
-  if (contact.law == cases::ContactLaw::hard && !system_.contact().is_nodal())
+  if (contact.law == mechanics::ContactLaw::hard &&
+      !system_.contact().is_nodal())
     throw std::domain_error(
         "contact = hard with contact_at = gauss: hard contact is not available "
         "at Gauss points; choose augmented");
-  if (contact.law == cases::ContactLaw::hard && system_.has_counter())
+  if (contact.law == mechanics::ContactLaw::hard && system_.has_counter())
     throw std::domain_error(
         "contact = hard with two meshed bodies: hard contact is not available "
         "between two meshes; choose augmented");
@@ -189,7 +192,7 @@ bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
 }
 
 BlockSolution MeshedBlock::solve(std::span<const double> heights,
-                                 const BlockLoad& load,
+                                 const mechanics::LoadTarget& load,
                                  const BlockContact& contact) {
   require_arguments(heights, load, contact);
   BlockSolution answer;

@@ -5,6 +5,9 @@
 // `solver = "full"`. This header does not depend on deal.II.
 
 #include "fem/waves/elastic_layers.hpp"
+#include "mechanics/contact_law.hpp"
+#include "mechanics/fem_settings.hpp"
+#include "mechanics/loading.hpp"
 
 #include <array>
 #include <memory>
@@ -14,29 +17,15 @@
 
 namespace asperity::fem {
 
+using mechanics::LinearSolver;
+
 /// LinearSolver::automatic uses the direct solver up to this number of
 /// unknowns.
 inline constexpr unsigned int most_direct_unknowns = 12000;
 
-/// Solver of the block's linear systems.
-enum class LinearSolver {
-  automatic, ///< direct for small blocks; for larger ones fourier if the mesh
-             ///< is a periodic regular grid, else multigrid
-  direct,    ///< MUMPS; KLU on several ranks
-  multigrid, ///< CG, Trilinos ML smoothed aggregation
-  fourier,   ///< CG, preconditioned by the Fourier solver of the laterally
-             ///< uniform block
-};
-
-/// The quantity that is prescribed in one load step.
-struct BlockLoad {
-  cases::Control control = cases::Control::nominal_pressure;
-  double target = 0.0; ///< p_0 [Pa] > 0, or mean gap [m]
-};
-
 /// The contact law, in SI units.
 struct BlockContact {
-  cases::ContactLaw law = cases::ContactLaw::penalty;
+  mechanics::ContactLaw law = mechanics::ContactLaw::penalty;
   double penalty = 0.0; ///< k [Pa/m] > 0; the augmentation parameter if the
                         ///< law is hard or augmented
   /// Tolerance of the gap relative to h_rms (to the node spacing for a flat
@@ -168,7 +157,7 @@ public:
   ///                 convolution elsewhere
   /// @throws std::domain_error  an argument is outside its range or not finite
   virtual BlockSolution solve(std::span<const double> heights,
-                              const BlockLoad& load,
+                              const mechanics::LoadTarget& load,
                               const BlockContact& contact) = 0;
 
   /// The largest stress of the last solution; zeros before the first.

@@ -34,13 +34,13 @@ std::vector<double> planes_of(const LayeredBlock& block, int degree) {
   return depths;
 }
 
-std::vector<bool> held_components(cases::TopFace top) {
+std::vector<bool> held_components(mechanics::FarBoundary top) {
   switch (top) {
-  case cases::TopFace::clamped:
+  case mechanics::FarBoundary::clamped:
     return {true, true, true};
-  case cases::TopFace::sliding:
+  case mechanics::FarBoundary::sliding:
     return {false, false, true};
-  case cases::TopFace::pressure:
+  case mechanics::FarBoundary::pressure:
     break;
   }
   return {false, false, false};

@@ -182,10 +182,11 @@ struct Q1Layer {
 };
 
 /// Computes (D_(n-1) + T_n)^-1 at the far boundary.
-Symmetric3 top_compliance(const Symmetric3& top_block, cases::TopFace top) {
-  if (top == cases::TopFace::clamped)
+Symmetric3 top_compliance(const Symmetric3& top_block,
+                          mechanics::FarBoundary top) {
+  if (top == mechanics::FarBoundary::clamped)
     return {};
-  if (top == cases::TopFace::pressure)
+  if (top == mechanics::FarBoundary::pressure)
     return inverse(top_block);
   const Symmetric3& m = top_block;
   const double scale = 1.0 / (m.xx * m.yy - m.xy * m.xy);
@@ -194,7 +195,7 @@ Symmetric3 top_compliance(const Symmetric3& top_block, cases::TopFace top) {
 
 /// Computes (T_0^-1)_zz by (Q1.1).
 double surface_compliance(const std::vector<Q1Layer>& layers,
-                          cases::TopFace top, const Phases& at) {
+                          mechanics::FarBoundary top, const Phases& at) {
   Symmetric3 upper = top_compliance(layers.back().upper(at), top);
   for (std::size_t l = layers.size(); l-- > 1;)
     upper = inverse(

@@ -16,7 +16,7 @@ ElasticLayer elastic_layer(double thickness, double youngs_modulus,
 
 LayeredBlock homogeneous_block(std::span<const double> thickness,
                                double youngs_modulus, double poisson_ratio,
-                               cases::TopFace top) {
+                               mechanics::FarBoundary top) {
   LayeredBlock block;
   block.top = top;
   for (const double layer : thickness)
@@ -27,8 +27,8 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
 
 LayeredBlock bonded_block(std::span<const double> thickness,
                           std::span<const double> interfaces,
-                          std::span<const cases::BodyModuli> moduli,
-                          cases::TopFace top) {
+                          std::span<const mechanics::BodyModuli> moduli,
+                          mechanics::FarBoundary top) {
   if (moduli.size() != interfaces.size() + 1)
     refuse_argument("moduli.size()", static_cast<double>(moduli.size()),
                     "one more than the number of interfaces");

@@ -4,7 +4,8 @@
 // from the contact surface upwards, and the condition on the far boundary.
 
 #include "base/grid.hpp"
-#include "cases/types/case.hpp"
+#include "mechanics/far_boundary.hpp"
+#include "mechanics/material.hpp"
 
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ struct LayeredBlock {
   /// Condition on the far boundary. clamped: u = 0; sliding: u_z = 0 and no
   /// shear traction; pressure: a uniform normal traction that balances the
   /// contact pressure.
-  cases::TopFace top = cases::TopFace::clamped;
+  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
 };
 
 /// Computes lambda [Pa] and mu [Pa] of a material.
@@ -39,7 +40,7 @@ ElasticLayer elastic_layer(double thickness, double youngs_modulus,
 /// A block of one material in layers of the given thicknesses.
 LayeredBlock homogeneous_block(std::span<const double> thickness,
                                double youngs_modulus, double poisson_ratio,
-                               cases::TopFace top);
+                               mechanics::FarBoundary top);
 
 /// A block in layers of the given thicknesses, each of the material at its
 /// mid-depth.
@@ -50,8 +51,8 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
 /// @throws std::domain_error  a modulus or a count is outside its range
 LayeredBlock bonded_block(std::span<const double> thickness,
                           std::span<const double> interfaces,
-                          std::span<const cases::BodyModuli> moduli,
-                          cases::TopFace top);
+                          std::span<const mechanics::BodyModuli> moduli,
+                          mechanics::FarBoundary top);
 
 /// Refuses a block without layers or with a layer outside the ranges of
 /// ElasticLayer.

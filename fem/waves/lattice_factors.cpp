@@ -46,7 +46,7 @@ private:
   void factorise_batch(const std::vector<LayerSymbol>& layers,
                        const LayeredBlock& block, double spring,
                        const WaveBatch& batch);
-  static void hold_top(cases::TopFace top, const SimdBatch& spring,
+  static void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
                        SimdBatch* matrix, SimdBatch* to_lower);
 
   /// The factors of a batch: L, 1/D and R of the layers from the contact
@@ -120,8 +120,9 @@ void Factors<degree>::factorise_batch(const std::vector<LayerSymbol>& layers,
 }
 
 template <std::size_t degree>
-void Factors<degree>::hold_top(cases::TopFace top, const SimdBatch& spring,
-                               SimdBatch* matrix, SimdBatch* to_lower) {
+void Factors<degree>::hold_top(mechanics::FarBoundary top,
+                               const SimdBatch& spring, SimdBatch* matrix,
+                               SimdBatch* to_lower) {
   constexpr std::size_t top_plane = group - plane;
   for (std::size_t row = top_plane; row < group; ++row) {
     const std::size_t component = row % 3;

@@ -51,9 +51,9 @@ public:
 };
 
 /// Whether the far boundary fixes component 0..2 of the displacement to 0.
-inline bool holds(cases::TopFace top, std::size_t component) {
-  return top == cases::TopFace::clamped ||
-         (top == cases::TopFace::sliding && component == 2);
+inline bool holds(mechanics::FarBoundary top, std::size_t component) {
+  return top == mechanics::FarBoundary::clamped ||
+         (top == mechanics::FarBoundary::sliding && component == 2);
 }
 
 /// @param degree   1 or 2

@@ -36,7 +36,7 @@ enum class Sweep { whole, down_to_face, up_from_face };
 
 struct LatticeSolver::Parts {
   NodeLattice lattice;
-  cases::TopFace top;
+  mechanics::FarBoundary top;
   int threads;
   KindSpectra spectra;
   LatticeShare share;
@@ -58,7 +58,7 @@ struct LatticeSolver::Parts {
         share(spectra, 3 * lattice.planes, among),
         factors(make_lattice_factors(spectra, degree, block, share.rows(),
                                      n_threads)),
-        face(spectra, *factors, share, top == cases::TopFace::pressure,
+        face(spectra, *factors, share, top == mechanics::FarBoundary::pressure,
              n_threads),
         modes(3 * lattice.planes * spectra.size()),
         face_modes(spectra.size()),

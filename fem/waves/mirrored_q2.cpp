@@ -109,7 +109,7 @@ struct MaterialBlocks {
 
 /// Writes the identity into the rows of held components and adds springs to the
 /// uniform modes of the others.
-inline void hold_top(cases::TopFace top, const SimdBatch& spring,
+inline void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
                      SimdBatch* matrix, SimdBatch* rows) {
   const auto component = [](std::size_t i) {
     return i < flat ? i % 2 : std::size_t{2};
@@ -130,7 +130,7 @@ inline void hold_top(cases::TopFace top, const SimdBatch& spring,
 
 /// Applies (Q2.5): T_(l+1) in `stiffness` becomes T_l.
 [[gnu::always_inline]] inline void take_layer(const LayerBlocks& layer,
-                                              const cases::TopFace* top,
+                                              const mechanics::FarBoundary* top,
                                               const SimdBatch& spring,
                                               SimdBatch* stiffness) {
   std::array<SimdBatch, triangle(plane)> matrix;
@@ -173,7 +173,7 @@ inline void hold_top(cases::TopFace top, const SimdBatch& spring,
 
 /// The block, evaluated at four wavevectors.
 struct Waves {
-  cases::TopFace top;
+  mechanics::FarBoundary top;
   std::span<const MirroredQ2::Layer> layers;
   const std::vector<MaterialBlocks>& materials;
   SimdBatch spring;

@@ -50,7 +50,7 @@ public:
   };
 
 private:
-  cases::TopFace top_;
+  mechanics::FarBoundary top_;
   std::vector<Layer> layers_;
   std::vector<Material> materials_;
 };

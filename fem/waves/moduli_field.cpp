@@ -8,7 +8,7 @@
 
 namespace asperity::fem {
 
-Moduli moduli(const cases::BodyModuli& body) {
+Moduli moduli(const mechanics::BodyModuli& body) {
   const ElasticLayer layer =
       elastic_layer(1.0, body.youngs_modulus, body.poisson_ratio);
   return {layer.lame_modulus, layer.shear_modulus};
@@ -58,12 +58,12 @@ Moduli ModuliField::at(const meshes::Place& place) const {
   return found;
 }
 
-ModuliField moduli_field(const cases::MaterialSpec& material,
-                         const cases::Scales& scales,
-                         const cases::BodyModuli& block, const Grid& grid,
+ModuliField moduli_field(const mechanics::MaterialSpec& material,
+                         const mechanics::Scales& scales,
+                         const mechanics::BodyModuli& block, const Grid& grid,
                          double depth) {
   ModuliField field(moduli(block));
-  for (const cases::MaterialLayer& layer : material.layers)
+  for (const mechanics::MaterialLayer& layer : material.layers)
     field.add_layer(layer.thickness.in_si(scales), moduli(layer.moduli));
   if (material.inclusion)
     field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0,
@@ -72,16 +72,16 @@ ModuliField moduli_field(const cases::MaterialSpec& material,
                      moduli(material.inclusion->moduli));
   if (!material.variation)
     return field;
-  const cases::MaterialVariation& variation = *material.variation;
+  const mechanics::MaterialVariation& variation = *material.variation;
   switch (variation.kind) {
-  case cases::VariationKind::function:
+  case mechanics::VariationKind::function:
     field.set_factor(expression_factor(variation.factor, grid.length_x));
     break;
-  case cases::VariationKind::random:
+  case mechanics::VariationKind::random:
     field.set_factor(
         random_factor(variation.spread, variation.seed, grid.spacing_x()));
     break;
-  case cases::VariationKind::table:
+  case mechanics::VariationKind::table:
     field.set_factor(table_factor(read_factor_table(
         variation.file, {grid.length_x, grid.length_y, depth})));
     break;

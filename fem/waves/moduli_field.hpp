@@ -3,8 +3,9 @@
 // Elastic moduli as a function of the place in the block. This file converts
 // the material description of a case to lambda and mu of a cell.
 
-#include "cases/types/case.hpp"
 #include "fem/waves/elastic_layers.hpp"
+#include "mechanics/material.hpp"
+#include "mechanics/quantity.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <array>
@@ -25,7 +26,7 @@ struct Moduli {
 };
 
 /// @throws std::domain_error  E or nu is outside its range
-Moduli moduli(const cases::BodyModuli& body);
+Moduli moduli(const mechanics::BodyModuli& body);
 
 /// A dimensionless factor on E as a function of the place (x, y, z) [m], with z
 /// pointing into the block.
@@ -120,9 +121,9 @@ private:
 ///               grid.length_x, random factors places in grid.spacing_x()
 /// @param depth  depth of the block, which a table covers [m] > 0
 /// @throws std::domain_error, input::InputError  as the factors above
-ModuliField moduli_field(const cases::MaterialSpec& material,
-                         const cases::Scales& scales,
-                         const cases::BodyModuli& block, const Grid& grid,
+ModuliField moduli_field(const mechanics::MaterialSpec& material,
+                         const mechanics::Scales& scales,
+                         const mechanics::BodyModuli& block, const Grid& grid,
                          double depth);
 
 } // namespace asperity::fem

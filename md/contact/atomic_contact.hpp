@@ -5,9 +5,11 @@
 // common to all methods.
 
 #include "base/grid.hpp"
-#include "cases/types/case.hpp"
 #include "md/interface/interface.hpp"
 #include "md/minimise/relaxation.hpp"
+#include "mechanics/loading.hpp"
+#include "mechanics/md_settings.hpp"
+#include "mechanics/quantity.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -19,8 +21,8 @@ namespace asperity::md {
 
 /// Complete definition of the block and the substrate.
 struct AtomRequest {
-  cases::MdSettings settings;
-  cases::Scales scales;
+  mechanics::MdSettings settings;
+  mechanics::Scales scales;
   double youngs_modulus = 0.0; ///< effective modulus of the single elastic
                                ///< block that represents both bodies [Pa]
   double poisson_ratio = 0.0;  ///< [1]
@@ -62,7 +64,7 @@ public:
   /// previous solution or, in the first step, the block above the substrate.
   /// @param amount  nominal pressure [Pa] or mean gap [m]
   /// @param step    index in the loading path, used in the names of dump files
-  virtual AtomStep solve(cases::Control control, double amount, int step,
+  virtual AtomStep solve(mechanics::Control control, double amount, int step,
                          const Watch& watch = {}) = 0;
 
   /// Returns the initial guess of the next step, so that another process can

@@ -18,14 +18,14 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomMinimizer;
+using mechanics::AtomMinimizer;
 
-void require_explicit_bulk(const cases::MdSettings& settings) {
-  if (settings.engine != cases::AtomEngine::asperity ||
-      settings.bulk != cases::AtomBulk::explicit_layers)
+void require_explicit_bulk(const mechanics::MdSettings& settings) {
+  if (settings.engine != mechanics::AtomEngine::asperity ||
+      settings.bulk != mechanics::AtomBulk::explicit_layers)
     throw input::InputError(
         "[md] this block needs engine = \"asperity\" and bulk = \"explicit\"");
-  if (settings.modes != cases::AtomModes::vector)
+  if (settings.modes != mechanics::AtomModes::vector)
     throw input::InputError(
         "[md] modes = \"normal\" is available only with bulk = \"green\": the "
         "atoms of bulk = \"explicit\" move in all three directions");
@@ -33,7 +33,7 @@ void require_explicit_bulk(const cases::MdSettings& settings) {
 
 /// Returns the mass of an atom. Minimisers do not depend on it, so any value
 /// will do for them.
-double mass_of(const cases::MdSettings& settings) {
+double mass_of(const mechanics::MdSettings& settings) {
   return settings.minimizer == AtomMinimizer::dynamics ? settings.mass : 1.0;
 }
 
@@ -65,7 +65,7 @@ private:
 };
 
 std::string label_of(const AtomRequest& request) {
-  const cases::MdSettings& settings = request.settings;
+  const mechanics::MdSettings& settings = request.settings;
   return Fingerprint()
       .add(std::array{request.youngs_modulus, request.poisson_ratio,
                       settings.interaction_energy,
@@ -116,7 +116,7 @@ LoadStepDriver::Balance
 ExplicitContact::balance(const Load& load, int step, std::vector<double>& state,
                          const RelaxationSettings& settings,
                          const Watch& watch) {
-  const cases::MdSettings& asked = request().settings;
+  const mechanics::MdSettings& asked = request().settings;
   if (asked.minimizer == AtomMinimizer::automatic ||
       asked.minimizer == AtomMinimizer::lbfgs)
     return {relax(system_, state, settings, watch), {}};

@@ -20,13 +20,13 @@
 namespace asperity::md {
 namespace {
 
-void require_green_bulk(const cases::MdSettings& settings) {
-  if (settings.engine != cases::AtomEngine::asperity ||
-      settings.bulk != cases::AtomBulk::green)
+void require_green_bulk(const mechanics::MdSettings& settings) {
+  if (settings.engine != mechanics::AtomEngine::asperity ||
+      settings.bulk != mechanics::AtomBulk::green)
     throw input::InputError(
         "[md] this block needs engine = \"asperity\" and bulk = \"green\"");
-  if (settings.minimizer != cases::AtomMinimizer::automatic &&
-      settings.minimizer != cases::AtomMinimizer::lbfgs)
+  if (settings.minimizer != mechanics::AtomMinimizer::automatic &&
+      settings.minimizer != mechanics::AtomMinimizer::lbfgs)
     throw input::InputError(
         "[md] bulk = \"green\" has no internal degrees of freedom for "
         "dynamics: minimizer must be \"auto\" or \"lbfgs\"");
@@ -92,7 +92,7 @@ LoadStepDriver::Balance
 GreenContact::balance(const Load& /*load*/, int /*step*/,
                       std::vector<double>& state,
                       const RelaxationSettings& settings, const Watch& watch) {
-  return {request().settings.minimizer == cases::AtomMinimizer::lbfgs
+  return {request().settings.minimizer == mechanics::AtomMinimizer::lbfgs
               ? relax(system_, state, settings, watch)
               : relax_by_newton(system_, state, settings, watch),
           {}};
@@ -105,7 +105,8 @@ std::vector<AtomGroup> GreenContact::block_atoms(std::span<const double> state,
 
 std::string GreenContact::description() const {
   constexpr std::array lattices = {"isotropic", "born", "central"};
-  const bool is_normal = request().settings.modes == cases::AtomModes::normal;
+  const bool is_normal =
+      request().settings.modes == mechanics::AtomModes::normal;
   return fmt::format(
       "{} lattice, {} x {} atoms, green: {} cells deep{}; effective E* at q a "
       "= 0.1: {:.5g} Pa",

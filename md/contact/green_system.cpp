@@ -33,7 +33,7 @@ GreenSystem::GreenSystem(SurfaceStiffness bulk, Interface interface)
       interface_(std::move(interface)),
       local_stiffness_(bulk_.local_stiffness()),
       curvature_(bulk_.layer().size(), local_stiffness_,
-                 bulk_.modes() == cases::AtomModes::normal),
+                 bulk_.modes() == mechanics::AtomModes::normal),
       contact_(bulk_.layer().size(), 0.0),
       scratch_(3 * bulk_.layer().size()) {
   if (!(interface_.layer() == bulk_.layer()))
@@ -57,7 +57,7 @@ LayerForces GreenSystem::planes_of(std::span<double> unknowns) const {
 /// Removes the components of forces, or of a step, that the load and the modes
 /// constrain.
 void GreenSystem::hold(const LayerForces& forces) const {
-  if (bulk_.modes() == cases::AtomModes::normal) {
+  if (bulk_.modes() == mechanics::AtomModes::normal) {
     std::ranges::fill(forces.x, 0.0);
     std::ranges::fill(forces.y, 0.0);
   } else {
@@ -103,7 +103,7 @@ void GreenSystem::scale(const LayerForces& planes,
   };
   for (std::size_t i = 0; i < contact_.size(); ++i) {
     planes.z[i] *= factor(contact_stiffness, contact_[i]);
-    if (bulk_.modes() == cases::AtomModes::normal)
+    if (bulk_.modes() == mechanics::AtomModes::normal)
       continue;
     const double lateral =
         factor(lateral_share * contact_stiffness, lateral_share * contact_[i]);

@@ -14,7 +14,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::Control;
+using mechanics::Control;
 
 constexpr double descent = 0.5e-10;       ///< largest decrease of the height
                                           ///< per step [m]

@@ -12,23 +12,23 @@ namespace {
 
 /// Rejects settings that the LAMMPS engine does not support, before any
 /// computation.
-void require_supported(const cases::MdSettings& settings,
+void require_supported(const mechanics::MdSettings& settings,
                        double poisson_ratio) {
   const auto refuse = [](const std::string& what) {
     throw input::InputError("[md] engine = \"lammps\" " + what);
   };
-  if (settings.lattice != cases::AtomLattice::central ||
+  if (settings.lattice != mechanics::AtomLattice::central ||
       std::abs(poisson_ratio - 0.25) > 1e-12)
     refuse("needs lattice = \"central\" and poisson_ratio = 0.25: its harmonic "
            "bonds are pair springs, which fix Poisson's ratio; \"isotropic\" "
            "and \"born\" need more than pair interactions");
-  if (settings.modes != cases::AtomModes::vector)
+  if (settings.modes != mechanics::AtomModes::vector)
     refuse("moves its atoms in all three directions: modes = \"normal\" is "
            "available only with engine = \"asperity\"");
-  if (settings.bulk != cases::AtomBulk::green)
+  if (settings.bulk != mechanics::AtomBulk::green)
     refuse("always uses one spacing from the surface down to `depth`: remove "
            "bulk = \"explicit\", levels and layers");
-  if (settings.minimizer == cases::AtomMinimizer::dynamics)
+  if (settings.minimizer == mechanics::AtomMinimizer::dynamics)
     refuse("supports only static equilibrium: minimizer = \"dynamics\" is "
            "available only with engine = \"asperity\"");
 }
@@ -41,7 +41,7 @@ double LammpsBlock::bond_stiffness() const {
 }
 
 LammpsBlock lammps_block(const AtomRequest& request) {
-  const cases::MdSettings& settings = request.settings;
+  const mechanics::MdSettings& settings = request.settings;
   require_supported(settings, request.poisson_ratio);
   require_positive("youngs_modulus", request.youngs_modulus, "Pa");
   require_positive("length", request.layer.length_x, "m");

@@ -22,7 +22,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::Control;
+using mechanics::Control;
 
 double height_above(const LammpsBlock& block) {
   return *std::max_element(block.heights.begin(), block.heights.end()) +
@@ -129,7 +129,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
 /// Writes the input files and removes the output of the previous step, so that
 /// it cannot be mistaken for the result of this step.
 void LammpsContact::write_inputs(Control control, double amount) const {
-  const cases::MdSettings& settings = request_.settings;
+  const mechanics::MdSettings& settings = request_.settings;
   LammpsTask task;
   task.control = control;
   task.amount = control == Control::mean_gap

@@ -64,7 +64,7 @@ std::string crystal_lines(const LammpsBlock& block) {
 /// lowest layer removes the mean of the constrained components. It does no work
 /// on the free displacements, so its energy is 0.
 std::string load_lines(const LammpsBlock& block, const LammpsTask& task) {
-  const bool is_height = task.control == cases::Control::mean_gap;
+  const bool is_height = task.control == mechanics::Control::mean_gap;
   const double load =
       is_height ? 0.0 : task.amount * block.layer.cell_area() / metal::force;
   return fmt::format(
@@ -87,7 +87,7 @@ std::string load_lines(const LammpsBlock& block, const LammpsTask& task) {
 /// on the highest frequency, sqrt(12 k/m); FIRE may increase the step tenfold,
 /// which approaches the stability limit.
 std::string minimizer_lines(const LammpsBlock& block, const LammpsTask& task) {
-  if (task.minimizer != cases::AtomMinimizer::fire)
+  if (task.minimizer != mechanics::AtomMinimizer::fire)
     return "min_style cg\nmin_modify dmax 0.1 line quadratic\n";
   const double frequency =
       std::sqrt(12.0 * block.bond_stiffness() / metal::mass);
@@ -156,7 +156,7 @@ std::string answer_lines() {
 std::string input_script(const LammpsBlock& block, const LammpsTask& task) {
   return crystal_lines(block) + load_lines(block, task) +
          minimizer_lines(block, task) +
-         (task.control == cases::Control::mean_gap
+         (task.control == mechanics::Control::mean_gap
               ? height_lines(block, task)
               : pressure_lines(block, task)) +
          answer_lines();

@@ -3,8 +3,9 @@
 // This file generates the input script of one load step: constraints, load and
 // minimisation in LAMMPS. It defines the names of the exchanged files.
 
-#include "cases/types/case.hpp"
 #include "md/lammps/lammps_block.hpp"
+#include "mechanics/loading.hpp"
+#include "mechanics/md_settings.hpp"
 
 #include <string>
 
@@ -25,12 +26,12 @@ inline constexpr const char* energies = "energies.txt"; ///< bonds, pairs [eV]
 
 /// Parameters of one load step.
 struct LammpsTask {
-  cases::Control control = cases::Control::nominal_pressure;
+  mechanics::Control control = mechanics::Control::nominal_pressure;
   double amount = 0.0; ///< p_0 [Pa] >= 0, or mean z of the lowest layer [m]
   double start_height = 0.0; ///< mean z of the lowest layer at the start [m]
   double tolerance = 0.0;    ///< as RelaxationSettings::tolerance
   int max_evaluations = 0;
-  cases::AtomMinimizer minimizer = cases::AtomMinimizer::automatic;
+  mechanics::AtomMinimizer minimizer = mechanics::AtomMinimizer::automatic;
 };
 
 /// Returns the input script. The following are constrained: the substrate is

@@ -28,7 +28,8 @@ void require(const Crystal& crystal) {
   const double nu = crystal.poisson_ratio;
   if (!(nu > -1.0 && nu < 0.5))
     refuse_argument("poisson_ratio", nu, "above -1 and below 0.5");
-  if (crystal.lattice == Lattice::central && std::abs(nu - 0.25) > 1e-12)
+  if (crystal.lattice == mechanics::AtomLattice::central &&
+      std::abs(nu - 0.25) > 1e-12)
     refuse_argument("poisson_ratio", nu, "1/4 for central springs");
 }
 
@@ -101,20 +102,20 @@ CellStiffness cell_stiffness(const Crystal& crystal) {
   const double spacing = crystal.spacing;
   const double shear = shear_modulus(crystal);
   CellStiffness matrix{};
-  if (crystal.lattice == Lattice::born) {
+  if (crystal.lattice == mechanics::AtomLattice::born) {
     add_edges(matrix, crystal.youngs_modulus * spacing, shear * spacing);
     return matrix;
   }
   add_edges(matrix, shear * spacing, 0.0);
   add_face_diagonals(matrix, shear * spacing);
-  if (crystal.lattice == Lattice::isotropic)
+  if (crystal.lattice == mechanics::AtomLattice::isotropic)
     add_dilatation(matrix, dilatation_modulus(crystal), spacing);
   return matrix;
 }
 
 double long_wave_contact_modulus(const Crystal& crystal) {
   require(crystal);
-  if (crystal.lattice == Lattice::born)
+  if (crystal.lattice == mechanics::AtomLattice::born)
     return 2.0 * std::sqrt(crystal.youngs_modulus * shear_modulus(crystal));
   return crystal.youngs_modulus /
          (1.0 - crystal.poisson_ratio * crystal.poisson_ratio);

@@ -4,17 +4,12 @@
 // energy is a sum over unit cells. All elastic operators of this module are
 // assembled from the stiffness matrix of one cell.
 
+#include "mechanics/md_settings.hpp"
+
 #include <array>
 #include <cstddef>
 
 namespace asperity::md {
-
-enum class Lattice {
-  isotropic, ///< springs on edges and face diagonals, plus a dilatation energy
-             ///< per cell
-  born,      ///< edges with a normal and a tangential spring
-  central,   ///< springs on edges and face diagonals only, so that nu = 1/4
-};
 
 /// A simple cubic crystal.
 ///
@@ -29,7 +24,7 @@ enum class Lattice {
 /// - central: as isotropic, but without the dilatation energy, so nu must be
 /// 1/4.
 struct Crystal {
-  Lattice lattice = Lattice::isotropic;
+  mechanics::AtomLattice lattice = mechanics::AtomLattice::isotropic;
   double spacing = 0.0;        ///< a [m] > 0
   double youngs_modulus = 0.0; ///< E [Pa] > 0
   double poisson_ratio = 0.0;  ///< nu [1], -1 < nu < 0.5

@@ -11,7 +11,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomModes;
+using mechanics::AtomModes;
 using Complex = std::complex<double>;
 
 const Grid& required(const Crystal& crystal, const Grid& layer) {

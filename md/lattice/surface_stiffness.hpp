@@ -5,10 +5,10 @@
 // and transforms between real space and Fourier space.
 
 #include "base/fourier.hpp"
-#include "cases/types/case.hpp"
 #include "md/interface/interface.hpp"
 #include "md/lattice/crystal.hpp"
 #include "md/lattice/slab_symbol.hpp"
+#include "mechanics/md_settings.hpp"
 
 #include <complex>
 #include <span>
@@ -42,11 +42,11 @@ public:
   ///                            has an odd number of points or another spacing;
   ///                            or cells < 1
   SurfaceStiffness(const Crystal& crystal, const Grid& layer, int cells,
-                   cases::AtomModes modes, int threads = 1);
+                   mechanics::AtomModes modes, int threads = 1);
 
   const Grid& layer() const { return fourier_.grid(); }
 
-  cases::AtomModes modes() const { return modes_; }
+  mechanics::AtomModes modes() const { return modes_; }
 
   /// Computes forces = K u [N] and returns the energy u K u / 2 [J].
   double apply(const LayerView& displacement, const LayerForces& forces);
@@ -69,7 +69,7 @@ private:
   void to_spectra(const LayerView& planes);
   void from_spectra(const LayerForces& planes);
 
-  cases::AtomModes modes_;
+  mechanics::AtomModes modes_;
   RealFourier fourier_;
   std::vector<SymmetricBlock> symbol_; ///< in the order of the half spectrum
   std::vector<std::complex<double>> x_;

@@ -78,7 +78,8 @@ double gap_shortfall(std::span<const CurvePoint> points,
 }
 
 FittedValue fractal_dimension(const SurfaceRecord& surface,
-                              const cases::SurfaceSpec& spec, double highest) {
+                              const mechanics::SurfaceSpec& spec,
+                              double highest) {
   std::vector<double> log_wavevector;
   std::vector<double> log_spectrum;
   for (const results::SpectrumPoint& point : surface.spectrum)
@@ -107,7 +108,7 @@ void add_surface_quantities(const results::Result& result,
   of_surface("highest_asperity", [](const SurfaceRecord& surface) {
     return surface.highest / surface.rms_height;
   });
-  if (contact_case.surface.kind != cases::SurfaceKind::self_affine)
+  if (contact_case.surface.kind != mechanics::SurfaceKind::self_affine)
     return;
   double highest = contact_case.surface.wavevector_high;
   if (const auto zeta = magnification_of(contact_case, method))
@@ -123,7 +124,7 @@ void add_surface_quantities(const results::Result& result,
 
 // Each quantity has a single value because the two surfaces form one pair.
 void add_sum_quantities(const results::Result& result,
-                        const cases::SurfaceSpec& surface,
+                        const mechanics::SurfaceSpec& surface,
                         MethodSummary& summary) {
   const auto sum = sum_of_two_surfaces(result);
   if (!sum)
@@ -135,7 +136,7 @@ void add_sum_quantities(const results::Result& result,
     estimate.remark = "from the sum of both surfaces";
   };
   add("sum_rms_height", sum->rms_height);
-  if (surface.kind == cases::SurfaceKind::self_affine)
+  if (surface.kind == mechanics::SurfaceKind::self_affine)
     add("sum_spectrum_ratio",
         sum_spectrum_ratio(result, *sum, surface.wavevector_roll_off,
                            surface.wavevector_high));

@@ -11,11 +11,12 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceKind;
+using mechanics::SurfaceKind;
 using results::CurvePoint;
 
 // Converts a row of a method into the quantities of the exact solution.
-ExactPoint answer_of(const CurvePoint& point, const cases::SurfaceSpec& surface,
+ExactPoint answer_of(const CurvePoint& point,
+                     const mechanics::SurfaceSpec& surface,
                      double contact_modulus, double surface_top, bool is_free) {
   ExactPoint answer;
   answer.mean_gap = point.mean_gap;
@@ -53,7 +54,7 @@ Estimate largest_estimate(double largest, const char* missing) {
 }
 
 LargestErrors errors_of(const results::Result& result,
-                        const cases::SurfaceSpec& surface,
+                        const mechanics::SurfaceSpec& surface,
                         const results::MethodRecord& method, bool is_free) {
   const double modulus = result.contact_modulus;
   const results::SurfaceRecord* map = surface_of(result, method, 0);
@@ -84,7 +85,7 @@ void add_exact_quantities(const results::Result& result,
                           MethodSummary& summary) {
   if (method.kind == "theory" || method.realizations.empty())
     return; // Persson's theory does not apply to a single shape
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   const LargestErrors errors = errors_of(
       result, surface, method, has_free_boundaries(contact_case, method));
   auto& quantities = summary.quantities;

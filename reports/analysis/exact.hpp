@@ -21,7 +21,7 @@ struct ExactPoint {
 /// @param surface_top  highest point above the mean plane [m]: the mean gap of
 ///     the sphere at first contact
 /// @param is_free      the sphere is pressed once, on an infinite half-space
-ExactPoint exact_point(const cases::SurfaceSpec& surface,
+ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
                        double contact_modulus, double nominal_pressure,
                        double surface_top, bool is_free);
 
@@ -32,8 +32,8 @@ ExactPoint exact_point(const cases::SurfaceSpec& surface,
 /// approach of an isolated contact and that of the array; see the lattice
 /// constant in the theory module.
 /// @param load  force F on the sphere [N]
-double approach_excess(const cases::SurfaceSpec& sphere, double contact_modulus,
-                       double load, bool is_free);
+double approach_excess(const mechanics::SurfaceSpec& sphere,
+                       double contact_modulus, double load, bool is_free);
 
 /// Adds area_error and, for waves, mean_gap_error in units of the amplitude;
 /// for the sphere, the relative errors contact_radius_error and approach_error.

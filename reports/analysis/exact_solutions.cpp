@@ -9,7 +9,7 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceSpec;
+using mechanics::SurfaceSpec;
 
 ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
                      double nominal_pressure, double surface_top,
@@ -61,12 +61,12 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
                        double nominal_pressure, double surface_top,
                        bool is_free) {
   switch (surface.kind) {
-  case cases::SurfaceKind::sphere:
+  case mechanics::SurfaceKind::sphere:
     return on_sphere(surface, contact_modulus, nominal_pressure, surface_top,
                      is_free);
-  case cases::SurfaceKind::wave_1d:
+  case mechanics::SurfaceKind::wave_1d:
     return on_wave_1d(surface, contact_modulus, nominal_pressure);
-  case cases::SurfaceKind::wave_2d:
+  case mechanics::SurfaceKind::wave_2d:
     return on_wave_2d(surface, contact_modulus, nominal_pressure);
   default:
     return {};

@@ -20,7 +20,8 @@ using results::Result;
 
 double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
+    if (const auto* theory =
+            std::get_if<mechanics::TheorySettings>(&spec.settings);
         theory != nullptr && spec.name == method.name)
       return theory->gamma;
   return not_a_number;

@@ -7,8 +7,8 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceKind;
-using cases::SurfaceSpec;
+using mechanics::SurfaceKind;
+using mechanics::SurfaceSpec;
 
 SurfaceScales formula_scales(const SurfaceSpec& surface) {
   SurfaceScales scales{0.0, not_a_number, not_a_number};
@@ -30,8 +30,8 @@ bool uses_formula(const cases::Case& contact_case,
   for (const cases::MethodSpec& spec : contact_case.methods)
     if (spec.name == method.name)
       if (const auto* theory =
-              std::get_if<cases::TheorySettings>(&spec.settings))
-        return theory->spectrum == cases::TheorySpectrum::formula;
+              std::get_if<mechanics::TheorySettings>(&spec.settings))
+        return theory->spectrum == mechanics::TheorySpectrum::formula;
   return false;
 }
 
@@ -76,7 +76,7 @@ bool has_free_boundaries(const cases::Case& contact_case,
                          const results::MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)
     if (const auto* half =
-            std::get_if<cases::HalfspaceSettings>(&spec.settings);
+            std::get_if<mechanics::HalfspaceSettings>(&spec.settings);
         half != nullptr && spec.name == method.name)
       return half->has_free_boundaries;
   return false;

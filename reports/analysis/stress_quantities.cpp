@@ -46,8 +46,8 @@ void add_stress_quantities(const results::Result& result,
                            const results::MethodRecord& method,
                            MethodSummary& summary) {
   const results::Table* table = result.table(stress_table_name(method.name));
-  const cases::SurfaceSpec& surface = contact_case.surface;
-  if (table == nullptr || surface.kind != cases::SurfaceKind::sphere ||
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  if (table == nullptr || surface.kind != mechanics::SurfaceKind::sphere ||
       !contact_case.material.poisson_ratio)
     return;
   const double side = surface.length.value_or(not_a_number);

@@ -135,7 +135,8 @@ void add_study_quantities(const Result& result, const cases::Case& contact_case,
                           MethodSummary& summary) {
   auto& quantities = summary.quantities;
   for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* theory = std::get_if<cases::TheorySettings>(&spec.settings);
+    if (const auto* theory =
+            std::get_if<mechanics::TheorySettings>(&spec.settings);
         theory != nullptr && spec.name == method.name)
       quantities["epsilon"] =
           number(theory::persson_epsilon(theory->gamma), "");

@@ -46,10 +46,10 @@ SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
   return prepared(theory::HeightSpectrum(shells_of(surface)), contact_modulus);
 }
 
-SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
+SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,
                                 double contact_modulus,
                                 std::optional<double> highest) {
-  if (surface.kind != cases::SurfaceKind::self_affine)
+  if (surface.kind != mechanics::SurfaceKind::self_affine)
     return {};
   const surfaces::IsotropicSpectrum formula =
       surfaces::formula_spectrum(surface);

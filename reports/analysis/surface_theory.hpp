@@ -28,7 +28,7 @@ SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
 /// Uses the analytical spectrum of a self-affine case, including roughness up
 /// to `highest` [rad/m] if that is given. The result is empty for other kinds
 /// of surface.
-SurfaceTheory theory_of_formula(const cases::SurfaceSpec& surface,
+SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,
                                 double contact_modulus,
                                 std::optional<double> highest = {});
 

@@ -11,7 +11,7 @@
 namespace asperity::reports {
 namespace {
 
-theory::ProfileMoments moments_of(const cases::SurfaceSpec& surface,
+theory::ProfileMoments moments_of(const mechanics::SurfaceSpec& surface,
                                   std::optional<double> magnification) {
   const surfaces::IsotropicSpectrum formula =
       surfaces::formula_spectrum(surface);
@@ -58,9 +58,9 @@ void add_tail_quantities(const results::Result& result,
                          const cases::Case& contact_case,
                          const results::MethodRecord& method,
                          MethodSummary& summary) {
-  const cases::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   if (!uses_formula(contact_case, method) ||
-      surface.kind != cases::SurfaceKind::self_affine ||
+      surface.kind != mechanics::SurfaceKind::self_affine ||
       method.realizations.empty())
     return;
   const theory::ProfileMoments moments =

@@ -152,8 +152,8 @@ std::vector<Warning> warnings_of(const Result& result,
   std::vector<Warning> warnings;
   add_locking(result, contact_case, warnings);
   add_no_contact(result, warnings);
-  const cases::SurfaceKind kind = contact_case.surface.kind;
-  const bool is_measured = kind == cases::SurfaceKind::measured;
+  const mechanics::SurfaceKind kind = contact_case.surface.kind;
+  const bool is_measured = kind == mechanics::SurfaceKind::measured;
   if (!is_measured && !surfaces::is_random(kind))
     return warnings;
   add_window(result, warnings);

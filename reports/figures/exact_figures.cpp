@@ -10,7 +10,7 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceKind;
+using mechanics::SurfaceKind;
 
 struct Range {
   double low = 0.0;
@@ -52,7 +52,8 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
   const double top = entry.result->surfaces.empty()
                          ? not_a_number
                          : entry.result->surfaces.front().highest;
-  const bool is_free = entry.contact_case->surface.edges == cases::Edges::free;
+  const bool is_free =
+      entry.contact_case->surface.edges == mechanics::Edges::free;
   const Range range = pressures_of(series);
   for (int k = 0; k <= 300; ++k) {
     const double pressure =

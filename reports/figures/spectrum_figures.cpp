@@ -14,7 +14,7 @@ namespace {
 /// Adds the spectrum of the case's formula as a line.
 /// @param index  of the line in the table
 /// @return       the smallest C(q) that the axis shows [m^4]
-double add_formula(const cases::SurfaceSpec& spec, std::size_t index,
+double add_formula(const mechanics::SurfaceSpec& spec, std::size_t index,
                    CsvTable& table, std::vector<std::string>& plots) {
   const surfaces::IsotropicSpectrum formula = surfaces::formula_spectrum(spec);
   const double ratio = spec.wavevector_high / spec.wavevector_low;
@@ -35,7 +35,7 @@ double add_formula(const cases::SurfaceSpec& spec, std::size_t index,
 
 std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   const auto& surfaces = entry.result->surfaces;
-  const cases::SurfaceSpec& spec = entry.contact_case->surface;
+  const mechanics::SurfaceSpec& spec = entry.contact_case->surface;
   Figure figure;
   figure.name = "spectrum";
   figure.title = "Power spectrum";
@@ -64,7 +64,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
                    "|q|.";
   double floor = 0.0; // of the axis: hides roundoff beyond the cut-off
-  if (spec.kind == cases::SurfaceKind::self_affine) {
+  if (spec.kind == mechanics::SurfaceKind::self_affine) {
     floor = add_formula(spec, surfaces.size(), table, plots);
     if (sum) {
       plots.push_back(fmt::format(

@@ -95,8 +95,9 @@ bool uses_lammps(const ReportEntry& entry) {
   return std::ranges::any_of(
       entry.contact_case->methods, [](const cases::MethodSpec& method) {
         const auto* const atoms =
-            std::get_if<cases::MdSettings>(&method.settings);
-        return atoms != nullptr && atoms->engine == cases::AtomEngine::lammps;
+            std::get_if<mechanics::MdSettings>(&method.settings);
+        return atoms != nullptr &&
+               atoms->engine == mechanics::AtomEngine::lammps;
       });
 }
 

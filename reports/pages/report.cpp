@@ -26,7 +26,7 @@ cases::Case case_without_text(const results::Result& result) {
   contact_case.path = result.path;
   contact_case.name = result.case_name;
   contact_case.title = result.case_title;
-  contact_case.surface.kind = cases::SurfaceKind::measured;
+  contact_case.surface.kind = mechanics::SurfaceKind::measured;
   contact_case.material.contact_modulus = result.contact_modulus;
   return contact_case;
 }

@@ -5,9 +5,9 @@
 namespace asperity::reports {
 namespace {
 
-using cases::SurfaceKind;
+using mechanics::SurfaceKind;
 
-std::string surface_words(const cases::SurfaceSpec& surface) {
+std::string surface_words(const mechanics::SurfaceSpec& surface) {
   switch (surface.kind) {
   case SurfaceKind::self_affine:
     return fmt::format("self-affine surface, H = {:.3g}, roll-off at {:.3g} "

@@ -184,9 +184,9 @@ LineScan read_line_scan(const std::string& path, const LineScale& scale) {
 void level_line(LineScan& line, int degree) {
   HeightMap map{{static_cast<int>(line.heights.size()), 1, line.length(), 1.0},
                 std::move(line.heights)};
-  remove_trend(map, degree == 0   ? cases::Levelling::none
-                    : degree == 1 ? cases::Levelling::plane
-                                  : cases::Levelling::bow);
+  remove_trend(map, degree == 0   ? mechanics::Levelling::none
+                    : degree == 1 ? mechanics::Levelling::plane
+                                  : mechanics::Levelling::bow);
   line.heights = std::move(map.heights);
 }
 

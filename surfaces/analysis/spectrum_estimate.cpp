@@ -25,8 +25,8 @@ constexpr double hann_correlation = along_one_side * along_one_side;
 } // namespace
 
 SpectrumEstimate estimate_spectrum(const HeightMap& map, bool is_periodic) {
-  const cases::Edges edges =
-      is_periodic ? cases::Edges::periodic : cases::Edges::window;
+  const mechanics::Edges edges =
+      is_periodic ? mechanics::Edges::periodic : mechanics::Edges::window;
   const HeightMap shown = with_edges(map, edges);
   const double window = is_periodic ? 1.0 : hann_power(map.grid);
   const double dependent = is_periodic ? 1.0 : hann_correlation;

@@ -120,7 +120,7 @@ HeightMap complete_map(Scan scan, const std::string& name) {
 }
 
 Scan from_table(NumberTable table, const ScanRequest& request) {
-  using cases::MapFormat;
+  using mechanics::MapFormat;
   const bool is_automatic = request.format == MapFormat::automatic;
   const bool is_gwyddion =
       request.format == MapFormat::gwyddion ||
@@ -163,11 +163,12 @@ ChannelInfo text_channel(std::string_view bytes, const std::string& name) {
 }
 
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
-                               cases::MapFormat format, const MapScale& scale) {
+                               mechanics::MapFormat format,
+                               const MapScale& scale) {
   return complete_map(read_text_scan(text, name, {format, {}, scale}), name);
 }
 
-HeightMap read_height_map(const std::string& path, cases::MapFormat format,
+HeightMap read_height_map(const std::string& path, mechanics::MapFormat format,
                           const MapScale& scale) {
   return complete_map(read_scan(path, {format, {}, scale}), path);
 }

@@ -41,9 +41,10 @@ namespace asperity::surfaces {
 ///                            key of the case that is missing or superfluous,
 ///                            or the number of missing points
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
-                               cases::MapFormat format, const MapScale& scale);
+                               mechanics::MapFormat format,
+                               const MapScale& scale);
 /// Reads a map of any format (scan.hpp) that has no missing points.
-HeightMap read_height_map(const std::string& path, cases::MapFormat format,
+HeightMap read_height_map(const std::string& path, mechanics::MapFormat format,
                           const MapScale& scale);
 
 } // namespace asperity::surfaces

@@ -20,7 +20,8 @@ Scan scan_of_matrix(Matrix matrix, const std::string& name,
   require_sound_grid(name, static_cast<std::int64_t>(matrix.columns),
                      static_cast<std::int64_t>(matrix.rows), 1.0,
                      matrix.numbers.size());
-  if (request.format == cases::MapFormat::automatic && matrix.columns <= 3) {
+  if (request.format == mechanics::MapFormat::automatic &&
+      matrix.columns <= 3) {
     NumberTable table;
     table.name = name;
     table.columns = matrix.columns;

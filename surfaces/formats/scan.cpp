@@ -13,7 +13,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::MapFormat;
+using mechanics::MapFormat;
 
 /// Formats that read_scan_bytes reads by itself.
 bool is_read_from_bytes(MapFormat format) {

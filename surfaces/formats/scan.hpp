@@ -3,7 +3,7 @@
 // This file reads one channel of an instrument file of any supported format. It
 // defines what a reader returns and which questions it is asked.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <optional>
@@ -37,7 +37,7 @@ struct Scan {
 
 /// What a case says about its map file.
 struct ScanRequest {
-  cases::MapFormat format = cases::MapFormat::automatic;
+  mechanics::MapFormat format = mechanics::MapFormat::automatic;
   /// Title of the channel; empty: the only channel, or the first one that
   /// contains heights.
   std::optional<std::string> channel = {};

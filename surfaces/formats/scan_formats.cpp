@@ -8,7 +8,7 @@ namespace asperity::surfaces {
 namespace {
 
 using namespace std::string_view_literals;
-using cases::MapFormat;
+using mechanics::MapFormat;
 
 /// Formats that Gwyddion reads, by the ending of the file name.
 constexpr std::pair<std::string_view, std::string_view> foreign_formats[] = {

@@ -3,7 +3,7 @@
 // This file recognises the format of an instrument file by its first bytes, and
 // names formats by the ending of the file name.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace asperity::surfaces {
 /// The format of a file.
 /// @return  automatic for text, whose reader distinguishes matrices and lists;
 ///          convert for bytes that no own reader knows
-cases::MapFormat recognised_format(std::string_view bytes);
+mechanics::MapFormat recognised_format(std::string_view bytes);
 
 /// " (Igor binary wave)" for the ending .ibw, "" for an unknown ending.
 std::string name_in_brackets(const std::string& path);

@@ -103,7 +103,7 @@ double robust_scale(const FlaggedMap& map,
 
 } // namespace
 
-void crop(FlaggedMap& map, const cases::MapWindow& window) {
+void crop(FlaggedMap& map, const mechanics::MapWindow& window) {
   const Grid old = map.map.grid;
   const PixelRange x = pixels_within(window.x, window.length_x, old.spacing_x(),
                                      old.points_x, "x");

@@ -3,7 +3,7 @@
 // This file corrects artefacts of instruments in a measured map: it crops the
 // map, aligns scan lines and finds spikes.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <vector>
@@ -25,7 +25,7 @@ struct FlaggedMap {
 /// @throws std::domain_error  the window is not inside the map (within 1e-6 of
 ///                            its sides), or fewer than two points per side
 ///                            remain
-void crop(FlaggedMap& map, const cases::MapWindow& window);
+void crop(FlaggedMap& map, const mechanics::MapWindow& window);
 
 /// Removes offsets between scan lines, which are rows along x, by the median of
 /// differences:

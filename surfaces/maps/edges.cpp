@@ -60,10 +60,10 @@ HeightMap mirrored(const HeightMap& map) {
 
 } // namespace
 
-HeightMap with_edges(HeightMap map, cases::Edges edges) {
-  if (edges == cases::Edges::window)
+HeightMap with_edges(HeightMap map, mechanics::Edges edges) {
+  if (edges == mechanics::Edges::window)
     map = windowed(std::move(map));
-  else if (edges == cases::Edges::mirror || edges == cases::Edges::free)
+  else if (edges == mechanics::Edges::mirror || edges == mechanics::Edges::free)
     map = mirrored(map);
   remove_mean(map);
   return map;

@@ -3,7 +3,7 @@
 // This file makes a map periodic that is not. It contains the window, the
 // mirror and the factor by which a window reduces the power.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {
@@ -19,7 +19,7 @@ namespace asperity::surfaces {
 ///     mirror    the map and its reflections in a cell of twice the side
 ///               lengths: no step and no lost power, but a discontinuous slope
 ///               at the seam, and four copies of every asperity
-HeightMap with_edges(HeightMap map, cases::Edges edges);
+HeightMap with_edges(HeightMap map, mechanics::Edges edges);
 
 /// <w^2> of that window, 9/64 for at least 3 points per side [1]. For a
 /// statistically homogeneous surface, windowing multiplies the expected power

@@ -52,19 +52,19 @@ void remove_product(HeightMap& map, const std::vector<double>& along_x,
 
 } // namespace
 
-void remove_trend(HeightMap& map, cases::Levelling levelling) {
+void remove_trend(HeightMap& map, mechanics::Levelling levelling) {
   remove_mean(map);
-  if (levelling == cases::Levelling::none)
+  if (levelling == mechanics::Levelling::none)
     return;
-  if (levelling == cases::Levelling::sphere)
+  if (levelling == mechanics::Levelling::sphere)
     return remove_sphere(map);
-  if (levelling == cases::Levelling::cylinder)
+  if (levelling == mechanics::Levelling::cylinder)
     return remove_cylinder(map);
   const SidePolynomials x(map.grid.points_x);
   const SidePolynomials y(map.grid.points_y);
   remove_product(map, x.linear, y.constant);
   remove_product(map, x.constant, y.linear);
-  if (levelling == cases::Levelling::bow) {
+  if (levelling == mechanics::Levelling::bow) {
     remove_product(map, x.quadratic, y.constant);
     remove_product(map, x.constant, y.quadratic);
     remove_product(map, x.linear, y.linear);

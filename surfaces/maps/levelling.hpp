@@ -3,7 +3,7 @@
 // This file removes the tilt and the second-order form (bow) that an instrument
 // adds to a map.
 
-#include "cases/types/case.hpp"
+#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 namespace asperity::surfaces {
@@ -21,6 +21,6 @@ namespace asperity::surfaces {
 /// sides, which are orthogonal: each coefficient is one projection and no
 /// linear system is solved.
 /// @par Accuracy  a few eps of the largest height before levelling
-void remove_trend(HeightMap& map, cases::Levelling levelling);
+void remove_trend(HeightMap& map, mechanics::Levelling levelling);
 
 } // namespace asperity::surfaces

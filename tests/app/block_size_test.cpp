@@ -46,14 +46,14 @@ Counted unknowns_with(const Overrides& overrides) {
   const int points = *sphere.surface.points;
   const Grid grid{points, points, *sphere.surface.length,
                   *sphere.surface.length};
-  const cases::Scales scales{sphere.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
-  const auto block = fem::load_fem_module().full(
-      {sphere.text, sphere.path, "fem", grid, scales});
-  return {block_size(sphere,
-                     std::get<cases::FemSettings>(sphere.methods[0].settings),
-                     scales, grid)
-              .unknowns,
+  const mechanics::Scales scales{sphere.material.contact_modulus, grid.length_x,
+                                 grid.spacing_x(), 0.0};
+  const auto& settings =
+      std::get<mechanics::FemSettings>(sphere.methods[0].settings);
+  const auto block =
+      fem::load_fem_module().full({grid, settings.block, settings.full,
+                                   sphere.material, sphere.mesh, scales});
+  return {block_size(sphere, settings, scales, grid).unknowns,
           static_cast<double>(block->unknowns())};
 }
 

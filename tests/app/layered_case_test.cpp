@@ -35,13 +35,13 @@ class LayeredCase : public testing::TestWithParam<std::string> {};
 
 TEST_P(LayeredCase, HasTheSlopesOfItsLayers) {
   const cases::Case read = cases::read_case(GetParam() + "/case.toml");
-  const cases::SurfaceSpec& surface = read.surface;
-  const cases::Scales scales{read.material.contact_modulus, *surface.length,
-                             *surface.length / *surface.points, 0.0};
+  const mechanics::SurfaceSpec& surface = read.surface;
+  const mechanics::Scales scales{read.material.contact_modulus, *surface.length,
+                                 *surface.length / *surface.points, 0.0};
   const auto halfspace =
       std::ranges::find(read.methods, "halfspace", &cases::MethodSpec::name);
   ASSERT_NE(halfspace, read.methods.end());
-  const contact::ElasticBlock block =
+  const mechanics::ElasticBlock block =
       continuum_of(*halfspace, read.material, scales);
   double slope = 0.0, stiffness = 0.0;
   const int n = 4000;
@@ -75,11 +75,11 @@ INSTANTIATE_TEST_SUITE_P(ShippedCases, LayeredCase,
 // bottom below rounding; at q t = 1.6e-4 the coating's share is some q t times
 // the ratio of the moduli.
 TEST(LayeredBlock, ShowsItsRimsTheCoating) {
-  contact::ElasticBlock block{2e9,
-                              0.3,
-                              std::numeric_limits<double>::infinity(),
-                              {},
-                              {{0.05, 2e10, 0.2}}};
+  mechanics::ElasticBlock block{2e9,
+                                0.3,
+                                std::numeric_limits<double>::infinity(),
+                                {},
+                                {{0.05, 2e10, 0.2}}};
   EXPECT_NEAR(rim_modulus(block, 0.002) / (2e10 / (1.0 - 0.04)), 1.0, 1e-9);
   EXPECT_NEAR(rim_modulus(block, 500.0) / 2e9, 1.0, 0.003);
   block.layers.clear();

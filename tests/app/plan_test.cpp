@@ -178,12 +178,14 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
 // displacements a node, (N + 1)^2 of them on every plane that meshes/ makes.
 TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
   const cases::Case contact_case = read();
-  auto fem = std::get<cases::FemSettings>(contact_case.methods.at(2).settings);
-  fem.element = cases::Element::q1;
+  auto fem =
+      std::get<mechanics::FemSettings>(contact_case.methods.at(2).settings);
+  fem.block.element = mechanics::Element::q1;
   const Grid grid = grid_of_case(contact_case, contact_case.methods);
   MachineRates rates(32);
   const std::size_t layers =
-      meshes::graded_layers(grid.spacing_x(), fem.growth, grid.length_x).size();
+      meshes::graded_layers(grid.spacing_x(), fem.block.growth, grid.length_x)
+          .size();
 
   const MethodCost cost = cost_of_full_block(contact_case, fem, grid, rates);
 
@@ -196,14 +198,15 @@ TEST_F(PlannedRun, CountsTheLayersOfACoating) {
   const cases::Case coated =
       read({R"(material.layers=[{thickness = "0.1 length", youngs_modulus = )"
             R"("20 GPa", poisson_ratio = 0.3}])"});
-  const auto& fem = std::get<cases::FemSettings>(coated.methods.at(2).settings);
+  const auto& fem =
+      std::get<mechanics::FemSettings>(coated.methods.at(2).settings);
   const Grid grid = grid_of_case(coated, coated.methods);
-  const cases::Scales scales{coated.material.contact_modulus, grid.length_x,
-                             grid.spacing_x(), 0.0};
+  const mechanics::Scales scales{coated.material.contact_modulus, grid.length_x,
+                                 grid.spacing_x(), 0.0};
   const std::vector<double> interfaces{0.1 * grid.length_x};
 
   const std::vector<double> meshed = meshes::graded_layers_with_interfaces(
-      2.0 * grid.spacing_x(), fem.growth, interfaces, grid.length_x);
+      2.0 * grid.spacing_x(), fem.block.growth, interfaces, grid.length_x);
 
   EXPECT_EQ(n_layers(coated, fem, scales, grid),
             static_cast<int>(meshed.size()));

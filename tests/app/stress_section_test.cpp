@@ -26,7 +26,8 @@ public:
 
   std::string report() const override { return ""; }
 
-  fem::BlockSolution solve(std::span<const double>, const fem::BlockLoad&,
+  fem::BlockSolution solve(std::span<const double>,
+                           const mechanics::LoadTarget&,
                            const fem::BlockContact&) override {
     return {};
   }
@@ -50,9 +51,9 @@ private:
   Grid grid_{16, 16, 1.6, 1.6};
 };
 
-const contact::ElasticBlock halfspace{1e9, 0.3,
-                                      std::numeric_limits<double>::infinity(),
-                                      contact::FarBoundary::clamped};
+const mechanics::ElasticBlock halfspace{1e9, 0.3,
+                                        std::numeric_limits<double>::infinity(),
+                                        mechanics::FarBoundary::clamped};
 
 OwnSection at(double x, double depth, bool is_periodic) {
   return {
@@ -99,7 +100,7 @@ TEST(OwnSection, EndsAtFreeSides) {
 // from a spacing's depth, and no deeper than the block.
 TEST(OwnSection, IsOfTheBodyOfThePointAndWithinIt) {
   const KnownBlock block;
-  contact::ElasticBlock slab = halfspace;
+  mechanics::ElasticBlock slab = halfspace;
   slab.thickness = 0.3;
 
   const std::vector<double> counter =

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double modulus = 70e9;
 
-contact::ElasticBlock halfspace() {
+mechanics::ElasticBlock halfspace() {
   return {modulus, 0.3, std::numeric_limits<double>::infinity(),
-          contact::FarBoundary::clamped};
+          mechanics::FarBoundary::clamped};
 }
 
 /// Hertz's pressure about node (20, 40) of a cell sixteen radii wide.
@@ -96,7 +96,7 @@ TEST(StressTables, HaveASectionThroughThatPoint) {
 TEST(StressTables, HaveASectionThroughTheCoating) {
   const results::Fields map =
       hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));
-  contact::ElasticBlock block = halfspace();
+  mechanics::ElasticBlock block = halfspace();
   const double coating = 20.0 * map.grid.spacing_x();
   block.layers = {{coating, 10.0 * modulus, 0.3}};
 

@@ -26,7 +26,7 @@ theory::PerssonContact rough_contact() {
 cases::MagnificationStudy study() {
   cases::MagnificationStudy study;
   study.nominal_pressures = {{1e7},
-                             {0.02, cases::ReferenceUnit::contact_modulus}};
+                             {0.02, mechanics::ReferenceUnit::contact_modulus}};
   study.from = 0.5;
   study.to = 30.0;
   study.points = 13;

@@ -1,4 +1,4 @@
-// Claims about cases/types/block_spec.hpp: a block that is no homogeneous box,
+// Claims about cases/reader/read_block.cpp: a block that is no homogeneous box,
 // and how it is meshed, as a case says it; and what is answered to what cannot
 // be.
 #include "cases/reader/read_case.hpp"
@@ -24,8 +24,8 @@ std::string refusal(const std::string& keys,
   return mistakes_of(contact_case + keys, overrides);
 }
 
-const FemSettings& fem_of(const Case& read) {
-  return std::get<FemSettings>(read.methods.at(2).settings);
+const mechanics::FemSettings& fem_of(const Case& read) {
+  return std::get<mechanics::FemSettings>(read.methods.at(2).settings);
 }
 
 const std::vector<std::string> full = {"fem.solver=full"};
@@ -34,10 +34,10 @@ TEST(Block, IsUniformUnlessTheCaseSaysMore) {
   const Case read = block("");
 
   EXPECT_TRUE(read.material.is_uniform());
-  EXPECT_EQ(read.mesh.kind, MeshKind::layers);
-  EXPECT_EQ(fem_of(read).sides, BlockSides::periodic);
-  EXPECT_EQ(fem_of(read).bodies, 1);
-  EXPECT_FALSE(fem_of(read).uses_case_mesh);
+  EXPECT_EQ(read.mesh.kind, mechanics::MeshKind::layers);
+  EXPECT_EQ(fem_of(read).full.sides, mechanics::BlockSides::periodic);
+  EXPECT_EQ(fem_of(read).full.bodies, 1);
+  EXPECT_FALSE(fem_of(read).full.uses_case_mesh);
 }
 
 TEST(Block, HasLayersFromTheFaceUp) {
@@ -47,7 +47,8 @@ TEST(Block, HasLayersFromTheFaceUp) {
            "youngs_modulus = 3e9, poisson_ratio = 0.4 }]"});
 
   ASSERT_EQ(read.material.layers.size(), 2U);
-  EXPECT_EQ(read.material.layers[0].thickness.yardstick, ReferenceUnit::length);
+  EXPECT_EQ(read.material.layers[0].thickness.yardstick,
+            mechanics::ReferenceUnit::length);
   EXPECT_EQ(read.material.layers[0].thickness.value, 0.05);
   EXPECT_EQ(read.material.layers[0].moduli.youngs_modulus, 20e9);
   EXPECT_EQ(read.material.layers[1].moduli.poisson_ratio, 0.4);
@@ -130,12 +131,13 @@ TEST(Block, IsMeshedByGmshWhereItIsWhole) {
 
   const Case read = block(mesh, full);
 
-  EXPECT_TRUE(fem_of(read).uses_case_mesh);
-  EXPECT_EQ(read.mesh.geometry, MeshGeometry::indentation);
-  EXPECT_EQ(read.mesh.size_at_contact.yardstick, ReferenceUnit::spacing);
-  EXPECT_FALSE(fem_of(block(mesh)).uses_case_mesh);
+  EXPECT_TRUE(fem_of(read).full.uses_case_mesh);
+  EXPECT_EQ(read.mesh.geometry, mechanics::MeshGeometry::indentation);
+  EXPECT_EQ(read.mesh.size_at_contact.yardstick,
+            mechanics::ReferenceUnit::spacing);
+  EXPECT_FALSE(fem_of(block(mesh)).full.uses_case_mesh);
   EXPECT_FALSE(fem_of(block(mesh, {"fem.solver=full", "fem.mesh=layers"}))
-                   .uses_case_mesh);
+                   .full.uses_case_mesh);
 }
 
 TEST(Block, TakesPathsOfMeshesFromTheFolderOfTheCase) {
@@ -153,7 +155,7 @@ TEST(Block, OfTwoBodiesIsTheFirstOfThem) {
   const Case pair = block("[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
                           "poisson_ratio = 0.2\n");
 
-  const BodyModuli first = pair.material.first_body();
+  const mechanics::BodyModuli first = pair.material.first_body();
 
   EXPECT_NEAR(first.youngs_modulus, 2e9, 1e-5);
   EXPECT_EQ(first.poisson_ratio, 0.3);

@@ -9,43 +9,56 @@
 namespace asperity::cases {
 namespace {
 
-constexpr Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
+constexpr mechanics::Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
 // Claim: a quantity is its number times its yardstick. Exact: one product.
-TEST(Quantity, IsItsNumberTimesItsYardstick) {
-  EXPECT_EQ((Quantity{7.0, ReferenceUnit::si}.in_si(scales)), 7.0);
-  EXPECT_EQ((Quantity{0.5, ReferenceUnit::contact_modulus}.in_si(scales)), 1e9);
+TEST(mechanics::Quantity, IsItsNumberTimesItsYardstick) {
   EXPECT_EQ(
-      (Quantity{0.5, ReferenceUnit::contact_modulus_times_slope}.in_si(scales)),
-      0.25e9);
-  EXPECT_EQ((Quantity{2.0, ReferenceUnit::length}.in_si(scales)), 2e-5);
-  EXPECT_EQ((Quantity{2.0, ReferenceUnit::spacing}.in_si(scales)), 4e-8);
-  EXPECT_EQ((Quantity{0.5, ReferenceUnit::rms_height}.in_si(scales)), 1.7e-8);
-  EXPECT_DOUBLE_EQ(
-      (Quantity{100.0, ReferenceUnit::contact_modulus_per_spacing}.in_si(
+      (mechanics::Quantity{7.0, mechanics::ReferenceUnit::si}.in_si(scales)),
+      7.0);
+  EXPECT_EQ((mechanics::Quantity{0.5, mechanics::ReferenceUnit::contact_modulus}
+                 .in_si(scales)),
+            1e9);
+  EXPECT_EQ((mechanics::Quantity{
+                0.5, mechanics::ReferenceUnit::contact_modulus_times_slope}
+                 .in_si(scales)),
+            0.25e9);
+  EXPECT_EQ((mechanics::Quantity{2.0, mechanics::ReferenceUnit::length}.in_si(
+                scales)),
+            2e-5);
+  EXPECT_EQ((mechanics::Quantity{2.0, mechanics::ReferenceUnit::spacing}.in_si(
+                scales)),
+            4e-8);
+  EXPECT_EQ(
+      (mechanics::Quantity{0.5, mechanics::ReferenceUnit::rms_height}.in_si(
           scales)),
+      1.7e-8);
+  EXPECT_DOUBLE_EQ(
+      (mechanics::Quantity{
+          100.0, mechanics::ReferenceUnit::contact_modulus_per_spacing}
+           .in_si(scales)),
       1e19); // 100 * 2e9 Pa / 2e-8 m
 }
 
-TEST(Quantity, RefusesAYardstickThatIsNotKnown) {
-  const Quantity quantity{2.0, ReferenceUnit::rms_height};
+TEST(mechanics::Quantity, RefusesAYardstickThatIsNotKnown) {
+  const mechanics::Quantity quantity{2.0, mechanics::ReferenceUnit::rms_height};
 
   EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);
 }
 
 // Claim: the block of modulus E (1 - nu^2) has the pair's E*; it is what
 // E* = E / (1 - nu^2) says, solved for E.
-TEST(MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
-  const MaterialSpec material{2e9, 0.3};
+TEST(mechanics::MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
+  const mechanics::MaterialSpec material{2e9, 0.3};
 
   const double youngs_modulus = material.block_youngs_modulus();
 
   EXPECT_DOUBLE_EQ(youngs_modulus / (1.0 - 0.3 * 0.3), 2e9);
 }
 
-TEST(MaterialSpec, NeedsPoissonsRatioForTheBlock) {
+TEST(mechanics::MaterialSpec, NeedsPoissonsRatioForTheBlock) {
   try {
-    (void)MaterialSpec{2e9, {}}.block_youngs_modulus();
+    (void)mechanics::MaterialSpec{2e9, {}}.block_youngs_modulus();
     FAIL() << "a block without Poisson's ratio was accepted";
   } catch (const std::domain_error& error) {
     EXPECT_NE(std::string(error.what()).find("poisson_ratio"),

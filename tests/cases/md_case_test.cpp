@@ -38,14 +38,15 @@ std::string told(const std::vector<std::string>& overrides) {
   return mistakes_of(atoms_case, overrides);
 }
 
-MdSettings read_settings(const std::vector<std::string>& overrides = {}) {
+mechanics::MdSettings
+read_settings(const std::vector<std::string>& overrides = {}) {
   const Case read = read_case_text(atoms_case, "case.toml", overrides);
-  return std::get<MdSettings>(read.methods.at(0).settings);
+  return std::get<mechanics::MdSettings>(read.methods.at(0).settings);
 }
 
 // Tolerance: two roundings of a conversion, one of the constant.
 TEST(MdCase, IsReadInSi) {
-  const MdSettings md = read_settings(
+  const mechanics::MdSettings md = read_settings(
       {"md.mass=197 u", "md.damping=2 1/ps", "md.time_step=10 fs"});
 
   EXPECT_EQ(md.atoms, 400);
@@ -55,8 +56,8 @@ TEST(MdCase, IsReadInSi) {
   EXPECT_NEAR(md.mass / (197.0 * atomic_mass_unit), 1.0, 1e-15);
   EXPECT_EQ(md.damping, 2e12);
   EXPECT_EQ(md.time_step, 10e-15);
-  EXPECT_EQ(md.lattice, AtomLattice::isotropic);
-  EXPECT_EQ(md.bulk, AtomBulk::green);
+  EXPECT_EQ(md.lattice, mechanics::AtomLattice::isotropic);
+  EXPECT_EQ(md.bulk, mechanics::AtomBulk::green);
   EXPECT_EQ(md.tolerance, 1e-4);
 }
 

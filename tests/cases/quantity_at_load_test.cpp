@@ -18,7 +18,7 @@ namespace asperity::cases {
 namespace {
 
 TEST(QuantityAtLoad, IsReadInAnyUnitOfAPressure) {
-  const Scales scales{2e9, 1.0, 1.0, 1.0};
+  const mechanics::Scales scales{2e9, 1.0, 1.0, 1.0};
   for (const char* text : {"area_excess@p=0.005 E*", "area_excess@p=10 MPa",
                            " area_excess @ p = 1e7 Pa "}) {
     const auto reading = read_quantity_at_load(text);

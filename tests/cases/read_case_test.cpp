@@ -19,8 +19,8 @@ Case rough(const std::vector<std::string>& overrides = {}) {
   return read_case_text(contact_case, "some/rough/case.toml", overrides);
 }
 
-const FemSettings& fem_of(const Case& read, std::size_t index) {
-  return std::get<FemSettings>(read.methods.at(index).settings);
+const mechanics::FemSettings& fem_of(const Case& read, std::size_t index) {
+  return std::get<mechanics::FemSettings>(read.methods.at(index).settings);
 }
 
 // Tolerances of this file: one rounding a product, DOUBLE_EQ's four ulp.
@@ -29,7 +29,7 @@ TEST(ReadCase, GivesTheSurfaceInSi) {
 
   EXPECT_EQ(read.name, "rough");
   EXPECT_EQ(read.title, "A rough block");
-  EXPECT_EQ(read.surface.kind, SurfaceKind::self_affine);
+  EXPECT_EQ(read.surface.kind, mechanics::SurfaceKind::self_affine);
   EXPECT_EQ(read.surface.length, 10e-6);
   EXPECT_EQ(read.surface.points, 512);
   EXPECT_EQ(read.surface.seed, 7U);
@@ -50,14 +50,15 @@ TEST(ReadCase, TakesWavevectorsAsTheyAre) {
 }
 
 TEST(ReadCase, SpacesALoadProgramAsAsked) {
-  const LoadingPath logarithmic = rough().load;
-  const LoadingPath linear =
+  const mechanics::LoadingPath logarithmic = rough().load;
+  const mechanics::LoadingPath linear =
       rough({"load.nominal_pressure.spacing=linear"}).load;
 
   ASSERT_EQ(logarithmic.targets.size(), 3U);
-  EXPECT_EQ(logarithmic.control, Control::nominal_pressure);
+  EXPECT_EQ(logarithmic.control, mechanics::Control::nominal_pressure);
   EXPECT_EQ(logarithmic.targets[0].value, 1e-3);
-  EXPECT_EQ(logarithmic.targets[0].yardstick, ReferenceUnit::contact_modulus);
+  EXPECT_EQ(logarithmic.targets[0].yardstick,
+            mechanics::ReferenceUnit::contact_modulus);
   EXPECT_DOUBLE_EQ(logarithmic.targets[1].value, 1e-2);
   EXPECT_EQ(logarithmic.targets[2].value, 0.1);
   EXPECT_DOUBLE_EQ(linear.targets[1].value, 0.0505);
@@ -68,14 +69,14 @@ TEST(ReadCase, SpacesALoadProgramAsAsked) {
 TEST(ReadCase, SpacesContactAreasEvenly) {
   const std::string program = "load.nominal_pressure={from=\"0.01 E* h'\", "
                               "to=\"2 E* h'\", steps=9, spacing=\"area\"}";
-  const std::vector<Quantity> loads = rough({program}).load.targets;
+  const std::vector<mechanics::Quantity> loads = rough({program}).load.targets;
 
   ASSERT_EQ(loads.size(), 9U);
   EXPECT_EQ(loads.front().value, 0.01);
   EXPECT_EQ(loads.back().value, 2.0);
   const auto area = [&](std::size_t step) {
     EXPECT_EQ(loads[step].yardstick,
-              ReferenceUnit::contact_modulus_times_slope);
+              mechanics::ReferenceUnit::contact_modulus_times_slope);
     return std::erf(std::sqrt(2.0) * loads[step].value);
   };
   const double ratio = std::pow(area(8) / area(0), 1.0 / 8.0);
@@ -100,7 +101,7 @@ TEST(ReadCase, RefusesAreasOfPressuresThatHaveNone) {
 }
 
 TEST(ReadCase, WritesTheWayBackOut) {
-  const LoadingPath load =
+  const mechanics::LoadingPath load =
       rough({"load.nominal_pressure=[1e6, \"2 MPa\", \"0.5 E*\"]",
              "load.cycle=load-unload"})
           .load;
@@ -115,12 +116,12 @@ TEST(ReadCase, WritesTheWayBackOut) {
 }
 
 TEST(ReadCase, ControlsTheMeanGapToo) {
-  const LoadingPath load =
+  const mechanics::LoadingPath load =
       rough({"load.nominal_pressure=", "load.mean_gap=2 h_rms"}).load;
 
   ASSERT_EQ(load.targets.size(), 1U);
-  EXPECT_EQ(load.control, Control::mean_gap);
-  EXPECT_EQ(load.targets[0].yardstick, ReferenceUnit::rms_height);
+  EXPECT_EQ(load.control, mechanics::Control::mean_gap);
+  EXPECT_EQ(load.targets[0].yardstick, mechanics::ReferenceUnit::rms_height);
 }
 
 // Claim: E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
@@ -148,33 +149,34 @@ TEST(ReadCase, LetsAVariantInheritItsTable) {
   EXPECT_EQ(read.methods[2].name, "fem");
   EXPECT_EQ(read.methods[3].name, "theory.g42");
   EXPECT_EQ(read.methods[4].name, "fem.hard");
-  EXPECT_EQ(fem_of(read, 2).contact.law, ContactLaw::penalty);
-  EXPECT_EQ(fem_of(read, 4).contact.law, ContactLaw::hard);
-  EXPECT_EQ(fem_of(read, 4).growth, 1.3);
+  EXPECT_EQ(fem_of(read, 2).contact.law, mechanics::ContactLaw::penalty);
+  EXPECT_EQ(fem_of(read, 4).contact.law, mechanics::ContactLaw::hard);
+  EXPECT_EQ(fem_of(read, 4).block.growth, 1.3);
 }
 
 // Claim: an empty [fem] is FemSettings{}: the vocabulary's defaults and those
 // of case.hpp agree, to which nothing but this test holds them.
 TEST(ReadCase, HasTheDefaultsOfTheStructs) {
   const Case read = rough({"fem={}", "expect="});
-  const FemSettings& fem = fem_of(read, 2);
-  const FemSettings plain;
-  const auto& slab = std::get<HalfspaceSettings>(read.methods[1].settings);
+  const mechanics::FemSettings& fem = fem_of(read, 2);
+  const mechanics::FemSettings plain;
+  const auto& slab =
+      std::get<mechanics::HalfspaceSettings>(read.methods[1].settings);
 
   EXPECT_EQ(fem.contact.law, plain.contact.law);
   EXPECT_EQ(fem.contact.tolerance, plain.contact.tolerance);
   EXPECT_EQ(fem.contact.max_iterations, plain.contact.max_iterations);
-  EXPECT_EQ(fem.element, plain.element);
-  EXPECT_EQ(fem.surface_cell_depth, plain.surface_cell_depth);
-  EXPECT_EQ(fem.growth, plain.growth);
-  EXPECT_EQ(fem.depth.value, plain.depth.value);
-  EXPECT_EQ(fem.depth.yardstick, plain.depth.yardstick);
-  EXPECT_EQ(fem.top, plain.top);
+  EXPECT_EQ(fem.block.element, plain.block.element);
+  EXPECT_EQ(fem.block.surface_cell_depth, plain.block.surface_cell_depth);
+  EXPECT_EQ(fem.block.growth, plain.block.growth);
+  EXPECT_EQ(fem.block.depth.value, plain.block.depth.value);
+  EXPECT_EQ(fem.block.depth.yardstick, plain.block.depth.yardstick);
+  EXPECT_EQ(fem.block.far_boundary, plain.block.far_boundary);
   EXPECT_EQ(fem.solver, plain.solver);
-  EXPECT_EQ(slab.top, HalfspaceSettings{}.top);
+  EXPECT_EQ(slab.far_boundary, mechanics::HalfspaceSettings{}.far_boundary);
   EXPECT_EQ(read.report.fields, ReportSpec{}.fields);
-  EXPECT_EQ(read.surface.amplitudes, SurfaceSpec{}.amplitudes);
-  EXPECT_EQ(read.surface.rescale, SurfaceSpec{}.rescale);
+  EXPECT_EQ(read.surface.amplitudes, mechanics::SurfaceSpec{}.amplitudes);
+  EXPECT_EQ(read.surface.rescale, mechanics::SurfaceSpec{}.rescale);
 }
 
 TEST(ReadCase, KeepsAsManyMapsAsAsked) {

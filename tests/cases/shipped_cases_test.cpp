@@ -178,7 +178,7 @@ TEST(ShippedCases, ReadTheBenchmarkProblems) {
     EXPECT_EQ(read.name, part);
     ASSERT_EQ(read.methods.size(), 1U) << part;
     EXPECT_EQ(read.methods.front().name, "halfspace") << part;
-    EXPECT_EQ(read.load.control, Control::nominal_pressure) << part;
+    EXPECT_EQ(read.load.control, mechanics::Control::nominal_pressure) << part;
     EXPECT_GE(read.report.fields, std::ssize(read.load.targets)) << part;
     EXPECT_EQ(read.surface.realizations, 1) << part;
     EXPECT_EQ(read_case(folder + "/case.toml", quick_lines(folder)).name, part);
@@ -234,8 +234,9 @@ TEST(ShippedCases, SayWhatUndecidedCountsAs) {
 // nominal one's 1, 5.88 and 128. Tolerance: the 16 digits written.
 TEST(ShippedCases, HaveThePolymersSpectra) {
   const double unit = 2.0 * pi / 10e-6;
-  const SurfaceSpec surrogate = shipped_case("polymer").surface;
-  const SurfaceSpec nominal = shipped_case("polymer-nominal").surface;
+  const mechanics::SurfaceSpec surrogate = shipped_case("polymer").surface;
+  const mechanics::SurfaceSpec nominal =
+      shipped_case("polymer-nominal").surface;
 
   EXPECT_NEAR(surrogate.wavevector_low / unit, 2.0, 1e-14);
   EXPECT_NEAR(surrogate.wavevector_roll_off / unit, 4.5, 1e-14);
@@ -271,7 +272,7 @@ TEST(ShippedCases, GiveHertzsReferences) {
 // Tolerance: the six decimals written.
 TEST(ShippedCases, GiveTheMeanGapsOfTheSquareArray) {
   const Case read = shipped_case("board/hertz");
-  const SurfaceSpec& surface = read.surface;
+  const mechanics::SurfaceSpec& surface = read.surface;
   const double side = *surface.length, modulus = read.material.contact_modulus;
   double square = 0.0, fourth = 0.0; // means of x^2 and x^4
   const int n = *surface.points;

@@ -10,36 +10,38 @@
 namespace asperity::cases {
 namespace {
 
-SurfaceSpec surface_of(const std::string& keys) {
+mechanics::SurfaceSpec surface_of(const std::string& keys) {
   return read_case_text(shape_case(keys), "cases/it/case.toml").surface;
 }
 
 TEST(SurfaceKinds, ReadTheExactShapes) {
   const std::string grid = "length = 1e-3\npoints = 64\n";
 
-  const SurfaceSpec sphere =
+  const mechanics::SurfaceSpec sphere =
       surface_of("kind = \"sphere\"\nradius = \"10 length\"\n" + grid);
-  const SurfaceSpec wave = surface_of("kind = \"wave-2d\"\namplitude = \"0.5 "
-                                      "h\"\nwavelength = \"0.25 length\"\n" +
-                                      grid);
+  const mechanics::SurfaceSpec wave =
+      surface_of("kind = \"wave-2d\"\namplitude = \"0.5 "
+                 "h\"\nwavelength = \"0.25 length\"\n" +
+                 grid);
 
-  EXPECT_EQ(sphere.kind, SurfaceKind::sphere);
+  EXPECT_EQ(sphere.kind, mechanics::SurfaceKind::sphere);
   EXPECT_DOUBLE_EQ(sphere.radius, 1e-2);
-  EXPECT_EQ(wave.kind, SurfaceKind::wave_2d);
+  EXPECT_EQ(wave.kind, mechanics::SurfaceKind::wave_2d);
   EXPECT_DOUBLE_EQ(wave.amplitude, 0.5e-3 / 64);
   EXPECT_DOUBLE_EQ(wave.wavelength, 0.25e-3);
 }
 
 TEST(SurfaceKinds, ReadAMapBesideTheCase) {
-  const SurfaceSpec map = surface_of("kind = \"measured\"\nfile = \"map.txt\"\n"
-                                     "format = \"plain\"\nlevel = \"bow\"\n"
-                                     "edges = \"mirror\"\nlength = \"20 um\"\n"
-                                     "height_unit = \"1 nm\"\n");
+  const mechanics::SurfaceSpec map =
+      surface_of("kind = \"measured\"\nfile = \"map.txt\"\n"
+                 "format = \"plain\"\nlevel = \"bow\"\n"
+                 "edges = \"mirror\"\nlength = \"20 um\"\n"
+                 "height_unit = \"1 nm\"\n");
 
   EXPECT_EQ(map.file, "cases/it/map.txt");
-  EXPECT_EQ(map.format, MapFormat::plain);
-  EXPECT_EQ(map.level, Levelling::bow);
-  EXPECT_EQ(map.edges, Edges::mirror);
+  EXPECT_EQ(map.format, mechanics::MapFormat::plain);
+  EXPECT_EQ(map.level, mechanics::Levelling::bow);
+  EXPECT_EQ(map.edges, mechanics::Edges::mirror);
   EXPECT_EQ(map.length, 20e-6);
   EXPECT_EQ(map.height_unit, 1e-9);
   EXPECT_FALSE(map.points);
@@ -95,10 +97,11 @@ TEST(SurfaceKinds, MirrorAMapAndPressAWindowedOneOnlyIfConfirmed) {
                           "level = \"none\"\n";
   const std::string window = map + "edges = \"window\"\n";
 
-  EXPECT_EQ(surface_of(map).edges, Edges::mirror);
-  EXPECT_EQ(surface_of(map + "edges = \"periodic\"\n").edges, Edges::periodic);
+  EXPECT_EQ(surface_of(map).edges, mechanics::Edges::mirror);
+  EXPECT_EQ(surface_of(map + "edges = \"periodic\"\n").edges,
+            mechanics::Edges::periodic);
   EXPECT_EQ(surface_of(window + "press_windowed_map = true\n").edges,
-            Edges::window);
+            mechanics::Edges::window);
   EXPECT_EQ(mistakes_of(shape_case(window)),
             "  case.toml:6: surface.edges = \"window\", but this needs "
             "press_windowed_map = true: a window is meant for spectra, and the "
@@ -123,8 +126,9 @@ TEST(SurfaceKinds, HaveAFormulaForTheoryOrNot) {
   const Case read =
       read_case_text(shape + "[theory]\ngamma = 0.4\n", "case.toml");
 
-  EXPECT_EQ(std::get<TheorySettings>(read.methods[0].settings).spectrum,
-            TheorySpectrum::surface);
+  EXPECT_EQ(
+      std::get<mechanics::TheorySettings>(read.methods[0].settings).spectrum,
+      mechanics::TheorySpectrum::surface);
   EXPECT_EQ(
       mistakes_of(shape + "[theory]\ngamma = 0.4\nspectrum = \"formula\"\n"),
       "  case.toml:14: theory.spectrum = \"formula\", but must be \"surface\": "
@@ -155,15 +159,16 @@ TEST(FreeBoundaries, AreThoseOfTheSurfaceOrOfTheMethod) {
                            const std::string& boundaries) {
     const Case read =
         read_case_text(shape_case(sphere + edges) + boundaries, "case.toml");
-    return std::get<HalfspaceSettings>(read.methods[0].settings)
+    return std::get<mechanics::HalfspaceSettings>(read.methods[0].settings)
         .has_free_boundaries;
   };
   EXPECT_FALSE(is_free("", ""));
   EXPECT_TRUE(is_free("edges = \"free\"\n", ""));
   EXPECT_TRUE(is_free("", "boundaries = \"free\"\n"));
   EXPECT_FALSE(is_free("edges = \"free\"\n", "boundaries = \"periodic\"\n"));
-  EXPECT_EQ(surface_of(sphere).edges, Edges::periodic);
-  EXPECT_EQ(surface_of(sphere + "edges = \"free\"\n").edges, Edges::free);
+  EXPECT_EQ(surface_of(sphere).edges, mechanics::Edges::periodic);
+  EXPECT_EQ(surface_of(sphere + "edges = \"free\"\n").edges,
+            mechanics::Edges::free);
 }
 
 TEST(FreeBoundaries, RefuseWhatNeedsAPeriodicSurface) {
@@ -207,26 +212,35 @@ TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
         .words.at(static_cast<std::size_t>(enumerator));
   };
 
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::self_affine), "self-affine");
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::spectrum), "spectrum");
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::measured), "measured");
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::sphere), "sphere");
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::wave_1d), "wave-1d");
-  EXPECT_EQ(word("surface", "kind", SurfaceKind::wave_2d), "wave-2d");
-  EXPECT_EQ(word("surface", "amplitudes", Amplitudes::gaussian), "gaussian");
-  EXPECT_EQ(word("surface", "format", MapFormat::automatic), "auto");
-  EXPECT_EQ(word("surface", "format", MapFormat::plain), "plain");
-  EXPECT_EQ(word("surface", "level", Levelling::plane), "plane");
-  EXPECT_EQ(word("surface", "edges", Edges::window), "window");
-  EXPECT_EQ(word("surface", "edges", Edges::free), "free");
-  EXPECT_EQ(word("fem", "contact", ContactLaw::penalty), "penalty");
-  EXPECT_EQ(word("fem", "contact", ContactLaw::hard), "hard");
-  EXPECT_EQ(word("fem", "contact", ContactLaw::augmented), "augmented");
-  EXPECT_EQ(word("fem", "top", TopFace::sliding), "sliding");
-  EXPECT_EQ(word("fem", "element", Element::q2), "Q2");
-  EXPECT_EQ(word("fem", "solver", FemSolver::automatic), "auto");
-  EXPECT_EQ(word("fem", "solver", FemSolver::condensed), "condensed");
-  EXPECT_EQ(word("theory", "spectrum", TheorySpectrum::surface), "surface");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::self_affine),
+            "self-affine");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::spectrum),
+            "spectrum");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::measured),
+            "measured");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::sphere), "sphere");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::wave_1d),
+            "wave-1d");
+  EXPECT_EQ(word("surface", "kind", mechanics::SurfaceKind::wave_2d),
+            "wave-2d");
+  EXPECT_EQ(word("surface", "amplitudes", mechanics::Amplitudes::gaussian),
+            "gaussian");
+  EXPECT_EQ(word("surface", "format", mechanics::MapFormat::automatic), "auto");
+  EXPECT_EQ(word("surface", "format", mechanics::MapFormat::plain), "plain");
+  EXPECT_EQ(word("surface", "level", mechanics::Levelling::plane), "plane");
+  EXPECT_EQ(word("surface", "edges", mechanics::Edges::window), "window");
+  EXPECT_EQ(word("surface", "edges", mechanics::Edges::free), "free");
+  EXPECT_EQ(word("fem", "contact", mechanics::ContactLaw::penalty), "penalty");
+  EXPECT_EQ(word("fem", "contact", mechanics::ContactLaw::hard), "hard");
+  EXPECT_EQ(word("fem", "contact", mechanics::ContactLaw::augmented),
+            "augmented");
+  EXPECT_EQ(word("fem", "top", mechanics::FarBoundary::sliding), "sliding");
+  EXPECT_EQ(word("fem", "element", mechanics::Element::q2), "Q2");
+  EXPECT_EQ(word("fem", "solver", mechanics::FemSolver::automatic), "auto");
+  EXPECT_EQ(word("fem", "solver", mechanics::FemSolver::condensed),
+            "condensed");
+  EXPECT_EQ(word("theory", "spectrum", mechanics::TheorySpectrum::surface),
+            "surface");
 }
 
 } // namespace

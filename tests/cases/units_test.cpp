@@ -13,8 +13,8 @@
 namespace asperity::cases {
 namespace {
 
-const std::vector<ReferenceUnit> by_the_grid = {ReferenceUnit::length,
-                                                ReferenceUnit::spacing};
+const std::vector<mechanics::ReferenceUnit> by_the_grid = {
+    mechanics::ReferenceUnit::length, mechanics::ReferenceUnit::spacing};
 
 QuantityReading length_from(const std::string& text) {
   return read_quantity(text, Dimension::length, by_the_grid);
@@ -52,32 +52,34 @@ TEST(Units, ConvertWholeNumbersWithOneRounding) {
     ASSERT_TRUE(reading.quantity) << example.text << " " << reading.mistake;
     EXPECT_EQ(reading.quantity->value, std::strtod(example.in_si, nullptr))
         << example.text;
-    EXPECT_EQ(reading.quantity->yardstick, ReferenceUnit::si);
+    EXPECT_EQ(reading.quantity->yardstick, mechanics::ReferenceUnit::si);
   }
 }
 
 TEST(Units, KeepTheProblemsOwnYardsticks) {
-  const QuantityReading load = read_quantity("0.3 E*", Dimension::pressure,
-                                             {ReferenceUnit::contact_modulus});
+  const QuantityReading load =
+      read_quantity("0.3 E*", Dimension::pressure,
+                    {mechanics::ReferenceUnit::contact_modulus});
   const QuantityReading penalty =
       read_quantity("100E*/h", Dimension::stiffness,
-                    {ReferenceUnit::contact_modulus_per_spacing});
-  const QuantityReading gap = read_quantity(" 2\th_rms ", Dimension::length,
-                                            {ReferenceUnit::rms_height});
+                    {mechanics::ReferenceUnit::contact_modulus_per_spacing});
+  const QuantityReading gap = read_quantity(
+      " 2\th_rms ", Dimension::length, {mechanics::ReferenceUnit::rms_height});
 
   const QuantityReading by_slope =
       read_quantity("0.3 E* h'", Dimension::pressure,
-                    {ReferenceUnit::contact_modulus_times_slope});
+                    {mechanics::ReferenceUnit::contact_modulus_times_slope});
 
   EXPECT_EQ(by_slope.quantity->value, 0.3);
   EXPECT_EQ(by_slope.quantity->yardstick,
-            ReferenceUnit::contact_modulus_times_slope);
+            mechanics::ReferenceUnit::contact_modulus_times_slope);
   EXPECT_EQ(load.quantity->value, 0.3);
-  EXPECT_EQ(load.quantity->yardstick, ReferenceUnit::contact_modulus);
+  EXPECT_EQ(load.quantity->yardstick,
+            mechanics::ReferenceUnit::contact_modulus);
   EXPECT_EQ(penalty.quantity->value, 100.0);
   EXPECT_EQ(penalty.quantity->yardstick,
-            ReferenceUnit::contact_modulus_per_spacing);
-  EXPECT_EQ(gap.quantity->yardstick, ReferenceUnit::rms_height);
+            mechanics::ReferenceUnit::contact_modulus_per_spacing);
+  EXPECT_EQ(gap.quantity->yardstick, mechanics::ReferenceUnit::rms_height);
 }
 
 TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
@@ -116,7 +118,7 @@ TEST(Units, NameTheNearestDespiteTheCase) {
 RC_GTEST_PROP(UnitsProperty, WrittenQuantitiesReadBack, (double number)) {
   RC_PRE(std::isfinite(number));
   const Unit unit = *rc::gen::elementOf(units());
-  const Quantity quantity{number, unit.yardstick};
+  const mechanics::Quantity quantity{number, unit.yardstick};
 
   const QuantityReading reading =
       read_quantity(write_quantity(quantity, unit.dimension), unit.dimension,

@@ -21,7 +21,8 @@ std::vector<double> heights() {
 }
 
 FourierOperator slab(double thickness) {
-  return halfspace_operator(grid, {1.0, 0.3, thickness, FarBoundary::pressure});
+  return halfspace_operator(
+      grid, {1.0, 0.3, thickness, mechanics::FarBoundary::pressure});
 }
 
 // Both answers are exact for heights that differ by the tolerance, and the
@@ -34,7 +35,8 @@ TEST(ActiveSet, AgreesWithPolonskyAndKeer) {
     for (const double load : {0.01, 0.3, 2.0, 20.0}) {
       SCOPED_TRACE(load);
       const ContactProblem problem{surface, compliance, tolerance, 5000};
-      const LoadTarget target{LoadTarget::Kind::nominal_pressure, load};
+      const mechanics::LoadTarget target{mechanics::Control::nominal_pressure,
+                                         load};
 
       const ContactSolution found = active_set(elasticity, problem, target);
       const ContactSolution judge = polonsky_keer(elasticity, problem, target);
@@ -44,7 +46,8 @@ TEST(ActiveSet, AgreesWithPolonskyAndKeer) {
       EXPECT_NEAR(found.mean_gap, judge.mean_gap, 2.0 * tolerance);
       EXPECT_LE(scenes::complementarity_error(elasticity, problem, found),
                 1.01 * tolerance);
-      const LoadTarget gap{LoadTarget::Kind::mean_gap, judge.mean_gap};
+      const mechanics::LoadTarget gap{mechanics::Control::mean_gap,
+                                      judge.mean_gap};
       if (compliance > 0.0) {
         const ContactSolution by_gap = active_set(elasticity, problem, gap);
         ASSERT_TRUE(by_gap.converged) << by_gap.note;
@@ -78,7 +81,7 @@ TEST(ActiveSet, ReadsNoMemoryThatItDidNotSet) {
     const std::unique_ptr<double> above = dirty_memory();
 
     const ContactSolution found = active_set(
-        elasticity, problem, {LoadTarget::Kind::nominal_pressure, load});
+        elasticity, problem, {mechanics::Control::nominal_pressure, load});
 
     EXPECT_TRUE(found.converged) << found.note;
   }
@@ -96,7 +99,7 @@ TEST(ActiveSet, HoldsSlabsThatBendLikePlates) {
       const ContactProblem problem{surface, 0.0, tolerance, 2000};
 
       const ContactSolution found = active_set(
-          elasticity, problem, {LoadTarget::Kind::nominal_pressure, load});
+          elasticity, problem, {mechanics::Control::nominal_pressure, load});
 
       ASSERT_TRUE(found.converged) << found.note;
       // 64 eps of the longest wave's 12 / (E* d^3 q^4), see active_set().

@@ -21,7 +21,7 @@ double discrete_gap(FourierOperator& elasticity,
                     const std::vector<double>& heights, double load) {
   const ContactSolution exact = polonsky_keer(
       elasticity, {heights, 0.0, 1e-11 * scenes::rms(heights), 50000},
-      {LoadTarget::Kind::nominal_pressure, load});
+      {mechanics::Control::nominal_pressure, load});
   EXPECT_TRUE(exact.converged) << exact.note;
   return exact.mean_gap;
 }

@@ -44,10 +44,11 @@ protected:
                        : std::numeric_limits<double>::infinity()})) {}
 
   ContactSolution solved(double tolerance) {
-    return polonsky_keer(elasticity,
-                         {heights, GetParam().compliance,
-                          tolerance * scenes::rms(heights), 20000},
-                         {LoadTarget::Kind::nominal_pressure, GetParam().load});
+    return polonsky_keer(
+        elasticity,
+        {heights, GetParam().compliance, tolerance * scenes::rms(heights),
+         20000},
+        {mechanics::Control::nominal_pressure, GetParam().load});
   }
 
   /// The penalty's separation counts the penetration: u of (C + c).
@@ -204,7 +205,7 @@ TEST(RandomCertificates, EncloseTheSeparation) {
     SCOPED_TRACE(k);
     const ContactSolution exact =
         polonsky_keer(elasticity, {heights, compliance, 1e-11 * rms, 50000},
-                      {LoadTarget::Kind::nominal_pressure, load});
+                      {mechanics::Control::nominal_pressure, load});
     ASSERT_TRUE(exact.converged) << exact.note;
     std::vector<double> damaged = exact.pressure;
     const double noise = std::pow(10.0, -up_to(8.0));
@@ -258,7 +259,7 @@ TEST_F(FieldCheckOfFlaws, BoundsTheMeanGapAsDocumented) {
   const double load = 0.2;
   const ContactSolution answer =
       solve_contact(elasticity, {heights, 0.0, 1e-3 * scenes::rms(heights)},
-                    {LoadTarget::Kind::nominal_pressure, load});
+                    {mechanics::Control::nominal_pressure, load});
   const FieldCheck near =
       check_field(elasticity, {heights, 0.0, load, answer.pressure});
   ASSERT_LT(2.0 * near.duality_gap, near.elastic_energy);

@@ -47,8 +47,8 @@ std::vector<double> paraboloid(const Grid& grid, double x, double y) {
 ContactSolution pressed(const Grid& grid, const std::vector<double>& heights,
                         double load, double tolerance) {
   LoadSequence sequence(std::make_unique<FreeHalfspace>(grid, modulus), heights,
-                        Interface{}, tolerance, 500);
-  return sequence.solve({LoadTarget::Kind::nominal_pressure, load});
+                        mechanics::ContactInterface{}, tolerance, 500);
+  return sequence.solve({mechanics::Control::nominal_pressure, load});
 }
 
 TEST(RectangleDisplacement, HasItsKnownValues) {
@@ -176,7 +176,8 @@ TEST(FreeContact, IsSolvedAsByTheMethodWithoutPreconditioner) {
   for (const double compliance : {0.0, 0.01})
     for (const double load : {0.02, 0.2, 8.0}) {
       const ContactProblem problem{heights, compliance, 1e-9, 5000};
-      const LoadTarget target{LoadTarget::Kind::nominal_pressure, load};
+      const mechanics::LoadTarget target{mechanics::Control::nominal_pressure,
+                                         load};
       const ContactSolution fast = solve_contact(elasticity, problem, target);
       const ContactSolution slow = polonsky_keer(elasticity, problem, target);
       ASSERT_TRUE(fast.converged && slow.converged) << load;
@@ -191,7 +192,7 @@ TEST(FreeContact, RefusesAPrescribedMeanGap) {
   FreeHalfspace elasticity(grid, modulus);
   const std::vector<double> heights = paraboloid(grid, 0.5, 0.5);
   EXPECT_THROW(solve_contact(elasticity, {heights, 0.0, 1e-9},
-                             {LoadTarget::Kind::mean_gap, 0.01}),
+                             {mechanics::Control::mean_gap, 0.01}),
                std::domain_error);
 }
 
@@ -199,7 +200,7 @@ TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
   const Grid grid{48, 48, 1.0, 1.0};
   const std::vector<double> heights = scenes::rough_heights(grid, {});
   FreeHalfspace elasticity(grid, modulus);
-  const LoadTarget target{LoadTarget::Kind::nominal_pressure, 0.1};
+  const mechanics::LoadTarget target{mechanics::Control::nominal_pressure, 0.1};
   const ContactSolution exact =
       polonsky_keer(elasticity, {heights, 0.0, 1e-12, 20000}, target);
   ASSERT_TRUE(exact.converged);

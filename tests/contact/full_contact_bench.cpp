@@ -32,10 +32,10 @@ Answer timed(Solve solve, SurfaceOperator& elasticity,
              const ContactProblem& problem, double pressure) {
   const double start = processor_time();
   Answer answer;
-  answer.solution =
-      solve(elasticity, problem,
-            LoadTarget{LoadTarget::Kind::nominal_pressure, pressure},
-            std::span<const double>{});
+  answer.solution = solve(
+      elasticity, problem,
+      mechanics::LoadTarget{mechanics::Control::nominal_pressure, pressure},
+      std::span<const double>{});
   answer.seconds = processor_time() - start;
   return answer;
 }

@@ -22,22 +22,30 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Source: reference/contact.md, nu = 0.3, to its printed digits.
 TEST(SlabFactor, HasThePublishedValuesForTheLongestWave) {
   const double nu = 0.3;
-  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarBoundary::clamped, nu), .9996,
-              5e-5);
-  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarBoundary::sliding, nu), .9999,
-              5e-5);
-  EXPECT_NEAR(slab_compliance_factor(2 * pi, FarBoundary::pressure, nu), 1.0006,
-              5e-5);
-  EXPECT_NEAR(slab_compliance_factor(pi, FarBoundary::clamped, nu), .944, 5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi, FarBoundary::sliding, nu), .973, 5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi, FarBoundary::pressure, nu), 1.109,
-              5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarBoundary::clamped, nu), .632,
-              5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarBoundary::sliding, nu), .721,
-              5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi / 2, FarBoundary::pressure, nu), 2.60,
-              5e-3);
+  EXPECT_NEAR(
+      slab_compliance_factor(2 * pi, mechanics::FarBoundary::clamped, nu),
+      .9996, 5e-5);
+  EXPECT_NEAR(
+      slab_compliance_factor(2 * pi, mechanics::FarBoundary::sliding, nu),
+      .9999, 5e-5);
+  EXPECT_NEAR(
+      slab_compliance_factor(2 * pi, mechanics::FarBoundary::pressure, nu),
+      1.0006, 5e-5);
+  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::clamped, nu),
+              .944, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::sliding, nu),
+              .973, 5e-4);
+  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::pressure, nu),
+              1.109, 5e-4);
+  EXPECT_NEAR(
+      slab_compliance_factor(pi / 2, mechanics::FarBoundary::clamped, nu), .632,
+      5e-4);
+  EXPECT_NEAR(
+      slab_compliance_factor(pi / 2, mechanics::FarBoundary::sliding, nu), .721,
+      5e-4);
+  EXPECT_NEAR(
+      slab_compliance_factor(pi / 2, mechanics::FarBoundary::pressure, nu),
+      2.60, 5e-3);
 }
 
 // A thin clamped layer is an oedometer, C = d (1+nu)(1-2nu)/(E (1-nu)); a thin
@@ -47,39 +55,44 @@ TEST(SlabFactor, ThinLayersAreOedometerStripAndPlate) {
   const double x = 1e-3;
   const double nu = 0.3;
   const double oedometer = x * (1 - 2 * nu) / (2 * (1 - nu) * (1 - nu));
-  EXPECT_NEAR(slab_compliance_factor(x, FarBoundary::clamped, nu) / oedometer,
+  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::clamped, nu) /
+                  oedometer,
               1.0, 5e-6);
-  EXPECT_NEAR(slab_compliance_factor(x, FarBoundary::sliding, nu) / (x / 2),
+  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::sliding, nu) /
+                  (x / 2),
               1.0, 5e-6);
-  EXPECT_NEAR(slab_compliance_factor(x, FarBoundary::pressure, nu) * x * x * x /
-                  6,
+  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::pressure, nu) *
+                  x * x * x / 6,
               1.0, 5e-6);
 }
 
 // Both branches of the free slab's formula meet: 0.5 (series) and 20.
 TEST(SlabFactor, IsContinuousWhereItsFormulaChanges) {
   for (const double x : {0.5, 20.0}) {
-    const double below =
-        slab_compliance_factor(x * (1 - 1e-12), FarBoundary::pressure, 0.3);
-    const double above =
-        slab_compliance_factor(x * (1 + 1e-12), FarBoundary::pressure, 0.3);
+    const double below = slab_compliance_factor(
+        x * (1 - 1e-12), mechanics::FarBoundary::pressure, 0.3);
+    const double above = slab_compliance_factor(
+        x * (1 + 1e-12), mechanics::FarBoundary::pressure, 0.3);
     EXPECT_NEAR(below / above, 1.0, 1e-11) << x; // slope -3 times 2e-12
   }
 }
 
 TEST(SlabFactor, TendsToTheHalfspace) {
-  for (const FarBoundary face :
-       {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure}) {
+  for (const mechanics::FarBoundary face :
+       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
+        mechanics::FarBoundary::pressure}) {
     EXPECT_NEAR(slab_compliance_factor(25.0, face, 0.45), 1.0, 1e-14);
     EXPECT_NEAR(slab_compliance_factor(1e6, face, 0.45), 1.0, 1e-14);
   }
 }
 
 TEST(SlabFactor, RefusesWhatIsNoSlab) {
-  EXPECT_THROW(slab_compliance_factor(0.0, FarBoundary::clamped, 0.3),
-               std::domain_error);
-  EXPECT_THROW(slab_compliance_factor(1.0, FarBoundary::clamped, 0.6),
-               std::domain_error);
+  EXPECT_THROW(
+      slab_compliance_factor(0.0, mechanics::FarBoundary::clamped, 0.3),
+      std::domain_error);
+  EXPECT_THROW(
+      slab_compliance_factor(1.0, mechanics::FarBoundary::clamped, 0.6),
+      std::domain_error);
 }
 
 // Claim: cos(q x) of pressure gives 2/(E* q) cos(q x) of displacement, and a
@@ -110,8 +123,8 @@ TEST(HalfspaceOperator, AnswersAWaveWithAWave) {
 // compliances, up to 8 here.
 TEST(FourierOperator, EstimateInvertsTheCompliance) {
   const Grid grid{12, 10, 1.0, 1.5};
-  FourierOperator elasticity =
-      halfspace_operator(grid, {1.0, 0.3, 0.4, FarBoundary::clamped});
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.3, 0.4, mechanics::FarBoundary::clamped});
   const double local_compliance = 0.02;
   std::vector<double> pressure(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
@@ -136,8 +149,8 @@ TEST(FourierOperator, EstimateInvertsTheCompliance) {
 // a transform, some 6e-8 of the largest.
 TEST(FourierOperator, ChangeIsTheDisplacementInSinglePrecision) {
   const Grid grid{12, 10, 1.0, 1.5};
-  FourierOperator elasticity =
-      halfspace_operator(grid, {1.0, 0.3, 0.4, FarBoundary::clamped});
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.3, 0.4, mechanics::FarBoundary::clamped});
   std::vector<float> change(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     change[i] = std::sin(3.0F * static_cast<float>(i * i));

@@ -23,26 +23,27 @@
 namespace asperity::contact {
 namespace {
 
-using Kind = LoadTarget::Kind;
+using Kind = mechanics::Control;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Solve = ContactSolution (*)(SurfaceOperator&, const ContactProblem&,
-                                  const LoadTarget&, std::span<const double>);
+                                  const mechanics::LoadTarget&,
+                                  std::span<const double>);
 constexpr std::array solvers{solve_contact, solve_contact, active_set,
                              polonsky_keer, solve_augmented};
 
 struct Instance {
   Grid grid;
-  ElasticBlock block;
+  mechanics::ElasticBlock block;
   int threads = 1;
   std::vector<double> heights;
   std::vector<double> start;
   double local_compliance = 0.0;
   double gap_tolerance = 0.0;
   int max_iterations = 1000;
-  LoadTarget target;
+  mechanics::LoadTarget target;
   Solve solve = solve_contact;
   bool may_be_refused = false; ///< an argument is outside its range
 
@@ -96,13 +97,15 @@ std::vector<double> heights_of(const Grid& grid, Dice& dice) {
   return heights;
 }
 
-ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
-  ElasticBlock block{modulus, dice.uniform(0.0, 0.5), infinity,
-                     FarBoundary::clamped};
+mechanics::ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
+  mechanics::ElasticBlock block{modulus, dice.uniform(0.0, 0.5), infinity,
+                                mechanics::FarBoundary::clamped};
   if (dice.is_one_in(2)) {
-    block.far_boundary = std::array{
-        FarBoundary::clamped, FarBoundary::sliding,
-        FarBoundary::pressure}[static_cast<std::size_t>(dice.pick(3))];
+    block.far_boundary =
+        std::array{mechanics::FarBoundary::clamped,
+                   mechanics::FarBoundary::sliding,
+                   mechanics::FarBoundary::pressure}[static_cast<std::size_t>(
+            dice.pick(3))];
     block.thickness = grid.length_x * dice.power_of_ten(-1.7, 0.5);
   }
   return block;
@@ -191,7 +194,7 @@ void expect_verified(const Instance& instance, FourierOperator& elasticity,
   EXPECT_LE(scenes::complementarity_error(elasticity, problem, answer),
             1.01 * instance.gap_tolerance + rounding);
   EXPECT_LE(answer.gap_error, instance.gap_tolerance + rounding);
-  if (instance.target.kind == Kind::nominal_pressure)
+  if (instance.target.control == Kind::nominal_pressure)
     EXPECT_NEAR(answer.nominal_pressure / instance.target.amount, 1.0, 1e-12);
   else
     EXPECT_NEAR(answer.mean_gap, instance.target.amount,

@@ -21,7 +21,7 @@ ContactSolution step_on(int points, double pressure, int threads) {
   LoadSequence sequence(std::make_unique<FourierOperator>(halfspace_operator(
                             grid, {1.0, 0.0, infinity, {}}, threads)),
                         heights, {}, 1e-8 * scenes::rms(heights), 2000);
-  return sequence.solve({LoadTarget::Kind::nominal_pressure, pressure});
+  return sequence.solve({mechanics::Control::nominal_pressure, pressure});
 }
 
 int most_iterations(int points) {

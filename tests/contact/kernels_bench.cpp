@@ -1,6 +1,6 @@
 // The kernels of a contact step at N^2 nodes: transforms, rim, and one step of
-// the iteration. The other kernels have theirs beside the tests of their modules:
-// fem/condensed (block symbol), md/interface (forces), theory/persson
+// the iteration. The other kernels have theirs beside the tests of their
+// modules: fem/condensed (block symbol), md/interface (forces), theory/persson
 // (quadrature).
 #include "base/fourier.hpp"
 #include "contact/operators/halfspace.hpp"
@@ -59,7 +59,7 @@ ContactState partial_contact(FourierOperator& elasticity,
   for (double& value : start)
     value = std::max(0.0, value - scenes::rms(heights));
   ContactState state(elasticity, {heights, 0.0, 1e-12, 1},
-                     {LoadTarget::Kind::nominal_pressure, 0.1}, start);
+                     {mechanics::Control::nominal_pressure, 0.1}, start);
   state.update_residual();
   return state;
 }

@@ -18,43 +18,46 @@ namespace {
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{FarBoundary::clamped, FarBoundary::sliding,
-                               FarBoundary::pressure};
+constexpr std::array far_faces{mechanics::FarBoundary::clamped,
+                               mechanics::FarBoundary::sliding,
+                               mechanics::FarBoundary::pressure};
 
 double plane_strain(double youngs_modulus, double poisson_ratio) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 }
 
 /// A block of one material, its upper part cut into layers.
-ElasticBlock cut_block(double modulus, double nu, double thickness,
-                       FarBoundary far_boundary) {
-  ElasticBlock block{plane_strain(modulus, nu), nu, thickness, far_boundary};
+mechanics::ElasticBlock cut_block(double modulus, double nu, double thickness,
+                                  mechanics::FarBoundary far_boundary) {
+  mechanics::ElasticBlock block{plane_strain(modulus, nu), nu, thickness,
+                                far_boundary};
   const double upper = std::isinf(thickness) ? 1.0 : thickness;
   for (const double share : {0.1, 0.45, 0.05})
     block.layers.push_back({share * upper, modulus, nu});
   return block;
 }
 
-ElasticBlock coated_halfspace(double coating, double coating_nu,
-                              double substrate, double substrate_nu,
-                              double thickness) {
+mechanics::ElasticBlock coated_halfspace(double coating, double coating_nu,
+                                         double substrate, double substrate_nu,
+                                         double thickness) {
   return {plane_strain(substrate, substrate_nu),
           substrate_nu,
           infinity,
-          FarBoundary::clamped,
+          mechanics::FarBoundary::clamped,
           {{thickness, coating, coating_nu}}};
 }
 
 /// slab_compliance_factor's closed forms, where cancellation costs nothing.
-Digits50 slab_factor(Digits50 x, FarBoundary far_boundary, Digits50 nu) {
+Digits50 slab_factor(Digits50 x, mechanics::FarBoundary far_boundary,
+                     Digits50 nu) {
   const Digits50 twice = 2 * x;
   switch (far_boundary) {
-  case FarBoundary::clamped:
+  case mechanics::FarBoundary::clamped:
     return ((3 - 4 * nu) * sinh(twice) - twice) /
            ((3 - 4 * nu) * cosh(twice) + 2 * x * x + 5 - 12 * nu + 8 * nu * nu);
-  case FarBoundary::sliding:
+  case mechanics::FarBoundary::sliding:
     return (cosh(twice) - 1) / (sinh(twice) + twice);
-  case FarBoundary::pressure:
+  case mechanics::FarBoundary::pressure:
     break;
   }
   return (sinh(twice) + twice) / (cosh(twice) - 1 - 2 * x * x);
@@ -80,11 +83,12 @@ constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
 // wave. Tolerance: some ten roundings in each of four crossings.
 TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
-    for (const FarBoundary face : far_faces)
+    for (const mechanics::FarBoundary face : far_faces)
       for (const double x : reduced_wavevectors) {
         const double thickness = 0.7;
         const double q = x / thickness;
-        const ElasticBlock block = cut_block(3.0, nu, thickness, face);
+        const mechanics::ElasticBlock block =
+            cut_block(3.0, nu, thickness, face);
 
         const double found = layered_compliance(q, block);
 
@@ -99,8 +103,8 @@ TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
 TEST(LayeredCompliance, OfEqualLayersIsTheHalfspaces) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.5})
     for (const double q : reduced_wavevectors) {
-      const ElasticBlock block =
-          cut_block(3.0, nu, infinity, FarBoundary::clamped);
+      const mechanics::ElasticBlock block =
+          cut_block(3.0, nu, infinity, mechanics::FarBoundary::clamped);
       EXPECT_NEAR(layered_compliance(q, block) * block.contact_modulus * q, 2.0,
                   1e-14)
           << nu << " " << q;
@@ -117,7 +121,7 @@ TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
         for (const double x : reduced_wavevectors) {
           const double thickness = 3e-6;
           const double q = x / thickness;
-          const ElasticBlock block =
+          const mechanics::ElasticBlock block =
               coated_halfspace(ratio * 2e9, nu_1, 2e9, nu_2, thickness);
 
           const double found = layered_compliance(q, block);
@@ -136,7 +140,8 @@ TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
 // the coating's bottom is felt by x^2 exp(-2x) = 1e-11; the substrate's coating
 // by x times the ratio of the moduli.
 TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
-  const ElasticBlock block = coated_halfspace(20e9, 0.2, 2e9, 0.4, 1e-6);
+  const mechanics::ElasticBlock block =
+      coated_halfspace(20e9, 0.2, 2e9, 0.4, 1e-6);
 
   EXPECT_NEAR(layered_compliance(16e6, block) * plane_strain(20e9, 0.2) * 16e6,
               2.0, 1e-10);
@@ -148,11 +153,11 @@ TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
 // D = int E* (z - z_0)^2 dz about the axis that bears no stretching: C = 1/(D
 // q^4). Tolerance: the next order is (q d)^2 = 1e-6.
 TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
-  const std::array<BondedLayer, 3> layers{
+  const std::array<mechanics::BondedLayer, 3> layers{
       {{0.2, 5.0, 0.3}, {0.1, 0.5, 0.1}, {0.4, 2.0, 0.45}}};
   const double q = 1e-3 / 0.7;
   double stretching = 0.0, first_moment = 0.0, second_moment = 0.0, z = 0.0;
-  for (const BondedLayer& layer : layers) {
+  for (const mechanics::BondedLayer& layer : layers) {
     const double modulus =
         plane_strain(layer.youngs_modulus, layer.poisson_ratio);
     const double end = z + layer.thickness;
@@ -167,7 +172,7 @@ TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
   const double found = layered_compliance(q, {plane_strain(2.0, 0.45),
                                               0.45,
                                               0.7,
-                                              FarBoundary::pressure,
+                                              mechanics::FarBoundary::pressure,
                                               {layers[0], layers[1]}});
 
   EXPECT_NEAR(found * bending * std::pow(q, 4), 1.0, 3e-6);
@@ -175,7 +180,7 @@ TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
 
 /// A random stack: up to five layers, moduli over four decades.
 struct RandomStack {
-  ElasticBlock block;
+  mechanics::ElasticBlock block;
   double wavevector;
 };
 
@@ -187,9 +192,9 @@ RandomStack any_stack() {
   const int n_layers = *rc::gen::inRange(1, 6);
   double depth = 0.0;
   for (int i = 0; i < n_layers; ++i) {
-    const BondedLayer layer{std::pow(10.0, between(-6.0, 1.0)),
-                            std::pow(10.0, between(-2.0, 2.0)),
-                            between(-0.5, 0.499)};
+    const mechanics::BondedLayer layer{std::pow(10.0, between(-6.0, 1.0)),
+                                       std::pow(10.0, between(-2.0, 2.0)),
+                                       between(-0.5, 0.499)};
     stack.block.layers.push_back(layer);
     depth += layer.thickness;
   }
@@ -197,7 +202,7 @@ RandomStack any_stack() {
   stack.block.poisson_ratio = between(-0.5, 0.499);
   stack.block.thickness = *rc::gen::inRange(0, 4) == 0 ? infinity : 1.2 * depth;
   stack.block.far_boundary = *rc::gen::elementOf(
-      std::vector<FarBoundary>(far_faces.begin(), far_faces.end()));
+      std::vector<mechanics::FarBoundary>(far_faces.begin(), far_faces.end()));
   stack.wavevector = std::pow(10.0, between(-3.0, 4.0)) / depth;
   return stack;
 }
@@ -210,18 +215,18 @@ RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
   const RandomStack stack = any_stack();
   const double softer = layered_compliance(stack.wavevector, stack.block);
   RC_ASSERT(std::isfinite(softer) && softer > 0.0);
-  ElasticBlock stiffer = stack.block;
+  mechanics::ElasticBlock stiffer = stack.block;
   double last = softer;
 
-  for (BondedLayer& layer : stiffer.layers) {
+  for (mechanics::BondedLayer& layer : stiffer.layers) {
     layer.youngs_modulus *= 1.5;
     const double harder = layered_compliance(stack.wavevector, stiffer);
     RC_ASSERT(harder <= last * (1.0 + 1e-11));
     last = harder;
   }
-  ElasticBlock held = stack.block;
+  mechanics::ElasticBlock held = stack.block;
   last = 0.0;
-  for (const FarBoundary face : far_faces) {
+  for (const mechanics::FarBoundary face : far_faces) {
     held.far_boundary = face;
     const double now = layered_compliance(stack.wavevector, held);
     RC_ASSERT(now >= last * (1.0 - 1e-11));
@@ -233,11 +238,11 @@ RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
 // above.
 RC_GTEST_PROP(LayeredCompliance, DoesNotKnowACut, ()) {
   const RandomStack stack = any_stack();
-  ElasticBlock cut = stack.block;
+  mechanics::ElasticBlock cut = stack.block;
   const auto which =
       static_cast<long>(*rc::gen::inRange(std::size_t{0}, cut.layers.size()));
   const double share = *rc::gen::inRange(1, 1000) / 1000.0;
-  BondedLayer lower = cut.layers[static_cast<std::size_t>(which)];
+  mechanics::BondedLayer lower = cut.layers[static_cast<std::size_t>(which)];
   cut.layers[static_cast<std::size_t>(which)].thickness *= share;
   lower.thickness -= cut.layers[static_cast<std::size_t>(which)].thickness;
   cut.layers.insert(cut.layers.begin() + which + 1, lower);
@@ -251,7 +256,8 @@ RC_GTEST_PROP(LayeredCompliance, DoesNotKnowACut, ()) {
 // Claim: the operator's symbol is C(|q|), wave by wave.
 TEST(LayeredCompliance, IsTheSymbolOfALayeredBlock) {
   const Grid grid{8, 6, 1.0, 2.0};
-  const ElasticBlock block = coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
+  const mechanics::ElasticBlock block =
+      coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
 
   const std::vector<double> symbol = block_compliance(grid, block);
 
@@ -262,9 +268,10 @@ TEST(LayeredCompliance, IsTheSymbolOfALayeredBlock) {
 }
 
 TEST(LayeredCompliance, RefusesWhatIsNoStack) {
-  const ElasticBlock good = coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
+  const mechanics::ElasticBlock good =
+      coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
   EXPECT_THROW(layered_compliance(0.0, good), std::domain_error);
-  ElasticBlock bad = good;
+  mechanics::ElasticBlock bad = good;
   bad.thickness = 0.05;
   EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
   bad = good;

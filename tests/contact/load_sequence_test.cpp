@@ -12,7 +12,7 @@
 namespace asperity::contact {
 namespace {
 
-using Kind = LoadTarget::Kind;
+using Kind = mechanics::Control;
 
 class Sequence : public ::testing::Test {
 protected:
@@ -23,7 +23,7 @@ protected:
   FourierOperator elasticity = halfspace_operator(
       grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
 
-  LoadSequence sequence(Law law, double penalty = 0.0) const {
+  LoadSequence sequence(mechanics::ContactLaw law, double penalty = 0.0) const {
     return {elasticity.clone(), heights, {law, penalty}, tolerance, 2000};
   }
 
@@ -36,7 +36,7 @@ protected:
 
 // Tolerance: both answers are good to `tolerance` in the gap.
 TEST_F(Sequence, AnswersAsAColdStartDoes) {
-  LoadSequence program = sequence(Law::hard);
+  LoadSequence program = sequence(mechanics::ContactLaw::hard);
   int warm_iterations = 0;
   int cold_iterations = 0;
   for (const double pressure : {0.01, 0.02, 0.04, 0.08, 0.16, 0.05, 0.01}) {
@@ -54,7 +54,7 @@ TEST_F(Sequence, AnswersAsAColdStartDoes) {
 
 TEST_F(Sequence, CoarseStartSavesFineIterations) {
   const ContactProblem problem{heights, 0.0, tolerance, 2000};
-  const LoadTarget target{Kind::nominal_pressure, 0.02};
+  const mechanics::LoadTarget target{Kind::nominal_pressure, 0.02};
 
   const std::vector<double> start =
       coarse_start(elasticity, problem, target, 1e-3 * rms_height);
@@ -71,7 +71,8 @@ TEST_F(Sequence, CoarseStartSavesFineIterations) {
 TEST_F(Sequence, AugmentsAnySpring) {
   const double wall = cold(0.05).mean_gap;
   for (const double penalty : {1e-6, 1.0, 1e15}) {
-    LoadSequence program = sequence(Law::augmented, penalty / grid.spacing_x());
+    LoadSequence program =
+        sequence(mechanics::ContactLaw::augmented, penalty / grid.spacing_x());
     const ContactSolution found = program.solve({Kind::nominal_pressure, 0.05});
 
     ASSERT_TRUE(found.converged) << penalty << ": " << found.note;
@@ -84,7 +85,7 @@ TEST_F(Sequence, AugmentsAnySpring) {
 // gap is -p_0/k. Tolerance: (8 + N/8) eps of it, as promised.
 TEST_F(Sequence, ReachesTheEndOfASoftSpring) {
   const double penalty = 1e-6 / grid.spacing_x();
-  LoadSequence program = sequence(Law::penalty, penalty);
+  LoadSequence program = sequence(mechanics::ContactLaw::penalty, penalty);
 
   const ContactSolution found = program.solve({Kind::nominal_pressure, 100.0});
 
@@ -93,8 +94,8 @@ TEST_F(Sequence, ReachesTheEndOfASoftSpring) {
 }
 
 TEST_F(Sequence, FollowsAGapProgram) {
-  LoadSequence by_pressure = sequence(Law::hard);
-  LoadSequence by_gap = sequence(Law::hard);
+  LoadSequence by_pressure = sequence(mechanics::ContactLaw::hard);
+  LoadSequence by_gap = sequence(mechanics::ContactLaw::hard);
   for (const double pressure : {0.01, 0.03, 0.1, 0.3}) {
     const double gap =
         by_pressure.solve({Kind::nominal_pressure, pressure}).mean_gap;
@@ -109,19 +110,20 @@ TEST_F(Sequence, FollowsAGapProgram) {
 // other control does not, since an amount in Pa cannot be extrapolated from
 // amounts in m: it is that of a new sequence, bit for bit.
 TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
-  LoadSequence program = sequence(Law::hard);
+  LoadSequence program = sequence(mechanics::ContactLaw::hard);
   int warm_iterations = 0;
   int cold_iterations = 0;
   for (const double gap : {1.5, 1.45, 1.4, 1.35}) {
-    const LoadTarget target{Kind::mean_gap, gap * rms_height};
+    const mechanics::LoadTarget target{Kind::mean_gap, gap * rms_height};
     warm_iterations += program.solve(target).iterations;
-    cold_iterations += sequence(Law::hard).solve(target).iterations;
+    cold_iterations +=
+        sequence(mechanics::ContactLaw::hard).solve(target).iterations;
   }
   EXPECT_LT(warm_iterations, cold_iterations);
 
-  const LoadTarget changed{Kind::nominal_pressure, 1.3 * rms_height};
+  const mechanics::LoadTarget changed{Kind::nominal_pressure, 1.3 * rms_height};
   EXPECT_EQ(program.solve(changed).pressure,
-            sequence(Law::hard).solve(changed).pressure);
+            sequence(mechanics::ContactLaw::hard).solve(changed).pressure);
 }
 
 // Claim: a sequence that recalls the memory of another continues as that one
@@ -129,10 +131,10 @@ TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
 TEST_F(Sequence, ContinuesFromTheMemoryOfAnother) {
   for (const Kind kind : {Kind::nominal_pressure, Kind::mean_gap}) {
     const double unit = kind == Kind::mean_gap ? rms_height : 0.05;
-    LoadSequence first = sequence(Law::hard);
+    LoadSequence first = sequence(mechanics::ContactLaw::hard);
     first.solve({kind, 1.5 * unit});
     first.solve({kind, 1.4 * unit});
-    LoadSequence second = sequence(Law::hard);
+    LoadSequence second = sequence(mechanics::ContactLaw::hard);
 
     second.recall(first.memory());
 
@@ -147,7 +149,7 @@ TEST_F(Sequence, ContinuesFromTheMemoryOfAnother) {
 // Claim: a penalty shows -p/k as its gap, and k -> inf is the hard wall.
 TEST_F(Sequence, PenaltyIsALocalSpring) {
   const double spacing = grid.spacing_x();
-  LoadSequence soft = sequence(Law::penalty, 100.0 / spacing);
+  LoadSequence soft = sequence(mechanics::ContactLaw::penalty, 100.0 / spacing);
   EXPECT_EQ(soft.local_compliance(), spacing / 100.0);
   const ContactSolution solution = soft.solve({Kind::nominal_pressure, 0.05});
   for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -157,8 +159,8 @@ TEST_F(Sequence, PenaltyIsALocalSpring) {
     else
       ASSERT_GE(solution.gap[i], -tolerance);
   }
-  LoadSequence stiff = sequence(Law::penalty, 1e12 / spacing);
-  LoadSequence hard = sequence(Law::hard);
+  LoadSequence stiff = sequence(mechanics::ContactLaw::penalty, 1e12 / spacing);
+  LoadSequence hard = sequence(mechanics::ContactLaw::hard);
   EXPECT_NEAR(stiff.solve({Kind::nominal_pressure, 0.05}).mean_gap,
               hard.solve({Kind::nominal_pressure, 0.05}).mean_gap,
               2.0 * tolerance);
@@ -168,8 +170,8 @@ TEST_F(Sequence, PenaltyIsALocalSpring) {
 // control, and shows the gap against the surface as it is.
 TEST_F(Sequence, AugmentedPenaltyEndsAtTheHardWall) {
   for (const double reduced_penalty : {1.0, 100.0}) {
-    LoadSequence augmented =
-        sequence(Law::augmented, reduced_penalty / grid.spacing_x());
+    LoadSequence augmented = sequence(mechanics::ContactLaw::augmented,
+                                      reduced_penalty / grid.spacing_x());
     const ContactSolution hard = cold(0.05);
     const ContactSolution by_pressure =
         augmented.solve({Kind::nominal_pressure, 0.05});
@@ -198,7 +200,8 @@ TEST(AugmentedContact, IsFinishedByHardContact) {
       grid, {.contact_modulus = 1.0,
              .thickness = std::numeric_limits<double>::infinity()});
   const ContactProblem problem{heights, 0.02 / 32.0, 1e-8 * scale};
-  const LoadTarget target{LoadTarget::Kind::mean_gap, 0.01 * scale};
+  const mechanics::LoadTarget target{mechanics::Control::mean_gap,
+                                     0.01 * scale};
 
   const ContactSolution answer =
       solve_augmented(elasticity, problem, target, {});

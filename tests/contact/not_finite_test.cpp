@@ -21,13 +21,14 @@ namespace {
 
 using scenes::Fault;
 using scenes::FaultyOperator;
-using Kind = LoadTarget::Kind;
+using Kind = mechanics::Control;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Solve = ContactSolution (*)(SurfaceOperator&, const ContactProblem&,
-                                  const LoadTarget&, std::span<const double>);
+                                  const mechanics::LoadTarget&,
+                                  std::span<const double>);
 
 struct Solver {
   const char* name;
@@ -52,7 +53,8 @@ protected:
 
   /// Verified by the sound operator, or not converged with a reason.
   void expect_honest(const ContactSolution& answer,
-                     const ContactProblem& problem, const LoadTarget& target) {
+                     const ContactProblem& problem,
+                     const mechanics::LoadTarget& target) {
     if (!answer.converged) {
       EXPECT_FALSE(answer.note.empty());
       ++failed;
@@ -60,8 +62,8 @@ protected:
     }
     EXPECT_LE(scenes::complementarity_error(sound, problem, answer),
               1.01 * tolerance);
-    EXPECT_NEAR(target.kind == Kind::mean_gap ? answer.mean_gap
-                                              : answer.nominal_pressure,
+    EXPECT_NEAR(target.control == Kind::mean_gap ? answer.mean_gap
+                                                 : answer.nominal_pressure,
                 target.amount, 1e-12);
     ++verified;
   }
@@ -77,9 +79,9 @@ TEST_F(FaultyContact, NoSolverConvergesOnANumberThatIsNotFinite) {
       for (const double value : {nan, infinity, -infinity})
         for (const bool is_whole : {false, true})
           for (int after = 0; after < 12; ++after)
-            for (const LoadTarget target :
-                 {LoadTarget{Kind::nominal_pressure, 0.05},
-                  LoadTarget{Kind::mean_gap, 0.05}}) {
+            for (const mechanics::LoadTarget target :
+                 {mechanics::LoadTarget{Kind::nominal_pressure, 0.05},
+                  mechanics::LoadTarget{Kind::mean_gap, 0.05}}) {
               SCOPED_TRACE(::testing::Message()
                            << solver.name << ", call " << static_cast<int>(call)
                            << " after " << after << " is " << value
@@ -107,7 +109,8 @@ TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
   heights = scenes::rough_heights(grid, {});
   tolerance = 1e-9 * scenes::rms(heights);
   sound = halfspace(grid);
-  for (const Law law : {Law::hard, Law::augmented})
+  for (const mechanics::ContactLaw law :
+       {mechanics::ContactLaw::hard, mechanics::ContactLaw::augmented})
     for (int after = 0; after < 30; after += 3) {
       SCOPED_TRACE(after);
       LoadSequence sequence(
@@ -115,7 +118,7 @@ TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
               sound, Fault{Fault::Call::displacement, after, 1, true, nan}),
           heights, {law, 1e3}, tolerance, 500);
       for (const double pressure : {0.02, 0.03, 0.05, 0.08}) {
-        const LoadTarget target{Kind::nominal_pressure, pressure};
+        const mechanics::LoadTarget target{Kind::nominal_pressure, pressure};
         expect_honest(sequence.solve(target), {heights, 0.0, tolerance, 500},
                       target);
       }
@@ -127,7 +130,7 @@ TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
 // A step so long that no node is left in contact: nothing carries the load.
 TEST_F(FaultyContact, AStepThatCutsEveryPressureIsNoSolution) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
-  const LoadTarget target{Kind::nominal_pressure, 0.05};
+  const mechanics::LoadTarget target{Kind::nominal_pressure, 0.05};
   ContactState state(sound, problem, target, {});
   state.update_residual();
   std::vector<float> compliance_direction(heights.size(), 0.0F);
@@ -168,14 +171,14 @@ TEST_F(FaultyContact, PolonskyAndKeerConvergeInTheGapTheyShow) {
 }
 
 TEST_F(FaultyContact, AMemoryThatIsNotFiniteIsRefused) {
-  LoadSequence sequence(sound.clone(), heights, {Law::hard, 0.0}, tolerance,
-                        500);
+  LoadSequence sequence(sound.clone(), heights,
+                        {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
   sequence.solve({Kind::nominal_pressure, 0.05});
   for (const double bad : {nan, infinity, -1.0}) {
     std::vector<double> memory = sequence.memory();
     memory.back() = bad;
-    LoadSequence other(sound.clone(), heights, {Law::hard, 0.0}, tolerance,
-                       500);
+    LoadSequence other(sound.clone(), heights,
+                       {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
     EXPECT_THROW(other.recall(memory), std::domain_error) << bad;
   }
 }
@@ -227,7 +230,8 @@ TEST(SmallestContacts, AreSolvedAndVerified) {
                          << solver.name << " " << grid.points_x << " x "
                          << grid.points_y << " at " << pressure);
             ContactProblem problem{heights, compliance, 1e-9, 500};
-            const LoadTarget target{Kind::nominal_pressure, pressure};
+            const mechanics::LoadTarget target{Kind::nominal_pressure,
+                                               pressure};
             const ContactSolution answer =
                 solver.solve(elasticity, problem, target, {});
             ASSERT_TRUE(answer.converged) << answer.note;

@@ -19,7 +19,7 @@ constexpr int n_scenes = 600;
 
 struct Scene {
   Grid grid;
-  ElasticBlock block;
+  mechanics::ElasticBlock block;
   scenes::Roughness roughness;
   double local_compliance;
   double nominal_pressure;
@@ -39,15 +39,17 @@ Scene scene_number(unsigned number) {
   Scene scene;
   scene.grid = {points, points, 1.0, 1.0};
   scene.block = {1.0, 0.3, std::numeric_limits<double>::infinity(),
-                 FarBoundary::clamped};
+                 mechanics::FarBoundary::clamped};
   if (random() % 2 == 0) {
     scene.block.thickness = log_uniform(random, 0.02, 2.0);
-    scene.block.far_boundary =
-        std::array{FarBoundary::clamped, FarBoundary::sliding,
-                   FarBoundary::pressure}[random() % 3];
+    scene.block.far_boundary = std::array{
+        mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
+        mechanics::FarBoundary::pressure}[random() % 3];
     // With a free back the thinnest are plates: see solve_contact.
     scene.block.thickness = log_uniform(
-        random, scene.block.far_boundary == FarBoundary::pressure ? 0.01 : 0.02,
+        random,
+        scene.block.far_boundary == mechanics::FarBoundary::pressure ? 0.01
+                                                                     : 0.02,
         2.0);
   }
   scene.roughness.hurst = 0.2 + 0.7 * unit(random);
@@ -77,12 +79,13 @@ TEST(RandomScenes, AllConvergeAndSatisfyTheirConditions) {
 
     const ContactSolution solution = solve_contact(
         elasticity, problem,
-        {LoadTarget::Kind::nominal_pressure, scene.nominal_pressure});
+        {mechanics::Control::nominal_pressure, scene.nominal_pressure});
 
     ASSERT_TRUE(solution.converged) << solution.note;
     // Only a block that bends like a plate may need the active set.
-    const bool is_plate = scene.block.far_boundary == FarBoundary::pressure &&
-                          scene.block.thickness < 0.1;
+    const bool is_plate =
+        scene.block.far_boundary == mechanics::FarBoundary::pressure &&
+        scene.block.thickness < 0.1;
     EXPECT_TRUE(solution.note.empty() || is_plate) << solution.note;
     // Rounding of C p and c p: 1e-15 of the largest of them.
     const double rounding =

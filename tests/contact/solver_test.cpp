@@ -17,7 +17,7 @@ namespace asperity::contact {
 namespace {
 
 using std::numbers::pi;
-using Kind = LoadTarget::Kind;
+using Kind = mechanics::Control;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -81,7 +81,7 @@ protected:
 TEST_F(RoughSurface, AgreesWithThePlainMethod) {
   for (const double pressure : {0.002, 0.05, 0.4, 1.0}) {
     for (const double compliance : {0.0, 1e-3}) {
-      const LoadTarget target{Kind::nominal_pressure, pressure};
+      const mechanics::LoadTarget target{Kind::nominal_pressure, pressure};
       const ContactSolution fast =
           solve_contact(elasticity, problem(compliance), target);
       const ContactSolution plain =
@@ -210,7 +210,8 @@ TEST_F(RoughSurface, SaysWhenItDidNotConverge) {
 }
 
 TEST_F(RoughSurface, RefusesBadArgumentsByName) {
-  const auto message = [&](const ContactProblem& bad, const LoadTarget& target,
+  const auto message = [&](const ContactProblem& bad,
+                           const mechanics::LoadTarget& target,
                            std::span<const double> start = {}) {
     try {
       solve_contact(elasticity, bad, target, start);
@@ -219,7 +220,7 @@ TEST_F(RoughSurface, RefusesBadArgumentsByName) {
     }
     return std::string("accepted");
   };
-  const LoadTarget light{Kind::nominal_pressure, 0.1};
+  const mechanics::LoadTarget light{Kind::nominal_pressure, 0.1};
   std::vector<double> broken = heights;
   broken[7] = std::nan("");
   const std::vector<double> unloaded(heights.size(), 0.0);

@@ -59,8 +59,9 @@ TEST(StressInside, IsStrongestWhereHertzSays) {
   const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
   const double a = contact.contact_radius;
   const Grid grid{192, 192, 12.0 * a, 12.0 * a};
-  const StressInside inside(grid, {70e9, 0.3, infinity, FarBoundary::clamped},
-                            hertz_map(grid, contact));
+  const StressInside inside(
+      grid, {70e9, 0.3, infinity, mechanics::FarBoundary::clamped},
+      hertz_map(grid, contact));
 
   const StressPeak peak = inside.strongest();
 
@@ -75,8 +76,9 @@ TEST(StressInside, IsHubersFieldInAPlane) {
   const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
   const double a = contact.contact_radius;
   const Grid grid{192, 192, 12.0 * a, 12.0 * a};
-  const StressInside inside(grid, {70e9, 0.3, infinity, FarBoundary::clamped},
-                            hertz_map(grid, contact));
+  const StressInside inside(
+      grid, {70e9, 0.3, infinity, mechanics::FarBoundary::clamped},
+      hertz_map(grid, contact));
 
   for (const double depth : {0.25 * a, 0.5 * a, 1.0 * a}) {
     const StressPlane plane = inside.at_depth(depth);
@@ -102,8 +104,9 @@ TEST(StressInside, IsHubersFieldInAPlane) {
 TEST(StressInside, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-4;
-  for (const FarBoundary face :
-       {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure}) {
+  for (const mechanics::FarBoundary face :
+       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
+        mechanics::FarBoundary::pressure}) {
     const StressInside inside(grid, {modulus, 0.3, 0.3, face},
                               oblique_wave(grid, 1, 2));
     for (const double z : {0.05, 0.2}) {
@@ -134,8 +137,9 @@ TEST(StressInside, StoresTheWorkOfTheFace) {
   const double youngs = modulus * (1.0 - nu * nu);
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.05, 0.3, 0.6})
-    for (const FarBoundary face :
-         {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure}) {
+    for (const mechanics::FarBoundary face :
+         {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
+          mechanics::FarBoundary::pressure}) {
       const StressInside inside(grid, {modulus, nu, thickness, face},
                                 oblique_wave(grid, 1, 1));
       const int n = 400;
@@ -168,11 +172,13 @@ TEST(StressInside, MeetsTheFarFace) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double thickness = 0.06;
   const StressPlane free_face =
-      StressInside(grid, {modulus, 0.3, thickness, FarBoundary::pressure},
+      StressInside(grid,
+                   {modulus, 0.3, thickness, mechanics::FarBoundary::pressure},
                    oblique_wave(grid, 1, 0))
           .at_depth(thickness);
   const StressPlane sliding_face =
-      StressInside(grid, {modulus, 0.3, thickness, FarBoundary::sliding},
+      StressInside(grid,
+                   {modulus, 0.3, thickness, mechanics::FarBoundary::sliding},
                    oblique_wave(grid, 1, 0))
           .at_depth(thickness);
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -185,9 +191,9 @@ TEST(StressInside, MeetsTheFarFace) {
 // Claim: a uniform pressure squeezes the block as in an oedometer.
 TEST(StressInside, OfAUniformPressureIsAnOedometers) {
   const Grid grid{8, 8, 1.0, 1.0};
-  const StressInside inside(grid,
-                            {modulus, 0.25, infinity, FarBoundary::clamped},
-                            std::vector<double>(grid.size(), 3.0));
+  const StressInside inside(
+      grid, {modulus, 0.25, infinity, mechanics::FarBoundary::clamped},
+      std::vector<double>(grid.size(), 3.0));
   const StressPlane plane = inside.at_depth(0.7);
   EXPECT_NEAR(plane.zz[9], -3.0, 1e-14);
   EXPECT_NEAR(plane.xx[9], -1.0, 1e-14);
@@ -197,7 +203,8 @@ TEST(StressInside, OfAUniformPressureIsAnOedometers) {
 
 TEST(StressInside, RefusesWhatItCannotMean) {
   const Grid grid{8, 8, 1.0, 1.0};
-  const ElasticBlock slab{modulus, 0.3, 0.5, FarBoundary::clamped};
+  const mechanics::ElasticBlock slab{modulus, 0.3, 0.5,
+                                     mechanics::FarBoundary::clamped};
   const std::vector<double> pressure(grid.size(), 1.0);
   EXPECT_THROW(StressInside(grid, slab, std::vector<double>(3, 1.0)),
                std::domain_error);

@@ -20,9 +20,10 @@ namespace {
 using std::numbers::pi;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{FarBoundary::clamped, FarBoundary::sliding,
-                               FarBoundary::pressure};
-constexpr std::array<BondedLayer, 2> two_layers{
+constexpr std::array far_faces{mechanics::FarBoundary::clamped,
+                               mechanics::FarBoundary::sliding,
+                               mechanics::FarBoundary::pressure};
+constexpr std::array<mechanics::BondedLayer, 2> two_layers{
     {{0.02, 8.0, 0.2}, {0.08, 0.5, 0.45}}};
 
 double plane_strain(double youngs_modulus, double poisson_ratio) {
@@ -30,7 +31,8 @@ double plane_strain(double youngs_modulus, double poisson_ratio) {
 }
 
 /// Two layers on a remainder of E = 2, nu = 0.3.
-ElasticBlock layered_block(double thickness, FarBoundary face) {
+mechanics::ElasticBlock layered_block(double thickness,
+                                      mechanics::FarBoundary face) {
   return {plane_strain(2.0, 0.3),
           0.3,
           thickness,
@@ -78,9 +80,10 @@ TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
   const Grid grid{16, 24, 1.0, 1.3};
   const std::vector<double> pressure = patch(grid, 0.3);
   for (const double thickness : {0.1, 0.7, infinity})
-    for (const FarBoundary face : far_faces) {
-      const ElasticBlock plain{plane_strain(2.0, 0.35), 0.35, thickness, face};
-      ElasticBlock cut = plain;
+    for (const mechanics::FarBoundary face : far_faces) {
+      const mechanics::ElasticBlock plain{plane_strain(2.0, 0.35), 0.35,
+                                          thickness, face};
+      mechanics::ElasticBlock cut = plain;
       cut.layers = {{0.03, 2.0, 0.35}, {0.04, 2.0, 0.35}};
       const StressInside whole(grid, plain, pressure);
       const StressInside layers(grid, cut, pressure);
@@ -105,7 +108,7 @@ TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
 TEST(StressInLayers, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-5;
-  for (const FarBoundary face : far_faces) {
+  for (const mechanics::FarBoundary face : far_faces) {
     const StressInside inside(grid, layered_block(0.3, face), wave(grid, 1, 2));
     for (const double z : {0.01, 0.05, 0.2}) {
       const StressPlane here = inside.at_depth(z);
@@ -139,7 +142,8 @@ TEST(StressInLayers, IsInBalance) {
 // Tolerance: rounding.
 TEST(StressInLayers, IsWholeAcrossInterfaces) {
   const Grid grid{16, 24, 1.0, 1.3};
-  const StressInside inside(grid, layered_block(0.3, FarBoundary::clamped),
+  const StressInside inside(grid,
+                            layered_block(0.3, mechanics::FarBoundary::clamped),
                             patch(grid, 0.3));
   const auto strain = [](const StressPlane& plane, double modulus, double nu,
                          std::size_t i) {
@@ -193,8 +197,8 @@ TEST(StressInLayers, StoresTheWorkOfTheFace) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.15, 0.3})
-    for (const FarBoundary face : far_faces) {
-      const ElasticBlock block = layered_block(thickness, face);
+    for (const mechanics::FarBoundary face : far_faces) {
+      const mechanics::ElasticBlock block = layered_block(thickness, face);
       const StressInside inside(grid, block, wave(grid, 1, 1));
 
       const double energy = energy_of(inside, 0.0, 0.02, 8.0, 0.2) +
@@ -214,8 +218,11 @@ TEST(StressInLayers, BendsAStiffCoatingAsAPlate) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double thickness = 0.05 / (2.0 * pi);
   const double ratio = 1e7;
-  const ElasticBlock block{
-      1.0, 0.0, infinity, FarBoundary::clamped, {{thickness, ratio, 0.0}}};
+  const mechanics::ElasticBlock block{1.0,
+                                      0.0,
+                                      infinity,
+                                      mechanics::FarBoundary::clamped,
+                                      {{thickness, ratio, 0.0}}};
   const double q = 2.0 * pi;
 
   const StressPlane bottom =
@@ -232,8 +239,11 @@ TEST(StressInLayers, BendsAStiffCoatingAsAPlate) {
 TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
   const Grid grid{64, 64, 1.0, 1.0};
   const double thickness = 0.04;
-  ElasticBlock block{
-      1.0, 0.3, infinity, FarBoundary::clamped, {{thickness, 9.1, 0.3}}};
+  mechanics::ElasticBlock block{1.0,
+                                0.3,
+                                infinity,
+                                mechanics::FarBoundary::clamped,
+                                {{thickness, 9.1, 0.3}}};
   const std::vector<double> pressure = patch(grid, 0.08);
   const std::size_t middle = grid.index(32, 32);
 
@@ -256,8 +266,11 @@ TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
 TEST(StressInLayers, IsStrongestBelowASoftCoating) {
   const Grid grid{64, 64, 1.0, 1.0};
   const double thickness = 0.04;
-  const ElasticBlock block{
-      1.0, 0.0, infinity, FarBoundary::clamped, {{thickness, 0.5, 0.5}}};
+  const mechanics::ElasticBlock block{1.0,
+                                      0.0,
+                                      infinity,
+                                      mechanics::FarBoundary::clamped,
+                                      {{thickness, 0.5, 0.5}}};
   const StressInside inside(grid, block, patch(grid, 0.08));
   const auto largest = [&](InterfaceSide side) {
     const std::vector<double> map = von_mises(inside.at_depth(thickness, side));

@@ -12,8 +12,8 @@
 namespace asperity::contact {
 namespace {
 
-constexpr auto by_pressure = LoadTarget::Kind::nominal_pressure;
-constexpr auto by_gap = LoadTarget::Kind::mean_gap;
+constexpr auto by_pressure = mechanics::Control::nominal_pressure;
+constexpr auto by_gap = mechanics::Control::mean_gap;
 
 // By hand: springs of 2 Pa/m pressed to level 2 have 2 (5 - 2) = 6 Pa and
 // 2 (3 - 2) = 2 Pa under two of the four nodes.

@@ -33,7 +33,7 @@ protected:
     fs::remove_all(folder);
     problem.body.layers = {{2e-6, 5e9, 0.25}};
     problem.body.thickness = 30e-6;
-    problem.body.far_boundary = contact::FarBoundary::sliding;
+    problem.body.far_boundary = mechanics::FarBoundary::sliding;
     write();
   }
 
@@ -78,7 +78,7 @@ TEST_F(ProblemFolder, IsReadAsWritten) {
   EXPECT_EQ(read.body.contact_modulus, 1e9);
   EXPECT_EQ(read.body.poisson_ratio, 0.3);
   EXPECT_EQ(read.body.thickness, 30e-6);
-  EXPECT_EQ(read.body.far_boundary, contact::FarBoundary::sliding);
+  EXPECT_EQ(read.body.far_boundary, mechanics::FarBoundary::sliding);
   ASSERT_EQ(read.body.layers.size(), 1U);
   EXPECT_EQ(read.body.layers[0].thickness, 2e-6);
   EXPECT_EQ(read.body.layers[0].youngs_modulus, 5e9);

@@ -45,7 +45,7 @@ inline std::vector<double> solved(const Problem& problem, double load,
   return contact::solve_contact(
              elasticity,
              {problem.heights, 0.0, tolerance * problem.rms_height, 2000},
-             {contact::LoadTarget::Kind::nominal_pressure, load})
+             {mechanics::Control::nominal_pressure, load})
       .pressure;
 }
 

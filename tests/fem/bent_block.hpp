@@ -63,14 +63,14 @@ protected:
                                      std::vector<double>(4, depth_ / 4.0)),
         .degree = 2,
         .moduli = ModuliField(far_),
-        .top = cases::TopFace::sliding,
-        .sides = cases::BlockSides::free,
+        .top = mechanics::FarBoundary::sliding,
+        .sides = mechanics::BlockSides::free,
         .linear_solver = LinearSolver::direct};
     problem.moduli.add_layer(interface_, near_);
     if (GetParam().hangs)
       problem.mesh.refine_below = {depth_ / 4.0};
     if (GetParam().shape == meshes::CellShape::tetrahedron) {
-      problem.contact_at = cases::ContactPoints::gauss;
+      problem.contact_at = mechanics::ContactPoints::gauss;
       problem.mesh = tetrahedra_of(problem.mesh);
     }
     return problem;

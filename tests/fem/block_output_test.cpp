@@ -17,9 +17,9 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 namespace mpi = dealii::Utilities::MPI;
 namespace files = std::filesystem;
 
@@ -59,7 +59,7 @@ protected:
                                     length_ / cells)),
             .degree = degree,
             .moduli = ModuliField(moduli({soft_modulus, poisson_})),
-            .top = TopFace::sliding,
+            .top = FarBoundary::sliding,
             .linear_solver = LinearSolver::direct};
   }
 
@@ -145,7 +145,7 @@ TEST_F(BlockFiles, HoldTheSqueezedBlock) {
 // Claim: tetrahedra of second order are written with their ten nodes.
 TEST_F(BlockFiles, HoldTetrahedra) {
   BlockProblem block = problem(2);
-  block.contact_at = cases::ContactPoints::gauss;
+  block.contact_at = mechanics::ContactPoints::gauss;
   block.mesh = tetrahedra_of(block.mesh);
   const std::size_t n_cells = block.mesh.cells.size();
   const auto whole = make_full_block(block);
@@ -196,7 +196,7 @@ TEST_F(BlockFiles, AreListedStepByStep) {
 TEST_F(BlockFiles, HoldTheStressOfEachPoint) {
   const double strain = 1e-3;
   BlockProblem bent = problem(2);
-  bent.sides = cases::BlockSides::free;
+  bent.sides = mechanics::BlockSides::free;
   const BlockSystem system(bent);
   BlockStress stress(
       system, vertical_displacement(system.space(), [&](const auto& place) {

@@ -72,13 +72,13 @@ TEST(SectionOfTwoBodies, IsThatOfTheBodyAskedFor) {
   const Grid grid{4, 4, 1e-6, 1e-6};
   const double p = 1e6;
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.4}, 1e-6);
-  problem.counter = cases::BodyModuli{soft_modulus, 0.1};
+  problem.counter = mechanics::BodyModuli{soft_modulus, 0.1};
   const auto whole = make_full_block(problem);
 
   const BlockSolution found =
       whole->solve(std::vector<double>(grid.size(), 0.0),
-                   {cases::Control::nominal_pressure, p},
-                   {cases::ContactLaw::penalty,
+                   {mechanics::Control::nominal_pressure, p},
+                   {mechanics::ContactLaw::penalty,
                     10.0 * soft_modulus / grid.spacing_x(), 1e-8, 50});
 
   ASSERT_TRUE(found.converged) << found.note;

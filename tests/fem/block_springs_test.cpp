@@ -1,7 +1,8 @@
 // Claims about fem/block/full_block.hpp at the ends of what a penalty can be:
 // its own springs stay within reach of Newton's method, and the answer is the
 // one that was asked for. The judge is the condensed block under the contact
-// module's solver, to which a penalty is a compliance and any stiffness is alike.
+// module's solver, to which a penalty is a compliance and any stiffness is
+// alike.
 #include "contact/operators/fourier_operator.hpp"
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"
@@ -16,14 +17,14 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 constexpr Grid grid{8, 8, 1e-6, 1e-6};
 
 LayeredBlock small_block() {
-  return layered_block(grid.spacing_x(), 0.5e-6, TopFace::sliding);
+  return layered_block(grid.spacing_x(), 0.5e-6, FarBoundary::sliding);
 }
 
 struct Spring {
@@ -46,7 +47,7 @@ TEST_P(AnySpring, GivesTheAnswerOfTheCondensedBlock) {
       grid, condensed_compliance_q1(grid, small_block()));
   const contact::ContactSolution expected = contact::solve_contact(
       elasticity, {heights, is_penalty ? 1.0 / penalty : 0.0, 1e-18, 2000},
-      {contact::LoadTarget::Kind::nominal_pressure, load});
+      {mechanics::Control::nominal_pressure, load});
 
   const BlockSolution found =
       make_full_block(grid, 1, small_block())
@@ -97,7 +98,7 @@ TEST(FlatSurface, HasNoUnitOfItsOwn) {
   for (const double length : {1.0, 1e-12}) {
     const Grid flat{8, 8, length, length};
     const auto whole = make_full_block(
-        flat, 1, layered_block(flat.spacing_x(), length, TopFace::clamped));
+        flat, 1, layered_block(flat.spacing_x(), length, FarBoundary::clamped));
 
     const BlockSolution found = whole->solve(
         std::vector<double>(flat.size(), 0.0),

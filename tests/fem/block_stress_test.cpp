@@ -9,9 +9,9 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 // Claims of the definition: the axial stress itself, sqrt(3) times a shear,
 // nothing of a pressure. Tolerance: rounding of a few operations.
@@ -39,7 +39,7 @@ TEST(StrongestStress, IsThatOfUniaxialStrain) {
                             elastic_layer(2e-7, soft_modulus, 0.4),
                             elastic_layer(3e-7, 2.0 * soft_modulus, 0.1),
                             elastic_layer(3e-7, soft_modulus, 0.3)},
-                           TopFace::sliding};
+                           FarBoundary::sliding};
   for (const int degree : {1, 2}) {
     const auto whole =
         make_full_block(grid, degree, block, LinearSolver::direct);
@@ -122,8 +122,8 @@ TEST(VertexStress, IsWeighedByVolume) {
       .mesh = meshes::layered_mesh(grid, {kink, length - kink}),
       .degree = 1,
       .moduli = ModuliField(material),
-      .top = TopFace::sliding,
-      .sides = cases::BlockSides::free,
+      .top = FarBoundary::sliding,
+      .sides = mechanics::BlockSides::free,
       .linear_solver = LinearSolver::direct};
   const auto ridge = [&](double z) { return std::min(z, (length - z) / 3.0); };
   const auto along = [&](const dealii::Point<3>& place) {
@@ -168,7 +168,7 @@ TEST(StrongestStress, IsFoundInTheSecondBody) {
   const Grid grid{4, 4, 1e-6, 1e-6};
   const double p = 1e6;
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.4}, 1e-6);
-  problem.counter = cases::BodyModuli{soft_modulus, 0.1};
+  problem.counter = mechanics::BodyModuli{soft_modulus, 0.1};
   const auto whole = make_full_block(problem);
 
   const BlockSolution found = whole->solve(

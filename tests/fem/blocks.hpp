@@ -18,7 +18,7 @@ constexpr double soft_modulus = 2.0e9; // Pa
 
 /// A block of graded layers whose moduli differ from layer to layer.
 inline LayeredBlock layered_block(double surface_thickness, double depth,
-                                  cases::TopFace top) {
+                                  mechanics::FarBoundary top) {
   LayeredBlock block;
   block.top = top;
   const std::vector<double> thickness =

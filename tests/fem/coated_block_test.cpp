@@ -15,9 +15,9 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 const Grid grid{32, 32, 1e-5, 1e-5};
 constexpr double coating_modulus = 10.0 * soft_modulus;
@@ -53,9 +53,9 @@ LayeredBlock coated_block() {
       meshes::graded_layers_with_interfaces(2.0 * grid.spacing_x(), 1.2,
                                             std::vector{coating}, 1e-5),
       std::vector{coating},
-      std::vector<cases::BodyModuli>{{coating_modulus, 0.2},
-                                     {soft_modulus, 0.4}},
-      TopFace::clamped);
+      std::vector<mechanics::BodyModuli>{{coating_modulus, 0.2},
+                                         {soft_modulus, 0.4}},
+      FarBoundary::clamped);
 }
 
 double rms(const std::vector<double>& heights) {
@@ -83,7 +83,7 @@ TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
     const double pressure = load * contact_modulus;
     const contact::ContactSolution expected = contact::solve_contact(
         condensed, {heights, 0.0, 1e-8 * scale, 2000},
-        {contact::LoadTarget::Kind::nominal_pressure, pressure});
+        {mechanics::Control::nominal_pressure, pressure});
 
     const BlockSolution found =
         whole->solve(heights, {Control::nominal_pressure, pressure},

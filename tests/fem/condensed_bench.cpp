@@ -14,7 +14,7 @@ fem::LayeredBlock block_for(const Grid& grid, int nodes_per_cell) {
   return fem::homogeneous_block(
       meshes::graded_layers(nodes_per_cell * grid.spacing_x(), 1.2,
                             grid.length_x),
-      2e9, 0.3, cases::TopFace::clamped);
+      2e9, 0.3, mechanics::FarBoundary::clamped);
 }
 
 void q1_setup(benchmark::State& state) {

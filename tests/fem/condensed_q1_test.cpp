@@ -19,7 +19,7 @@
 namespace asperity::fem {
 namespace {
 
-using cases::TopFace;
+using mechanics::FarBoundary;
 
 std::vector<double> apply(const Grid& grid,
                           const std::vector<double>& compliance,
@@ -35,7 +35,7 @@ std::vector<double> apply(const Grid& grid,
 }
 
 class Q1AgainstTheWholeBlock
-    : public ::testing::TestWithParam<std::tuple<Grid, TopFace>> {};
+    : public ::testing::TestWithParam<std::tuple<Grid, FarBoundary>> {};
 
 // Claim: road 2 is road 1 for every wavevector at once: a random pressure holds
 // them all. Tolerance: both solves lose some 1e-13 to rounding.
@@ -58,19 +58,18 @@ TEST_P(Q1AgainstTheWholeBlock, GivesTheSameDisplacement) {
 
 INSTANTIATE_TEST_SUITE_P(
     GridsAndTops, Q1AgainstTheWholeBlock,
-    ::testing::Combine(::testing::Values(Grid{8, 8, 1e-6, 1e-6},
-                                         Grid{16, 16, 1e-6, 1e-6},
-                                         Grid{12, 6, 1e-6, 0.7e-6},
-                                         Grid{7, 9, 1e-6, 1e-6}),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure)));
+    ::testing::Combine(
+        ::testing::Values(Grid{8, 8, 1e-6, 1e-6}, Grid{16, 16, 1e-6, 1e-6},
+                          Grid{12, 6, 1e-6, 0.7e-6}, Grid{7, 9, 1e-6, 1e-6}),
+        ::testing::Values(FarBoundary::clamped, FarBoundary::sliding,
+                          FarBoundary::pressure)));
 
 // The same at 32^2, the largest block whose direct solve takes but seconds.
 INSTANTIATE_TEST_SUITE_P(AtThirtyTwo, Q1AgainstTheWholeBlock,
                          ::testing::Values(std::tuple{Grid{32, 32, 1e-6, 1e-6},
-                                                      TopFace::clamped}));
+                                                      FarBoundary::clamped}));
 
-class Q1AgainstTheLayer : public ::testing::TestWithParam<TopFace> {};
+class Q1AgainstTheLayer : public ::testing::TestWithParam<FarBoundary> {};
 
 // Claim: second order towards the exact layer of finite depth. Cubic cells to
 // the top; the longest wave of a block half as deep as it is long, where the
@@ -101,8 +100,9 @@ TEST_P(Q1AgainstTheLayer, ConvergesAtSecondOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tops, Q1AgainstTheLayer,
-                         ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                           TopFace::pressure));
+                         ::testing::Values(FarBoundary::clamped,
+                                           FarBoundary::sliding,
+                                           FarBoundary::pressure));
 
 // Claim: what grading costs the long waves is second order in the logarithm of
 // the growth: the same wave, layers growing by 1.2 and by its square root. Each
@@ -118,10 +118,10 @@ TEST(Q1, PaysForGradingAtSecondOrder) {
       depth += thickness.back();
     }
     const LayeredBlock block =
-        homogeneous_block(thickness, soft_modulus, 0.3, TopFace::clamped);
+        homogeneous_block(thickness, soft_modulus, 0.3, FarBoundary::clamped);
     return condensed_compliance_q1(grid, block)[1] /
                layer_compliance(wavevector(1, grid.length_x), depth,
-                                soft_modulus, 0.3, TopFace::clamped) -
+                                soft_modulus, 0.3, FarBoundary::clamped) -
            1.0;
   };
 
@@ -133,7 +133,8 @@ TEST(Q1, PaysForGradingAtSecondOrder) {
 TEST(Q1, TakesTheSameValuesWithAndWithoutTheMirror) {
   const Grid square{16, 16, 1e-6, 1e-6};
   const Grid rectangle{16, 16, 1e-6, std::nextafter(1e-6, 1.0)};
-  const LayeredBlock block = layered_block(1e-6 / 16, 1e-6, TopFace::clamped);
+  const LayeredBlock block =
+      layered_block(1e-6 / 16, 1e-6, FarBoundary::clamped);
 
   const std::vector<double> mirrored = condensed_compliance_q1(square, block);
   const std::vector<double> plain = condensed_compliance_q1(rectangle, block);
@@ -144,7 +145,8 @@ TEST(Q1, TakesTheSameValuesWithAndWithoutTheMirror) {
 
 TEST(Q1, DoesNotDependOnTheNumberOfThreads) {
   const Grid grid{32, 24, 1e-6, 1e-6};
-  const LayeredBlock block = layered_block(1e-6 / 32, 1e-6, TopFace::sliding);
+  const LayeredBlock block =
+      layered_block(1e-6 / 32, 1e-6, FarBoundary::sliding);
 
   EXPECT_EQ(condensed_compliance_q1(grid, block, 1),
             condensed_compliance_q1(grid, block, 3));
@@ -152,7 +154,7 @@ TEST(Q1, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(Q1, RefusesBadBlocksByName) {
   const Grid grid{8, 8, 1e-6, 1e-6};
-  LayeredBlock block = layered_block(1e-6 / 8, 1e-6, TopFace::clamped);
+  LayeredBlock block = layered_block(1e-6 / 8, 1e-6, FarBoundary::clamped);
   block.layers[1].shear_modulus = std::numeric_limits<double>::quiet_NaN();
 
   try {

@@ -20,7 +20,7 @@
 namespace asperity::fem {
 namespace {
 
-using cases::TopFace;
+using mechanics::FarBoundary;
 
 double weighted_product(std::span<const double> weights,
                         std::span<const double> a, std::span<const double> b) {
@@ -38,7 +38,7 @@ std::vector<double> displacement(Q2Operator& block,
 }
 
 class Q2AgainstTheWholeBlock
-    : public ::testing::TestWithParam<std::tuple<Grid, TopFace>> {};
+    : public ::testing::TestWithParam<std::tuple<Grid, FarBoundary>> {};
 
 // Claim: road 2 is road 1 for every wavevector and node kind at once. 12 nodes
 // are an even, 14 an odd number of cells: one has a middle column of modes that
@@ -67,11 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Grid{8, 8, 1e-6, 1e-6},
                                          Grid{12, 8, 1e-6, 0.7e-6},
                                          Grid{14, 6, 1e-6, 0.5e-6}),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure)));
+                       ::testing::Values(FarBoundary::clamped,
+                                         FarBoundary::sliding,
+                                         FarBoundary::pressure)));
 
 class Q2AgainstWholeLayers
-    : public ::testing::TestWithParam<std::tuple<bool, TopFace>> {};
+    : public ::testing::TestWithParam<std::tuple<bool, FarBoundary>> {};
 
 // Claim: split layers of shared symbols give what whole layers of their own
 // cell matrices do, with many layers, one material or several. Tolerance: long
@@ -108,8 +109,9 @@ TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
 INSTANTIATE_TEST_SUITE_P(
     MaterialsAndTops, Q2AgainstWholeLayers,
     ::testing::Combine(::testing::Bool(),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure)));
+                       ::testing::Values(FarBoundary::clamped,
+                                         FarBoundary::sliding,
+                                         FarBoundary::pressure)));
 
 // Claim: nothing depends on units: a compliance and its inverse in lengths and
 // moduli larger by powers of two are the same bits, an odd power of two in E L
@@ -121,7 +123,7 @@ TEST(Q2, HasTheSameBitsInBinaryUnits) {
     const std::vector<double> layers{
         2.0 * grid.spacing_x(), 3.0 * grid.spacing_x(), 5.0 * grid.spacing_x()};
     return Q2Operator(condensed_compliance_q2(
-        grid, homogeneous_block(layers, modulus, 0.4, TopFace::sliding)));
+        grid, homogeneous_block(layers, modulus, 0.4, FarBoundary::sliding)));
   };
   Q2Operator first = block_on(small, 3e9);
   Q2Operator second = block_on(large, 3e9 * 0x1p-17);
@@ -149,8 +151,9 @@ TEST(Q2, HasTheSameBitsInBinaryUnits) {
 // 100.
 TEST(Q2, KeepsTheOperatorsPromises) {
   const Grid grid{20, 12, 1e-6, 1e-6};
-  Q2Operator block(condensed_compliance_q2(
-      grid, layered_block(2.0 * grid.spacing_x(), 1e-6, TopFace::pressure)));
+  Q2Operator block(
+      condensed_compliance_q2(grid, layered_block(2.0 * grid.spacing_x(), 1e-6,
+                                                  FarBoundary::pressure)));
   const std::span<const double> weights = block.nodal_weights();
   const std::vector<double> first = random_field(grid.size(), 1);
   const std::vector<double> second = random_field(grid.size(), 2);
@@ -186,7 +189,7 @@ TEST(Q2, KeepsTheOperatorsPromises) {
 TEST(Q2, PassesThePatchTest) {
   const Grid grid{16, 16, 1e-6, 1e-6};
   const Q2Compliance compliance = condensed_compliance_q2(
-      grid, layered_block(2.0 * grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, layered_block(2.0 * grid.spacing_x(), 1e-6, FarBoundary::clamped));
   std::array<double, 4> uniform{};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
@@ -198,7 +201,7 @@ TEST(Q2, PassesThePatchTest) {
 }
 
 class Q2AgainstTheLayer
-    : public ::testing::TestWithParam<std::tuple<TopFace, double>> {
+    : public ::testing::TestWithParam<std::tuple<FarBoundary, double>> {
 protected:
   /// Relative error of the longest wave's compliance, by virtual work, on
   /// cubic cells to the top of a block half as deep as it is long.
@@ -241,12 +244,14 @@ TEST_P(Q2AgainstTheLayer, ConvergesAtFourthOrderWithoutLocking) {
 
 INSTANTIATE_TEST_SUITE_P(
     TopsAndPoissonRatios, Q2AgainstTheLayer,
-    ::testing::Combine(::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure),
+    ::testing::Combine(::testing::Values(FarBoundary::clamped,
+                                         FarBoundary::sliding,
+                                         FarBoundary::pressure),
                        ::testing::Values(0.0, 0.3, 0.49)));
 
 TEST(Q2, RefusesAGridOfHalfCells) {
-  const LayeredBlock block = layered_block(1e-6 / 4, 1e-6, TopFace::clamped);
+  const LayeredBlock block =
+      layered_block(1e-6 / 4, 1e-6, FarBoundary::clamped);
 
   EXPECT_THROW(condensed_compliance_q2({9, 8, 1e-6, 1e-6}, block),
                std::domain_error);

@@ -18,9 +18,9 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 /// Waves of up to three periods a side, rms about 1 nm on a micrometre.
 std::vector<double> rough_heights(const Grid& grid) {
@@ -48,7 +48,7 @@ condensed_block(const Grid& grid, int degree, const LayeredBlock& block) {
 
 struct Scene {
   int degree;
-  TopFace top;
+  FarBoundary top;
   ContactLaw law;
   double penalty; ///< in E/h
   Control control;
@@ -68,8 +68,8 @@ protected:
     const auto elasticity = condensed_block(grid_, GetParam().degree, block_);
     const bool is_penalty = GetParam().law == ContactLaw::penalty;
     const auto kind = GetParam().control == Control::mean_gap
-                          ? contact::LoadTarget::Kind::mean_gap
-                          : contact::LoadTarget::Kind::nominal_pressure;
+                          ? mechanics::Control::mean_gap
+                          : mechanics::Control::nominal_pressure;
     return contact::solve_contact(
         *elasticity, {heights_, is_penalty ? 1.0 / penalty_ : 0.0, 1e-19, 2000},
         {kind, load});
@@ -103,57 +103,57 @@ TEST_P(TwoRoads, GiveTheSameContactCurve) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TwoRoads,
                          ::testing::Values(Scene{1,
-                                                 TopFace::clamped,
+                                                 FarBoundary::clamped,
                                                  ContactLaw::penalty,
                                                  100.0,
                                                  Control::nominal_pressure,
                                                  {1e5, 1e6, 4e6, 3e7}},
                                            Scene{1,
-                                                 TopFace::clamped,
+                                                 FarBoundary::clamped,
                                                  ContactLaw::penalty,
                                                  100.0,
                                                  Control::nominal_pressure,
                                                  {1e6, 1e7},
                                                  16},
                                            Scene{1,
-                                                 TopFace::sliding,
+                                                 FarBoundary::sliding,
                                                  ContactLaw::penalty,
                                                  100.0,
                                                  Control::nominal_pressure,
                                                  {4e6},
                                                  32},
                                            Scene{1,
-                                                 TopFace::sliding,
+                                                 FarBoundary::sliding,
                                                  ContactLaw::penalty,
                                                  1.0,
                                                  Control::nominal_pressure,
                                                  {1e6, 1e7}},
                                            Scene{1,
-                                                 TopFace::pressure,
+                                                 FarBoundary::pressure,
                                                  ContactLaw::penalty,
                                                  1e6,
                                                  Control::nominal_pressure,
                                                  {1e6, 1e7}},
                                            Scene{1,
-                                                 TopFace::pressure,
+                                                 FarBoundary::pressure,
                                                  ContactLaw::penalty,
                                                  10.0,
                                                  Control::mean_gap,
                                                  {1e-9, 2e-10}},
                                            Scene{1,
-                                                 TopFace::clamped,
+                                                 FarBoundary::clamped,
                                                  ContactLaw::hard,
                                                  100.0,
                                                  Control::nominal_pressure,
                                                  {1e6, 1e7}},
                                            Scene{2,
-                                                 TopFace::clamped,
+                                                 FarBoundary::clamped,
                                                  ContactLaw::penalty,
                                                  100.0,
                                                  Control::nominal_pressure,
                                                  {1e6, 1e7}},
                                            Scene{2,
-                                                 TopFace::pressure,
+                                                 FarBoundary::pressure,
                                                  ContactLaw::augmented,
                                                  30.0,
                                                  Control::mean_gap,
@@ -168,7 +168,7 @@ TEST(WholeBlock, IsTheSameByMultigrid) {
   for (const int degree : {1, 2})
     for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::hard}) {
       const LayeredBlock block =
-          layered_block(degree * grid.spacing_x(), 1e-6, TopFace::sliding);
+          layered_block(degree * grid.spacing_x(), 1e-6, FarBoundary::sliding);
       const BlockContact contact{law, 100.0 * soft_modulus / grid.spacing_x(),
                                  1e-11, 50};
       const auto solve = [&](LinearSolver kind) {
@@ -192,7 +192,8 @@ TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
   const Grid grid{12, 8, 1e-6, 0.7e-6};
   const double penalty = 20.0 * soft_modulus / grid.spacing_x();
   const auto whole = make_full_block(
-      grid, 2, layered_block(2.0 * grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, 2,
+      layered_block(2.0 * grid.spacing_x(), 1e-6, FarBoundary::clamped));
 
   const BlockSolution found =
       whole->solve(rough_heights(grid), {Control::nominal_pressure, 3e6},
@@ -219,7 +220,7 @@ TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
 TEST(WholeBlock, ConvergesInRandomScenes) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const auto whole = make_full_block(
-      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
   for (unsigned int seed = 0; seed < 40; ++seed) {
     const std::vector<double> dice = random_field(2, 1000 + seed);
     std::vector<double> heights = random_field(grid.size(), seed);
@@ -254,7 +255,8 @@ TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
                              100.0 * soft_modulus / grid.spacing_x(), 1e-3, 50};
   const auto solve = [&](const std::vector<double>& surface) {
     return make_full_block(
-               grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped))
+               grid, 1,
+               layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped))
         ->solve(surface, {Control::nominal_pressure, 4e6}, contact);
   };
 
@@ -270,7 +272,7 @@ TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
 TEST(WholeBlock, WithoutContactBearsNothing) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const auto whole = make_full_block(
-      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
 
   const BlockSolution found =
       whole->solve(rough_heights(grid), {Control::mean_gap, 1e-7},
@@ -284,7 +286,7 @@ TEST(WholeBlock, WithoutContactBearsNothing) {
 TEST(WholeBlock, SaysWhenItGaveUpAndRefusesNonsense) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const auto whole = make_full_block(
-      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
   const std::vector<double> heights = rough_heights(grid);
 
   const BlockSolution found =

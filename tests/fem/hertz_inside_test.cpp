@@ -22,8 +22,8 @@ constexpr double growth = 1.2;            // of the layers, from h
 const double modulus = soft_modulus / (1.0 - poisson * poisson);
 const double load = 4.0 / 3.0 * modulus * std::pow(radius, 3) / sphere;
 const theory::HertzContact hertz = theory::hertz_contact(load, sphere, modulus);
-const contact::ElasticBlock slab{modulus, poisson, length,
-                                 contact::FarBoundary::clamped};
+const mechanics::ElasticBlock slab{modulus, poisson, length,
+                                   mechanics::FarBoundary::clamped};
 
 /// A function of the distance from the middle, on the nodes.
 template <class Function>
@@ -58,13 +58,14 @@ Pressed pressed_block(const Grid& grid) {
   const auto block = make_full_block(
       grid, 1,
       homogeneous_block(meshes::graded_layers(grid.spacing_x(), growth, length),
-                        soft_modulus, poisson, cases::TopFace::clamped),
+                        soft_modulus, poisson, mechanics::FarBoundary::clamped),
       LinearSolver::fourier);
   const std::vector<double> heights =
       around_middle(grid, [](double r) { return -0.5 * r * r / sphere; });
   BlockSolution solution = block->solve(
-      heights, {cases::Control::nominal_pressure, load / (length * length)},
-      {cases::ContactLaw::hard, 1e3 * modulus / grid.spacing_x(), 1e-8, 100});
+      heights, {mechanics::Control::nominal_pressure, load / (length * length)},
+      {mechanics::ContactLaw::hard, 1e3 * modulus / grid.spacing_x(), 1e-8,
+       100});
   return {std::move(solution), block->strongest_stress()};
 }
 

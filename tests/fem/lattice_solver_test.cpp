@@ -17,16 +17,17 @@
 namespace asperity::fem {
 namespace {
 
-using cases::TopFace;
+using mechanics::FarBoundary;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_shift_free(TopFace top, std::size_t component) {
-  return top == TopFace::pressure || (top == TopFace::sliding && component < 2);
+bool is_shift_free(FarBoundary top, std::size_t component) {
+  return top == FarBoundary::pressure ||
+         (top == FarBoundary::sliding && component < 2);
 }
 
 /// Takes the mean out of the components that the top leaves free.
-void remove_shifts(const NodeLattice& lattice, TopFace top, bool is_z_held,
+void remove_shifts(const NodeLattice& lattice, FarBoundary top, bool is_z_held,
                    std::vector<double>& field) {
   for (std::size_t component = 0; component < 3; ++component) {
     if (!is_shift_free(top, component) || (component == 2 && is_z_held))
@@ -45,25 +46,26 @@ void remove_shifts(const NodeLattice& lattice, TopFace top, bool is_z_held,
 
 /// Independent loads on all nodes, -1/2..1/2, zero at held unknowns and
 /// balanced where nothing holds the block.
-std::vector<double> loads(const NodeLattice& lattice, TopFace top,
+std::vector<double> loads(const NodeLattice& lattice, FarBoundary top,
                           bool is_z_held, unsigned int seed) {
   std::vector<double> force = random_field(lattice.size(), seed);
   for (double& value : force)
     value -= 0.5;
   remove_shifts(lattice, top, is_z_held, force);
   for (std::size_t component = 0; component < 3; ++component)
-    if (top == TopFace::clamped || (top == TopFace::sliding && component == 2))
+    if (top == FarBoundary::clamped ||
+        (top == FarBoundary::sliding && component == 2))
       for (std::size_t i = 0; i < lattice.grid.size(); ++i)
         force[lattice.index(lattice.planes - 1, component, i)] = 0.0;
   return force;
 }
 
-LayeredBlock block_on(const Grid& grid, int degree, TopFace top) {
+LayeredBlock block_on(const Grid& grid, int degree, FarBoundary top) {
   return layered_block(degree * grid.spacing_x(), 0.8 * grid.length_x, top);
 }
 
 class LatticeAgainstDealii
-    : public ::testing::TestWithParam<std::tuple<int, Grid, TopFace>> {};
+    : public ::testing::TestWithParam<std::tuple<int, Grid, FarBoundary>> {};
 
 // Claim: K^-1 of every wavevector and node kind at once, for layers of
 // different moduli and sides that differ. Tolerance: rounding of both solves.
@@ -90,18 +92,19 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(Grid{8, 8, 1e-6, 1e-6},
                                          Grid{12, 7, 1e-6, 0.7e-6},
                                          Grid{9, 5, 1e-6, 0.5e-6}),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure)));
+                       ::testing::Values(FarBoundary::clamped,
+                                         FarBoundary::sliding,
+                                         FarBoundary::pressure)));
 INSTANTIATE_TEST_SUITE_P(
     Quadratic, LatticeAgainstDealii,
-    ::testing::Combine(::testing::Values(2),
-                       ::testing::Values(Grid{8, 8, 1e-6, 1e-6},
-                                         Grid{12, 6, 1e-6, 0.7e-6}),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure)));
+    ::testing::Combine(
+        ::testing::Values(2),
+        ::testing::Values(Grid{8, 8, 1e-6, 1e-6}, Grid{12, 6, 1e-6, 0.7e-6}),
+        ::testing::Values(FarBoundary::clamped, FarBoundary::sliding,
+                          FarBoundary::pressure)));
 
 class LatticeWithSprings
-    : public ::testing::TestWithParam<std::tuple<int, TopFace, double>> {};
+    : public ::testing::TestWithParam<std::tuple<int, FarBoundary, double>> {};
 
 /// k a_i on about a third of the nodes, of areas that differ by 3.
 std::vector<double> springs_of(const Grid& grid, double stiffness) {
@@ -142,8 +145,9 @@ TEST_P(LatticeWithSprings, InvertsTheMatrixWithItsSprings) {
 INSTANTIATE_TEST_SUITE_P(
     Stiffnesses, LatticeWithSprings,
     ::testing::Combine(::testing::Values(1, 2),
-                       ::testing::Values(TopFace::clamped, TopFace::sliding,
-                                         TopFace::pressure),
+                       ::testing::Values(FarBoundary::clamped,
+                                         FarBoundary::sliding,
+                                         FarBoundary::pressure),
                        ::testing::Values(1e-3, 1.0, 1e3, 1e6, infinity)));
 
 double product(std::span<const double> a, std::span<const double> b) {
@@ -158,8 +162,8 @@ RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
   const int degree = *rc::gen::inRange(1, 3);
   const Grid grid{degree * *rc::gen::inRange(2, 9),
                   degree * *rc::gen::inRange(2, 9), 1e-6, 0.9e-6};
-  const TopFace top =
-      *rc::gen::element(TopFace::clamped, TopFace::sliding, TopFace::pressure);
+  const FarBoundary top = *rc::gen::element(
+      FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure);
   LatticeSolver solver(grid, degree, block_on(grid, degree, top));
   std::vector<double> springs(grid.size(), 0.0);
   for (double& spring : springs)
@@ -192,14 +196,15 @@ RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
 // Claim: the number of threads changes no bit.
 TEST(LatticeSolver, HasTheSameBitsOnAnyNumberOfThreads) {
   const Grid grid{48, 48, 1e-6, 1e-6};
-  const LayeredBlock block = block_on(grid, 2, TopFace::pressure);
+  const LayeredBlock block = block_on(grid, 2, FarBoundary::pressure);
   std::vector<std::vector<double>> answers;
   for (const int threads : {1, 3}) {
     LatticeSolver solver(grid, 2, block, threads);
     solver.set_springs(springs_of(grid, soft_modulus * grid.spacing_x()));
     answers.emplace_back(solver.lattice().size());
     solver.solve_with_springs(
-        loads(solver.lattice(), TopFace::pressure, true, 1), answers.back());
+        loads(solver.lattice(), FarBoundary::pressure, true, 1),
+        answers.back());
   }
 
   EXPECT_EQ(answers[0], answers[1]);
@@ -207,7 +212,7 @@ TEST(LatticeSolver, HasTheSameBitsOnAnyNumberOfThreads) {
 
 TEST(LatticeSolver, RefusesWhatIsOutOfRange) {
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const LayeredBlock block = block_on(grid, 1, TopFace::clamped);
+  const LayeredBlock block = block_on(grid, 1, FarBoundary::clamped);
   LatticeSolver solver(grid, 1, block);
   std::vector<double> springs(grid.size(), 0.0);
   std::vector<double> too_short(solver.lattice().size() - 1);

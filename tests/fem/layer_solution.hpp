@@ -3,7 +3,7 @@
 // The exact surface compliance of a homogeneous elastic layer of depth d under
 // a normal pressure cos(q x), no shear traction: the truth of the long waves.
 
-#include "cases/types/case.hpp"
+#include "mechanics/far_boundary.hpp"
 
 #include <cmath>
 
@@ -21,14 +21,14 @@ namespace asperity::fem {
 /// slides (both faces pressed alike) and bends (pressed oppositely).
 inline double layer_compliance(double wavevector, double depth,
                                double youngs_modulus, double poisson_ratio,
-                               cases::TopFace top) {
+                               mechanics::FarBoundary top) {
   const double half_space = 2.0 * (1.0 - poisson_ratio * poisson_ratio) /
                             (youngs_modulus * wavevector);
   const double a = wavevector * depth;
   const double k = 3.0 - 4.0 * poisson_ratio;
-  if (top == cases::TopFace::sliding)
+  if (top == mechanics::FarBoundary::sliding)
     return half_space * (std::cosh(2 * a) - 1) / (std::sinh(2 * a) + 2 * a);
-  if (top == cases::TopFace::clamped)
+  if (top == mechanics::FarBoundary::clamped)
     return half_space * (2 * k * std::sinh(2 * a) - 4 * a) /
            (2 * k * std::cosh(2 * a) + 4 * a * a + 1 + k * k);
   return 0.5 * half_space *

@@ -14,11 +14,11 @@
 namespace asperity::fem {
 namespace {
 
-using cases::TopFace;
+using mechanics::FarBoundary;
 
 struct Held {
-  TopFace top;
-  contact::FarBoundary far_boundary;
+  FarBoundary top;
+  mechanics::FarBoundary far_boundary;
 };
 
 /// A coating L/8 thick, ten times stiffer than the substrate, which has another
@@ -29,7 +29,7 @@ constexpr double depth = length / 2;
 constexpr double stiff = 2e10, stiff_nu = 0.2;
 constexpr double soft = 2e9, soft_nu = 0.45;
 
-contact::ElasticBlock exact_block(const Held& held) {
+mechanics::ElasticBlock exact_block(const Held& held) {
   return {soft / (1.0 - soft_nu * soft_nu),
           soft_nu,
           depth,
@@ -108,9 +108,10 @@ TEST_P(LayeredBlockOfElements, OfSecondOrderConvergesAtFourth) {
 
 INSTANTIATE_TEST_SUITE_P(
     Tops, LayeredBlockOfElements,
-    ::testing::Values(Held{TopFace::clamped, contact::FarBoundary::clamped},
-                      Held{TopFace::sliding, contact::FarBoundary::sliding},
-                      Held{TopFace::pressure, contact::FarBoundary::pressure}));
+    ::testing::Values(
+        Held{FarBoundary::clamped, mechanics::FarBoundary::clamped},
+        Held{FarBoundary::sliding, mechanics::FarBoundary::sliding},
+        Held{FarBoundary::pressure, mechanics::FarBoundary::pressure}));
 
 } // namespace
 } // namespace asperity::fem

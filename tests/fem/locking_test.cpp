@@ -30,7 +30,7 @@ double error(int degree, double poisson_ratio) {
   const double exact = contact::layered_compliance(
       wavevector(waves, grid.length_x),
       {soft_modulus / (1.0 - poisson_ratio * poisson_ratio), poisson_ratio,
-       grid.length_x, contact::FarBoundary::clamped});
+       grid.length_x, mechanics::FarBoundary::clamped});
   if (degree == 1)
     return condensed_compliance_q1(grid, block)[waves] / exact - 1.0;
   Q2Operator condensed(condensed_compliance_q2(grid, block));
@@ -51,8 +51,8 @@ double error(int degree, double poisson_ratio) {
 // Claim: from the ratios that warn, a wave of eight nodes is more than a tenth
 // too stiff with Q1 and more than a twentieth with Q2; less at 0.005 below.
 TEST(Locking, IsWarnedOfWhereElementsAreTooStiff) {
-  const double q1 = cases::locking_ratio(cases::Element::q1);
-  const double q2 = cases::locking_ratio(cases::Element::q2);
+  const double q1 = cases::locking_ratio(mechanics::Element::q1);
+  const double q2 = cases::locking_ratio(mechanics::Element::q2);
 
   EXPECT_LT(error(1, q1), -0.1);
   EXPECT_GT(error(1, q1 - 0.005), -0.1);

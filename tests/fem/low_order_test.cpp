@@ -22,7 +22,7 @@ using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double length = 1e-6; // m
-const cases::BodyModuli body{soft_modulus, 0.3};
+const mechanics::BodyModuli body{soft_modulus, 0.3};
 
 /// A displacement that is periodic in x and y and rests at the far face.
 Vector smooth_displacement(const BlockSystem& system) {
@@ -122,7 +122,7 @@ TEST(LowOrderMatrix, StandsForTheSecondOrderOne) {
     const BlockProblem boxes =
         boxes_problem({points, points, length, length}, 2, body, length);
     BlockProblem shaken = boxes;
-    shaken.sides = cases::BlockSides::free;
+    shaken.sides = mechanics::BlockSides::free;
     shake(shaken.mesh, 0.3 * length / points);
     BlockProblem uneven = boxes;
     uneven.moduli.set_factor(random_factor(0.5, 1, 2.0 * length / points));

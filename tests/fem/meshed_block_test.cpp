@@ -15,12 +15,12 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 constexpr double length = 1e-6; // m
-const cases::BodyModuli body{soft_modulus, 0.3};
+const mechanics::BodyModuli body{soft_modulus, 0.3};
 
 BlockSolution pressed(const BlockProblem& problem,
                       const std::vector<double>& heights, double load,
@@ -40,7 +40,7 @@ TEST(HangingNodes, CostLittleCompliance) {
       grid, condensed_compliance_q1(
                 grid, homogeneous_block(std::vector<double>(32, length / 32),
                                         body.youngs_modulus, body.poisson_ratio,
-                                        TopFace::clamped)));
+                                        FarBoundary::clamped)));
   const std::vector<double> noise = random_field(grid.size(), 3);
   double bound = 0.05;
   for (const int cells_a_level : {2, 4, 8}) {
@@ -113,7 +113,7 @@ TEST(GaussPoints, MeetTheNodesUnderRefinement) {
                                1e3 * soft_modulus / length, 1e-9, 200};
 
     const BlockSolution nodes = pressed(problem, heights, 2e7, contact);
-    problem.contact_at = cases::ContactPoints::gauss;
+    problem.contact_at = mechanics::ContactPoints::gauss;
     const BlockSolution gauss = pressed(problem, heights, 2e7, contact);
 
     ASSERT_TRUE(nodes.converged && gauss.converged) << nodes.note << gauss.note;
@@ -136,8 +136,8 @@ TEST(ActiveSet, IsTheAugmentedWall) {
     const auto block =
         make_full_block(boxes_problem(grid, degree, body, length));
     for (const auto control : {Control::nominal_pressure, Control::mean_gap}) {
-      const BlockLoad load{control,
-                           control == Control::mean_gap ? 1.5e-9 : 5e6};
+      const mechanics::LoadTarget load{
+          control, control == Control::mean_gap ? 1.5e-9 : 5e6};
       const double penalty = 1e3 * soft_modulus / length;
 
       const BlockSolution active =
@@ -158,7 +158,7 @@ TEST(ActiveSet, IsTheAugmentedWall) {
 
 TEST(ActiveSet, RefusesGaussPointsInWords) {
   BlockProblem problem = boxes_problem({4, 4, length, length}, 1, body, length);
-  problem.contact_at = cases::ContactPoints::gauss;
+  problem.contact_at = mechanics::ContactPoints::gauss;
   try {
     pressed(problem, std::vector<double>(16, 0.0), 1e6,
             {ContactLaw::hard, 1e15, 1e-8, 50});
@@ -169,9 +169,9 @@ TEST(ActiveSet, RefusesGaussPointsInWords) {
 }
 
 /// A flat block pressed on a wave, or with the second body meshed.
-BlockSolution on_a_wave(const cases::BodyModuli& first,
-                        const std::optional<cases::BodyModuli>& second,
-                        TopFace top, cases::ContactPoints contact_at) {
+BlockSolution on_a_wave(const mechanics::BodyModuli& first,
+                        const std::optional<mechanics::BodyModuli>& second,
+                        FarBoundary top, mechanics::ContactPoints contact_at) {
   const Grid grid{16, 4, length, length / 4};
   BlockProblem problem = boxes_problem(grid, 1, first, length);
   problem.counter = second;
@@ -187,12 +187,12 @@ BlockSolution on_a_wave(const cases::BodyModuli& first,
 // times a condition of 1e3.
 TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
   for (const auto points :
-       {cases::ContactPoints::nodes, cases::ContactPoints::gauss})
-    for (const TopFace top : {TopFace::clamped, TopFace::pressure})
+       {mechanics::ContactPoints::nodes, mechanics::ContactPoints::gauss})
+    for (const FarBoundary top : {FarBoundary::clamped, FarBoundary::pressure})
       for (const double factor : {1.0, 3.0}) {
-        const cases::BodyModuli other{factor * soft_modulus, 0.3};
-        const cases::BodyModuli both{soft_modulus * factor / (1.0 + factor),
-                                     0.3};
+        const mechanics::BodyModuli other{factor * soft_modulus, 0.3};
+        const mechanics::BodyModuli both{soft_modulus * factor / (1.0 + factor),
+                                         0.3};
 
         const BlockSolution two = on_a_wave(body, other, top, points);
         const BlockSolution one = on_a_wave(both, {}, top, points);
@@ -209,17 +209,17 @@ TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
 // knows E* only, two bodies are one of their combined modulus, but for what the
 // cells add: some (h/lambda)^2 of the difference, measured 1e-3.
 TEST(TwoBodies, ReduceToTheCombinedModulus) {
-  const cases::BodyModuli other{2.0 * soft_modulus, 0.1};
-  const auto compliance = [](const cases::BodyModuli& one) {
+  const mechanics::BodyModuli other{2.0 * soft_modulus, 0.1};
+  const auto compliance = [](const mechanics::BodyModuli& one) {
     return (1.0 - one.poisson_ratio * one.poisson_ratio) / one.youngs_modulus;
   };
-  const cases::BodyModuli both{
+  const mechanics::BodyModuli both{
       (1.0 - 0.3 * 0.3) / (compliance(body) + compliance(other)), 0.3};
 
-  const BlockSolution two =
-      on_a_wave(body, other, TopFace::sliding, cases::ContactPoints::nodes);
-  const BlockSolution one =
-      on_a_wave(both, {}, TopFace::sliding, cases::ContactPoints::nodes);
+  const BlockSolution two = on_a_wave(body, other, FarBoundary::sliding,
+                                      mechanics::ContactPoints::nodes);
+  const BlockSolution one = on_a_wave(both, {}, FarBoundary::sliding,
+                                      mechanics::ContactPoints::nodes);
 
   ASSERT_TRUE(two.converged && one.converged) << two.note << one.note;
   EXPECT_LT(largest_difference(two.pressure, one.pressure),

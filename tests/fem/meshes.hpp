@@ -30,7 +30,8 @@ inline std::vector<double> wave_heights(const Grid& grid, double amplitude,
 
 /// A homogeneous block of boxes on the grid's nodes, layers growing by 1.4.
 inline BlockProblem boxes_problem(const Grid& grid, int degree,
-                                  const cases::BodyModuli& body, double depth) {
+                                  const mechanics::BodyModuli& body,
+                                  double depth) {
   Grid columns = grid;
   columns.points_x /= degree;
   columns.points_y /= degree;

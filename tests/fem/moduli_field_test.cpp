@@ -15,7 +15,7 @@ namespace {
 
 constexpr double young = 2e9; // Pa
 const Grid grid{8, 8, 4e-6, 4e-6};
-const cases::Scales scales{1e9, 4e-6, 0.5e-6, 1e-8};
+const mechanics::Scales scales{1e9, 4e-6, 0.5e-6, 1e-8};
 
 std::string words_of(const std::string& expression) {
   try {
@@ -27,13 +27,13 @@ std::string words_of(const std::string& expression) {
 }
 
 TEST(ModuliField, PutsTheSphereBeforeLayersAndThoseBeforeTheRest) {
-  cases::MaterialSpec material;
+  mechanics::MaterialSpec material;
   material.layers = {
-      {{0.25, cases::ReferenceUnit::length}, {5.0 * young, 0.2}}};
+      {{0.25, mechanics::ReferenceUnit::length}, {5.0 * young, 0.2}}};
   material.inclusion =
-      cases::MaterialInclusion{{0.5e-6, cases::ReferenceUnit::si},
-                               {0.25, cases::ReferenceUnit::length},
-                               {9.0 * young, 0.1}};
+      mechanics::MaterialInclusion{{0.5e-6, mechanics::ReferenceUnit::si},
+                                   {0.25, mechanics::ReferenceUnit::length},
+                                   {9.0 * young, 0.1}};
 
   const ModuliField field =
       moduli_field(material, scales, {young, 0.3}, grid, 4e-6);
@@ -67,8 +67,8 @@ TEST(ModuliField, MultipliesBothModuli) {
 }
 
 TEST(ModuliField, CountsAnExpressionsLengthsInTheSurfaces) {
-  cases::MaterialSpec material;
-  material.variation = cases::MaterialVariation{};
+  mechanics::MaterialSpec material;
+  material.variation = mechanics::MaterialVariation{};
   material.variation->factor = "1 + 2*x + sin(pi*y)^2 * exp(-z)";
 
   const ModuliField field =
@@ -140,9 +140,9 @@ TEST(ModuliField, FindsABoxByXThenYThenZ) {
 }
 
 /// The factor of E at a place of a field of that variation.
-double factor_at(const cases::MaterialVariation& variation,
+double factor_at(const mechanics::MaterialVariation& variation,
                  const meshes::Place& place) {
-  cases::MaterialSpec material;
+  mechanics::MaterialSpec material;
   material.variation = variation;
   return moduli_field(material, scales, {young, 0.3}, grid, 2e-6)
              .at(place)
@@ -157,11 +157,11 @@ TEST(ModuliField, LaysACasesVariationOverTheBlock) {
       (std::filesystem::temp_directory_path() / "asperity_case_factors.txt")
           .string();
   std::ofstream(path) << "# boxes 1 2 2\n1\n2\n3\n4\n";
-  cases::MaterialVariation table;
-  table.kind = cases::VariationKind::table;
+  mechanics::MaterialVariation table;
+  table.kind = mechanics::VariationKind::table;
   table.file = path;
-  cases::MaterialVariation random;
-  random.kind = cases::VariationKind::random;
+  mechanics::MaterialVariation random;
+  random.kind = mechanics::VariationKind::random;
   random.spread = 0.5;
   random.seed = 7;
   const meshes::Place place{0.75e-6, 3.25e-6, 1.5e-6};

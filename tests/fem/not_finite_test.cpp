@@ -16,9 +16,9 @@
 namespace asperity::fem {
 namespace {
 
-using cases::ContactLaw;
-using cases::Control;
-using cases::TopFace;
+using mechanics::ContactLaw;
+using mechanics::Control;
+using mechanics::FarBoundary;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -27,14 +27,15 @@ const Grid grid{4, 4, 1e-6, 1e-6};
 
 std::unique_ptr<FullBlock> small_block() {
   return make_full_block(
-      grid, 1, layered_block(grid.spacing_x(), 1e-6, TopFace::clamped));
+      grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
 }
 
 BlockContact contact_of(ContactLaw law) {
   return {law, 100.0 * soft_modulus / grid.spacing_x(), 1e-8, 50};
 }
 
-std::string refusal(std::vector<double> heights, const BlockLoad& load,
+std::string refusal(std::vector<double> heights,
+                    const mechanics::LoadTarget& load,
                     const BlockContact& contact) {
   try {
     static_cast<void>(small_block()->solve(heights, load, contact));
@@ -126,8 +127,9 @@ TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
   for (const double bad : {not_a_number, infinity, -infinity})
     for (const ContactLaw law :
          {ContactLaw::penalty, ContactLaw::augmented, ContactLaw::hard})
-      for (const BlockLoad& load : {BlockLoad{Control::nominal_pressure, 1e6},
-                                    BlockLoad{Control::mean_gap, 1e-9}}) {
+      for (const mechanics::LoadTarget& load :
+           {mechanics::LoadTarget{Control::nominal_pressure, 1e6},
+            mechanics::LoadTarget{Control::mean_gap, 1e-9}}) {
         ContactNewton newton(system, LinearSolver::direct);
         std::vector<double> heights(system.contact().size(), 0.0);
         heights[5] = bad;

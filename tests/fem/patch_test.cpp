@@ -11,8 +11,8 @@
 namespace asperity::fem {
 namespace {
 
-using cases::BlockSides;
-using cases::TopFace;
+using mechanics::BlockSides;
+using mechanics::FarBoundary;
 using meshes::FaceGroup;
 
 constexpr double poisson = 0.3;
@@ -23,7 +23,7 @@ struct Patch {
   bool is_tetrahedral;
   int degree;
   BlockSides sides;
-  TopFace top;
+  FarBoundary top;
 };
 
 class UniformPressure : public ::testing::TestWithParam<Patch> {
@@ -43,7 +43,7 @@ protected:
     if (patch.sides == BlockSides::free)
       shake(problem.mesh, 0.2 * grid_.spacing_x());
     if (patch.is_tetrahedral && patch.degree == 2)
-      problem.contact_at = cases::ContactPoints::gauss;
+      problem.contact_at = mechanics::ContactPoints::gauss;
     return problem;
   }
 };
@@ -74,7 +74,7 @@ TEST_P(UniformPressure, StrainsUniformly) {
     pinned_x = corner.place[0] - displacement(corner.unknowns[0]) / across;
     pinned_y = corner.place[1] - displacement(corner.unknowns[1]) / across;
   }
-  if (patch.top == TopFace::pressure)
+  if (patch.top == FarBoundary::pressure)
     pinned_z = displacement(corner.unknowns[2]) - size;
   for (const FaceGroup group :
        {FaceGroup::contact, FaceGroup::left, FaceGroup::right, FaceGroup::front,
@@ -98,15 +98,16 @@ TEST_P(UniformPressure, StrainsUniformly) {
 INSTANTIATE_TEST_SUITE_P(
     Patches, UniformPressure,
     ::testing::Values(
-        Patch{"hexes_free", false, 1, BlockSides::free, TopFace::sliding},
-        Patch{"hexes2_free", false, 2, BlockSides::free, TopFace::sliding},
-        Patch{"tets_free", true, 1, BlockSides::free, TopFace::sliding},
-        Patch{"tets2_free", true, 2, BlockSides::free, TopFace::sliding},
+        Patch{"hexes_free", false, 1, BlockSides::free, FarBoundary::sliding},
+        Patch{"hexes2_free", false, 2, BlockSides::free, FarBoundary::sliding},
+        Patch{"tets_free", true, 1, BlockSides::free, FarBoundary::sliding},
+        Patch{"tets2_free", true, 2, BlockSides::free, FarBoundary::sliding},
         Patch{"hexes_periodic", false, 1, BlockSides::periodic,
-              TopFace::clamped},
-        Patch{"tets_periodic", true, 1, BlockSides::periodic, TopFace::clamped},
+              FarBoundary::clamped},
+        Patch{"tets_periodic", true, 1, BlockSides::periodic,
+              FarBoundary::clamped},
         Patch{"tets2_periodic", true, 2, BlockSides::periodic,
-              TopFace::pressure}),
+              FarBoundary::pressure}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 // Claim: what cannot be is refused in words.
@@ -124,7 +125,7 @@ TEST(UniformPressureRefusals, SayWhatIsWrong) {
 
   BlockProblem tilting = block;
   tilting.sides = BlockSides::free;
-  tilting.top = TopFace::pressure;
+  tilting.top = FarBoundary::pressure;
   EXPECT_NE(words(tilting).find("tilt as a rigid body"), std::string::npos);
 
   BlockProblem unmatched = block;

@@ -84,18 +84,18 @@ void PlainBlock::make_mesh(const LayeredBlock& block) {
       Point<3>(), Point<3>(grid_.length_x, grid_.length_y, depth), true);
 }
 
-void PlainBlock::constrain(cases::TopFace top) {
+void PlainBlock::constrain(mechanics::FarBoundary top) {
   const ComponentMask lateral({true, true, false});
   const ComponentMask vertical({false, false, true});
-  if (top == cases::TopFace::clamped)
+  if (top == mechanics::FarBoundary::clamped)
     dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
                                                      constraints_);
-  if (top == cases::TopFace::sliding) {
+  if (top == mechanics::FarBoundary::sliding) {
     dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
                                                      constraints_, vertical);
     pin_one_top_node(lateral);
   }
-  if (top == cases::TopFace::pressure)
+  if (top == mechanics::FarBoundary::pressure)
     pin_one_top_node(ComponentMask({true, true, true}));
   dealii::DoFTools::make_periodicity_constraints(dof_handler_, left_face,
                                                  right_face, 0, constraints_);
@@ -178,7 +178,7 @@ void PlainBlock::find_contact_face() {
       face_unknowns_[grid_node(place)] = unknown;
 }
 
-void PlainBlock::integrate_loads(cases::TopFace top) {
+void PlainBlock::integrate_loads(mechanics::FarBoundary top) {
   dealii::Vector<double> face_load(dof_handler_.n_dofs());
   top_load_.reinit(dof_handler_.n_dofs());
   dealii::FEFaceValues<3> values(element_, QGauss<2>(degree_ + 1),
@@ -191,7 +191,7 @@ void PlainBlock::integrate_loads(cases::TopFace top) {
     for (const unsigned int f : cell->face_indices()) {
       const boundary_id face = cell->face(f)->boundary_id();
       if (face != contact_face &&
-          (face != top_face || top != cases::TopFace::pressure))
+          (face != top_face || top != mechanics::FarBoundary::pressure))
         continue;
       values.reinit(cell, f);
       cell_load = 0.0;

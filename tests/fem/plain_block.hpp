@@ -57,11 +57,11 @@ public:
 
 private:
   void make_mesh(const LayeredBlock& block);
-  void constrain(cases::TopFace top);
+  void constrain(mechanics::FarBoundary top);
   void pin_one_top_node(const dealii::ComponentMask& components);
   void assemble(const LayeredBlock& block);
   void find_contact_face();
-  void integrate_loads(cases::TopFace top);
+  void integrate_loads(mechanics::FarBoundary top);
   std::size_t grid_node(const dealii::Point<3>& place) const;
 
   Grid grid_;

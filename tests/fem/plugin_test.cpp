@@ -15,12 +15,12 @@
 namespace asperity::fem {
 namespace {
 
-BlockRequest request(cases::Element element, int points) {
+BlockRequest request(mechanics::Element element, int points) {
   BlockRequest request;
   request.grid = {points, points, 1e-6, 1e-6};
   request.settings.element = element;
-  request.settings.top = cases::TopFace::sliding;
-  request.settings.depth = {0.5, cases::ReferenceUnit::length};
+  request.settings.far_boundary = mechanics::FarBoundary::sliding;
+  request.settings.depth = {0.5, mechanics::ReferenceUnit::length};
   request.scales = {2e9, 1e-6, 1e-6 / points, 1e-9};
   request.youngs_modulus = 2e9 * (1 - 0.09);
   request.poisson_ratio = 0.3;
@@ -35,7 +35,7 @@ std::vector<double> longest_wave(const Grid& grid) {
   return wave;
 }
 
-class LoadedRoom : public ::testing::TestWithParam<cases::Element> {};
+class LoadedRoom : public ::testing::TestWithParam<mechanics::Element> {};
 
 // Claim: both roads through the loaded module are one block. Tolerance: the
 // rounding of both, as in the tests of the roads themselves.
@@ -53,14 +53,14 @@ TEST_P(LoadedRoom, GivesBothRoadsOfOneBlock) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, LoadedRoom,
-                         ::testing::Values(cases::Element::q1,
-                                           cases::Element::q2));
+                         ::testing::Values(mechanics::Element::q1,
+                                           mechanics::Element::q2));
 
 // Claim: the program and the module plan their transforms under one lock. With
 // a lock each, FFTW's one planner is torn apart and the process dies.
 TEST(FemModule, SharesThePlannerWithTheProgram) {
   const auto block =
-      load_fem_module().condensed(request(cases::Element::q1, 64));
+      load_fem_module().condensed(request(mechanics::Element::q1, 64));
   const Grid other{48, 40, 1.0, 1.0};
 
   const std::jthread program([&] {
@@ -75,7 +75,7 @@ TEST(FemModule, SharesThePlannerWithTheProgram) {
 // sliding top gives 0.9734 of the half-space's 2/(E* q); Q2 with 16 nodes in
 // the wave and growth 1.2 is within 1 % of that.
 TEST(FemModule, BuildsTheBlockOfTheCase) {
-  const BlockRequest block = request(cases::Element::q2, 16);
+  const BlockRequest block = request(mechanics::Element::q2, 16);
   const std::vector<double> wave = longest_wave(block.grid);
   std::vector<double> displacement(wave.size());
 
@@ -90,9 +90,9 @@ TEST(FemModule, BuildsTheBlockOfTheCase) {
 // cells. Q2 with 32 nodes in the wave and growth 1.2 is within 0.3 % of the
 // exact layers.
 TEST(FemModule, BuildsTheLayersOfTheCase) {
-  BlockRequest block = request(cases::Element::q2, 32);
-  block.layers = {{{0.06, cases::ReferenceUnit::length}, {18e9, 0.2}},
-                  {{4e-8, cases::ReferenceUnit::si}, {18e9, 0.2}}};
+  BlockRequest block = request(mechanics::Element::q2, 32);
+  block.layers = {{{0.06, mechanics::ReferenceUnit::length}, {18e9, 0.2}},
+                  {{4e-8, mechanics::ReferenceUnit::si}, {18e9, 0.2}}};
   std::vector<double> wave(block.grid.size());
   for (std::size_t i = 0; i < wave.size(); ++i)
     wave[i] = std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / 32);
@@ -102,14 +102,14 @@ TEST(FemModule, BuildsTheLayersOfTheCase) {
 
   const double exact = contact::layered_compliance(
       2.0 * std::numbers::pi / 1e-6,
-      {2e9, 0.3, 0.5e-6, contact::FarBoundary::sliding, {{1e-7, 18e9, 0.2}}});
+      {2e9, 0.3, 0.5e-6, mechanics::FarBoundary::sliding, {{1e-7, 18e9, 0.2}}});
   EXPECT_NEAR(displacement[0] / exact, 1.0, 0.003);
 }
 
 TEST(FemModule, NamesItsLibrariesAndRefusesInWords) {
   EXPECT_NE(load_fem_module().versions().find("deal.II 9."), std::string::npos);
-  BlockRequest block = request(cases::Element::q1, 8);
-  block.settings.depth = {0.01, cases::ReferenceUnit::length};
+  BlockRequest block = request(mechanics::Element::q1, 8);
+  block.settings.depth = {0.01, mechanics::ReferenceUnit::length};
   try {
     load_fem_module().condensed(block);
     FAIL() << "a block thinner than its first layer was accepted";

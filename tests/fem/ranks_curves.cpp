@@ -16,7 +16,7 @@ namespace {
 using namespace asperity;
 using namespace asperity::fem;
 
-const cases::BodyModuli body{soft_modulus, 0.3};
+const mechanics::BodyModuli body{soft_modulus, 0.3};
 const Grid grid{8, 8, 1e-6, 1e-6};
 
 bool is_first() {
@@ -25,14 +25,14 @@ bool is_first() {
 }
 
 void print_curve(const char* name, const BlockProblem& problem,
-                 cases::ContactLaw law) {
+                 mechanics::ContactLaw law) {
   std::vector<double> heights = random_field(problem.grid.size(), 3);
   for (double& height : heights)
     height *= 4e-9;
   const auto block = make_full_block(problem);
   for (const double load : {1e6, 8e6}) {
     const BlockSolution found =
-        block->solve(heights, {cases::Control::nominal_pressure, load},
+        block->solve(heights, {mechanics::Control::nominal_pressure, load},
                      {law, 300.0 * soft_modulus / 1e-6, 1e-10, 400});
     if (is_first())
       std::printf("%s %d %.16e %.16e %.16e %.16e\n", name, found.converged,
@@ -45,7 +45,7 @@ void print_curve(const char* name, const BlockProblem& problem,
 }
 
 /// Cells of random moduli, solved by the waves of the block without them.
-BlockProblem by_waves(int degree, cases::TopFace top) {
+BlockProblem by_waves(int degree, mechanics::FarBoundary top) {
   BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
   problem.top = top;
   problem.linear_solver = LinearSolver::fourier;
@@ -61,39 +61,39 @@ BlockProblem by_waves(int degree, cases::TopFace top) {
 
 void print_meshes() {
   const BlockProblem boxes = boxes_problem(grid, 1, body, 1e-6);
-  print_curve("direct", boxes, cases::ContactLaw::penalty);
+  print_curve("direct", boxes, mechanics::ContactLaw::penalty);
   BlockProblem problem = boxes;
   problem.linear_solver = LinearSolver::multigrid;
-  print_curve("multigrid", problem, cases::ContactLaw::penalty);
-  print_curve("wall", problem, cases::ContactLaw::hard);
-  problem.top = cases::TopFace::pressure;
-  problem.contact_at = cases::ContactPoints::gauss;
+  print_curve("multigrid", problem, mechanics::ContactLaw::penalty);
+  print_curve("wall", problem, mechanics::ContactLaw::hard);
+  problem.top = mechanics::FarBoundary::pressure;
+  problem.contact_at = mechanics::ContactPoints::gauss;
   problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
-  print_curve("gauss", problem, cases::ContactLaw::augmented);
+  print_curve("gauss", problem, mechanics::ContactLaw::augmented);
   problem = boxes;
-  problem.counter = cases::BodyModuli{2.0 * soft_modulus, 0.2};
-  print_curve("counter", problem, cases::ContactLaw::penalty);
+  problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
+  print_curve("counter", problem, mechanics::ContactLaw::penalty);
   problem = boxes_problem(grid, 2, body, 1e-6);
-  problem.sides = cases::BlockSides::free;
-  problem.top = cases::TopFace::sliding;
-  print_curve("free", problem, cases::ContactLaw::penalty);
+  problem.sides = mechanics::BlockSides::free;
+  problem.top = mechanics::FarBoundary::sliding;
+  print_curve("free", problem, mechanics::ContactLaw::penalty);
   problem = boxes;
   problem.mesh = tetrahedra_of(problem.mesh);
-  print_curve("tetrahedra", problem, cases::ContactLaw::penalty);
+  print_curve("tetrahedra", problem, mechanics::ContactLaw::penalty);
   problem = boxes_problem({16, 16, 1e-6, 1e-6}, 1, body, 1e-6);
   problem.mesh = meshes::hanging_mesh(problem.grid, 1e-6, 4);
   problem.linear_solver = LinearSolver::multigrid;
-  print_curve("hanging", problem, cases::ContactLaw::penalty);
+  print_curve("hanging", problem, mechanics::ContactLaw::penalty);
 }
 
 void print_waves() {
-  print_curve("waves", by_waves(1, cases::TopFace::clamped),
-              cases::ContactLaw::penalty);
-  BlockProblem problem = by_waves(1, cases::TopFace::sliding);
-  problem.contact_at = cases::ContactPoints::gauss;
-  print_curve("sliding", problem, cases::ContactLaw::augmented);
-  print_curve("pressed", by_waves(2, cases::TopFace::pressure),
-              cases::ContactLaw::hard);
+  print_curve("waves", by_waves(1, mechanics::FarBoundary::clamped),
+              mechanics::ContactLaw::penalty);
+  BlockProblem problem = by_waves(1, mechanics::FarBoundary::sliding);
+  problem.contact_at = mechanics::ContactPoints::gauss;
+  print_curve("sliding", problem, mechanics::ContactLaw::augmented);
+  print_curve("pressed", by_waves(2, mechanics::FarBoundary::pressure),
+              mechanics::ContactLaw::hard);
 }
 
 } // namespace

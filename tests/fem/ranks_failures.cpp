@@ -52,7 +52,8 @@ public:
     return own_->displacement(p);
   }
 
-  BlockSolution solve(std::span<const double> heights, const BlockLoad& load,
+  BlockSolution solve(std::span<const double> heights,
+                      const mechanics::LoadTarget& load,
                       const BlockContact& contact) override {
     injection_.at("solve", "before");
     BlockSolution found = own_->solve(heights, load, contact);
@@ -84,13 +85,21 @@ void lead(const std::string& path, const BlockMaker& make_block) {
   std::ostringstream text;
   text << file.rdbuf();
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const auto block = make_distributed_block(
-      {text.str(), path, "fem", grid, {2e9, 1e-6, 1.25e-7, 1e-9}}, make_block);
+  const cases::Case contact_case = cases::read_case_text(text.str(), path);
+  const auto& settings =
+      std::get<mechanics::FemSettings>(contact_case.methods.at(0).settings);
+  const auto block = make_distributed_block({grid,
+                                             settings.block,
+                                             settings.full,
+                                             contact_case.material,
+                                             contact_case.mesh,
+                                             {2e9, 1e-6, 1.25e-7, 1e-9}},
+                                            make_block);
   std::vector<double> heights(grid.size(), 0.0);
   heights[9] = 1e-9;
   const BlockSolution found =
-      block->solve(heights, {cases::Control::nominal_pressure, 1e6},
-                   {cases::ContactLaw::penalty, 1e18, 1e-8, 50});
+      block->solve(heights, {mechanics::Control::nominal_pressure, 1e6},
+                   {mechanics::ContactLaw::penalty, 1e18, 1e-8, 50});
   block->write("files/block");
   std::printf("done %d\n", found.converged);
 }

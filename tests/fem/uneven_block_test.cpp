@@ -16,7 +16,7 @@ unsigned int iterations(int degree, int points, double stiffness) {
   const Grid grid{points, points, 1e-6, 1e-6};
   const LayeredBlock uniform = homogeneous_block(
       meshes::graded_layers(degree * grid.spacing_x(), 1.2, grid.length_x),
-      soft_modulus, 0.3, cases::TopFace::clamped);
+      soft_modulus, 0.3, mechanics::FarBoundary::clamped);
   const std::vector<double> springs = springs_under_peaks(
       grid, 0.2, stiffness * soft_modulus * grid.spacing_x());
   const UnevenBlock block(grid, degree, uniform, 0.5, 3, springs);

@@ -11,7 +11,7 @@
 namespace asperity::fuzz {
 namespace {
 
-void read_as(const std::string& bytes, cases::MapFormat format,
+void read_as(const std::string& bytes, mechanics::MapFormat format,
              const surfaces::MapScale& scale) {
   try {
     const surfaces::Scan scan =
@@ -36,9 +36,9 @@ void read_as(const std::string& bytes, cases::MapFormat format,
 } // namespace
 
 void read_input(const std::string& bytes) {
-  read_as(bytes, cases::MapFormat::automatic, {});
-  read_as(bytes, cases::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
-  read_as(bytes, cases::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
+  read_as(bytes, mechanics::MapFormat::automatic, {});
+  read_as(bytes, mechanics::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
+  read_as(bytes, mechanics::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
 }
 
 } // namespace asperity::fuzz

@@ -16,8 +16,9 @@ namespace {
 constexpr double spacing = 2.6e-10;
 constexpr double contact_stiffness = 1.2; // N/m
 
-Crystal crystal_of(Lattice lattice) {
-  return {lattice, spacing, 77.2e9, lattice == Lattice::central ? 0.25 : 0.42};
+Crystal crystal_of(mechanics::AtomLattice lattice) {
+  return {lattice, spacing, 77.2e9,
+          lattice == mechanics::AtomLattice::central ? 0.25 : 0.42};
 }
 
 MultiscaleBlock block_of(const Crystal& crystal, int atoms_x, int atoms_y,
@@ -49,7 +50,7 @@ struct Scene {
   int atoms_x = 16;
   int atoms_y = 24;
   bool is_height_held = false;
-  Lattice lattice = Lattice::isotropic;
+  mechanics::AtomLattice lattice = mechanics::AtomLattice::isotropic;
 };
 
 void PrintTo(const Scene& scene, std::ostream* out) {
@@ -63,8 +64,9 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, EveryScene,
     ::testing::Values(Scene{}, Scene{1, 1, 2, 4, true}, Scene{1, 20, 8, 8},
                       Scene{2, 2, 6, 10, true}, Scene{3, 6, 16, 24},
-                      Scene{4, 3, 16, 8, true, Lattice::born},
-                      Scene{3, 2, 4, 12, false, Lattice::central}));
+                      Scene{4, 3, 16, 8, true, mechanics::AtomLattice::born},
+                      Scene{3, 2, 4, 12, false,
+                            mechanics::AtomLattice::central}));
 
 // Claim: solve undoes the block's own forces and the contact springs exactly,
 // by stencil and hanging atoms there, by waves here. Tolerance: rounding times
@@ -150,7 +152,7 @@ double compliance(const MultiscaleBlock& block, int wavenumber) {
 // Claim: one level is what slab doubling makes of the same cells (another
 // algorithm, on one wave). Tolerance: rounding.
 TEST(BlockSolver, AgreesWithSlabDoublingOnOneLevel) {
-  const Crystal crystal = crystal_of(Lattice::isotropic);
+  const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const SlabSymbol slab(crystal);
   for (const int layers : {1, 6, 32}) {
     const MultiscaleBlock block = block_of(crystal, 32, 4, 1, layers);
@@ -167,7 +169,7 @@ TEST(BlockSolver, AgreesWithSlabDoublingOnOneLevel) {
 /// How much too stiff the multiscale block is for the stiffest of the waves of
 /// 64 atoms over wavenumber = 1..last, against one level of the same depth [1].
 double largest_stiffening(int levels, int layers, int last) {
-  const Crystal crystal = crystal_of(Lattice::isotropic);
+  const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const MultiscaleBlock block =
       block_of(crystal, 64, 1 << (levels - 1), levels, layers);
   const SlabSymbol slab(crystal);
@@ -194,7 +196,7 @@ TEST(BlockSolver, MultiscaleBlockIsSlightlyTooStiff) {
 
 TEST(BlockSolver, RefusesABlockThatCouldFlyOff) {
   const MultiscaleBlock block =
-      block_of(crystal_of(Lattice::isotropic), 4, 4, 1, 2);
+      block_of(crystal_of(mechanics::AtomLattice::isotropic), 4, 4, 1, 2);
 
   EXPECT_THROW(BlockSolver(block, {0.0, false}), std::domain_error);
   EXPECT_NO_THROW(BlockSolver(block, {0.0, true}));

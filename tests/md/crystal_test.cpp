@@ -20,7 +20,7 @@ constexpr double rounding = 1e-13;
 
 using Gradient = std::array<std::array<double, 3>, 3>; // [axis][direction]
 
-Crystal crystal_of(Lattice lattice, double poisson_ratio) {
+Crystal crystal_of(mechanics::AtomLattice lattice, double poisson_ratio) {
   return {lattice, spacing, modulus, poisson_ratio};
 }
 
@@ -103,28 +103,31 @@ TEST_P(AnyLattice, HasNoOtherFreeMotion) {
         matrix[i * 24 + j] -= matrix[i * 24 + k] * matrix[k * 24 + j] / pivot;
   }
 
-  EXPECT_EQ(small, GetParam().lattice == Lattice::born ? 3 : 6);
+  EXPECT_EQ(small, GetParam().lattice == mechanics::AtomLattice::born ? 3 : 6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lattices, AnyLattice,
-                         ::testing::Values(crystal_of(Lattice::isotropic, 0.42),
-                                           crystal_of(Lattice::isotropic, 0.0),
-                                           crystal_of(Lattice::isotropic, -0.9),
-                                           crystal_of(Lattice::born, 0.42),
-                                           crystal_of(Lattice::central, 0.25)));
+INSTANTIATE_TEST_SUITE_P(
+    Lattices, AnyLattice,
+    ::testing::Values(crystal_of(mechanics::AtomLattice::isotropic, 0.42),
+                      crystal_of(mechanics::AtomLattice::isotropic, 0.0),
+                      crystal_of(mechanics::AtomLattice::isotropic, -0.9),
+                      crystal_of(mechanics::AtomLattice::born, 0.42),
+                      crystal_of(mechanics::AtomLattice::central, 0.25)));
 
 TEST(IsotropicCell, IsTheContinuumInHomogeneousStrain) {
   for (const double nu : {-0.9, 0.0, 0.25, 0.42, 0.499}) {
-    const double density = doubled_density(crystal_of(Lattice::isotropic, nu),
-                                           displaced(some_gradient));
+    const double density =
+        doubled_density(crystal_of(mechanics::AtomLattice::isotropic, nu),
+                        displaced(some_gradient));
 
     EXPECT_NEAR(density / isotropic_density(nu, some_gradient), 1.0, 1e-12);
   }
 }
 
 TEST(CentralCell, IsTheContinuumOfOneQuarter) {
-  const double density = doubled_density(crystal_of(Lattice::central, 0.25),
-                                         displaced(some_gradient));
+  const double density =
+      doubled_density(crystal_of(mechanics::AtomLattice::central, 0.25),
+                      displaced(some_gradient));
 
   EXPECT_NEAR(density / isotropic_density(0.25, some_gradient), 1.0, 1e-12);
 }
@@ -132,8 +135,9 @@ TEST(CentralCell, IsTheContinuumOfOneQuarter) {
 TEST(InvariantCells, RotateForNothing) {
   const Gradient turn{{{0.0, -0.3, 0.2}, {0.3, 0.0, 0.5}, {-0.2, -0.5, 0.0}}};
 
-  for (const Crystal& crystal : {crystal_of(Lattice::isotropic, 0.42),
-                                 crystal_of(Lattice::central, 0.25)})
+  for (const Crystal& crystal :
+       {crystal_of(mechanics::AtomLattice::isotropic, 0.42),
+        crystal_of(mechanics::AtomLattice::central, 0.25)})
     EXPECT_NEAR(doubled_density(crystal, displaced(turn)) / modulus, 0.0,
                 rounding);
 }
@@ -147,18 +151,19 @@ TEST(BornCell, IsASumOfSquaresOfTheGradient) {
     for (std::size_t j = 0; j < 3; ++j)
       expected += (i == j ? modulus : shear) * std::pow(some_gradient[i][j], 2);
 
-  const double density = doubled_density(crystal_of(Lattice::born, 0.42),
-                                         displaced(some_gradient));
+  const double density = doubled_density(
+      crystal_of(mechanics::AtomLattice::born, 0.42), displaced(some_gradient));
 
   EXPECT_NEAR(density / expected, 1.0, rounding);
 }
 
 TEST(LongWaves, ShowTheClosedForms) {
+  EXPECT_DOUBLE_EQ(long_wave_contact_modulus(
+                       crystal_of(mechanics::AtomLattice::isotropic, 0.42)),
+                   modulus / (1.0 - 0.42 * 0.42));
   EXPECT_DOUBLE_EQ(
-      long_wave_contact_modulus(crystal_of(Lattice::isotropic, 0.42)),
-      modulus / (1.0 - 0.42 * 0.42));
-  EXPECT_DOUBLE_EQ(long_wave_contact_modulus(crystal_of(Lattice::born, 0.42)),
-                   2.0 * modulus / std::sqrt(2.0 * 1.42));
+      long_wave_contact_modulus(crystal_of(mechanics::AtomLattice::born, 0.42)),
+      2.0 * modulus / std::sqrt(2.0 * 1.42));
 }
 
 std::string refusal(const Crystal& crystal) {
@@ -171,16 +176,16 @@ std::string refusal(const Crystal& crystal) {
 }
 
 TEST(Crystal, RefusesWhatIsOutsideItsRange) {
-  Crystal crystal = crystal_of(Lattice::isotropic, 0.5);
+  Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic, 0.5);
   EXPECT_NE(refusal(crystal).find("poisson_ratio"), std::string::npos);
   crystal.poisson_ratio = -1.0;
   EXPECT_NE(refusal(crystal).find("poisson_ratio"), std::string::npos);
-  crystal = crystal_of(Lattice::central, 0.3);
+  crystal = crystal_of(mechanics::AtomLattice::central, 0.3);
   EXPECT_NE(refusal(crystal).find("1/4"), std::string::npos);
-  crystal = crystal_of(Lattice::born, 0.3);
+  crystal = crystal_of(mechanics::AtomLattice::born, 0.3);
   crystal.spacing = 0.0;
   EXPECT_NE(refusal(crystal).find("spacing"), std::string::npos);
-  crystal = crystal_of(Lattice::born, 0.3);
+  crystal = crystal_of(mechanics::AtomLattice::born, 0.3);
   crystal.youngs_modulus = std::nan("");
   EXPECT_NE(refusal(crystal).find("youngs_modulus"), std::string::npos);
 }

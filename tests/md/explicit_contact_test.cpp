@@ -20,15 +20,15 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomMinimizer;
-using cases::Control;
+using mechanics::AtomMinimizer;
+using mechanics::Control;
 using scenes::angstrom;
 using scenes::RoughContact;
 
 AtomRequest request_of(const RoughContact& scene) {
   AtomRequest request;
-  cases::MdSettings& settings = request.settings;
-  settings.bulk = cases::AtomBulk::explicit_layers;
+  mechanics::MdSettings& settings = request.settings;
+  settings.bulk = mechanics::AtomBulk::explicit_layers;
   settings.levels = scene.levels;
   settings.layers = scene.layers;
   settings.interaction_energy = scenes::paper_atoms().energy;
@@ -212,7 +212,7 @@ TEST_F(Folder, DumpsTheAtomsOfAStep) {
   request.settings.dump = true;
 
   make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 12);
-  request.settings.bulk = cases::AtomBulk::green;
+  request.settings.bulk = mechanics::AtomBulk::green;
   request.settings.depth = {18.0 * scenes::layer_spacing};
   make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 13);
 
@@ -238,10 +238,10 @@ TEST(ShownModulus, IsThatOfTheSlab) {
 
 TEST(ExplicitContact, RefusesWhatItIsNot) {
   AtomRequest request = request_of(small_scene());
-  request.settings.bulk = cases::AtomBulk::green;
+  request.settings.bulk = mechanics::AtomBulk::green;
   EXPECT_THROW(make_explicit_contact(request), input::InputError);
   request = request_of(small_scene());
-  request.settings.modes = cases::AtomModes::normal;
+  request.settings.modes = mechanics::AtomModes::normal;
   EXPECT_THROW(make_explicit_contact(request), input::InputError);
   request = request_of(small_scene());
   request.settings.levels = 6;

@@ -27,7 +27,7 @@ RelaxationSettings tight() {
 
 GreenSystem green_of(const RoughContact& scene, int cells) {
   return {SurfaceStiffness(scenes::paper_crystal(), scene.layer(), cells,
-                           cases::AtomModes::vector),
+                           mechanics::AtomModes::vector),
           scene.interface()};
 }
 

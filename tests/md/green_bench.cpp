@@ -21,10 +21,10 @@ constexpr double modulus =
     youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 
 /// The paper's block (Sec. 4); a smaller one has its roughness scaled down.
-AtomRequest request_of(int points, cases::AtomModes modes, bool is_cut) {
+AtomRequest request_of(int points, mechanics::AtomModes modes, bool is_cut) {
   const double length = points * spacing;
   const double longest = 2.0 * std::numbers::pi / length;
-  cases::SurfaceSpec surface;
+  mechanics::SurfaceSpec surface;
   surface.length = length;
   surface.points = incommensurate_atoms(points);
   surface.seed = 1;
@@ -59,20 +59,21 @@ constexpr double loads[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.26}; // p/E*
 /// Arguments: atoms a side, modes, roughness cut or whole, how many of the
 /// loads; the last is timed.
 void bring_to_load(benchmark::State& state) {
-  const AtomRequest request = request_of(
-      static_cast<int>(state.range(0)),
-      state.range(1) != 0 ? cases::AtomModes::normal : cases::AtomModes::vector,
-      state.range(2) != 0);
+  const AtomRequest request =
+      request_of(static_cast<int>(state.range(0)),
+                 state.range(1) != 0 ? mechanics::AtomModes::normal
+                                     : mechanics::AtomModes::vector,
+                 state.range(2) != 0);
   const auto last = static_cast<int>(state.range(3));
   AtomStep answer;
   for (auto _ : state) {
     state.PauseTiming();
     const auto contact = make_atomic_contact(request);
     for (int step = 0; step < last; ++step)
-      contact->solve(cases::Control::nominal_pressure, loads[step] * modulus,
-                     step);
+      contact->solve(mechanics::Control::nominal_pressure,
+                     loads[step] * modulus, step);
     state.ResumeTiming();
-    answer = contact->solve(cases::Control::nominal_pressure,
+    answer = contact->solve(mechanics::Control::nominal_pressure,
                             loads[last] * modulus, last);
   }
   if (!answer.converged)
@@ -96,9 +97,10 @@ void set_up(benchmark::State& state) {
   const auto points = static_cast<int>(state.range(0));
   const Grid layer{points, points, points * spacing, points * spacing};
   for (auto _ : state)
-    benchmark::DoNotOptimize(SurfaceStiffness(
-        {Lattice::isotropic, spacing, youngs_modulus, poisson_ratio}, layer,
-        points, cases::AtomModes::vector));
+    benchmark::DoNotOptimize(
+        SurfaceStiffness({mechanics::AtomLattice::isotropic, spacing,
+                          youngs_modulus, poisson_ratio},
+                         layer, points, mechanics::AtomModes::vector));
 }
 
 BENCHMARK(set_up)->Arg(100)->Arg(400)->Unit(benchmark::kMillisecond);

@@ -18,7 +18,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::Control;
+using mechanics::Control;
 
 constexpr int points = 48;
 constexpr double spacing = 2.6e-10;
@@ -47,7 +47,7 @@ AtomRequest flat_request(int substrate_points) {
 /// Three decades of loads fit on this one: waves from length down to a sixth.
 AtomRequest rough_request() {
   AtomRequest request = flat_request(incommensurate_atoms(points));
-  cases::SurfaceSpec surface;
+  mechanics::SurfaceSpec surface;
   surface.length = length;
   surface.points = request.substrate.points_x;
   surface.seed = 1;
@@ -274,8 +274,8 @@ TEST(GreenContact, SaysWhenItGivesUp) {
 
 TEST(GreenContact, SaysWhatItIs) {
   AtomRequest request = rough_request();
-  request.settings.modes = cases::AtomModes::normal;
-  request.settings.depth = {4.0, cases::ReferenceUnit::length};
+  request.settings.modes = mechanics::AtomModes::normal;
+  request.settings.depth = {4.0, mechanics::ReferenceUnit::length};
   const auto contact = make_atomic_contact(request);
 
   EXPECT_NE(contact->description().find("isotropic lattice, 48 x 48 atoms"),
@@ -287,10 +287,10 @@ TEST(GreenContact, SaysWhatItIs) {
 
 TEST(GreenContact, RefusesWhatItIsNot) {
   AtomRequest request = rough_request();
-  request.settings.minimizer = cases::AtomMinimizer::dynamics;
+  request.settings.minimizer = mechanics::AtomMinimizer::dynamics;
   EXPECT_THROW(make_atomic_contact(request), input::InputError);
   request = rough_request();
-  request.settings.bulk = cases::AtomBulk::explicit_layers;
+  request.settings.bulk = mechanics::AtomBulk::explicit_layers;
   EXPECT_THROW(make_green_contact(request), input::InputError);
   EXPECT_THROW(make_atomic_contact(rough_request())
                    ->solve(Control::nominal_pressure, 0.0, 0),

@@ -12,7 +12,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomModes;
+using mechanics::AtomModes;
 
 constexpr double spacing = 2.6e-10;
 constexpr int points = 12;
@@ -27,10 +27,10 @@ GreenSystem system_of(AtomModes modes, const Load& load) {
     for (int ix = 0; ix < 20; ++ix)
       heights[substrate.index(ix, iy)] =
           0.5e-10 * std::cos(0.1 * std::numbers::pi * (ix + 2 * iy));
-  GreenSystem system(
-      SurfaceStiffness({Lattice::isotropic, spacing, 77.2e9, 0.42}, layer,
-                       points, modes),
-      Interface(interaction, layer, substrate, heights));
+  GreenSystem system(SurfaceStiffness({mechanics::AtomLattice::isotropic,
+                                       spacing, 77.2e9, 0.42},
+                                      layer, points, modes),
+                     Interface(interaction, layer, substrate, heights));
   system.set_load(load);
   return system;
 }
@@ -238,11 +238,11 @@ TEST(GreenSystem, RefusesTwoLayers) {
   const Grid other{10, 10, layer.length_x, layer.length_y};
   const std::vector<double> heights(substrate.size(), 0.0);
 
-  EXPECT_THROW(
-      GreenSystem(SurfaceStiffness({Lattice::isotropic, spacing, 77.2e9, 0.42},
-                                   layer, points, AtomModes::vector),
-                  Interface(interaction, other, substrate, heights)),
-      std::domain_error);
+  EXPECT_THROW(GreenSystem(SurfaceStiffness({mechanics::AtomLattice::isotropic,
+                                             spacing, 77.2e9, 0.42},
+                                            layer, points, AtomModes::vector),
+                           Interface(interaction, other, substrate, heights)),
+               std::domain_error);
 }
 
 } // namespace

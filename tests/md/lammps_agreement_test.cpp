@@ -34,7 +34,7 @@ struct OwnAnswer {
 OwnAnswer answer_at(const AtomRequest& request, double mean_gap) {
   const LammpsBlock block = lammps_block(request);
   GreenSystem system(SurfaceStiffness(block.crystal, block.layer, cells,
-                                      cases::AtomModes::vector),
+                                      mechanics::AtomModes::vector),
                      Interface(block.interaction, block.layer, block.substrate,
                                block.heights));
   const double height = mean_gap + request.settings.contact_distance;
@@ -98,7 +98,7 @@ TEST_F(LammpsAgreement, PressureAgainstGapIsThatOfTheGreenBlock) {
   for (int step = 0; step < 2; ++step) {
     const double pressure = (0.01 + 0.02 * step) * modulus;
     const AtomStep found =
-        lammps->solve(cases::Control::nominal_pressure, pressure, step);
+        lammps->solve(mechanics::Control::nominal_pressure, pressure, step);
     ASSERT_TRUE(found.converged) << found.note;
     const OwnAnswer own = answer_at(request, found.mean_gap);
 
@@ -116,7 +116,7 @@ TEST_F(LammpsAgreement, MapsAreTheSameWhereStrainsAreSmall) {
   request.settings.tolerance = 1e-5;
 
   const AtomStep found = make_lammps_contact(request)->solve(
-      cases::Control::nominal_pressure, 0.003 * modulus, 0);
+      mechanics::Control::nominal_pressure, 0.003 * modulus, 0);
 
   ASSERT_TRUE(found.converged) << found.note;
   const OwnAnswer own = answer_at(request, found.mean_gap);

@@ -217,21 +217,21 @@ TEST(LammpsBlockRefusals, SayWhatLammpsCannotBe) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
   expect(refusal([](AtomRequest& r) {
-           r.settings.lattice = cases::AtomLattice::isotropic;
+           r.settings.lattice = mechanics::AtomLattice::isotropic;
          }),
          "[md] engine = \"lammps\" needs lattice = \"central\"");
   expect(refusal([](AtomRequest& r) { r.poisson_ratio = 0.42; }),
          "poisson_ratio = 0.25");
   expect(refusal([](AtomRequest& r) {
-           r.settings.modes = cases::AtomModes::normal;
+           r.settings.modes = mechanics::AtomModes::normal;
          }),
          "modes = \"normal\"");
   expect(refusal([](AtomRequest& r) {
-           r.settings.bulk = cases::AtomBulk::explicit_layers;
+           r.settings.bulk = mechanics::AtomBulk::explicit_layers;
          }),
          "bulk = \"explicit\"");
   expect(refusal([](AtomRequest& r) {
-           r.settings.minimizer = cases::AtomMinimizer::dynamics;
+           r.settings.minimizer = mechanics::AtomMinimizer::dynamics;
          }),
          "minimizer = \"dynamics\"");
   expect(refusal([](AtomRequest& r) { r.heights.pop_back(); }), "heights = ");

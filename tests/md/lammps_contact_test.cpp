@@ -16,7 +16,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::Control;
+using mechanics::Control;
 
 constexpr double modulus = 77.2e9 / (1.0 - 0.25 * 0.25); // E* [Pa]
 
@@ -86,7 +86,7 @@ TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
   const AtomStep two =
       make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
   request.settings.ranks = 1;
-  request.settings.minimizer = cases::AtomMinimizer::fire;
+  request.settings.minimizer = mechanics::AtomMinimizer::fire;
   const AtomStep fire =
       make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
 

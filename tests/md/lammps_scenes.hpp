@@ -54,14 +54,14 @@ inline AtomRequest small_request(int points, int cells, double rms_slope) {
   request.layer = lattice(points, length);
   request.substrate = lattice(incommensurate_atoms(points), length);
   request.heights = waves(request.substrate, rms_slope);
-  cases::MdSettings& settings = request.settings;
-  settings.engine = cases::AtomEngine::lammps;
-  settings.lattice = cases::AtomLattice::central;
+  mechanics::MdSettings& settings = request.settings;
+  settings.engine = mechanics::AtomEngine::lammps;
+  settings.lattice = mechanics::AtomLattice::central;
   settings.interaction_energy = paper_atoms().energy;
   settings.interaction_distance = paper_atoms().distance;
   settings.cutoff = paper_atoms().cutoff;
   settings.contact_distance = contact_distance;
-  settings.depth = {cells * layer_spacing, cases::ReferenceUnit::si};
+  settings.depth = {cells * layer_spacing, mechanics::ReferenceUnit::si};
   request.scratch = std::filesystem::temp_directory_path() /
                     ("asperity-lammps-" + std::to_string(::getpid()));
   return request;

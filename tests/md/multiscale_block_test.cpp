@@ -17,12 +17,13 @@ namespace {
 
 constexpr double spacing = 2.6e-10;
 
-Crystal crystal_of(Lattice lattice) {
-  return {lattice, spacing, 77.2e9, lattice == Lattice::central ? 0.25 : 0.42};
+Crystal crystal_of(mechanics::AtomLattice lattice) {
+  return {lattice, spacing, 77.2e9,
+          lattice == mechanics::AtomLattice::central ? 0.25 : 0.42};
 }
 
-MultiscaleBlock block_of(Lattice lattice, int atoms_x, int atoms_y, int levels,
-                         int layers, int threads = 1) {
+MultiscaleBlock block_of(mechanics::AtomLattice lattice, int atoms_x,
+                         int atoms_y, int levels, int layers, int threads = 1) {
   const Grid layer{atoms_x, atoms_y, atoms_x * spacing, atoms_y * spacing};
   return {crystal_of(lattice), {layer, levels, layers}, threads};
 }
@@ -67,11 +68,12 @@ std::vector<double> homogeneous(const MultiscaleBlock& block,
   return state;
 }
 
-class EveryLattice : public ::testing::TestWithParam<Lattice> {};
+class EveryLattice : public ::testing::TestWithParam<mechanics::AtomLattice> {};
 
 INSTANTIATE_TEST_SUITE_P(Lattices, EveryLattice,
-                         ::testing::Values(Lattice::isotropic, Lattice::born,
-                                           Lattice::central));
+                         ::testing::Values(mechanics::AtomLattice::isotropic,
+                                           mechanics::AtomLattice::born,
+                                           mechanics::AtomLattice::central));
 
 // Claim: the patch test. No homogeneous strain or rotation pulls at an atom
 // inside, hanging atoms between levels or not. Tolerance: rounding of sums of
@@ -115,7 +117,7 @@ TEST_P(EveryLattice, CompressesAndShearsAsTheContinuum) {
       crystal.youngs_modulus / (2.0 * (1.0 + crystal.poisson_ratio));
   const double nu = crystal.poisson_ratio;
   const double confined =
-      GetParam() == Lattice::born
+      GetParam() == mechanics::AtomLattice::born
           ? crystal.youngs_modulus
           : 2.0 * shear_modulus * (1.0 - nu) / (1.0 - 2.0 * nu);
   for (const int levels : {1, 2, 4}) {
@@ -210,7 +212,7 @@ TEST_P(EveryLattice, IsInvariantUnderTranslationInHeight) {
 TEST(MultiscaleBlock, WeighsWhatItsCellsWeigh) {
   for (const int levels : {1, 2, 3}) {
     const MultiscaleBlock block =
-        block_of(Lattice::isotropic, 16, 8, levels, 5);
+        block_of(mechanics::AtomLattice::isotropic, 16, 8, levels, 5);
 
     const std::vector<double> masses = block.masses(1.0);
 
@@ -225,8 +227,10 @@ TEST(MultiscaleBlock, WeighsWhatItsCellsWeigh) {
 
 // Claim: the number of threads changes no bit.
 TEST(MultiscaleBlock, HasTheSameBitsForAnyThreads) {
-  const MultiscaleBlock one = block_of(Lattice::isotropic, 16, 16, 3, 3, 1);
-  const MultiscaleBlock three = block_of(Lattice::isotropic, 16, 16, 3, 3, 3);
+  const MultiscaleBlock one =
+      block_of(mechanics::AtomLattice::isotropic, 16, 16, 3, 3, 1);
+  const MultiscaleBlock three =
+      block_of(mechanics::AtomLattice::isotropic, 16, 16, 3, 3, 3);
   const std::vector<double> state = random_state(one, 4);
   std::vector<double> forces(one.size());
   std::vector<double> same_forces(one.size());
@@ -247,17 +251,19 @@ TEST(MultiscaleBlock, RefusesWhatDoesNotDivide) {
     return "no complaint";
   };
 
-  EXPECT_EQ(complaint([] { block_of(Lattice::born, 12, 16, 4, 6); }),
-            "atoms per side = 12, but must be a multiple of 2^(levels - 1)");
+  EXPECT_EQ(
+      complaint([] { block_of(mechanics::AtomLattice::born, 12, 16, 4, 6); }),
+      "atoms per side = 12, but must be a multiple of 2^(levels - 1)");
   EXPECT_TRUE(complaint([] {
-                block_of(Lattice::born, 8, 8, 0, 6);
+                block_of(mechanics::AtomLattice::born, 8, 8, 0, 6);
               }).starts_with("levels = 0"));
   EXPECT_TRUE(complaint([] {
-                block_of(Lattice::born, 8, 8, 1, 0);
+                block_of(mechanics::AtomLattice::born, 8, 8, 1, 0);
               }).starts_with("layers = 0"));
   EXPECT_TRUE(complaint([] {
                 const Grid layer{8, 8, 1e-9, 1e-9};
-                MultiscaleBlock(crystal_of(Lattice::born), {layer, 1, 6});
+                MultiscaleBlock(crystal_of(mechanics::AtomLattice::born),
+                                {layer, 1, 6});
               }).starts_with("spacing of the layer = 1.25e-10"));
 }
 

@@ -16,7 +16,7 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomModes;
+using mechanics::AtomModes;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double modulus = 77.2e9 / (1.0 - 0.42 * 0.42);

@@ -17,7 +17,7 @@ namespace asperity::md::scenes {
 constexpr double atom_mass = 197.0 * 1.66053906660e-27; // kg
 
 inline Crystal paper_crystal() {
-  return {Lattice::isotropic, layer_spacing, 77.2e9, 0.42};
+  return {mechanics::AtomLattice::isotropic, layer_spacing, 77.2e9, 0.42};
 }
 
 struct RoughContact {

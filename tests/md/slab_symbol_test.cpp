@@ -22,8 +22,9 @@ constexpr int half_space = 1 << 30;
 using Real = long double;
 using Matrix = Eigen::Matrix<std::complex<Real>, 3, 3>;
 
-Crystal crystal_of(Lattice lattice) {
-  return {lattice, spacing, 77.2e9, lattice == Lattice::central ? 0.25 : 0.42};
+Crystal crystal_of(mechanics::AtomLattice lattice) {
+  return {lattice, spacing, 77.2e9,
+          lattice == mechanics::AtomLattice::central ? 0.25 : 0.42};
 }
 
 using WideCell = std::array<Real, 24 * 24>;
@@ -92,7 +93,7 @@ double difference(const SymmetricBlock& block, const Matrix& expected) {
                              expected.cwiseAbs().maxCoeff());
 }
 
-class AnyCrystal : public ::testing::TestWithParam<Lattice> {};
+class AnyCrystal : public ::testing::TestWithParam<mechanics::AtomLattice> {};
 
 // Claim: composition of powers of two is the elimination layer by layer, at
 // any number of layers and wave. Tolerance: some 9 compositions of 3 x 3 blocks
@@ -120,7 +121,7 @@ TEST_P(AnyCrystal, IsASeriesOfSpringsWithoutAWave) {
   const Crystal crystal = crystal_of(GetParam());
   const double nu = crystal.poisson_ratio;
   const double shear = crystal.youngs_modulus / (2.0 * (1.0 + nu));
-  const double longitudinal = GetParam() == Lattice::born
+  const double longitudinal = GetParam() == mechanics::AtomLattice::born
                                   ? crystal.youngs_modulus
                                   : 2.0 * shear * (1.0 - nu) / (1.0 - 2.0 * nu);
   const int cells = 300;
@@ -148,12 +149,13 @@ TEST_P(AnyCrystal, ShowsItsContactModulusToLongWaves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lattices, AnyCrystal,
-                         ::testing::Values(Lattice::isotropic, Lattice::born,
-                                           Lattice::central));
+                         ::testing::Values(mechanics::AtomLattice::isotropic,
+                                           mechanics::AtomLattice::born,
+                                           mechanics::AtomLattice::central));
 
 // Claim: the bands of the design, for the paper's E and nu, in every direction.
 TEST(IsotropicCrystal, ShowsTheContinuumUpToATenthOfTheSpacing) {
-  const Crystal crystal = crystal_of(Lattice::isotropic);
+  const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const SlabSymbol symbol(crystal);
   const auto ratio = [&](double angle, double direction) {
     return symbol.contact_modulus(angle * std::cos(direction),
@@ -170,7 +172,7 @@ TEST(IsotropicCrystal, ShowsTheContinuumUpToATenthOfTheSpacing) {
 // Claim: a slab as deep as its longest wave is the half-space to 0.04 % in
 // kind: tanh-like corrections of 4 (2 pi)^2 exp(-4 pi) = 5e-4.
 TEST(IsotropicCrystal, IsAHalfSpaceAtTheDepthOfItsLongestWave) {
-  const SlabSymbol symbol(crystal_of(Lattice::isotropic));
+  const SlabSymbol symbol(crystal_of(mechanics::AtomLattice::isotropic));
   const double angle = 2.0 * std::numbers::pi / 400.0;
 
   const double excess = symbol.contact_modulus(angle, 0.0, 400) /
@@ -196,8 +198,9 @@ TEST(SymmetricBlock, IsUndoneByItsInverse) {
 }
 
 TEST(SlabSymbol, RefusesNoLayers) {
-  EXPECT_THROW(SlabSymbol(crystal_of(Lattice::born)).clamped(0.1, 0.0, 0),
-               std::domain_error);
+  EXPECT_THROW(
+      SlabSymbol(crystal_of(mechanics::AtomLattice::born)).clamped(0.1, 0.0, 0),
+      std::domain_error);
 }
 
 } // namespace

@@ -13,10 +13,11 @@
 namespace asperity::md {
 namespace {
 
-using cases::AtomModes;
+using mechanics::AtomModes;
 
 constexpr double spacing = 2.6e-10;
-constexpr Crystal crystal{Lattice::isotropic, spacing, 77.2e9, 0.42};
+constexpr Crystal crystal{mechanics::AtomLattice::isotropic, spacing, 77.2e9,
+                          0.42};
 
 // Sums over the layer of a few hundred terms of either sign.
 constexpr double rounding = 1e-12;

@@ -16,9 +16,9 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::BlockSides;
-using cases::MeshCells;
-using cases::MeshGeometry;
+using mechanics::BlockSides;
+using mechanics::MeshCells;
+using mechanics::MeshGeometry;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double length = 1e-6;

@@ -11,7 +11,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::MeshCells;
+using mechanics::MeshCells;
 
 constexpr double length = 1e-6;
 constexpr double radius = 0.4 * length;
@@ -19,7 +19,7 @@ const Place centre = {0.5 * length, 0.5 * length, 0.5 * length};
 
 BlockMesh with_ball(MeshCells cells, double size) {
   GmshBlock block;
-  block.geometry = cases::MeshGeometry::inclusion;
+  block.geometry = mechanics::MeshGeometry::inclusion;
   block.cells = cells;
   block.length_x = block.length_y = block.depth = length;
   block.size_at_contact = size;

@@ -13,7 +13,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::BlockSides;
+using mechanics::BlockSides;
 
 constexpr const char* coated = "tests/meshes/data/coated.geo";
 

@@ -12,7 +12,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::BlockSides;
+using mechanics::BlockSides;
 
 std::string answer(const std::string& path,
                    BlockSides sides = BlockSides::free) {

@@ -17,7 +17,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::BlockSides;
+using mechanics::BlockSides;
 
 constexpr double mm = 1e-3;
 const std::string coated = "tests/meshes/data/coated.geo";

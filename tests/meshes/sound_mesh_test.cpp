@@ -14,7 +14,7 @@
 namespace asperity::meshes {
 namespace {
 
-using cases::BlockSides;
+using mechanics::BlockSides;
 
 std::string answer(const BlockMesh& mesh,
                    BlockSides sides = BlockSides::periodic) {

@@ -14,7 +14,7 @@ constexpr double contact_modulus = 2e9; // Pa
 
 cases::Case wave_case() {
   cases::Case wave;
-  wave.surface.kind = cases::SurfaceKind::wave_1d;
+  wave.surface.kind = mechanics::SurfaceKind::wave_1d;
   wave.surface.length = 1e-6;
   wave.surface.amplitude = 3e-9;
   wave.surface.wavelength = 1e-6;
@@ -23,7 +23,7 @@ cases::Case wave_case() {
 
 cases::Case sphere_case() {
   cases::Case sphere;
-  sphere.surface.kind = cases::SurfaceKind::sphere;
+  sphere.surface.kind = mechanics::SurfaceKind::sphere;
   sphere.surface.length = 1e-3;
   sphere.surface.radius = 10e-3;
   return sphere;
@@ -45,7 +45,7 @@ MethodSummary summary_of(const results::Result& result,
 
 // Westergaard 1939, with offsets in amplitudes and in contact fraction.
 results::Result wave_result(double gap_offset, double area_offset) {
-  const cases::SurfaceSpec surface = wave_case().surface;
+  const mechanics::SurfaceSpec surface = wave_case().surface;
   const double full = std::numbers::pi * contact_modulus * surface.amplitude /
                       surface.wavelength;
   std::vector<results::CurvePoint> points;
@@ -153,8 +153,8 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
 // area is low by up to 0.5 (1 - P) of itself, and between the two where both
 // are far off. Tolerance: those shares, and a tenth of them for "some".
 TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
-  cases::SurfaceSpec surface = wave_case().surface;
-  surface.kind = cases::SurfaceKind::wave_2d;
+  mechanics::SurfaceSpec surface = wave_case().surface;
+  surface.kind = mechanics::SurfaceKind::wave_2d;
   const double full = std::numbers::sqrt2 * std::numbers::pi * contact_modulus *
                       surface.amplitude / surface.wavelength;
   const auto light = [](double load) {
@@ -182,7 +182,7 @@ TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
 // P^(4/3) amplitudes of the gap, "some" a tenth of either.
 TEST(ExactQuantities, JudgeTheGapOfTheTwoDimensionalWave) {
   cases::Case egg_box = wave_case();
-  egg_box.surface.kind = cases::SurfaceKind::wave_2d;
+  egg_box.surface.kind = mechanics::SurfaceKind::wave_2d;
   const double load = 1e-3;
   const double area =
       std::numbers::pi *

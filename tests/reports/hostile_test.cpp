@@ -225,16 +225,16 @@ TEST_F(HostileResult, OfTablesIsReported) {
 
 // Shapes with exact solutions have quantities and figures of their own.
 TEST_F(HostileResult, OfExactShapesIsReported) {
-  for (const cases::SurfaceKind kind :
-       {cases::SurfaceKind::sphere, cases::SurfaceKind::wave_1d,
-        cases::SurfaceKind::wave_2d}) {
+  for (const mechanics::SurfaceKind kind :
+       {mechanics::SurfaceKind::sphere, mechanics::SurfaceKind::wave_1d,
+        mechanics::SurfaceKind::wave_2d}) {
     rough.surface.kind = kind;
     rough.surface.radius = 1e-3;
     rough.surface.amplitude = 1e-9;
     rough.surface.wavelength = rough.surface.length.value();
     rough.material.poisson_ratio = 0.3;
     rough.expectations = {};
-    rough.surface.kind = cases::SurfaceKind::self_affine;
+    rough.surface.kind = mechanics::SurfaceKind::self_affine;
     const Result whole = synthetic::rough_result(rough, 1);
     rough.surface.kind = kind;
     for (const auto& all : {hostile_curves(), hostile_tables()})

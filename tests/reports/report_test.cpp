@@ -235,7 +235,7 @@ TEST_F(Report, DrawsALoadFarBeyondFullContact) {
 // Claim: figures of exact shapes do not overwrite each other's files.
 TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
   results::Result result = synthetic::rough_result(rough, 1);
-  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  rough.surface.kind = mechanics::SurfaceKind::wave_1d;
   rough.surface.amplitude = 34e-9 * std::numbers::sqrt2;
   rough.surface.wavelength = synthetic::length;
   const std::vector<ReportEntry> entries{entry_of(result, rough),

@@ -74,7 +74,8 @@ results::Result studied_result() {
 
 cases::Case studied_case() {
   cases::Case studied;
-  studied.methods.push_back({"theory", cases::TheorySettings{.gamma = 1.0}});
+  studied.methods.push_back(
+      {"theory", mechanics::TheorySettings{.gamma = 1.0}});
   studied.magnification_study.emplace();
   studied.adhesion_study.emplace();
   return studied;

@@ -35,9 +35,9 @@ inline cases::Case contact_case() {
   rough.surface.wavevector_low = 2.0 * unit;
   rough.surface.wavevector_roll_off = 4.5 * unit;
   rough.surface.wavevector_high = 32.0 * unit;
-  cases::TheorySettings theory;
+  mechanics::TheorySettings theory;
   theory.gamma = gamma;
-  rough.methods = {{"theory", theory}, {"fem", cases::FemSettings{}}};
+  rough.methods = {{"theory", theory}, {"fem", mechanics::FemSettings{}}};
   rough.expectations = {
       {"gamma_slope", 0.35, 0.45, {"fem", "theory"}},
       {"gap_deviation", -INFINITY, 0.05, {"fem"}},
@@ -46,7 +46,7 @@ inline cases::Case contact_case() {
   return rough;
 }
 
-inline results::SurfaceRecord surface(const cases::SurfaceSpec& spec,
+inline results::SurfaceRecord surface(const mechanics::SurfaceSpec& spec,
                                       unsigned seed) {
   results::SurfaceRecord record;
   record.grid = {*spec.points, *spec.points, length, length};
@@ -100,7 +100,7 @@ inline results::SurfaceRecord surface(const cases::SurfaceSpec& spec,
   return record;
 }
 
-inline theory::PerssonContact contact_of(const cases::SurfaceSpec& spec) {
+inline theory::PerssonContact contact_of(const mechanics::SurfaceSpec& spec) {
   const surfaces::IsotropicSpectrum spectrum = surfaces::formula_spectrum(spec);
   return {theory::HeightSpectrum(
               theory::SpectrumFormula{spectrum.density, spectrum.kinks}),

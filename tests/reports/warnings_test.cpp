@@ -32,7 +32,7 @@ protected:
 
 TEST_F(Warnings, AreNoneOfASurfaceThatMeetsTheAssumptions) {
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
-  rough.surface.kind = cases::SurfaceKind::measured;
+  rough.surface.kind = mechanics::SurfaceKind::measured;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
 }
 
@@ -93,8 +93,9 @@ TEST_F(Warnings, NameCurvesWithoutContact) {
 // Claim: finite elements that lock are named if the result holds them.
 TEST_F(Warnings, NameElementsThatLock) {
   rough.material.poisson_ratio = 0.4999;
-  cases::MethodSpec fem{.name = "fem", .settings = cases::FemSettings{}};
-  std::get<cases::FemSettings>(fem.settings).element = cases::Element::q1;
+  cases::MethodSpec fem{.name = "fem", .settings = mechanics::FemSettings{}};
+  std::get<mechanics::FemSettings>(fem.settings).element =
+      mechanics::Element::q1;
   rough.methods = {fem};
   result.methods.clear();
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
@@ -133,15 +134,15 @@ TEST_F(Warnings, SeeWhatIsNotResolvedAndScanLines) {
       surface.heights[grid.index(ix, iy)] +=
           (iy % 4 < 2 ? 0.3 : 0.0) * surface.rms_height;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
-  rough.surface.kind = cases::SurfaceKind::measured;
+  rough.surface.kind = mechanics::SurfaceKind::measured;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"scan_lines"});
 }
 
 TEST_F(Warnings, AreNoneOfExactShapesOrWithoutASurface) {
   result.surfaces[0].kurtosis = result.surfaces[1].kurtosis = 1.5;
-  rough.surface.kind = cases::SurfaceKind::wave_1d;
+  rough.surface.kind = mechanics::SurfaceKind::wave_1d;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
-  rough.surface.kind = cases::SurfaceKind::measured;
+  rough.surface.kind = mechanics::SurfaceKind::measured;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"not_gaussian"});
   result.surfaces.clear();
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});

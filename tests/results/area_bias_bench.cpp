@@ -27,10 +27,10 @@ using namespace asperity::area_bias;
 
 constexpr int kernel_cost_r = 32; // 512 x 512 nodes
 
-cases::SurfaceSpec rough_surface(double hurst) {
+mechanics::SurfaceSpec rough_surface(double hurst) {
   constexpr double longest = 2.0 * std::numbers::pi; // rad per side of 1 m
-  cases::SurfaceSpec surface;
-  surface.kind = cases::SurfaceKind::self_affine;
+  mechanics::SurfaceSpec surface;
+  surface.kind = mechanics::SurfaceKind::self_affine;
   surface.length = 1.0;
   surface.points = waves * finest;
   surface.seed = 1;
@@ -69,11 +69,11 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
          int r, Samples& samples, Cost& cost) {
   const surfaces::Statistics size = surfaces::statistics(map);
   const Grid grid{waves * r, waves * r, 1.0, 1.0};
-  const contact::Interface wall =
+  const mechanics::ContactInterface wall =
       kernel.penalty > 0.0
-          ? contact::Interface{contact::Law::penalty,
-                               kernel.penalty / grid.spacing_x()}
-          : contact::Interface{};
+          ? mechanics::ContactInterface{mechanics::ContactLaw::penalty,
+                                        kernel.penalty / grid.spacing_x()}
+          : mechanics::ContactInterface{};
   double start = processor_time();
   auto elasticity = kernel.make(grid);
   cost.set_up += processor_time() - start;
@@ -82,9 +82,8 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
       wall, 1e-8 * size.rms_height, 3000);
   for (std::size_t load = 0; load < loads.size(); ++load) {
     start = processor_time();
-    const contact::ContactSolution solution =
-        sequence.solve({contact::LoadTarget::Kind::nominal_pressure,
-                        loads[load] * size.rms_slope});
+    const contact::ContactSolution solution = sequence.solve(
+        {mechanics::Control::nominal_pressure, loads[load] * size.rms_slope});
     cost.load_programs += processor_time() - start;
     if (!solution.converged)
       fmt::print("not converged: {}, r = {}: {}\n", kernel.name, r,
@@ -99,7 +98,7 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
 int main(int argc, char** argv) {
   const int n_surfaces = argc > 1 ? std::atoi(argv[1]) : 3;
   const double hurst = argc > 2 ? std::atof(argv[2]) : 0.8;
-  const cases::SurfaceSpec surface = rough_surface(hurst);
+  const mechanics::SurfaceSpec surface = rough_surface(hurst);
   const std::vector<Kernel> kernels = all_kernels();
   Samples samples;
   std::map<std::pair<std::string, int>, Cost> costs;

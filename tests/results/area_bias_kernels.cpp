@@ -17,7 +17,7 @@ constexpr double youngs_modulus = 1.0 - poisson_ratio * poisson_ratio; // E* = 1
 constexpr double default_growth = 1.2; // of the layers
 
 std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
-  contact::ElasticBlock block;
+  mechanics::ElasticBlock block;
   block.contact_modulus = 1.0;
   block.poisson_ratio = poisson_ratio;
   block.thickness = grid.length_x; // as the finite elements'
@@ -29,7 +29,7 @@ fem::LayeredBlock block(const Grid& grid, double surface_cell,
                         double growth = default_growth) {
   return fem::homogeneous_block(
       meshes::graded_layers(surface_cell, growth, grid.length_x),
-      youngs_modulus, poisson_ratio, cases::TopFace::clamped);
+      youngs_modulus, poisson_ratio, mechanics::FarBoundary::clamped);
 }
 
 /// Set up once a grid and cloned for every surface.

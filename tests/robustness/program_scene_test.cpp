@@ -15,7 +15,7 @@ Scene scene_of(Family family, Path path) {
   Scene scene;
   scene.family = family;
   scene.path = path;
-  scene.law = cases::ContactLaw::penalty;
+  scene.law = mechanics::ContactLaw::penalty;
   scene.penalty = 1e3;
   scene.load = 0.1;
   scene.points = 16;

@@ -89,8 +89,8 @@ TEST(Scene, IsPerturbedAboutACase) {
     const Scene scene = draw_scene_about(base, 5, index);
     own += scene.length == base.length;
     EXPECT_EQ(scene.family == Family::flawed, scene.flaw != Flaw::none);
-    if (scene.law == cases::ContactLaw::hard &&
-        scene.control == cases::Control::mean_gap) {
+    if (scene.law == mechanics::ContactLaw::hard &&
+        scene.control == mechanics::Control::mean_gap) {
       EXPECT_GT(scene.load, 0.0);
     }
   }

@@ -88,7 +88,7 @@ TEST(Slice, HoldsFullBlocks) {
     Scene scene;
     scene.index = index;
     scene.family = Family::full_block;
-    scene.law = cases::ContactLaw::penalty;
+    scene.law = mechanics::ContactLaw::penalty;
     scene.penalty = 1e9;
     scene.load = 0.3;
     scene.thickness = 0.3;

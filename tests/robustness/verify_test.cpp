@@ -15,7 +15,7 @@ namespace asperity::robustness {
 namespace {
 
 using contact::ContactSolution;
-using contact::LoadTarget;
+using mechanics::LoadTarget;
 
 constexpr double load = 0.02; // [Pa], E* = 1 Pa
 
@@ -44,15 +44,15 @@ protected:
     contact::FourierOperator elasticity = half_space();
     return contact::solve_contact(
         elasticity, {heights_, 0.0, asked_.gap_tolerance, 500},
-        {LoadTarget::Kind::nominal_pressure, pressure});
+        {mechanics::Control::nominal_pressure, pressure});
   }
 
   /// The name of the first check that fails on the answer as it is now.
   std::string failing_check() const {
     contact::FourierOperator elasticity = half_space();
     const auto failure =
-        verify_step(asked_, {LoadTarget::Kind::nominal_pressure, load}, answer_,
-                    [&](auto pressure, auto displacement) {
+        verify_step(asked_, {mechanics::Control::nominal_pressure, load},
+                    answer_, [&](auto pressure, auto displacement) {
                       elasticity.displacement(pressure, displacement);
                     });
     return failure ? failure->check : "";
@@ -94,7 +94,7 @@ TEST_F(Verify, SeesAPressureOnWhatIsKeptApart) {
   contact::FourierOperator elasticity = half_space();
   const double above_the_crest = 0.0101;
   const auto failure =
-      verify_step(asked_, {LoadTarget::Kind::mean_gap, above_the_crest},
+      verify_step(asked_, {mechanics::Control::mean_gap, above_the_crest},
                   answer_, [&](auto pressure, auto displacement) {
                     elasticity.displacement(pressure, displacement);
                   });
@@ -110,11 +110,11 @@ TEST_F(Verify, SeesALoadThatIsNotBorne) {
 
 TEST_F(Verify, SeesAMeanGapThatIsNotTheAskedOne) {
   contact::FourierOperator elasticity = half_space();
-  const auto failure =
-      verify_step(asked_, {LoadTarget::Kind::mean_gap, answer_.mean_gap + 1e-8},
-                  answer_, [&](auto pressure, auto displacement) {
-                    elasticity.displacement(pressure, displacement);
-                  });
+  const auto failure = verify_step(
+      asked_, {mechanics::Control::mean_gap, answer_.mean_gap + 1e-8}, answer_,
+      [&](auto pressure, auto displacement) {
+        elasticity.displacement(pressure, displacement);
+      });
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->check, "balance");
 }

@@ -55,9 +55,9 @@ TEST(UnresolvedSlope, OfWhiteNoiseIsThatOfTheSquare) {
               1.0 - std::numbers::pi / 32.0 / (8.0 / 3.0), 0.01);
 }
 
-cases::SurfaceSpec self_affine(double hurst, int points) {
-  cases::SurfaceSpec surface;
-  surface.kind = cases::SurfaceKind::self_affine;
+mechanics::SurfaceSpec self_affine(double hurst, int points) {
+  mechanics::SurfaceSpec surface;
+  surface.kind = mechanics::SurfaceKind::self_affine;
   surface.length = 1e-5;
   surface.points = points;
   surface.seed = 3;
@@ -66,7 +66,7 @@ cases::SurfaceSpec self_affine(double hurst, int points) {
   surface.wavevector_low = 2.0 * std::numbers::pi / 1e-5;
   surface.wavevector_roll_off = 4.0 * surface.wavevector_low;
   surface.wavevector_high = (points / 2 - 1) * surface.wavevector_low;
-  surface.amplitudes = cases::Amplitudes::gaussian;
+  surface.amplitudes = mechanics::Amplitudes::gaussian;
   return surface;
 }
 

@@ -18,8 +18,8 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::SurfaceKind;
-using cases::SurfaceSpec;
+using mechanics::SurfaceKind;
+using mechanics::SurfaceSpec;
 
 constexpr double length = 1e-5;
 constexpr double unit = 2.0 * std::numbers::pi / length;
@@ -77,7 +77,7 @@ std::string message_of(Call call) {
 // scaled alike, where they share a node with it.
 TEST(BuildSurfaceOn, SamplesOneRandomSurface) {
   for (const auto amplitudes :
-       {cases::Amplitudes::spectrum, cases::Amplitudes::gaussian}) {
+       {mechanics::Amplitudes::spectrum, mechanics::Amplitudes::gaussian}) {
     SurfaceSpec surface = self_affine();
     surface.amplitudes = amplitudes;
     const HeightMap own = build_surface(surface, 3);

@@ -17,8 +17,8 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::SurfaceKind;
-using cases::SurfaceSpec;
+using mechanics::SurfaceKind;
+using mechanics::SurfaceSpec;
 
 constexpr double unit = 2.0 * std::numbers::pi / 1e-5;
 
@@ -151,14 +151,14 @@ TEST(BuildSurface, ReadsLevelsAndMirrorsAMeasuredMap) {
   SurfaceSpec surface = with_file(SurfaceKind::measured, "map.txt", text);
   surface.length.reset();
   surface.points.reset();
-  surface.edges = cases::Edges::mirror;
+  surface.edges = mechanics::Edges::mirror;
 
   const HeightMap map = build_surface(surface, 0);
 
   EXPECT_EQ(map.grid, (Grid{16, 8, 16e-6, 8e-6}));
   EXPECT_NEAR(mean_height(map), 0.0, 1e-24);
   EXPECT_NEAR(statistics(map).rms_height, 0.5e-9, 5e-22);
-  surface.level = cases::Levelling::none;
+  surface.level = mechanics::Levelling::none;
   EXPECT_GT(statistics(build_surface(surface, 0)).rms_height, 1e-8);
 }
 
@@ -178,12 +178,13 @@ TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
         with_file(SurfaceKind::measured, "tilt.txt", text.str());
     surface.length.reset();
     surface.points.reset();
-    surface.level = cases::Levelling::plane;
+    surface.level = mechanics::Levelling::plane;
     return surface;
   };
   const SurfaceSpec flat = tilted(0.0);
-  for (const cases::Edges edges :
-       {cases::Edges::periodic, cases::Edges::mirror, cases::Edges::window}) {
+  for (const mechanics::Edges edges :
+       {mechanics::Edges::periodic, mechanics::Edges::mirror,
+        mechanics::Edges::window}) {
     SurfaceSpec surface = flat;
     surface.edges = edges;
     const std::string message = message_of([&] { build_surface(surface, 0); });
@@ -192,7 +193,7 @@ TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
         << message;
   }
   SurfaceSpec left_in = flat;
-  left_in.level = cases::Levelling::none;
+  left_in.level = mechanics::Levelling::none;
   EXPECT_GT(statistics(build_surface(left_in, 0)).rms_height, 1e-9);
   EXPECT_NEAR(statistics(build_surface(tilted(1e-3), 0)).rms_height / 0.5e-12,
               1.0, 1e-3);
@@ -211,9 +212,9 @@ TEST(BuildSurface, SaysWhatItsEdgesTakeOff) {
   surface.length.reset();
   surface.points.reset();
 
-  surface.edges = cases::Edges::window;
+  surface.edges = mechanics::Edges::window;
   const EdgeEffect window = edge_effect(surface);
-  surface.edges = cases::Edges::mirror;
+  surface.edges = mechanics::Edges::mirror;
   const EdgeEffect mirror = edge_effect(surface);
 
   EXPECT_NEAR(window.measured.rms_height, 0.5e-9, 1e-21);

@@ -17,7 +17,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::Edges;
+using mechanics::Edges;
 
 constexpr Grid grid{64, 64, 1e-5, 1e-5};
 constexpr double unit = 2.0 * std::numbers::pi / 1e-5;

@@ -21,7 +21,7 @@ TEST(GeneratorGolden, GivesTheKnownAnswerOfItsAuthors) {
 
 TEST(GeneratorGolden, GivesTheHeightsItAlwaysGave) {
   constexpr double unit = 2.0 * std::numbers::pi / 1e-5;
-  cases::SurfaceSpec surface;
+  mechanics::SurfaceSpec surface;
   surface.length = 1e-5;
   surface.points = 64;
   surface.seed = 7;

@@ -65,7 +65,7 @@ std::string gwy_file(const std::string& content) {
 Scan gwy_scan(const std::string& bytes,
               const std::optional<std::string>& channel = {}) {
   return read_scan_bytes(bytes, "map.gwy",
-                         {cases::MapFormat::automatic, channel, {}});
+                         {mechanics::MapFormat::automatic, channel, {}});
 }
 
 std::string gwy_refusal(const std::string& bytes,

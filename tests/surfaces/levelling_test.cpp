@@ -12,7 +12,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::Levelling;
+using mechanics::Levelling;
 
 /// A quadratic trend of the given coefficients [m] on a rectangle of odd and
 /// even sides, coordinates from one corner as an instrument has them.

@@ -83,7 +83,7 @@ TEST(LineScan, OfASurfaceGivesItsSpectrum) {
   std::vector<SpectrumRing> all;
   for (int r = 0; r < 4; ++r) {
     const HeightMap map = realize(truth.isotropic(), {128, 128, 1.0, 1.0},
-                                  {3, r}, cases::Amplitudes::gaussian);
+                                  {3, r}, mechanics::Amplitudes::gaussian);
     for (std::size_t row = 0; row < 128; ++row) {
       const auto first = map.heights.begin() + static_cast<long>(128 * row);
       const auto rows = line_spectrum({1.0 / 128, {first, first + 128}});

@@ -15,7 +15,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::MapFormat;
+using mechanics::MapFormat;
 using namespace std::string_literals;
 
 HeightMap read(const std::string& text, const MapScale& scale = {},

@@ -81,7 +81,7 @@ TEST_F(MapWriter, RefusesAnotherEnding) {
 TEST_F(MapWriter, AsksForTheScalesThatAFileLacks) {
   const auto refusal = [](const std::string& path, const MapScale& scale) {
     try {
-      read_scan(path, {cases::MapFormat::automatic, {}, scale});
+      read_scan(path, {mechanics::MapFormat::automatic, {}, scale});
     } catch (const input::InputError& error) {
       return std::string(error.what());
     }
@@ -122,7 +122,7 @@ TEST_F(MapWriter, IsReadByGwyddion) {
   for (const std::string name : {"a.gwy", "a.x3p"}) {
     const std::string path = written(name);
     const Scan own = read_scan(path, {});
-    const Scan other = read_scan(path, {cases::MapFormat::convert, {}, {}});
+    const Scan other = read_scan(path, {mechanics::MapFormat::convert, {}, {}});
     EXPECT_EQ(other.reader.substr(0, 9), "Gwyddion ") << other.reader;
     EXPECT_EQ(own.map.heights, other.map.heights) << name;
     EXPECT_DOUBLE_EQ(own.map.grid.length_x, other.map.grid.length_x) << name;

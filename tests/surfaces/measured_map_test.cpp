@@ -12,15 +12,15 @@ namespace asperity::surfaces {
 namespace {
 
 /// A rough map of 20 x 20 points of 1 um; `change` replaces single words.
-cases::SurfaceSpec surface_of(const std::string& name,
-                              const std::string& first = "0.5",
-                              const std::string& other = "0.25") {
-  cases::SurfaceSpec surface;
-  surface.kind = cases::SurfaceKind::measured;
+mechanics::SurfaceSpec surface_of(const std::string& name,
+                                  const std::string& first = "0.5",
+                                  const std::string& other = "0.25") {
+  mechanics::SurfaceSpec surface;
+  surface.kind = mechanics::SurfaceKind::measured;
   surface.file = testing::TempDir() + "asperity_measured_map_" + name + ".txt";
   surface.length = 20e-6;
   surface.height_unit = 1e-9;
-  surface.level = cases::Levelling::none;
+  surface.level = mechanics::Levelling::none;
   std::ofstream file(surface.file);
   for (int iy = 0; iy < 20; ++iy)
     for (int ix = 0; ix < 20; ++ix)
@@ -32,7 +32,7 @@ cases::SurfaceSpec surface_of(const std::string& name,
   return surface;
 }
 
-std::string refusal_of(const cases::SurfaceSpec& surface) {
+std::string refusal_of(const mechanics::SurfaceSpec& surface) {
   try {
     measured_map(surface);
   } catch (const input::InputError& error) {
@@ -42,7 +42,7 @@ std::string refusal_of(const cases::SurfaceSpec& surface) {
 }
 
 TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
-  cases::SurfaceSpec surface = surface_of("missing", "nan", "BAD");
+  mechanics::SurfaceSpec surface = surface_of("missing", "nan", "BAD");
   const MeasuredMap measured = measured_map(surface);
   EXPECT_EQ(measured.missing, 2U);
   EXPECT_EQ(description_of(measured),
@@ -54,7 +54,7 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
                 "most surface.max_missing = 0.004 may be filled; crop the map "
                 "or raise that limit");
   surface.max_missing = 0.05;
-  surface.fill = cases::Filling::none;
+  surface.fill = mechanics::Filling::none;
   EXPECT_EQ(refusal_of(surface),
             surface.file + ": 2 of 400 points are missing (0.5 %), but with "
                            "surface.fill = \"none\" none must be");
@@ -63,8 +63,8 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
 // Claim: the map is cropped first, so that missing points outside the window do
 // not count.
 TEST(MeasuredMap, CropsFirst) {
-  cases::SurfaceSpec surface = surface_of("crop", "nan", "BAD");
-  surface.crop = cases::MapWindow{1e-6, 0.0, 0.0, 8e-6};
+  mechanics::SurfaceSpec surface = surface_of("crop", "nan", "BAD");
+  surface.crop = mechanics::MapWindow{1e-6, 0.0, 0.0, 8e-6};
   const MeasuredMap measured = measured_map(surface);
   EXPECT_EQ(measured.missing, 0U);
   EXPECT_EQ(measured.map.grid.points_x, 19);
@@ -75,7 +75,7 @@ TEST(MeasuredMap, CropsFirst) {
 }
 
 TEST(MeasuredMap, ReplacesSpikes) {
-  cases::SurfaceSpec surface = surface_of("spikes", "0.5", "500");
+  mechanics::SurfaceSpec surface = surface_of("spikes", "0.5", "500");
   surface.spikes = 10.0;
   const MeasuredMap measured = measured_map(surface);
   EXPECT_EQ(measured.spikes, 1U);
@@ -86,8 +86,8 @@ TEST(MeasuredMap, ReplacesSpikes) {
 }
 
 TEST(MeasuredMap, RemovesASphere) {
-  cases::SurfaceSpec surface = surface_of("level");
-  surface.level = cases::Levelling::sphere;
+  mechanics::SurfaceSpec surface = surface_of("level");
+  surface.level = mechanics::Levelling::sphere;
   EXPECT_EQ(measured_map(surface).map.heights.size(), 400U);
 }
 

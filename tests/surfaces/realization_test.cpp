@@ -41,7 +41,7 @@ double largest_difference(const HeightMap& a, const HeightMap& b) {
 // some 1200 waves each, log2(256^2) eps h_rms sqrt(..) < 1e-14 h_rms.
 TEST(Realization, IsTheSameSurfaceOnAFinerGrid) {
   for (const auto amplitudes :
-       {cases::Amplitudes::spectrum, cases::Amplitudes::gaussian}) {
+       {mechanics::Amplitudes::spectrum, mechanics::Amplitudes::gaussian}) {
     const HeightMap coarse =
         realize(spectrum(), square(64), {7, 2}, amplitudes);
     const HeightMap fine = realize(spectrum(), square(256), {7, 2}, amplitudes);
@@ -128,7 +128,7 @@ TEST(Realization, HasGaussianAmplitudesOnDemand) {
   double sum_of_squares = 0.0;
   for (int realization = 0; realization < 20; ++realization) {
     RealFourier(grid).forward(
-        realize(asked, grid, {5, realization}, cases::Amplitudes::gaussian)
+        realize(asked, grid, {5, realization}, mechanics::Amplitudes::gaussian)
             .heights,
         modes);
     for (int j = 0; j < 64; ++j)

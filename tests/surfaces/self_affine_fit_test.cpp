@@ -82,7 +82,7 @@ TEST(SelfAffineFit, SaysThatThereIsNoRollOff) {
 TEST(SelfAffineFit, StatesNoHurstExponentOfAShortPart) {
   const SelfAffineSpectrum truth = spectrum_of(0.8, 8, 11);
   const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0}, {1, 0},
-                                cases::Amplitudes::gaussian);
+                                mechanics::Amplitudes::gaussian);
   const SpectrumEstimate spectrum = estimate_spectrum(map, true);
 
   const auto found = fit_self_affine(spectrum.rings, spectrum.wavevector_high);
@@ -115,7 +115,7 @@ TEST(SelfAffineFit, HasIntervalsThatContainTheTruth) {
   double squares = 0.0;
   for (int r = 0; r < 100; ++r) {
     const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0},
-                                  {21, r}, cases::Amplitudes::gaussian);
+                                  {21, r}, mechanics::Amplitudes::gaussian);
     const SpectrumEstimate spectrum = estimate_spectrum(map, true);
     const auto found =
         fit_self_affine(spectrum.rings, spectrum.wavevector_high);

@@ -30,7 +30,7 @@ HeightMap corner(const SelfAffineSpectrum& spectrum, int points,
                  int realization) {
   const HeightMap whole =
       realize(spectrum.isotropic(), {2 * points, 2 * points, 2.0, 2.0},
-              {11, realization}, cases::Amplitudes::gaussian);
+              {11, realization}, mechanics::Amplitudes::gaussian);
   HeightMap map{{points, points, 1.0, 1.0}, {}};
   for (int iy = 0; iy < points; ++iy)
     for (int ix = 0; ix < points; ++ix)
@@ -80,7 +80,7 @@ TEST(SpectrumEstimate, SumsToTheVariance) {
 
   const double variance = std::pow(statistics(map).rms_height, 2);
   EXPECT_NEAR(sum_of(periodic.rings) / variance, 1.0, 1e-12);
-  const HeightMap shown = with_edges(map, cases::Edges::window);
+  const HeightMap shown = with_edges(map, mechanics::Edges::window);
   EXPECT_NEAR(sum_of(windowed.rings) * hann_power(map.grid) /
                   std::pow(statistics(shown).rms_height, 2),
               1.0, 1e-12);

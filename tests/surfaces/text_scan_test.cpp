@@ -11,7 +11,7 @@
 namespace asperity::surfaces {
 namespace {
 
-using cases::MapFormat;
+using mechanics::MapFormat;
 
 Scan text_scan(const std::string& text, const MapScale& scale = {},
                MapFormat format = MapFormat::automatic) {

@@ -21,9 +21,9 @@ const SelfAffine surface{.low = 2.0 * std::numbers::pi / side};
 const ProfileMoments moments =
     surface.with_rms_height(1e-9).spectrum().profile_moments();
 
-cases::SurfaceSpec spec_of(double length, int points) {
-  cases::SurfaceSpec spec;
-  spec.kind = cases::SurfaceKind::self_affine;
+mechanics::SurfaceSpec spec_of(double length, int points) {
+  mechanics::SurfaceSpec spec;
+  spec.kind = mechanics::SurfaceKind::self_affine;
   spec.length = length;
   spec.points = points;
   spec.seed = 5;
@@ -58,7 +58,7 @@ int patches_less_holes(const surfaces::HeightMap& map, double height) {
 // Tolerance: three standard errors, the grid's corners 5 %.
 TEST(PeaksAbove, ArePatchesLessHolesOfRandomSurfaces) {
   const int n = 64;
-  const cases::SurfaceSpec spec = spec_of(side, 128);
+  const mechanics::SurfaceSpec spec = spec_of(side, 128);
   for (const double height : {0.0, 1.0, 2.0}) {
     double sum = 0.0;
     double squares = 0.0;
@@ -83,7 +83,7 @@ TEST(PeaksAbove, ArePatchesLessHolesOfRandomSurfaces) {
 TEST(ExpectedHighest, IsThatOfRandomSurfaces) {
   for (const int sides : {1, 2}) {
     const int n = sides == 1 ? 128 : 32;
-    const cases::SurfaceSpec spec = spec_of(sides * side, sides * 128);
+    const mechanics::SurfaceSpec spec = spec_of(sides * side, sides * 128);
     double sum = 0.0;
     double squares = 0.0;
     for (int r = 0; r < n; ++r) {

@@ -41,16 +41,16 @@ solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
         heights[grid.index(ix, iy)] =
             0.5 * (std::cos(2.0 * pi * (ix + shift_x) / points) +
                    std::cos(2.0 * pi * (iy + shift_y) / points));
-    const contact::ElasticBlock half_space{
+    const mechanics::ElasticBlock half_space{
         1.0 / pi, 0.0, std::numeric_limits<double>::infinity(),
-        contact::FarBoundary::clamped};
+        mechanics::FarBoundary::clamped};
     contact::LoadSequence sequence(
         std::make_unique<contact::FourierOperator>(
             contact::halfspace_operator(grid, half_space)),
-        heights, {contact::Law::hard, 0.0}, 1e-10, 2000);
+        heights, {mechanics::ContactLaw::hard, 0.0}, 1e-10, 2000);
     for (std::size_t k = 0; k < means.size(); ++k) {
       const contact::ContactSolution solution = sequence.solve(
-          {contact::LoadTarget::Kind::nominal_pressure, reduced_pressures[k]});
+          {mechanics::Control::nominal_pressure, reduced_pressures[k]});
       const double share = 1.0 / static_cast<double>(grid.size()) / n_offsets;
       for (std::size_t i = 0; i < grid.size(); ++i) {
         means[k].area_fraction += solution.pressure[i] > 0.0 ? share : 0.0;

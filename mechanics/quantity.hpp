@@ -2,7 +2,7 @@
 
 // Numbers with the reference unit in which they are given.
 
-namespace asperity::cases {
+namespace asperity::mechanics {
 
 /// The reference units of a problem that a case may use besides SI.
 enum class ReferenceUnit {
@@ -34,4 +34,4 @@ struct Quantity {
   double in_si(const Scales& scales) const;
 };
 
-} // namespace asperity::cases
+} // namespace asperity::mechanics

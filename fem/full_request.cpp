@@ -1,0 +1,143 @@
+#include "fem/full_request.hpp"
+
+#include "base/require.hpp"
+#include "meshes/gmsh_block.hpp"
+#include "meshes/graded_layers.hpp"
+#include "meshes/hanging_mesh.hpp"
+#include "meshes/layered_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/mesh_quality.hpp"
+#include "meshes/valid_mesh.hpp"
+
+namespace asperity::fem {
+namespace {
+
+/// The grid with one point per cell instead of one point per node.
+Grid cells_of(const Grid& nodes, int degree) {
+  return {nodes.points_x / degree, nodes.points_y / degree, nodes.length_x,
+          nodes.length_y};
+}
+
+/// Depths of the interfaces between the material's layers [m].
+std::vector<double>
+interfaces_of(const std::vector<mechanics::MaterialLayer>& layers,
+              const mechanics::Scales& scales) {
+  std::vector<double> interfaces;
+  interfaces.reserve(layers.size());
+  double depth = 0.0;
+  for (const mechanics::MaterialLayer& layer : layers)
+    interfaces.push_back(depth += layer.thickness.in_si(scales));
+  return interfaces;
+}
+
+meshes::GmshBlock gmsh_parameters(const FullRequest& request) {
+  const mechanics::MeshSpec& spec = request.mesh;
+  const mechanics::Scales& scales = request.scales;
+  meshes::GmshBlock block;
+  block.geometry = spec.geometry;
+  block.cells = spec.cells;
+  block.length_x = request.grid.length_x;
+  block.length_y = request.grid.length_y;
+  block.depth = request.block.depth.in_si(scales);
+  block.size_at_contact = spec.size_at_contact.in_si(scales);
+  block.size_far = spec.size_far.in_si(scales);
+  block.is_periodic = request.full.sides == mechanics::BlockSides::periodic;
+  block.fine_radius = spec.fine_radius.in_si(scales);
+  if (spec.geometry == mechanics::MeshGeometry::layered)
+    block.interfaces = interfaces_of(request.material.layers, scales);
+  if (const auto& inclusion = request.material.inclusion) {
+    block.inclusion_radius = inclusion->radius.in_si(scales);
+    block.inclusion_depth = inclusion->depth.in_si(scales);
+  }
+  return block;
+}
+
+meshes::BlockMesh mesh_of(const FullRequest& request) {
+  const mechanics::MeshSpec& spec = request.mesh;
+  if (spec.kind == mechanics::MeshKind::hanging)
+    return meshes::hanging_mesh(
+        cells_of(request.grid, degree_of(request.block.element)),
+        request.block.depth.in_si(request.scales), spec.cells_a_level);
+  if (spec.geometry == mechanics::MeshGeometry::file)
+    return meshes::read_mesh_file(spec.file, spec.file_unit,
+                                  request.full.sides);
+  return meshes::gmsh_block(gmsh_parameters(request));
+}
+
+std::vector<double> thicknesses_of(const LayeredBlock& block) {
+  std::vector<double> thicknesses;
+  for (const ElasticLayer& layer : block.layers)
+    thicknesses.push_back(layer.thickness);
+  return thicknesses;
+}
+
+/// The moduli of the meshed body: the first of two bodies, or the single one
+/// that represents both.
+mechanics::BodyModuli own_moduli(const mechanics::MaterialSpec& material,
+                                 int bodies) {
+  return bodies == 2 ? material.first_body()
+                     : mechanics::BodyModuli{material.block_youngs_modulus(),
+                                             *material.poisson_ratio};
+}
+
+} // namespace
+
+LayeredBlock layered_block(const mechanics::BlockSettings& settings,
+                           const std::vector<mechanics::MaterialLayer>& layers,
+                           const mechanics::BodyModuli& own, const Grid& grid,
+                           const mechanics::Scales& scales) {
+  // surface_cell_depth is measured in node spacings: the node planes next to
+  // the contact surface are that far apart, so 1 gives a cubic cell for Q1 and
+  // Q2 alike.
+  const double surface_cell = settings.surface_cell_depth *
+                              degree_of(settings.element) * grid.spacing_x();
+  const std::vector<double> interfaces = interfaces_of(layers, scales);
+  std::vector<mechanics::BodyModuli> moduli;
+  moduli.reserve(layers.size() + 1);
+  for (const mechanics::MaterialLayer& layer : layers)
+    moduli.push_back(layer.moduli);
+  moduli.push_back(own);
+  return bonded_block(meshes::graded_layers_with_interfaces(
+                          surface_cell, settings.growth, interfaces,
+                          settings.depth.in_si(scales)),
+                      interfaces, moduli, settings.far_boundary);
+}
+
+BlockProblem problem_of(const FullRequest& request,
+                        std::optional<meshes::BlockMesh> mesh) {
+  const auto& [grid, block, full, material, mesh_spec, scales] = request;
+  const int degree = degree_of(block.element);
+  const mechanics::BodyModuli own = own_moduli(material, full.bodies);
+  const bool is_layered =
+      !full.uses_case_mesh || mesh_spec.kind == mechanics::MeshKind::layers;
+
+  // The moduli are computed before the aggregate that they are moved into: if
+  // the initialiser of a later member throws, GCC 12 destroys earlier members
+  // that were never constructed.
+  ModuliField moduli =
+      moduli_field(material, scales, own, grid, block.depth.in_si(scales));
+  BlockProblem problem{grid, {}, degree, std::move(moduli)};
+  if (is_layered) {
+    const LayeredBlock layers =
+        layered_block(block, material.layers, own, grid, scales);
+    if (!mesh)
+      mesh =
+          meshes::layered_mesh(cells_of(grid, degree), thicknesses_of(layers));
+    if (full.sides == mechanics::BlockSides::periodic && full.bodies == 1)
+      problem.lattice = layers;
+  }
+  if (!mesh)
+    mesh = mesh_of(request);
+  problem.mesh = std::move(*mesh);
+  meshes::require_valid_mesh(problem.mesh, full.sides);
+  problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
+  problem.top = block.far_boundary;
+  problem.sides = full.sides;
+  problem.contact_at = full.contact_at;
+  problem.linear_solver = full.linear_solver;
+  if (full.bodies == 2)
+    problem.counter = material.counter;
+  return problem;
+}
+
+} // namespace asperity::fem

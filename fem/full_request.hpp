@@ -1,0 +1,45 @@
+#pragma once
+
+// Converts the description of a full 3-D block to the problem that is solved:
+// its mesh, its materials and its boundary conditions.
+
+#include "fem/block/block_problem.hpp"
+#include "mechanics/fem_settings.hpp"
+#include "mechanics/material.hpp"
+#include "mechanics/mesh_spec.hpp"
+#include "mechanics/quantity.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Describes one full 3-D block, with enough information for another process to
+/// build the same block (request_bytes.hpp).
+struct FullRequest {
+  Grid grid; ///< of the surface of the method
+  mechanics::BlockSettings block;
+  mechanics::FullBlockSettings full;
+  mechanics::MaterialSpec material; ///< with poisson_ratio
+  mechanics::MeshSpec mesh;
+  mechanics::Scales scales;
+};
+
+/// Builds the problem with the mesh that is requested: graded layers, cubes
+/// with hanging nodes or a gmsh mesh. An invalid mesh is refused.
+/// @param mesh  the mesh, if another process has generated it
+/// @throws std::domain_error  the mesh cannot be generated or is refused, with
+///                            the reason; or a parameter is outside its range
+/// @throws input::InputError  a file that the request names is invalid
+BlockProblem problem_of(const FullRequest& request,
+                        std::optional<meshes::BlockMesh> mesh = {});
+
+/// Cell layers of a laterally uniform block with the grading ratio of the
+/// settings and a cell face on each interface between the material's layers.
+/// @param own  moduli of the material below these layers
+LayeredBlock layered_block(const mechanics::BlockSettings& settings,
+                           const std::vector<mechanics::MaterialLayer>& layers,
+                           const mechanics::BodyModuli& own, const Grid& grid,
+                           const mechanics::Scales& scales);
+
+} // namespace asperity::fem

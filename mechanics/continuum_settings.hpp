@@ -1,0 +1,72 @@
+#pragma once
+
+// The settings of the methods that need no mesh: the theory, the half-space and
+// the Winkler foundation.
+
+#include "mechanics/contact_law.hpp"
+#include "mechanics/far_boundary.hpp"
+#include "mechanics/quantity.hpp"
+
+#include <optional>
+
+namespace asperity::mechanics {
+
+enum class TheorySpectrum { formula, surface };
+
+struct TheorySettings {
+  double gamma = 0.0; ///< 0 < gamma <= 1, parameter of Eq. (10) of Yang and
+                      ///< Persson (2008)
+  TheorySpectrum spectrum = TheorySpectrum::formula;
+
+  static constexpr const char* kind = "theory";
+
+  bool has_fields() const { return false; }
+
+  bool needs_surface() const { return spectrum == TheorySpectrum::surface; }
+
+  bool needs_poisson_ratio() const { return false; }
+
+  bool uses_layers() const { return false; }
+
+  bool is_continuum() const { return false; }
+};
+
+struct HalfspaceSettings {
+  ContactSettings contact;
+  std::optional<Quantity> thickness;               ///< none: half-space [m]
+  FarBoundary far_boundary = FarBoundary::clamped; ///< if there is a thickness
+  /// The surface is pressed once on an infinite half-space, without its
+  /// periodic continuation.
+  bool has_free_boundaries = false;
+
+  static constexpr const char* kind = "halfspace";
+
+  bool has_fields() const { return true; }
+
+  bool needs_surface() const { return true; }
+
+  bool needs_poisson_ratio() const { return thickness.has_value(); }
+
+  bool uses_layers() const { return true; }
+
+  bool is_continuum() const { return true; }
+};
+
+/// [winkler]: independent springs under the nodes, in hard contact.
+struct WinklerSettings {
+  Quantity stiffness; ///< k [Pa/m] > 0
+
+  static constexpr const char* kind = "winkler";
+
+  bool has_fields() const { return true; }
+
+  bool needs_surface() const { return true; }
+
+  bool needs_poisson_ratio() const { return false; }
+
+  bool uses_layers() const { return false; }
+
+  bool is_continuum() const { return false; }
+};
+
+} // namespace asperity::mechanics

@@ -1,0 +1,74 @@
+#pragma once
+
+// The settings of the finite-element methods: the condensed block and the full
+// 3-D block.
+
+#include "mechanics/contact_law.hpp"
+#include "mechanics/far_boundary.hpp"
+#include "mechanics/mesh_spec.hpp"
+#include "mechanics/quantity.hpp"
+
+namespace asperity::mechanics {
+
+enum class Element { q1, q2 };
+
+/// Polynomial degree of the shape functions of an element.
+constexpr int degree_of(Element element) {
+  return element == Element::q1 ? 1 : 2;
+}
+
+/// The discretisation of the block, which the condensed and the full method
+/// share: graded layers of elements with one far boundary.
+struct BlockSettings {
+  Element element = Element::q2;
+  double surface_cell_depth = 1.0; ///< in node spacings
+  double growth = 1.2;             ///< grading ratio of successive layers
+  Quantity depth{1.0, ReferenceUnit::length};
+  FarBoundary far_boundary = FarBoundary::clamped;
+};
+
+/// Solver of the linear systems of the full block.
+enum class LinearSolver {
+  automatic, ///< direct for small blocks; for larger ones fourier if the mesh
+             ///< is a periodic regular grid, else multigrid
+  direct,    ///< MUMPS; KLU on several ranks
+  multigrid, ///< CG, Trilinos ML smoothed aggregation
+  fourier,   ///< CG, preconditioned by the Fourier solver of the laterally
+             ///< uniform block
+};
+
+/// Where the contact conditions of the full block hold.
+enum class ContactPoints { nodes, gauss };
+
+/// What only the full 3-D block has (solver = "full").
+struct FullBlockSettings {
+  BlockSides sides = BlockSides::periodic;
+  LinearSolver linear_solver = LinearSolver::automatic;
+  ContactPoints contact_at = ContactPoints::nodes;
+  bool uses_case_mesh = false; ///< [mesh] instead of graded layers
+  int bodies = 1; ///< 2 meshes the second body too; with 1 it enters through E*
+};
+
+enum class FemSolver { automatic, condensed, full };
+
+/// [fem]: finite elements in contact with the rigid surface.
+struct FemSettings {
+  ContactSettings contact;
+  FemSolver solver = FemSolver::automatic;
+  BlockSettings block;
+  FullBlockSettings full;
+
+  static constexpr const char* kind = "fem";
+
+  bool has_fields() const { return true; }
+
+  bool needs_surface() const { return true; }
+
+  bool needs_poisson_ratio() const { return true; }
+
+  bool uses_layers() const { return true; }
+
+  bool is_continuum() const { return true; }
+};
+
+} // namespace asperity::mechanics

@@ -1,0 +1,29 @@
+#pragma once
+
+// The load: which quantity is prescribed, one load step, and the loading path.
+
+#include "mechanics/quantity.hpp"
+
+#include <vector>
+
+namespace asperity::mechanics {
+
+/// The quantity that a load step prescribes: p_0, the mean of the pressure, or
+/// the mean gap.
+enum class Control { nominal_pressure, mean_gap };
+
+/// The prescribed quantity of one load step in SI units.
+struct LoadTarget {
+  Control control = Control::nominal_pressure;
+  double amount = 0.0; ///< p_0 [Pa] > 0, or mean gap [m]
+};
+
+/// [load]: the loading path as steps in the order in which they run. A cycle
+/// "load-unload" is expanded; is_unloading[i] marks the unloading steps.
+struct LoadingPath {
+  Control control = Control::nominal_pressure;
+  std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] per step
+  std::vector<bool> is_unloading;
+};
+
+} // namespace asperity::mechanics

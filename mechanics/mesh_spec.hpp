@@ -1,0 +1,33 @@
+#pragma once
+
+// The specification of the mesh of a full 3-D block, and of its lateral sides.
+
+#include "mechanics/quantity.hpp"
+
+#include <string>
+
+namespace asperity::mechanics {
+
+/// The lateral sides of a block.
+enum class BlockSides { periodic, free };
+
+enum class MeshKind { layers, hanging, gmsh };
+enum class MeshGeometry { block, indentation, layered, inclusion, file };
+enum class MeshCells { hexahedra, tetrahedra };
+
+/// [mesh]: the mesh of the full block (solver = "full").
+struct MeshSpec {
+  MeshKind kind = MeshKind::layers;
+  int cells_a_level = 4;                       ///< cells per level, for hanging
+  MeshGeometry geometry = MeshGeometry::block; ///< for gmsh
+  MeshCells cells = MeshCells::hexahedra;      ///< for gmsh
+  /// Edge length of a cell [m].
+  Quantity size_at_contact{1.0, ReferenceUnit::spacing};
+  Quantity size_far{0.1, ReferenceUnit::length};    ///< far from the contact
+                                                    ///< surface [m]
+  Quantity fine_radius{0.1, ReferenceUnit::length}; ///< for indentation [m]
+  std::string file;                                 ///< as in MaterialVariation
+  double file_unit = 1.0; ///< metres per unit of the file
+};
+
+} // namespace asperity::mechanics

@@ -1,0 +1,92 @@
+#pragma once
+
+// The specification of the rough surface: how its heights are generated, or
+// which file they are read from and how that map is prepared.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace asperity::mechanics {
+
+enum class SurfaceKind {
+  self_affine,
+  spectrum,
+  measured,
+  sphere,
+  wave_1d,
+  wave_2d
+};
+enum class Amplitudes { spectrum, gaussian };
+/// Formats of map files; `convert` is any other one, through the program
+/// Gwyddion.
+enum class MapFormat {
+  automatic,
+  plain,
+  gwyddion,
+  xyz,
+  sdf,
+  x3p,
+  npy,
+  hdf5,
+  gwy,
+  convert
+};
+enum class Levelling { none, plane, bow, sphere, cylinder };
+enum class LineAlignment { none, median };
+enum class Filling { harmonic, none };
+enum class Edges { periodic, window, mirror, free };
+
+/// Part of a measured map [m]: distances of its corner from the first column
+/// and row, and its sides.
+struct MapWindow {
+  double x = 0.0;
+  double y = 0.0;
+  double length_x = 0.0;
+  double length_y = 0.0;
+};
+
+/// [surface]. Lengths [m], wavevectors [rad/m]. Members that a kind does not
+/// use stay empty: the length and points of a measured map come from its file.
+struct SurfaceSpec {
+  SurfaceKind kind = SurfaceKind::self_affine;
+  std::optional<double> length; ///< side of the periodic square > 0
+  std::optional<int> points;    ///< nodes per side, even, >= 4
+  std::uint64_t seed = 0;
+  int realizations = 1;
+  Amplitudes amplitudes = Amplitudes::spectrum;
+  bool rescale = false; ///< scale each realisation exactly to the prescribed
+                        ///< rms value
+
+  std::optional<double> rms_height; ///< of the complete spectrum
+  std::optional<double> rms_slope;
+  double hurst = 0.0;               ///< 0..1
+  double wavevector_low = 0.0;      ///< q_L
+  double wavevector_roll_off = 0.0; ///< q_0, q_L <= q_0 <= q_1
+  double wavevector_high = 0.0;     ///< q_1
+
+  std::string file; ///< path of the map or spectrum, made absolute or
+                    ///< relative to the working directory by the reader
+  MapFormat format = MapFormat::automatic;
+  Levelling level = Levelling::plane;
+  Edges edges = Edges::periodic; ///< free: half-spaces have free boundaries,
+                                 ///< and the surface of all other methods is
+                                 ///< continued, a map by its mirror images
+  std::optional<double> height_unit; ///< m per unit of the numbers in a plain
+                                     ///< file
+
+  std::optional<std::string> channel; ///< title, or path of a dataset
+  std::optional<double> length_y;     ///< period in y > 0; empty: square pixels
+  std::optional<double> length_unit;  ///< m per unit of x and y of a list
+  std::optional<MapWindow> crop;      ///< part of the map that is used
+  LineAlignment align_lines = LineAlignment::none;
+  std::optional<double> spikes;     ///< threshold in robust standard deviations
+  Filling fill = Filling::harmonic; ///< of missing points
+  double max_missing = 0.05;        ///< largest fraction that is filled
+
+  double radius = 0.0;     ///< sphere
+  double amplitude = 0.0;  ///< waves
+  double wavelength = 0.0; ///< waves; length is an integer multiple of it
+};
+
+} // namespace asperity::mechanics
