@@ -42,16 +42,16 @@ bool take_blocks(const std::optional<std::string>& bytes,
 
 Q2Compliance kept_or_built(const BlockRequest& request,
                            const LayeredBlock& block) {
-  const Keeper& keeper = request.keeper;
+  const OperatorCache& cache = request.cache;
   Q2Compliance compliance;
   compliance.grid = request.grid;
   compliance.kind_weights = relative_nodal_areas(2);
-  if (keeper.read && take_blocks(keeper.read(), compliance))
+  if (cache.read && take_blocks(cache.read(), compliance))
     return compliance;
   compliance = condensed_compliance_q2(request.grid, block, request.threads);
-  if (keeper.write)
-    keeper.write({reinterpret_cast<const char*>(compliance.blocks.data()),
-                  compliance.blocks.size() * sizeof(KindBlock)});
+  if (cache.write)
+    cache.write({reinterpret_cast<const char*>(compliance.blocks.data()),
+                 compliance.blocks.size() * sizeof(KindBlock)});
   return compliance;
 }
 

@@ -22,7 +22,7 @@
 namespace asperity::fem {
 
 /// A cache that stores bytes from one process to the next.
-struct Keeper {
+struct OperatorCache {
   std::function<std::optional<std::string>()> read;
   std::function<void(std::string_view)> write;
 };
@@ -36,7 +36,7 @@ struct BlockRequest {
   double poisson_ratio = 0.0;  ///< nu [1] -1..0.5
   int threads = 1;             ///< results are bitwise independent of it
   /// Cache of the condensed operator of this particular block; may be empty.
-  Keeper keeper = {};
+  OperatorCache cache = {};
   /// Layers bonded to the contact surface, outermost first; youngs_modulus and
   /// poisson_ratio are those of the material below them.
   std::vector<mechanics::MaterialLayer> layers = {};

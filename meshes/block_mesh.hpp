@@ -18,12 +18,13 @@ enum class CellShape { hexahedron, tetrahedron };
 /// The role of a face on the block's boundary.
 enum class FaceGroup {
   contact, ///< z = 0, outer normal -z
-  fixed,   ///< far boundary, which holds the block: the plane of largest z
-  left,    ///< x = 0
-  right,   ///< x = length_x
-  front,   ///< y = 0
-  back,    ///< y = length_y
-  sides,   ///< lateral sides of a block that is not a box
+  /// The support of the block: the plane of largest z.
+  far_boundary,
+  left,  ///< x = 0
+  right, ///< x = length_x
+  front, ///< y = 0
+  back,  ///< y = length_y
+  sides, ///< lateral sides of a block that is not a box
 };
 
 struct BoundaryFace {

@@ -100,7 +100,7 @@ FaceGroup side_of(const BlockMesh& mesh, const Facet& facet) {
   if (lies_on_plane(mesh, facet, 2, 0.0))
     return FaceGroup::contact;
   if (lies_on_plane(mesh, facet, 2, mesh.depth))
-    return FaceGroup::fixed;
+    return FaceGroup::far_boundary;
   if (const auto side = lateral_side_of(mesh, facet, 0.0))
     return *side;
   throw std::domain_error(

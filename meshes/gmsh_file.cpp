@@ -29,7 +29,7 @@ struct GroupName {
 
 constexpr std::array<GroupName, 3> group_names = {
     {{FaceGroup::contact, "contact"},
-     {FaceGroup::fixed, "fixed"},
+     {FaceGroup::far_boundary, "fixed"},
      {FaceGroup::sides, "sides"}}};
 
 struct Bounds {
@@ -207,7 +207,8 @@ void add_faces(BlockMesh& mesh, const std::map<FacetKey, FaceGroup>& groups) {
   if (is_box)
     return;
   for (BoundaryFace& face : mesh.faces)
-    if (face.group != FaceGroup::contact && face.group != FaceGroup::fixed)
+    if (face.group != FaceGroup::contact &&
+        face.group != FaceGroup::far_boundary)
       face.group = FaceGroup::sides;
 }
 

@@ -66,9 +66,10 @@ void add_faces(BlockMesh& mesh, const Lattice& at) {
   for (unsigned int j = 0; j < at.n_y; ++j)
     for (unsigned int i = 0; i < at.n_x; ++i)
       for (const unsigned int k : {0U, at.n_z})
-        mesh.faces.push_back({{at(i, j, k), at(i + 1, j, k), at(i, j + 1, k),
-                               at(i + 1, j + 1, k)},
-                              k == 0 ? FaceGroup::contact : FaceGroup::fixed});
+        mesh.faces.push_back(
+            {{at(i, j, k), at(i + 1, j, k), at(i, j + 1, k),
+              at(i + 1, j + 1, k)},
+             k == 0 ? FaceGroup::contact : FaceGroup::far_boundary});
   for (unsigned int k = 0; k < at.n_z; ++k)
     for (unsigned int j = 0; j < at.n_y; ++j)
       for (const unsigned int i : {0U, at.n_x})

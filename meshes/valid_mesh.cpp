@@ -187,7 +187,7 @@ void require_held_cells(const BlockMesh& mesh) {
       pieces.union_set(std::size_t{cell[0]}, std::size_t{cell[i]});
   std::set<std::size_t> held;
   for (const BoundaryFace& face : mesh.faces)
-    if (face.group == FaceGroup::fixed)
+    if (face.group == FaceGroup::far_boundary)
       held.insert(pieces.find_set(std::size_t{face.vertices[0]}));
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     if (!held.contains(pieces.find_set(std::size_t{mesh.cells[cell][0]})))
@@ -203,7 +203,7 @@ void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides) {
   require_joined_vertices(mesh);
   require_closed(mesh);
   require_group(mesh, FaceGroup::contact, "contact");
-  require_group(mesh, FaceGroup::fixed, "fixed");
+  require_group(mesh, FaceGroup::far_boundary, "fixed");
   require_flat_contact(mesh);
   require_held_cells(mesh);
   if (sides == mechanics::BlockSides::periodic)

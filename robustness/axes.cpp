@@ -61,8 +61,8 @@ bool is_elements(Family family) {
          family == Family::full_block;
 }
 
-std::string coating_of(const Scene& scene) {
-  const double stiffness = scene.coating_stiffness;
+std::string coating_of(const Instance& instance) {
+  const double stiffness = instance.coating_stiffness;
   return coatings[stiffness < 1.0 ? 0 : stiffness > 1.0 ? 2 : 1];
 }
 
@@ -100,57 +100,59 @@ const std::vector<Axis>& axes() {
       {"growth", growths.labels()},
       {"element", {"Q1", "Q2"}},
       {"coating", coatings},
-      {"twin", names(Twin::none, Twin::threads)},
+      {"twin", names(MetamorphicRelation::none, MetamorphicRelation::threads)},
       {"flaw", names(Flaw::nan_height, Flaw::infinite_modulus)},
       {"path", names(Path::library, Path::two_ranks)},
       {"threads", {"1", "2", "3"}}};
   return all;
 }
 
-std::vector<std::string> labels_of(const Scene& scene) {
-  const Family family = scene.family;
+std::vector<std::string> labels_of(const Instance& instance) {
+  const Family family = instance.family;
   const bool is_contact = family != Family::theory && family != Family::flawed;
   const bool is_continuum = is_contact && family != Family::atoms;
   const bool is_thick =
       is_continuum && (family == Family::slab || is_elements(family));
   const bool by_pressure =
       family == Family::theory ||
-      scene.control == mechanics::Control::nominal_pressure;
+      instance.control == mechanics::Control::nominal_pressure;
   const bool is_rough = family == Family::theory ||
-                        scene.shape == Shape::rough ||
-                        scene.shape == Shape::terraces;
+                        instance.shape == Shape::rough ||
+                        instance.shape == Shape::terraces;
   const bool is_sound = family != Family::flawed;
-  return {name_of(family),
-          where(is_contact, name_of(scene.shape)),
-          where(is_continuum, name_of(scene.law)),
-          where(is_continuum && scene.law != mechanics::ContactLaw::hard,
-                penalties.label_of(scene.penalty)),
-          where(is_contact, name_of(scene.control)),
-          where(is_sound && by_pressure, loads.label_of(scene.load)),
-          where(is_contact && !by_pressure, gaps.label_of(scene.load)),
-          where(is_contact, name_of(scene.program)),
-          where(is_contact, plain(scene.points)),
-          where(is_sound && is_rough, plain(scene.shortest_wave)),
-          where(is_sound && is_rough, hursts.label_of(scene.hurst)),
-          where(is_sound, slopes.label_of(scene.rms_slope)),
-          where(is_sound, lengths.label_of(scene.length)),
-          where(is_sound, moduli.label_of(scene.contact_modulus)),
-          where(is_thick, plain(scene.poisson_ratio)),
-          where(is_thick, name_of(scene.top)),
-          where(family == Family::halfspace,
-                scene.has_free_boundaries ? "free" : "periodic"),
-          where(is_thick, thicknesses.label_of(scene.thickness)),
-          where(is_elements(family), growths.label_of(scene.growth)),
-          where(family == Family::full_block, scene.degree == 1 ? "Q1" : "Q2"),
-          where(is_elements(family), coating_of(scene)),
-          where(is_continuum, name_of(scene.twin)),
-          where(!is_sound, name_of(scene.flaw)),
-          name_of(scene.path),
-          where(scene.twin == Twin::threads || scene.path != Path::library,
-                plain(scene.threads))};
+  return {
+      name_of(family),
+      where(is_contact, name_of(instance.shape)),
+      where(is_continuum, name_of(instance.law)),
+      where(is_continuum && instance.law != mechanics::ContactLaw::hard,
+            penalties.label_of(instance.penalty)),
+      where(is_contact, name_of(instance.control)),
+      where(is_sound && by_pressure, loads.label_of(instance.load)),
+      where(is_contact && !by_pressure, gaps.label_of(instance.load)),
+      where(is_contact, name_of(instance.program)),
+      where(is_contact, plain(instance.points)),
+      where(is_sound && is_rough, plain(instance.shortest_wave)),
+      where(is_sound && is_rough, hursts.label_of(instance.hurst)),
+      where(is_sound, slopes.label_of(instance.rms_slope)),
+      where(is_sound, lengths.label_of(instance.length)),
+      where(is_sound, moduli.label_of(instance.contact_modulus)),
+      where(is_thick, plain(instance.poisson_ratio)),
+      where(is_thick, name_of(instance.far_boundary)),
+      where(family == Family::halfspace,
+            instance.has_free_boundaries ? "free" : "periodic"),
+      where(is_thick, thicknesses.label_of(instance.thickness)),
+      where(is_elements(family), growths.label_of(instance.growth)),
+      where(family == Family::full_block, instance.degree == 1 ? "Q1" : "Q2"),
+      where(is_elements(family), coating_of(instance)),
+      where(is_continuum, name_of(instance.relation)),
+      where(!is_sound, name_of(instance.flaw)),
+      name_of(instance.path),
+      where(instance.relation == MetamorphicRelation::threads ||
+                instance.path != Path::library,
+            plain(instance.threads))};
 }
 
-SceneFilter::SceneFilter(const std::string& words) {
+InstanceFilter::InstanceFilter(const std::string& words) {
   const std::size_t equals = words.find('=');
   if (equals != std::string::npos)
     axis_ = words.substr(0, equals);
@@ -174,10 +176,10 @@ SceneFilter::SceneFilter(const std::string& words) {
                                       words, fmt::join(known, ", ")));
 }
 
-bool SceneFilter::takes(const Scene& scene) const {
+bool InstanceFilter::takes(const Instance& instance) const {
   if (label_.empty())
     return true;
-  const std::vector<std::string> labels = labels_of(scene);
+  const std::vector<std::string> labels = labels_of(instance);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] == label_ && (axis_.empty() || axes()[i].name == axis_))
       return true;

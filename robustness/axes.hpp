@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robustness/scene.hpp"
+#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 
@@ -22,18 +22,18 @@ const std::vector<Axis>& axes();
 /// Returns the label on each axis, in the order of axes(); empty where the axis
 /// does not apply to the family of the instance, as the penalty does not apply
 /// to the theory.
-std::vector<std::string> labels_of(const Scene& scene);
+std::vector<std::string> labels_of(const Instance& instance);
 
 /// Selects instances: "slab" is a label of any axis, "penalty=1e3..1e9" is a
 /// label of the given axis.
-class SceneFilter {
+class InstanceFilter {
 public:
   /// @param words  empty: all instances
   /// @throws std::domain_error  there is no axis or label of that name; the
   ///     message lists the existing ones
-  explicit SceneFilter(const std::string& words = {});
+  explicit InstanceFilter(const std::string& words = {});
 
-  bool takes(const Scene& scene) const;
+  bool takes(const Instance& instance) const;
 
 private:
   std::string axis_; ///< empty: any axis

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "robustness/scene_report.hpp"
-#include "robustness/scene_surface.hpp"
+#include "robustness/instance_report.hpp"
+#include "robustness/instance_surface.hpp"
 #include "robustness/verify.hpp"
 
 namespace asperity::robustness {
@@ -20,40 +20,40 @@ constexpr double relative_tolerance = 1e-8;
 
 /// Each of these functions runs an instance of its family and fills in the
 /// report. A refusal is thrown as an exception, as the modules throw it.
-void run_elastic(const Scene& scene, SceneReport& report);
-void run_full_block(const Scene& scene, SceneReport& report);
-void run_theory(const Scene& scene, SceneReport& report);
-void run_atoms(const Scene& scene, SceneReport& report);
-void run_flawed(const Scene& scene, SceneReport& report);
+void run_elastic(const Instance& instance, InstanceReport& report);
+void run_full_block(const Instance& instance, InstanceReport& report);
+void run_theory(const Instance& instance, InstanceReport& report);
+void run_atoms(const Instance& instance, InstanceReport& report);
+void run_flawed(const Instance& instance, InstanceReport& report);
 
 /// Runs the instance as a case file through the program after its family has
 /// solved it, and verifies that the rows of the result file lie in their ranges
 /// and that the mean gap is the same. A refusal by the program (exit code 2) is
 /// thrown as std::domain_error.
-void run_program(const Scene& scene, const std::filesystem::path& program,
-                 SceneReport& report);
+void run_program(const Instance& instance, const std::filesystem::path& program,
+                 InstanceReport& report);
 
 /// Returns the loading path in SI units. The load of the instance itself is at
 /// index load_step().
-/// @param height_scale  [m], see SceneSurface
-std::vector<mechanics::LoadTarget> targets_of(const Scene& scene,
+/// @param height_scale  [m], see InstanceSurface
+std::vector<mechanics::LoadTarget> targets_of(const Instance& instance,
                                               double height_scale);
-std::size_t load_step(const Scene& scene);
+std::size_t load_step(const Instance& instance);
 
 /// Returns true if a larger load may open contact: the block is a plate,
 /// thinner than 1/20 length with a traction-free back, which bends over its
 /// asperities, or its elements are nearly incompressible and lock.
-bool may_lose_contact(const Scene& scene);
+bool may_lose_contact(const Instance& instance);
 
 /// Returns the finite-element request of an instance, of degree 1 or 2. The
 /// cells of the surface layer are cubic or, in a thin block, half as high.
-fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
+fem::BlockRequest block_request(const Instance& instance, const Grid& grid,
                                 int degree, int threads);
 
 /// Returns the surface operator of an elastic instance.
 /// @throws std::domain_error  a refusal by contact/, meshes/ or fem/
 std::unique_ptr<contact::SurfaceOperator>
-operator_of(const Scene& scene, const Grid& grid, int threads);
+operator_of(const Instance& instance, const Grid& grid, int threads);
 
 /// The compliance C of the longest and of the shortest of the waves with 1, 2,
 /// 4, ... periods along x [m/Pa].
@@ -66,15 +66,15 @@ ComplianceRange compliance_range(const Grid& grid, const Displace& displace);
 
 /// Verifies all pairs of consecutive steps, and the unloading branch of a cycle
 /// against its loading branch.
-std::optional<Failure> verify_program(const Scene& scene,
+std::optional<Failure> verify_program(const Instance& instance,
                                       const std::vector<StepSummary>& steps);
 
 /// Writes the step of the instance's own load into the report.
-/// @param height_scale  [m], see SceneSurface
+/// @param height_scale  [m], see InstanceSurface
 void report_load_step(const StepSummary& step, double height_scale,
-                      SceneReport& report);
+                      InstanceReport& report);
 
 /// Writes a failure into the report.
-void fail(SceneReport& report, const Failure& failure);
+void fail(InstanceReport& report, const Failure& failure);
 
 } // namespace asperity::robustness

@@ -10,10 +10,10 @@ namespace {
 
 /// Returns the compliance C of the wave [m/Pa]: the displacement due to its own
 /// pressure, projected on the wave.
-double compliance_of(const Scene& scene, int waves) {
-  const Grid grid = grid_of(scene);
+double compliance_of(const Instance& instance, int waves) {
+  const Grid grid = grid_of(instance);
   const std::unique_ptr<contact::SurfaceOperator> block =
-      operator_of(scene, grid, 1);
+      operator_of(instance, grid, 1);
   std::vector<double> wave(grid.size());
   for (std::size_t i = 0; i < wave.size(); ++i)
     wave[i] = std::cos(2.0 * std::numbers::pi * waves * static_cast<double>(i) /
@@ -38,17 +38,17 @@ std::vector<LockingRow> locking_table() {
   for (const double thickness : {1.0, 0.1})
     for (const int waves : {1, 4})
       for (const double poisson_ratio : {0.0, 0.3, 0.49, 0.4999}) {
-        Scene scene;
-        scene.points = 32;
-        scene.growth = 1.2;
-        scene.thickness = thickness;
-        scene.poisson_ratio = poisson_ratio;
-        scene.family = Family::slab;
-        const double exact = compliance_of(scene, waves);
-        scene.family = Family::condensed_q1;
-        const double q1 = compliance_of(scene, waves);
-        scene.family = Family::condensed_q2;
-        const double q2 = compliance_of(scene, waves);
+        Instance instance;
+        instance.points = 32;
+        instance.growth = 1.2;
+        instance.thickness = thickness;
+        instance.poisson_ratio = poisson_ratio;
+        instance.family = Family::slab;
+        const double exact = compliance_of(instance, waves);
+        instance.family = Family::condensed_q1;
+        const double q1 = compliance_of(instance, waves);
+        instance.family = Family::condensed_q2;
+        const double q2 = compliance_of(instance, waves);
         rows.push_back({poisson_ratio, thickness, waves, q1 / exact - 1.0,
                         q2 / exact - 1.0});
       }

@@ -24,37 +24,37 @@ int Counts::others() const {
   return all() - of(Outcome::verified) - of(Outcome::refused);
 }
 
-void Matrix::add(const SceneResult& result) {
-  const auto& [scene, report] = result;
+void Matrix::add(const InstanceResult& result) {
+  const auto& [instance, report] = result;
   total_.add(report.outcome);
   seconds_ += report.seconds;
   std::vector<std::string> keys;
-  const std::vector<std::string> labels = labels_of(scene);
+  const std::vector<std::string> labels = labels_of(instance);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (!labels[i].empty())
       keys.push_back(key(axes()[i].name, labels[i]));
   for (const std::string& first : keys)
     for (const std::string& second : keys)
       pairs_[{first, second}].add(report.outcome);
-  if (report.outcome == Outcome::refused && scene.family != Family::flawed)
+  if (report.outcome == Outcome::refused && instance.family != Family::flawed)
     ++sound_but_refused_;
   if (!is_good(report.outcome))
     others_.push_back(result);
-  if (report.has_twin) {
-    TwinCounts& twin = twins_[scene.twin];
-    ++twin.pairs;
-    twin.same_bits += report.has_same_bits ? 1 : 0;
-    twin.largest_difference =
-        std::max(twin.largest_difference, report.twin_difference);
+  if (report.has_pair) {
+    RelationCounts& pair = relations_[instance.relation];
+    ++pair.pairs;
+    pair.same_bits += report.has_same_bits ? 1 : 0;
+    pair.largest_difference =
+        std::max(pair.largest_difference, report.pair_difference);
   }
   keep_if_slow(result);
 }
 
-void Matrix::keep_if_slow(const SceneResult& result) {
+void Matrix::keep_if_slow(const InstanceResult& result) {
   if (result.report.outcome != Outcome::verified)
     return;
   const auto at = std::find_if(
-      slowest_.begin(), slowest_.end(), [&](const SceneResult& kept) {
+      slowest_.begin(), slowest_.end(), [&](const InstanceResult& kept) {
         return kept.report.iterations < result.report.iterations;
       });
   slowest_.insert(at, result);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "robustness/scene.hpp"
-#include "robustness/scene_report.hpp"
+#include "robustness/instance.hpp"
+#include "robustness/instance_report.hpp"
 
 namespace asperity::robustness {
 
@@ -28,7 +28,7 @@ struct Counts {
 };
 
 /// Counts of metamorphic pairs of one kind.
-struct TwinCounts {
+struct RelationCounts {
   int pairs = 0;
   int same_bits = 0;
   /// Largest difference of mean gaps, in units of the tolerance [1]
@@ -36,14 +36,14 @@ struct TwinCounts {
 };
 
 /// An instance and its outcome.
-struct SceneResult {
-  Scene scene;
-  SceneReport report;
+struct InstanceResult {
+  Instance instance;
+  InstanceReport report;
 };
 
 class Matrix {
 public:
-  void add(const SceneResult& result);
+  void add(const InstanceResult& result);
 
   const Counts& total() const { return total_; }
 
@@ -60,24 +60,26 @@ public:
             const std::string& other_axis,
             const std::string& other_label) const;
 
-  const std::map<Twin, TwinCounts>& twins() const { return twins_; }
+  const std::map<MetamorphicRelation, RelationCounts>& relations() const {
+    return relations_;
+  }
 
   /// Instances neither verified nor refused, in the order in which they were
   /// added.
-  const std::vector<SceneResult>& others() const { return others_; }
+  const std::vector<InstanceResult>& others() const { return others_; }
 
   /// The verified instances with the most iterations, in descending order; at
   /// most ten.
-  const std::vector<SceneResult>& slowest() const { return slowest_; }
+  const std::vector<InstanceResult>& slowest() const { return slowest_; }
 
 private:
-  void keep_if_slow(const SceneResult& result);
+  void keep_if_slow(const InstanceResult& result);
 
   Counts total_;
   std::map<std::pair<std::string, std::string>, Counts> pairs_;
-  std::map<Twin, TwinCounts> twins_;
-  std::vector<SceneResult> others_;
-  std::vector<SceneResult> slowest_;
+  std::map<MetamorphicRelation, RelationCounts> relations_;
+  std::vector<InstanceResult> others_;
+  std::vector<InstanceResult> slowest_;
   int sound_but_refused_ = 0;
   double seconds_ = 0.0;
 };

@@ -146,29 +146,29 @@ std::string outcome_table(const Matrix& matrix) {
   return html + "</table>\n";
 }
 
-std::string scene_list(const std::vector<SceneResult>& results,
-                       const RunWords& run) {
+std::string instance_list(const std::vector<InstanceResult>& results,
+                          const RunWords& run) {
   std::string html =
       "<table><tr><th>problem instance</th><th>outcome</th></tr>\n";
-  for (const auto& [scene, report] : results)
+  for (const auto& [instance, report] : results)
     html += fmt::format(
         "<tr><td><code>{} --scene {}</code></td><td><b>{}{}</b> {} "
         "iterations. {}<br><span class=\"soft\">{}</span></td></tr>\n",
-        run.rerun, scene.index, name_of(report.outcome),
+        run.rerun, instance.index, name_of(report.outcome),
         report.check.empty() ? "" : ": " + report.check, report.iterations,
-        escaped(report.reason), escaped(in_words(scene)));
+        escaped(report.reason), escaped(in_words(instance)));
   return html + "</table>\n";
 }
 
-std::string twin_table(const Matrix& matrix) {
+std::string pair_table(const Matrix& matrix) {
   std::string html =
       "<table><tr><th>metamorphic relation</th><th class=\"n\">pairs</th><th "
       "class=\"n\">same bits</th><th class=\"n\">largest difference of the "
       "mean gaps, in units of the tolerance</th></tr>\n";
-  for (const auto& [twin, counts] : matrix.twins())
+  for (const auto& [pair, counts] : matrix.relations())
     html += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td "
                         "class=\"n\">{}</td><td class=\"n\">{:.3g}</td></tr>\n",
-                        name_of(twin), counts.pairs, counts.same_bits,
+                        name_of(pair), counts.pairs, counts.same_bits,
                         counts.largest_difference);
   return html + "</table>\n";
 }
@@ -213,7 +213,7 @@ std::string page_of(const Matrix& matrix, const RunWords& run,
   html += "<h2>Outcomes</h2>\n" + outcome_table(matrix);
   html += "<h2>Neither verified nor refused</h2>\n";
   html += matrix.others().empty() ? "<p>None.</p>\n"
-                                  : scene_list(matrix.others(), run);
+                                  : instance_list(matrix.others(), run);
   html +=
       "<h2>The matrix</h2>\n<p>Each cell stands for two axis values that occur "
       "in the same problem instance, the diagonal for a single value. Green: "
@@ -225,13 +225,13 @@ std::string page_of(const Matrix& matrix, const RunWords& run,
       "scaled by powers of two, and transforms on several threads, must give "
       "the same bits; units that are scaled by powers of ten must give the "
       "same solution within the tolerance of the solver.</p>\n" +
-      twin_table(matrix);
+      pair_table(matrix);
   html += "<h2>Locking</h2>\n<p>Compliance of the finite-element block under a "
           "sinusoidal pressure, relative to that of the exact slab: negative "
           "values are too stiff.</p>\n" +
           locking_html(locking);
   html += "<h2>Verified with the most iterations</h2>\n" +
-          scene_list(matrix.slowest(), run);
+          instance_list(matrix.slowest(), run);
   return html + "</body></html>\n";
 }
 

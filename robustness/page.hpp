@@ -14,7 +14,7 @@ namespace asperity::robustness {
 
 /// Description of the run itself.
 struct RunWords {
-  std::string rerun;   ///< "asperity robustness --seed 1", without --scene
+  std::string rerun;   ///< "asperity robustness --seed 1", without --instance
   std::string commit;  ///< commit of the program
   std::string machine; ///< processor and number of cores
   double wall_seconds = 0.0;
@@ -29,7 +29,7 @@ std::string page_of(const Matrix& matrix, const RunWords& run,
 
 /// Return the header line and the line of an instance.
 std::string csv_header();
-std::string csv_line(const SceneResult& result);
+std::string csv_line(const InstanceResult& result);
 
 /// Returns the counts, the metamorphic pairs, locking and all instances with
 /// other outcomes.

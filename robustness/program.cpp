@@ -10,10 +10,10 @@ namespace {
 
 /// Returns pressures relative to the load of the instance, or gaps in h_rms
 /// that are added to its gap.
-std::vector<double> steps_of(const Scene& scene) {
+std::vector<double> steps_of(const Instance& instance) {
   const bool by_pressure =
-      scene.control == mechanics::Control::nominal_pressure;
-  switch (scene.program) {
+      instance.control == mechanics::Control::nominal_pressure;
+  switch (instance.program) {
   case Program::increments:
     return by_pressure ? std::vector{0.5, 1.0, 1.01}
                        : std::vector{0.5, 0.0, -0.01};
@@ -29,25 +29,25 @@ std::vector<double> steps_of(const Scene& scene) {
 
 } // namespace
 
-std::size_t load_step(const Scene& scene) {
-  return scene.program == Program::cycle ? 2 : 1;
+std::size_t load_step(const Instance& instance) {
+  return instance.program == Program::cycle ? 2 : 1;
 }
 
-std::vector<mechanics::LoadTarget> targets_of(const Scene& scene,
+std::vector<mechanics::LoadTarget> targets_of(const Instance& instance,
                                               double height_scale) {
   std::vector<mechanics::LoadTarget> targets;
-  for (const double step : steps_of(scene)) {
-    if (scene.control == mechanics::Control::nominal_pressure) {
-      targets.push_back(
-          {mechanics::Control::nominal_pressure,
-           scene.load * step * scene.contact_modulus * scene.rms_slope});
+  for (const double step : steps_of(instance)) {
+    if (instance.control == mechanics::Control::nominal_pressure) {
+      targets.push_back({mechanics::Control::nominal_pressure,
+                         instance.load * step * instance.contact_modulus *
+                             instance.rms_slope});
       continue;
     }
     // The last decrease, by one hundredth, must not lead to a negative gap in
     // hard contact.
-    const double reach = step < 0.0 ? std::abs(scene.load) : 1.0;
+    const double reach = step < 0.0 ? std::abs(instance.load) : 1.0;
     targets.push_back({mechanics::Control::mean_gap,
-                       (scene.load + step * reach) * height_scale});
+                       (instance.load + step * reach) * height_scale});
   }
   return targets;
 }
@@ -70,12 +70,12 @@ ComplianceRange compliance_range(const Grid& grid, const Displace& displace) {
   return range;
 }
 
-std::optional<Failure> verify_program(const Scene& scene,
+std::optional<Failure> verify_program(const Instance& instance,
                                       const std::vector<StepSummary>& steps) {
   for (std::size_t i = 1; i < steps.size(); ++i)
     if (auto failure = verify_pair(steps[i - 1], steps[i]))
       return failure;
-  if (scene.program == Program::cycle)
+  if (instance.program == Program::cycle)
     for (std::size_t i = 0; i < steps.size() / 2; ++i)
       if (auto failure = verify_same(steps[i], steps[steps.size() - 1 - i])) {
         failure->check = "cycle";
@@ -85,13 +85,13 @@ std::optional<Failure> verify_program(const Scene& scene,
 }
 
 void report_load_step(const StepSummary& step, double height_scale,
-                      SceneReport& report) {
+                      InstanceReport& report) {
   report.area = step.area;
   report.reduced_gap = step.mean_gap / height_scale;
   report.reduced_tolerance = step.tolerance / height_scale;
 }
 
-void fail(SceneReport& report, const Failure& failure) {
+void fail(InstanceReport& report, const Failure& failure) {
   report.outcome = Outcome::check_failed;
   report.check = failure.check;
   report.reason = failure.detail;

@@ -37,26 +37,29 @@ std::string csv_header() {
          "coating thickness [thickness],path,threads\n";
 }
 
-std::string csv_line(const SceneResult& result) {
-  const auto& [scene, report] = result;
-  const std::string twin_bits =
-      report.has_twin ? (report.has_same_bits ? "yes" : "no") : "";
+std::string csv_line(const InstanceResult& result) {
+  const auto& [instance, report] = result;
+  const std::string pair_bits =
+      report.has_pair ? (report.has_same_bits ? "yes" : "no") : "";
   std::string line = fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{:.3f},", scene.seed, scene.index,
+      "{},{},{},{},{},{},{},{},{},{},{:.3f},", instance.seed, instance.index,
       name_of(report.outcome), report.check, quoted(report.reason),
-      report.iterations, report.area, report.reduced_gap, twin_bits,
-      report.twin_difference, report.seconds);
-  line += fmt::format("{},{},{},{},{},{},{},{},", name_of(scene.family),
-                      name_of(scene.shape), name_of(scene.law), scene.penalty,
-                      name_of(scene.control), scene.load,
-                      name_of(scene.program), scene.points);
+      report.iterations, report.area, report.reduced_gap, pair_bits,
+      report.pair_difference, report.seconds);
+  line +=
+      fmt::format("{},{},{},{},{},{},{},{},", name_of(instance.family),
+                  name_of(instance.shape), name_of(instance.law),
+                  instance.penalty, name_of(instance.control), instance.load,
+                  name_of(instance.program), instance.points);
   line += fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-      scene.shortest_wave, scene.hurst, scene.roll_off, scene.rms_slope,
-      scene.length, scene.contact_modulus, scene.poisson_ratio, scene.thickness,
-      name_of(scene.top), scene.growth, scene.gamma, name_of(scene.twin),
-      name_of(scene.flaw), scene.degree, scene.coating_stiffness,
-      scene.coating_thickness, name_of(scene.path), scene.threads);
+      instance.shortest_wave, instance.hurst, instance.roll_off,
+      instance.rms_slope, instance.length, instance.contact_modulus,
+      instance.poisson_ratio, instance.thickness,
+      name_of(instance.far_boundary), instance.growth, instance.gamma,
+      name_of(instance.relation), name_of(instance.flaw), instance.degree,
+      instance.coating_stiffness, instance.coating_thickness,
+      name_of(instance.path), instance.threads);
   return line;
 }
 
@@ -77,14 +80,14 @@ std::string json_of(const Matrix& matrix, const RunWords& run,
       if (const Counts counts = matrix.of(axis.name, label); counts.all() > 0)
         root["axes"][axis.name][label] = counts_json(counts);
   root["others"] = json::array();
-  for (const auto& [scene, report] : matrix.others())
-    root["others"].push_back({{"scene", scene.index},
+  for (const auto& [instance, report] : matrix.others())
+    root["others"].push_back({{"scene", instance.index},
                               {"outcome", name_of(report.outcome)},
                               {"check", report.check},
                               {"reason", report.reason},
-                              {"words", in_words(scene)}});
-  for (const auto& [twin, counts] : matrix.twins())
-    root["twins"][name_of(twin)] = {
+                              {"words", in_words(instance)}});
+  for (const auto& [pair, counts] : matrix.relations())
+    root["twins"][name_of(pair)] = {
         {"pairs", counts.pairs},
         {"same_bits", counts.same_bits},
         {"largest_difference_over_tolerance", counts.largest_difference}};

@@ -29,22 +29,24 @@ struct CaseNumbers {
   std::vector<double> loads;
 };
 
-CaseNumbers numbers_of(const Scene& scene) {
-  CaseNumbers numbers{.length = scene.length,
-                      .contact_modulus = scene.contact_modulus,
-                      .poisson_ratio = scene.poisson_ratio,
-                      .thickness = scene.thickness * scene.length,
-                      .growth = scene.growth,
-                      .law = scene.law,
+CaseNumbers numbers_of(const Instance& instance) {
+  CaseNumbers numbers{.length = instance.length,
+                      .contact_modulus = instance.contact_modulus,
+                      .poisson_ratio = instance.poisson_ratio,
+                      .thickness = instance.thickness * instance.length,
+                      .growth = instance.growth,
+                      .law = instance.law,
                       .loads = {}};
-  numbers.penalty = scene.penalty * scene.contact_modulus / scene.spacing();
-  numbers.has_elements = scene.family == Family::condensed_q1 ||
-                         scene.family == Family::condensed_q2 ||
-                         scene.family == Family::full_block;
-  numbers.is_slab = scene.family == Family::slab;
-  numbers.by_pressure = scene.control == mechanics::Control::nominal_pressure;
-  const double scale = surface_of(scene, grid_of(scene)).height_scale;
-  for (const mechanics::LoadTarget& target : targets_of(scene, scale))
+  numbers.penalty =
+      instance.penalty * instance.contact_modulus / instance.spacing();
+  numbers.has_elements = instance.family == Family::condensed_q1 ||
+                         instance.family == Family::condensed_q2 ||
+                         instance.family == Family::full_block;
+  numbers.is_slab = instance.family == Family::slab;
+  numbers.by_pressure =
+      instance.control == mechanics::Control::nominal_pressure;
+  const double scale = surface_of(instance, grid_of(instance)).height_scale;
+  for (const mechanics::LoadTarget& target : targets_of(instance, scale))
     numbers.loads.push_back(target.amount);
   return numbers;
 }
@@ -91,8 +93,8 @@ void spoil_contact(Flaw flaw, CaseNumbers& numbers) {
 
 /// Applies flaws of the block; some have an effect only with finite elements or
 /// a slab.
-void spoil_block(const Scene& scene, CaseNumbers& numbers) {
-  switch (scene.flaw) {
+void spoil_block(const Instance& instance, CaseNumbers& numbers) {
+  switch (instance.flaw) {
   case Flaw::zero_modulus:
     numbers.contact_modulus = 0.0;
     break;
@@ -123,7 +125,7 @@ void spoil_block(const Scene& scene, CaseNumbers& numbers) {
     break;
   case Flaw::sliver:
     numbers.has_elements = true;
-    numbers.thickness = 1.25 * scene.spacing();
+    numbers.thickness = 1.25 * instance.spacing();
     break;
   case Flaw::odd_q2_grid:
     numbers.has_elements = true;
@@ -139,47 +141,51 @@ std::string number(double value) {
   return fmt::format("{:.17e}", value);
 }
 
-int degree_of(const Scene& scene) {
-  if (scene.family == Family::full_block)
-    return scene.degree;
-  return scene.family == Family::condensed_q1 || scene.flaw == Flaw::sliver ? 1
-                                                                            : 2;
+int degree_of(const Instance& instance) {
+  if (instance.family == Family::full_block)
+    return instance.degree;
+  return instance.family == Family::condensed_q1 ||
+                 instance.flaw == Flaw::sliver
+             ? 1
+             : 2;
 }
 
 /// The coating uses the unspoilt thickness of the block.
-std::string coating_text(const Scene& scene) {
+std::string coating_text(const Instance& instance) {
   const double youngs_modulus =
-      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
+      instance.contact_modulus *
+      (1.0 - instance.poisson_ratio * instance.poisson_ratio);
   return fmt::format(
       "layers = [{{ thickness = {}, youngs_modulus = {}, poisson_ratio = {} "
       "}}]\n",
-      number(scene.coating_thickness * scene.thickness * scene.length),
-      number(scene.coating_stiffness * youngs_modulus),
-      number(scene.poisson_ratio));
+      number(instance.coating_thickness * instance.thickness * instance.length),
+      number(instance.coating_stiffness * youngs_modulus),
+      number(instance.poisson_ratio));
 }
 
-std::string method_text(const Scene& scene, const CaseNumbers& numbers) {
+std::string method_text(const Instance& instance, const CaseNumbers& numbers) {
   std::string text;
   if (numbers.has_elements) {
-    const int degree = degree_of(scene);
-    const double depth = scene.flaw == Flaw::sliver
-                             ? 1.0
-                             : block_request(scene, grid_of(scene), degree, 1)
-                                   .settings.surface_cell_depth;
+    const int degree = degree_of(instance);
+    const double depth =
+        instance.flaw == Flaw::sliver
+            ? 1.0
+            : block_request(instance, grid_of(instance), degree, 1)
+                  .settings.surface_cell_depth;
     text = fmt::format(
         "[fem]\nelement = \"Q{}\"\nsolver = \"{}\"\n"
         "surface_cell_depth = {}\ngrowth = {}\ndepth = {}\n",
-        degree, scene.family == Family::full_block ? "full" : "condensed",
+        degree, instance.family == Family::full_block ? "full" : "condensed",
         number(depth), number(numbers.growth), number(numbers.thickness));
   } else {
     text = "[halfspace]\n";
-    if (scene.has_free_boundaries)
+    if (instance.has_free_boundaries)
       text += "boundaries = \"free\"\n";
     if (numbers.is_slab)
       text += "thickness = " + number(numbers.thickness) + "\n";
   }
   if (numbers.has_elements || numbers.is_slab)
-    text += "top = \"" + name_of(scene.top) + "\"\n";
+    text += "top = \"" + name_of(instance.far_boundary) + "\"\n";
   text += "contact = \"" + name_of(numbers.law) + "\"\n";
   if (numbers.law != mechanics::ContactLaw::hard)
     text += "penalty = " + number(numbers.penalty) + "\n";
@@ -193,17 +199,18 @@ bool needs_penalty(Flaw flaw) {
 
 } // namespace
 
-std::string map_text_of(const Scene& scene) {
-  Scene wanted = scene;
-  wanted.points += scene.flaw == Flaw::odd_q2_grid ? 1 : 0;
+std::string map_text_of(const Instance& instance) {
+  Instance wanted = instance;
+  wanted.points += instance.flaw == Flaw::odd_q2_grid ? 1 : 0;
   const Grid grid = grid_of(wanted);
   std::vector<double> heights = surface_of(wanted, grid).map.heights;
-  double& spoilt = heights[static_cast<std::size_t>(scene.index) % grid.size()];
-  if (scene.flaw == Flaw::nan_height || scene.flaw == Flaw::nan_in_file)
+  double& spoilt =
+      heights[static_cast<std::size_t>(instance.index) % grid.size()];
+  if (instance.flaw == Flaw::nan_height || instance.flaw == Flaw::nan_in_file)
     spoilt = not_a_number;
-  if (scene.flaw == Flaw::infinite_height ||
-      scene.flaw == Flaw::infinity_in_file)
-    spoilt = scene.index % 3 == 0 ? -infinity : infinity;
+  if (instance.flaw == Flaw::infinite_height ||
+      instance.flaw == Flaw::infinity_in_file)
+    spoilt = instance.index % 3 == 0 ? -infinity : infinity;
   std::string text;
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
@@ -212,11 +219,11 @@ std::string map_text_of(const Scene& scene) {
   return text;
 }
 
-std::string case_text_of(const Scene& scene) {
-  CaseNumbers numbers = numbers_of(scene);
-  spoil_contact(scene.flaw, numbers);
-  spoil_block(scene, numbers);
-  if (needs_penalty(scene.flaw))
+std::string case_text_of(const Instance& instance) {
+  CaseNumbers numbers = numbers_of(instance);
+  spoil_contact(instance.flaw, numbers);
+  spoil_block(instance, numbers);
+  if (needs_penalty(instance.flaw))
     numbers.law = mechanics::ContactLaw::penalty;
   std::vector<std::string> loads;
   for (const double load : numbers.loads)
@@ -229,14 +236,14 @@ std::string case_text_of(const Scene& scene) {
       "height_unit = 1.0\nlength = {}\n\n"
       "[material]\ncontact_modulus = {}\npoisson_ratio = {}\n{}\n"
       "[load]\n{} = [{}]\n\n{}",
-      scene.index, number(numbers.length), number(numbers.contact_modulus),
+      instance.index, number(numbers.length), number(numbers.contact_modulus),
       number(numbers.poisson_ratio),
-      numbers.has_elements && scene.flaw == Flaw::none &&
-              scene.coating_stiffness != 1.0
-          ? coating_text(scene)
+      numbers.has_elements && instance.flaw == Flaw::none &&
+              instance.coating_stiffness != 1.0
+          ? coating_text(instance)
           : "",
       numbers.by_pressure ? "nominal_pressure" : "mean_gap",
-      fmt::join(loads, ", "), method_text(scene, numbers));
+      fmt::join(loads, ", "), method_text(instance, numbers));
 }
 
 } // namespace asperity::robustness

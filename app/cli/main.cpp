@@ -165,7 +165,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                       "cases whose settings are perturbed\n"
                       "(default: none)");
   command
-      ->add_option("--scenes", robustness.scenes,
+      ->add_option("--scenes", robustness.instances,
                    "number of problem instances (default: 2000)")
       ->check(CLI::Range(1, 10000000));
   command->add_option("--seed", robustness.seed,
@@ -173,7 +173,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
   command->add_option("--only", robustness.only,
                       "only instances of a family or with a value of an\n"
                       "axis: slab, law=hard");
-  command->add_option("--scene", robustness.scene,
+  command->add_option("--scene", robustness.instance,
                       "run the instance with this index only and print\n"
                       "its details");
   command->add_option("--out", robustness.out,

@@ -14,26 +14,26 @@
 #include <map>
 
 #include "robustness/axes.hpp"
-#include "robustness/case_scene.hpp"
+#include "robustness/case_instance.hpp"
+#include "robustness/instance_pool.hpp"
 #include "robustness/page.hpp"
-#include "robustness/run_scene.hpp"
-#include "robustness/scene_pool.hpp"
+#include "robustness/run_instance.hpp"
 
 namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-using robustness::Scene;
+using robustness::Instance;
 
 /// Where the problem instances come from: a base case, or none.
 struct Source {
   std::string name; ///< name of the case; empty: none
   std::string word; ///< path of the case file, as needed to repeat the run
-  std::optional<Scene> base;
+  std::optional<Instance> base;
 
-  Scene draw(std::uint64_t seed, int index) const {
-    return base ? robustness::draw_scene_about(*base, seed, index)
-                : robustness::draw_scene(seed, index);
+  Instance draw(std::uint64_t seed, int index) const {
+    return base ? robustness::draw_instance_about(*base, seed, index)
+                : robustness::draw_instance(seed, index);
   }
 };
 
@@ -43,7 +43,8 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
     for (const FoundCase& found : find_cases(word).cases) {
       const cases::Case read = cases::read_case(found.file.string());
       sources.push_back({found.name.empty() ? read.name : found.name,
-                         found.file.string(), robustness::scene_of_case(read)});
+                         found.file.string(),
+                         robustness::instance_of_case(read)});
     }
   if (command.cases.empty())
     sources.emplace_back();
@@ -52,21 +53,21 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
 
 /// Returns the requested instances: the first ones of the seed that match the
 /// filter.
-std::vector<Scene> scenes_of(const Source& source,
-                             const RobustnessCommand& command) {
+std::vector<Instance> instances_of(const Source& source,
+                                   const RobustnessCommand& command) {
   // The search gives up if fewer than one instance in this many matches.
   constexpr int most_drawn_for_one = 10000;
-  const robustness::SceneFilter filter(command.only);
-  std::vector<Scene> scenes;
-  const auto wanted = static_cast<std::size_t>(command.scenes);
-  for (int index = 0; scenes.size() < wanted; ++index) {
-    const Scene scene = source.draw(command.seed, index);
-    if (filter.takes(scene))
-      scenes.push_back(scene);
-    if (index / most_drawn_for_one > static_cast<int>(scenes.size()))
+  const robustness::InstanceFilter filter(command.only);
+  std::vector<Instance> instances;
+  const auto wanted = static_cast<std::size_t>(command.instances);
+  for (int index = 0; instances.size() < wanted; ++index) {
+    const Instance instance = source.draw(command.seed, index);
+    if (filter.takes(instance))
+      instances.push_back(instance);
+    if (index / most_drawn_for_one > static_cast<int>(instances.size()))
       break;
   }
-  return scenes;
+  return instances;
 }
 
 std::string rerun_of(const Source& source, const RobustnessCommand& command) {
@@ -82,19 +83,20 @@ std::string fact(const results::Provenance& facts, const std::string& name) {
 }
 
 /// Runs all instances. Reports arrive in any order and are sorted by index.
-std::map<int, robustness::SceneResult>
-results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
-  std::map<int, Scene> by_index;
-  for (const Scene& scene : scenes)
-    by_index[scene.index] = scene;
-  std::map<int, robustness::SceneResult> results;
+std::map<int, robustness::InstanceResult>
+results_of(const std::vector<Instance>& instances,
+           const RobustnessCommand& command) {
+  std::map<int, Instance> by_index;
+  for (const Instance& instance : instances)
+    by_index[instance.index] = instance;
+  std::map<int, robustness::InstanceResult> results;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   auto last_line = begin;
   std::fflush(stdout); // otherwise a child process would print it again
-  robustness::run_scenes(
-      scenes, {command.threads, 60.0},
-      [&](const robustness::SceneReport& report) {
+  robustness::run_instances(
+      instances, {command.threads, 60.0},
+      [&](const robustness::InstanceReport& report) {
         results[report.index] = {by_index.at(report.index), report};
         const auto now = Clock::now();
         if (now - last_line < std::chrono::seconds(10))
@@ -104,17 +106,19 @@ results_of(const std::vector<Scene>& scenes, const RobustnessCommand& command) {
             std::chrono::duration<double>(now - begin).count();
         const auto n_done = static_cast<double>(results.size());
         const double n_left =
-            static_cast<double>(scenes.size() - results.size());
+            static_cast<double>(instances.size() - results.size());
         fmt::print("{} of {} problem instances, {}\n", results.size(),
-                   scenes.size(), remaining_text(elapsed / n_done * n_left));
+                   instances.size(), remaining_text(elapsed / n_done * n_left));
         std::fflush(stdout);
       },
-      [](const Scene& scene) { return robustness::run_scene(scene); });
+      [](const Instance& instance) {
+        return robustness::run_instance(instance);
+      });
   return results;
 }
 
 void write_files(const fs::path& folder, const robustness::Matrix& matrix,
-                 const std::map<int, robustness::SceneResult>& results,
+                 const std::map<int, robustness::InstanceResult>& results,
                  const robustness::RunWords& words) {
   fs::create_directories(folder);
   const std::vector<robustness::LockingRow> locking =
@@ -132,9 +136,9 @@ void write_files(const fs::path& folder, const robustness::Matrix& matrix,
 ExitCode run_source(const Source& source, const RobustnessCommand& command,
                     std::string& json) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<Scene> scenes = scenes_of(source, command);
-  const std::map<int, robustness::SceneResult> results =
-      results_of(scenes, command);
+  const std::vector<Instance> instances = instances_of(source, command);
+  const std::map<int, robustness::InstanceResult> results =
+      results_of(instances, command);
   robustness::Matrix matrix;
   for (const auto& [index, result] : results)
     matrix.add(result);
@@ -153,8 +157,8 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
   write_files(folder, matrix, results, words);
   json += (json.empty() ? "" : ",\n") + json_of_file(folder / "stress.json");
 
-  for (const auto& [scene, report] : matrix.others())
-    fmt::print("{} --scene {}: {}{} {}\n", words.rerun, scene.index,
+  for (const auto& [instance, report] : matrix.others())
+    fmt::print("{} --scene {}: {}{} {}\n", words.rerun, instance.index,
                name_of(report.outcome),
                report.check.empty() ? "" : " (" + report.check + ")",
                report.reason);
@@ -171,20 +175,21 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
 /// Runs a single instance in this process, for use with a debugger, and prints
 /// everything known about it.
 ExitCode run_one(const Source& source, const RobustnessCommand& command) {
-  const Scene scene = source.draw(command.seed, *command.scene);
-  fmt::print("{}\n", in_words(scene));
-  const robustness::SceneReport report = robustness::run_scene(scene);
+  const Instance instance = source.draw(command.seed, *command.instance);
+  fmt::print("{}\n", in_words(instance));
+  const robustness::InstanceReport report = robustness::run_instance(instance);
   fmt::print("{}{}{}{}\n{} iterations, area fraction {:.6g}, mean gap {:.6g} "
              "h_rms, {:.3f} s\n",
              name_of(report.outcome), report.check.empty() ? "" : ": ",
              report.check, report.reason.empty() ? "" : ": " + report.reason,
              report.iterations, report.area, report.reduced_gap,
              report.seconds);
-  if (report.has_twin)
+  if (report.has_pair)
     fmt::print(
         "metamorphic pair ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
-        name_of(scene.twin), report.has_same_bits ? "identical" : "different",
-        report.twin_difference);
+        name_of(instance.relation),
+        report.has_same_bits ? "identical" : "different",
+        report.pair_difference);
   return is_good(report.outcome) ? exit_good : exit_not_converged;
 }
 
@@ -194,9 +199,10 @@ ExitCode run_robustness(const RobustnessCommand& command) {
   ExitCode worst = exit_good;
   std::string json; // of each source
   for (const Source& source : sources_of(command))
-    worst = std::max(worst, command.scene ? run_one(source, command)
-                                          : run_source(source, command, json));
-  if (wants_json() && !command.scene)
+    worst =
+        std::max(worst, command.instance ? run_one(source, command)
+                                         : run_source(source, command, json));
+  if (wants_json() && !command.instance)
     emit_answer(command.cases.size() > 1 ? "[" + json + "]\n" : json);
   return worst;
 }

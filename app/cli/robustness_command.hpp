@@ -14,11 +14,11 @@ namespace asperity::app {
 
 struct RobustnessCommand {
   std::vector<std::string> cases; ///< cases to perturb; none: random
-  int scenes = 2000; ///< number of instances that match `only`, per case
+  int instances = 2000; ///< number of instances that match `only`, per case
   std::uint64_t seed = 1;
-  std::string only;         ///< see robustness::SceneFilter
-  std::optional<int> scene; ///< run only this instance and print all details
-  int threads = 0;          ///< number of processes; 0: all cores
+  std::string only;            ///< see robustness::InstanceFilter
+  std::optional<int> instance; ///< run only this instance and print all details
+  int threads = 0;             ///< number of processes; 0: all cores
   std::string out = "out/robustness";
 };
 

@@ -6,8 +6,8 @@
 
 namespace asperity::app {
 
-fem::Keeper keeper_in(Cache& cache, const std::string& key, int threads,
-                      double& saved_setup_time) {
+fem::OperatorCache operator_cache(Cache& cache, const std::string& key,
+                                  int threads, double& saved_setup_time) {
   const auto read = [&cache, key, &saved_setup_time] {
     std::optional<std::string> bytes = cache.read(key, entry_kind::face);
     if (!bytes || bytes->size() < sizeof(double))

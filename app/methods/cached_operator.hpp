@@ -16,7 +16,7 @@ namespace asperity::app {
 ///                          measured from this call
 /// @param saved_setup_time  [s], set when the entry is read; must outlive the
 ///                          returned functions
-fem::Keeper keeper_in(Cache& cache, const std::string& key, int threads,
-                      double& saved_setup_time);
+fem::OperatorCache operator_cache(Cache& cache, const std::string& key,
+                                  int threads, double& saved_setup_time);
 
 } // namespace asperity::app

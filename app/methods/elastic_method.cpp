@@ -181,7 +181,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
   Face face;
   fem::BlockRequest asked =
       request(std::get<FemSettings>(method.settings), surface, threads);
-  asked.keeper = keeper_in(
+  asked.cache = operator_cache(
       cache_,
       keys_.of_operator(keys_.operator_text(method, surface.record.grid)),
       threads, face.saved_setup_time);

@@ -121,14 +121,14 @@ struct ReferenceSolution {
 };
 
 /// One quantity for which an error target was set.
-struct Promise {
+struct TargetCheck {
   std::string quantity;
   std::string estimator; ///< the column that is used: "area_fraction_fit"
   std::string method;
   double predicted = not_a_number;
   /// With respect to the exact solution or a finer run.
   double found = not_a_number;
-  bool is_kept = false;
+  bool is_met = false;
 };
 
 /// The outcome of a request for an error target.
@@ -141,11 +141,11 @@ struct TargetOutcome {
   double predicted_cpu_time = not_a_number; ///< for the chosen setting [s]
   double cpu_time = not_a_number; ///< measured for the chosen setting [s]
   double search_cpu_time = 0.0;   ///< of the coarse runs [s]
-  std::vector<Promise> promises;
+  std::vector<TargetCheck> checks;
   /// Settings tried before that missed the target, and why there was no other.
   std::vector<std::string> earlier;
 
-  bool is_kept() const; ///< true if every quantity meets the target
+  bool is_met() const; ///< true if every quantity meets the target
 };
 
 struct Bench {

@@ -184,10 +184,10 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   return exact;
 }
 
-bool TargetOutcome::is_kept() const {
-  return !promises.empty() &&
-         std::all_of(promises.begin(), promises.end(),
-                     [](const Promise& promise) { return promise.is_kept; });
+bool TargetOutcome::is_met() const {
+  return !checks.empty() &&
+         std::all_of(checks.begin(), checks.end(),
+                     [](const TargetCheck& check) { return check.is_met; });
 }
 
 bool is_area(const std::string& quantity) {

@@ -105,14 +105,14 @@ Json to_json(const BenchSeries& series) {
 }
 
 Json to_json(const TargetOutcome& target) {
-  Json promises = Json::array();
-  for (const Promise& promise : target.promises)
-    promises.push_back({{"quantity", promise.quantity},
-                        {"estimator", promise.estimator},
-                        {"method", promise.method},
-                        {"predicted", number(promise.predicted)},
-                        {"found", number(promise.found)},
-                        {"is_kept", promise.is_kept}});
+  Json checks = Json::array();
+  for (const TargetCheck& check : target.checks)
+    checks.push_back({{"quantity", check.quantity},
+                      {"estimator", check.estimator},
+                      {"method", check.method},
+                      {"predicted", number(check.predicted)},
+                      {"found", number(check.found)},
+                      {"is_kept", check.is_met}});
   return {{"target", number(target.target)},
           {"overrides", target.overrides},
           {"chosen", target.chosen},
@@ -122,7 +122,7 @@ Json to_json(const TargetOutcome& target) {
           {"predicted_cpu_time [s]", number(target.predicted_cpu_time)},
           {"cpu_time [s]", number(target.cpu_time)},
           {"search_cpu_time [s]", number(target.search_cpu_time)},
-          {"promises", promises}};
+          {"promises", checks}};
 }
 
 template <class Item>

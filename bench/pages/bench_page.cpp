@@ -39,11 +39,11 @@ Value target_data(const TargetOutcome& target) {
     value.set("problem", target.problem);
     return value;
   }
-  value.set("banner_class", target.is_kept() ? "" : "bad");
+  value.set("banner_class", target.is_met() ? "" : "bad");
   value.set("banner",
             fmt::format("{}: {}",
-                        target.is_kept() ? "The error target is met"
-                                         : "The error target is missed",
+                        target.is_met() ? "The error target is met"
+                                        : "The error target is missed",
                         target.chosen));
   List earlier;
   for (const std::string& words : target.earlier) {
@@ -59,20 +59,20 @@ Value target_data(const TargetOutcome& target) {
                 short_number(target.predicted_cpu_time, "{:.3g}"),
                 short_number(target.cpu_time, "{:.3g}"),
                 short_number(target.search_cpu_time, "{:.3g}"), target.finer));
-  List promises;
-  for (const Promise& promise : target.promises) {
+  List checks;
+  for (const TargetCheck& check : target.checks) {
     Value row;
-    row.set("quantity", promise.quantity);
-    row.set("method", promise.method);
-    row.set("estimator", promise.estimator);
+    row.set("quantity", check.quantity);
+    row.set("method", check.method);
+    row.set("estimator", check.estimator);
     row.set("promised", per_cent(target.target));
-    row.set("predicted", per_cent(promise.predicted));
-    row.set("found", per_cent(promise.found));
-    row.set("class", promise.is_kept ? "kept" : "broken");
-    row.set("word", promise.is_kept ? "yes" : "no");
-    promises.push_back(row);
+    row.set("predicted", per_cent(check.predicted));
+    row.set("found", per_cent(check.found));
+    row.set("class", check.is_met ? "kept" : "broken");
+    row.set("word", check.is_met ? "yes" : "no");
+    checks.push_back(row);
   }
-  value.set("promises", promises);
+  value.set("promises", checks);
   return value;
 }
 

@@ -170,7 +170,7 @@ bool TargetSearch::find_choice(double target) {
   return is_found;
 }
 
-void TargetSearch::promise(TargetOutcome& outcome) const {
+void TargetSearch::add_checks(TargetOutcome& outcome) const {
   outcome.predicted_cpu_time = choice_.cpu_time;
   outcome.overrides = {fmt::format("surface.points={}", choice_.points)};
   outcome.chosen = fmt::format("{} points per side", choice_.points);
@@ -180,7 +180,7 @@ void TargetSearch::promise(TargetOutcome& outcome) const {
       outcome.overrides.push_back(std::move(one));
     }
     for (const std::string& quantity : quantities_)
-      outcome.promises.push_back(
+      outcome.checks.push_back(
           {.quantity = quantity,
            .estimator = forecast->best_column(quantity, choice_.points,
                                               choice_.growth_share),
@@ -202,7 +202,7 @@ TargetOutcome TargetSearch::choose(double target) {
     make_forecasts();
   if (find_choice(target)) {
     ++n_tries_;
-    promise(outcome);
+    add_checks(outcome);
   } else {
     outcome.problem = why_none(target);
   }

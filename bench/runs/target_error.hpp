@@ -62,7 +62,7 @@ private:
                  Choice& choice);
   bool find_choice(double target);
   int finest_points() const;
-  void promise(reports::TargetOutcome& outcome) const;
+  void add_checks(reports::TargetOutcome& outcome) const;
   std::string why_none(double target);
   std::string depth_words(const Forecast& forecast, const std::string& column);
   void verify_method(reports::TargetOutcome& outcome, Forecast& forecast,

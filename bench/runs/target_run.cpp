@@ -80,7 +80,7 @@ bool TargetRun::verify(const cases::Case& chosen,
   for (const results::MethodRecord& method : result.methods)
     answers[method.name] = reports::answer_of(result, chosen, method.name);
   search_.verify(outcome_, answers);
-  return outcome_.is_kept();
+  return outcome_.is_met();
 }
 
 void TargetRun::record(const std::filesystem::path& folder) const {

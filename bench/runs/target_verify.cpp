@@ -20,11 +20,11 @@ constexpr int most_tries = 3;
 
 bool answers(const BenchAnswer& exact, const BenchAnswer& chosen,
              const TargetOutcome& outcome, const std::string& method) {
-  return std::all_of(outcome.promises.begin(), outcome.promises.end(),
-                     [&](const reports::Promise& promise) {
-                       return promise.method != method ||
+  return std::all_of(outcome.checks.begin(), outcome.checks.end(),
+                     [&](const reports::TargetCheck& check) {
+                       return check.method != method ||
                               std::isfinite(reports::error_against(
-                                  exact, chosen, promise.estimator));
+                                  exact, chosen, check.estimator));
                      });
 }
 
@@ -37,11 +37,11 @@ double with_what_is_left(double difference, double order) {
 
 std::string broken_words(const TargetOutcome& outcome) {
   std::string words = fmt::format("{}:", outcome.chosen);
-  for (const reports::Promise& promise : outcome.promises)
-    if (!promise.is_kept)
+  for (const reports::TargetCheck& check : outcome.checks)
+    if (!check.is_met)
       words += fmt::format("{} the error of {} with {} was {}",
-                           words.ends_with(':') ? "" : ",", promise.quantity,
-                           promise.method, reports::per_cent(promise.found));
+                           words.ends_with(':') ? "" : ",", check.quantity,
+                           check.method, reports::per_cent(check.found));
   return words;
 }
 
@@ -70,15 +70,15 @@ void TargetSearch::verify_method(TargetOutcome& outcome, Forecast& forecast,
       found[column] = with_what_is_left(
           reports::error_against(finer, answer, column), term.order);
   }
-  bool is_kept = true;
-  for (reports::Promise& promise : outcome.promises) {
-    if (promise.method != forecast.method)
+  bool is_met = true;
+  for (reports::TargetCheck& check : outcome.checks) {
+    if (check.method != forecast.method)
       continue;
-    promise.found = found.at(promise.estimator);
-    promise.is_kept = promise.found < outcome.target;
-    is_kept = is_kept && promise.is_kept;
+    check.found = found.at(check.estimator);
+    check.is_met = check.found < outcome.target;
+    is_met = is_met && check.is_met;
   }
-  if (!is_kept)
+  if (!is_met)
     for (const auto& [column, error] : found)
       forecast.learn(column, choice_.points, choice_.growth_share, error);
 }
@@ -123,7 +123,7 @@ TargetOutcome TargetSearch::run(double target) {
       chosen[method] = point.answer;
     }
     verify(outcome, chosen);
-    is_open = !outcome.is_kept() && choose_again(outcome);
+    is_open = !outcome.is_met() && choose_again(outcome);
   }
   return outcome;
 }

@@ -10,10 +10,10 @@ namespace {
 using reports::per_cent;
 
 std::string numbers_of(const reports::TargetOutcome& outcome,
-                       const reports::Promise& promise) {
+                       const reports::TargetCheck& check) {
   return fmt::format("target {}, predicted {}, found {}",
-                     per_cent(outcome.target), per_cent(promise.predicted),
-                     per_cent(promise.found));
+                     per_cent(outcome.target), per_cent(check.predicted),
+                     per_cent(check.found));
 }
 
 } // namespace
@@ -27,10 +27,10 @@ void print_outcome(const reports::TargetOutcome& outcome) {
     fmt::print("target error, earlier attempt: {}\n", words);
   fmt::print("target error: {}; predicted {:.3g} s of CPU time\n",
              outcome.chosen, outcome.predicted_cpu_time);
-  for (const reports::Promise& promise : outcome.promises)
-    fmt::print("{} of {} ({}): {}: {}\n", promise.quantity, promise.method,
-               promise.estimator, numbers_of(outcome, promise),
-               promise.is_kept ? "met" : "MISSED");
+  for (const reports::TargetCheck& check : outcome.checks)
+    fmt::print("{} of {} ({}): {}: {}\n", check.quantity, check.method,
+               check.estimator, numbers_of(outcome, check),
+               check.is_met ? "met" : "MISSED");
 }
 
 results::Provenance facts_of(const reports::TargetOutcome& outcome) {
@@ -39,11 +39,11 @@ results::Provenance facts_of(const reports::TargetOutcome& outcome) {
   for (std::size_t i = 0; i < outcome.earlier.size(); ++i)
     facts.emplace_back(fmt::format("target error, before ({})", i + 1),
                        outcome.earlier[i]);
-  for (const reports::Promise& promise : outcome.promises)
+  for (const reports::TargetCheck& check : outcome.checks)
     facts.emplace_back(
-        fmt::format("target error, {} of {}", promise.quantity, promise.method),
-        fmt::format("{}: {} ({})", numbers_of(outcome, promise),
-                    promise.is_kept ? "met" : "missed", promise.estimator));
+        fmt::format("target error, {} of {}", check.quantity, check.method),
+        fmt::format("{}: {} ({})", numbers_of(outcome, check),
+                    check.is_met ? "met" : "missed", check.estimator));
   return facts;
 }
 

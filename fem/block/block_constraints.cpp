@@ -85,7 +85,7 @@ void BlockSpace::constrain(const BlockProblem& problem) {
 }
 
 void BlockSpace::hold_far_boundary(const BlockProblem& problem) {
-  const std::vector<FaceNode> nodes = face_nodes(FaceGroup::fixed);
+  const std::vector<FaceNode> nodes = face_nodes(FaceGroup::far_boundary);
   if (dealii::Utilities::MPI::sum(nodes.size(), MPI_COMM_WORLD) == 0)
     throw std::domain_error("the mesh has no face in the group fixed");
   for (const FaceNode& node : nodes)

@@ -88,7 +88,7 @@ double BlockSpace::position_of(FaceGroup group) const {
     return lengths_[0];
   case FaceGroup::back:
     return lengths_[1];
-  case FaceGroup::fixed:
+  case FaceGroup::far_boundary:
     return lengths_[2];
   default:
     return 0.0;

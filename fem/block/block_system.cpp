@@ -57,7 +57,7 @@ void BlockSystem::integrate_top_load() {
     const double outward = cell->center()[2] < 0.0 ? -1.0 : 1.0;
     for (const unsigned int f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary() ||
-          cell->face(f)->boundary_id() != boundary_of(FaceGroup::fixed))
+          cell->face(f)->boundary_id() != boundary_of(FaceGroup::far_boundary))
         continue;
       values.reinit(cell, f);
       cell_load = 0.0;

@@ -83,8 +83,8 @@ void ExplicitSystem::precondition(std::span<const double> forces,
                                   double contact_stiffness,
                                   std::span<double> step) const {
   const bool is_held = load_.kind == Load::Kind::height;
-  if (!solver_ || solver_->footing().contact_stiffness != contact_stiffness ||
-      solver_->footing().is_height_held != is_held)
+  if (!solver_ || solver_->support().contact_stiffness != contact_stiffness ||
+      solver_->support().is_height_held != is_held)
     solver_ = std::make_unique<BlockSolver>(
         block_, BlockSupport{contact_stiffness, is_held}, threads_);
   solver_->solve(forces, step);

@@ -21,18 +21,18 @@ double angle(int wavenumber, int points) {
 } // namespace
 
 BlockSolver::BlockSolver(const MultiscaleBlock& block,
-                         const BlockSupport& footing, int threads)
-    : block_(&block), footing_(footing), threads_(threads) {
-  require_not_negative("contact_stiffness", footing.contact_stiffness, "N/m");
-  if (!footing.is_height_held)
-    require_positive("contact_stiffness", footing.contact_stiffness, "N/m");
+                         const BlockSupport& support, int threads)
+    : block_(&block), support_(support), threads_(threads) {
+  require_not_negative("contact_stiffness", support.contact_stiffness, "N/m");
+  if (!support.is_height_held)
+    require_positive("contact_stiffness", support.contact_stiffness, "N/m");
   std::vector<SymmetricBlock> below;
   for (int level = 0; level < block.shape().levels; ++level) {
     const Grid grid = block.level_grid(level);
     levels_.emplace_back(grid);
     if (level == 0) {
       const double stiffness =
-          footing.contact_stiffness * static_cast<double>(grid.size());
+          support.contact_stiffness * static_cast<double>(grid.size());
       below.assign(
           grid.half_spectrum_size(),
           SymmetricBlock{stiffness, stiffness, stiffness, 0.0, 0.0, 0.0});
@@ -80,7 +80,7 @@ BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
       WaveBlock inverse = own.inverse();
       if (at == 0 && mode == 0) {
         inverse(0, 0) = inverse(1, 1) = 0.0; // held, i.e. infinitely stiff
-        if (footing_.is_height_held)
+        if (support_.is_height_held)
           inverse(2, 2) = 0.0;
       }
       for (int layer = 0; layer < layers; ++layer) {

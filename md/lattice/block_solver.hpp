@@ -37,10 +37,10 @@ public:
   /// @throws std::domain_error  the contact stiffness is zero and the mean
   ///                            height is not held, so that the rigid
   ///                            translation in z is not determined
-  BlockSolver(const MultiscaleBlock& block, const BlockSupport& footing,
+  BlockSolver(const MultiscaleBlock& block, const BlockSupport& support,
               int threads = 1);
 
-  const BlockSupport& footing() const { return footing_; }
+  const BlockSupport& support() const { return support_; }
 
   /// @param forces  block.size() values [N]
   /// @param answer  block.size() values [m], overwritten; the held means are 0
@@ -76,7 +76,7 @@ private:
                   std::vector<Complex>& layers) const;
 
   const MultiscaleBlock* block_;
-  BlockSupport footing_;
+  BlockSupport support_;
   int threads_;
   std::vector<Level> levels_;
   double plate_stiffness_ = 0.0; ///< all layers below eliminated [N/m]

@@ -36,7 +36,7 @@ void centre(std::span<double> values) {
     value -= sum / static_cast<double>(values.size());
 }
 
-/// Takes the mean out of what the footing holds.
+/// Takes the mean out of what the support holds.
 void hold(const MultiscaleBlock& block, bool is_height_held,
           std::span<double> values) {
   const std::size_t n = block.shape().layer.size();

@@ -40,7 +40,7 @@ TEST(CutMesh, CutEverywhereIsTheFinerMesh) {
   EXPECT_EQ(sorted_places(cut), sorted_places(fine));
   EXPECT_EQ(cut.cells.size(), fine.cells.size());
   EXPECT_TRUE(cut.refine_below.empty());
-  for (const auto group : {FaceGroup::contact, FaceGroup::fixed,
+  for (const auto group : {FaceGroup::contact, FaceGroup::far_boundary,
                            FaceGroup::left, FaceGroup::back}) {
     EXPECT_EQ(count_of(cut, group), count_of(fine, group));
     EXPECT_DOUBLE_EQ(test::area_of(cut, group), test::area_of(fine, group));
@@ -60,7 +60,7 @@ TEST(CutMesh, CountsTheLevelsOfAHangingMesh) {
   const std::vector<Place> places = sorted_places(cut);
   EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
   EXPECT_EQ(count_of(cut, FaceGroup::contact), 16u * 16);
-  EXPECT_EQ(count_of(cut, FaceGroup::fixed), 4u * 4);
+  EXPECT_EQ(count_of(cut, FaceGroup::far_boundary), 4u * 4);
   EXPECT_EQ(count_of(cut, FaceGroup::left), 16u * 2 + 8 * 3 + 4 * 2);
   EXPECT_NEAR(test::volume_of(cut), 4096.0, 4096.0 * 1e3 * eps);
 }

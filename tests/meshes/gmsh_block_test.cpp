@@ -80,7 +80,7 @@ void expect_sound(const GmshBlock& block) {
   RC_ASSERT(test::smallest_jacobian(mesh) > 0.0);
   RC_ASSERT(is_near(test::volume_of(mesh), face * block.depth));
   RC_ASSERT(is_near(test::area_of(mesh, FaceGroup::contact), face));
-  RC_ASSERT(is_near(test::area_of(mesh, FaceGroup::fixed), face));
+  RC_ASSERT(is_near(test::area_of(mesh, FaceGroup::far_boundary), face));
   for (const auto side : {FaceGroup::left, FaceGroup::right})
     RC_ASSERT(is_near(test::area_of(mesh, side), block.length_y * block.depth));
   for (const auto side : {FaceGroup::front, FaceGroup::back})

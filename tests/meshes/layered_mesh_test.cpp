@@ -43,7 +43,7 @@ FaceGroup side_of(const BlockMesh& mesh, const BoundaryFace& face) {
     return FaceGroup::back;
   if (all_have(2, 0.0))
     return FaceGroup::contact;
-  return all_have(2, mesh.depth) ? FaceGroup::fixed : FaceGroup::sides;
+  return all_have(2, mesh.depth) ? FaceGroup::far_boundary : FaceGroup::sides;
 }
 
 // Claim: whatever the counts, no cell is inverted, the cells fill the box, each
@@ -67,7 +67,7 @@ TEST(LayeredMesh, FillsTheBox) {
               rounding);
     const std::map<FaceGroup, double> areas = {
         {FaceGroup::contact, area},
-        {FaceGroup::fixed, area},
+        {FaceGroup::far_boundary, area},
         {FaceGroup::left, face.length_y * mesh.depth},
         {FaceGroup::right, face.length_y * mesh.depth},
         {FaceGroup::front, face.length_x * mesh.depth},

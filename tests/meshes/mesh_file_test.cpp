@@ -113,10 +113,11 @@ TEST(ReadMeshFile, TakesABlockThatIsNoBox) {
   const BlockMesh mesh = read_mesh_file(punch, 2e-9, BlockSides::free);
 
   EXPECT_EQ(groups_of(mesh),
-            (std::set{FaceGroup::contact, FaceGroup::fixed, FaceGroup::sides}));
+            (std::set{FaceGroup::contact, FaceGroup::far_boundary,
+                      FaceGroup::sides}));
   EXPECT_NEAR(mesh.depth, 4e-9, 1e-23);
   const double disc = std::numbers::pi * 4e-18;
-  for (const auto end : {FaceGroup::contact, FaceGroup::fixed}) {
+  for (const auto end : {FaceGroup::contact, FaceGroup::far_boundary}) {
     EXPECT_LT(test::area_of(mesh, end), disc);
     EXPECT_GT(test::area_of(mesh, end), disc * (1.0 - 1.0 / 24.0));
   }
@@ -137,7 +138,8 @@ Physical Surface("fixed") = {4};
 
   EXPECT_EQ(mesh.group_names, std::vector<std::string>{"block"});
   EXPECT_EQ(groups_of(mesh),
-            (std::set{FaceGroup::contact, FaceGroup::fixed, FaceGroup::sides}));
+            (std::set{FaceGroup::contact, FaceGroup::far_boundary,
+                      FaceGroup::sides}));
 }
 
 } // namespace

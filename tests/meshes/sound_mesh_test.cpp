@@ -154,7 +154,8 @@ TEST(RequireSound, NamesMissingGroups) {
   };
 
   expect_answer(without(FaceGroup::contact), "no face is in the group contact");
-  expect_answer(without(FaceGroup::fixed), "no face is in the group fixed");
+  expect_answer(without(FaceGroup::far_boundary),
+                "no face is in the group fixed");
   expect_answer(without(FaceGroup::back), "needs the face back (y = length)");
   EXPECT_EQ(answer(without(FaceGroup::back), BlockSides::free), "accepted");
 }
@@ -181,7 +182,7 @@ TEST(RequireSound, NamesLoosePieces) {
   BlockMesh loose = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
   const BlockMesh other = loose;
   for (BoundaryFace& face : loose.faces)
-    if (face.group == FaceGroup::fixed)
+    if (face.group == FaceGroup::far_boundary)
       face.group = FaceGroup::sides;
   for (const Place& vertex : other.vertices)
     loose.vertices.push_back({vertex[0], vertex[1], vertex[2] + 1.5});

@@ -11,9 +11,9 @@
 namespace asperity::robustness {
 namespace {
 
-TEST(Axes, HoldEveryLabelOfEveryScene) {
+TEST(Axes, HoldEveryLabelOfEveryInstance) {
   for (int index = 0; index < 2000; ++index) {
-    const std::vector<std::string> labels = labels_of(draw_scene(2, index));
+    const std::vector<std::string> labels = labels_of(draw_instance(2, index));
     ASSERT_EQ(labels.size(), axes().size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const auto& known = axes()[i].labels;
@@ -25,17 +25,17 @@ TEST(Axes, HoldEveryLabelOfEveryScene) {
 }
 
 TEST(Axes, FilterTakesWhatItNames) {
-  const SceneFilter slabs("slab");
-  const SceneFilter stiff("penalty=1e+06..1e+09");
+  const InstanceFilter slabs("slab");
+  const InstanceFilter stiff("penalty=1e+06..1e+09");
   int n_slabs = 0;
   for (int index = 0; index < 500; ++index) {
-    const Scene scene = draw_scene(2, index);
-    EXPECT_TRUE(SceneFilter().takes(scene));
-    EXPECT_EQ(slabs.takes(scene), scene.family == Family::slab);
-    n_slabs += slabs.takes(scene);
-    if (stiff.takes(scene)) {
-      EXPECT_GE(scene.penalty, 1e6);
-      EXPECT_LT(scene.penalty, 1e9);
+    const Instance instance = draw_instance(2, index);
+    EXPECT_TRUE(InstanceFilter().takes(instance));
+    EXPECT_EQ(slabs.takes(instance), instance.family == Family::slab);
+    n_slabs += slabs.takes(instance);
+    if (stiff.takes(instance)) {
+      EXPECT_GE(instance.penalty, 1e6);
+      EXPECT_LT(instance.penalty, 1e9);
     }
   }
   EXPECT_GT(n_slabs, 0);
@@ -43,19 +43,19 @@ TEST(Axes, FilterTakesWhatItNames) {
 
 TEST(Axes, FilterSaysWhatThereIs) {
   try {
-    SceneFilter("law=soft");
+    InstanceFilter("law=soft");
     FAIL();
   } catch (const std::domain_error& error) {
     EXPECT_STREQ(error.what(), "only = law=soft, but must be one of: "
                                "law=penalty, law=hard, law=augmented");
   }
-  EXPECT_THROW(SceneFilter("colour=red"), std::domain_error);
+  EXPECT_THROW(InstanceFilter("colour=red"), std::domain_error);
 }
 
-TEST(Matrix, CountsEverySceneInEachOfItsBins) {
+TEST(Matrix, CountsEveryInstanceInEachOfItsBins) {
   Matrix matrix;
   for (int index = 0; index < 300; ++index) {
-    SceneResult result{draw_scene(2, index), {}};
+    InstanceResult result{draw_instance(2, index), {}};
     result.report.index = index;
     result.report.iterations = index;
     result.report.outcome =

@@ -14,7 +14,7 @@ namespace {
 Matrix small_matrix() {
   Matrix matrix;
   for (int index = 0; index < 50; ++index) {
-    SceneResult result{draw_scene(2, index), {}};
+    InstanceResult result{draw_instance(2, index), {}};
     result.report.index = index;
     if (index == 20) {
       result.report.outcome = Outcome::check_failed;
@@ -29,7 +29,7 @@ Matrix small_matrix() {
 const RunWords words{"asperity robustness --seed 2", "abc", "a machine", 1.0,
                      2};
 
-TEST(Page, NamesTheSceneThatEndedOtherwise) {
+TEST(Page, NamesTheInstanceThatEndedOtherwise) {
   const std::string page = page_of(small_matrix(), words, {});
 
   EXPECT_NE(page.find("50 problem instances: 49 converged and verified, 0 "
@@ -54,7 +54,7 @@ TEST(Tables, HoldTheSameCounts) {
 
 // The reason, which is quoted, may hold commas; others must not be lost.
 TEST(Tables, HaveAsManyColumnsAsHeads) {
-  SceneResult result{draw_scene(2, 0), {}};
+  InstanceResult result{draw_instance(2, 0), {}};
   result.report.reason = "no commas";
   const std::string line = csv_line(result);
   const std::string head = csv_header();

@@ -1,11 +1,11 @@
-// Claim: a slice of the stability matrix has nothing but scenes that converged
-// and were verified, and scenes that were refused with a reason. The whole is
-// run by `asperity robustness`.
+// Claim: a slice of the stability matrix has nothing but instances that
+// converged and were verified, and instances that were refused with a reason.
+// The whole is run by `asperity robustness`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "robustness/run_scene.hpp"
+#include "robustness/run_instance.hpp"
 
 namespace asperity::robustness {
 namespace {
@@ -14,16 +14,16 @@ TEST(Slice, HoldsNothingElse) {
   int verified = 0;
   int refused = 0;
   for (int index = 0; index < 160; ++index) {
-    Scene scene = draw_scene(11, index);
-    if (scene.family == Family::full_block)
+    Instance instance = draw_instance(11, index);
+    if (instance.family == Family::full_block)
       continue;
-    scene.points = std::min(scene.points, 32);
-    scene.path = Path::library; // the program's: robustness/program_scene
-    const SceneReport report = run_scene(within_reach(scene));
+    instance.points = std::min(instance.points, 32);
+    instance.path = Path::library; // the program's: robustness/program_instance
+    const InstanceReport report = run_instance(within_reach(instance));
     EXPECT_TRUE(is_good(report.outcome))
         << name_of(report.outcome) << " " << report.check << ": "
         << report.reason << "\n"
-        << in_words(scene);
+        << in_words(instance);
     EXPECT_FALSE(report.outcome == Outcome::refused && report.reason.empty());
     verified += report.outcome == Outcome::verified;
     refused += report.outcome == Outcome::refused;
@@ -35,15 +35,15 @@ TEST(Slice, HoldsNothingElse) {
 TEST(Slice, RefusesEveryFlaw) {
   for (int flaw = 1; flaw <= static_cast<int>(Flaw::infinite_modulus); ++flaw)
     for (const int index : {0, 1}) {
-      Scene scene;
-      scene.index = index;
-      scene.family = Family::flawed;
-      scene.flaw = static_cast<Flaw>(flaw);
+      Instance instance;
+      instance.index = index;
+      instance.family = Family::flawed;
+      instance.flaw = static_cast<Flaw>(flaw);
 
-      const SceneReport report = run_scene(scene);
+      const InstanceReport report = run_instance(instance);
 
       EXPECT_EQ(report.outcome, Outcome::refused)
-          << name_of(scene.flaw) << ": " << report.reason;
+          << name_of(instance.flaw) << ": " << report.reason;
     }
 }
 
@@ -51,7 +51,7 @@ TEST(Slice, RefusesEveryFlaw) {
 // solver's active set answers them.
 TEST(Slice, HoldsPlates) {
   for (const int index : {519, 944, 1738}) {
-    const SceneReport report = run_scene(draw_scene(1, index));
+    const InstanceReport report = run_instance(draw_instance(1, index));
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << index << " " << report.check << ": " << report.reason;
@@ -62,7 +62,7 @@ TEST(Slice, HoldsPlates) {
 // once pressed with 1e13 Pa: its own rounding hid the error.
 TEST(Slice, LeavesAFlatFaceApart) {
   for (const int index : {739, 928}) {
-    const SceneReport report = run_scene(draw_scene(101, index));
+    const InstanceReport report = run_instance(draw_instance(101, index));
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << index << " " << report.check << ": " << report.reason;
@@ -70,13 +70,14 @@ TEST(Slice, LeavesAFlatFaceApart) {
   }
 }
 
-// A flawed scene that nothing is wrong with is not refused, and that is seen.
+// A flawed instance that nothing is wrong with is not refused, and that is
+// seen.
 TEST(Slice, SeesWhatWasNotRefused) {
-  Scene scene;
-  scene.family = Family::flawed;
-  scene.flaw = Flaw::none;
+  Instance instance;
+  instance.family = Family::flawed;
+  instance.flaw = Flaw::none;
 
-  const SceneReport report = run_scene(scene);
+  const InstanceReport report = run_instance(instance);
 
   EXPECT_EQ(report.outcome, Outcome::check_failed);
   EXPECT_EQ(report.check, "refusal");
@@ -85,15 +86,15 @@ TEST(Slice, SeesWhatWasNotRefused) {
 // Small blocks with every unknown: one of each order.
 TEST(Slice, HoldsFullBlocks) {
   for (const int index : {0, 1}) {
-    Scene scene;
-    scene.index = index;
-    scene.family = Family::full_block;
-    scene.law = mechanics::ContactLaw::penalty;
-    scene.penalty = 1e9;
-    scene.load = 0.3;
-    scene.thickness = 0.3;
+    Instance instance;
+    instance.index = index;
+    instance.family = Family::full_block;
+    instance.law = mechanics::ContactLaw::penalty;
+    instance.penalty = 1e9;
+    instance.load = 0.3;
+    instance.thickness = 0.3;
 
-    const SceneReport report = run_scene(within_reach(scene));
+    const InstanceReport report = run_instance(within_reach(instance));
 
     EXPECT_EQ(report.outcome, Outcome::verified) << report.reason;
   }

@@ -9,24 +9,24 @@ namespace asperity::robustness {
 namespace {
 
 /// Spoils a property of the half-space or slab; a half-space has no thickness.
-void spoil_block(Scene& scene) {
-  switch (scene.flaw) {
+void spoil_block(Instance& instance) {
+  switch (instance.flaw) {
   case Flaw::zero_modulus:
-    scene.contact_modulus = 0.0;
+    instance.contact_modulus = 0.0;
     break;
   case Flaw::nan_modulus:
-    scene.contact_modulus = not_a_number;
+    instance.contact_modulus = not_a_number;
     break;
   case Flaw::infinite_modulus:
-    scene.contact_modulus = infinity;
+    instance.contact_modulus = infinity;
     break;
   case Flaw::nan_thickness:
-    scene.family = Family::slab;
-    scene.thickness = not_a_number;
+    instance.family = Family::slab;
+    instance.thickness = not_a_number;
     break;
   case Flaw::nan_poisson_ratio:
-    scene.family = Family::slab;
-    scene.poisson_ratio = not_a_number;
+    instance.family = Family::slab;
+    instance.poisson_ratio = not_a_number;
     break;
   default:
     break;
@@ -34,25 +34,26 @@ void spoil_block(Scene& scene) {
 }
 
 /// Solves the contact problem of the instance with one of its numbers spoilt.
-void solve_spoilt(Scene scene) {
-  scene.family = scene.index % 2 == 0 ? Family::halfspace : Family::slab;
-  const Grid grid = grid_of(scene);
-  SceneSurface surface = surface_of(scene, grid);
+void solve_spoilt(Instance instance) {
+  instance.family = instance.index % 2 == 0 ? Family::halfspace : Family::slab;
+  const Grid grid = grid_of(instance);
+  InstanceSurface surface = surface_of(instance, grid);
   double& spoilt_height =
-      surface.map.heights[static_cast<std::size_t>(scene.index) % grid.size()];
+      surface.map
+          .heights[static_cast<std::size_t>(instance.index) % grid.size()];
   mechanics::ContactInterface interface {
     mechanics::ContactLaw::penalty,
-        scene.penalty* scene.contact_modulus / grid.spacing_x()
+        instance.penalty* instance.contact_modulus / grid.spacing_x()
   };
   double tolerance = relative_tolerance * surface.height_scale;
   mechanics::LoadTarget target{mechanics::Control::nominal_pressure,
-                               scene.contact_modulus * scene.rms_slope};
-  switch (scene.flaw) {
+                               instance.contact_modulus * instance.rms_slope};
+  switch (instance.flaw) {
   case Flaw::nan_height:
     spoilt_height = not_a_number;
     break;
   case Flaw::infinite_height:
-    spoilt_height = scene.index % 3 == 0 ? -infinity : infinity;
+    spoilt_height = instance.index % 3 == 0 ? -infinity : infinity;
     break;
   case Flaw::zero_load:
     target.amount = 0.0;
@@ -88,29 +89,30 @@ void solve_spoilt(Scene scene) {
   default: // a flaw of the block: already in the instance
     break;
   }
-  spoil_block(scene);
-  contact::LoadSequence(operator_of(scene, grid, 1), surface.map.heights,
+  spoil_block(instance);
+  contact::LoadSequence(operator_of(instance, grid, 1), surface.map.heights,
                         interface, tolerance, 100)
       .solve(target);
 }
 
-void build_spoilt_block(Scene scene) {
-  scene.thickness = 1.0;
-  if (scene.flaw == Flaw::sliver)
+void build_spoilt_block(Instance instance) {
+  instance.thickness = 1.0;
+  if (instance.flaw == Flaw::sliver)
     // The interface of a coating would divide the layers.
-    scene.coating_stiffness = 1.0;
-  int degree = scene.index % 2 == 0 ? 1 : 2;
-  Grid grid = grid_of(scene);
-  if (scene.flaw == Flaw::odd_q2_grid) {
+    instance.coating_stiffness = 1.0;
+  int degree = instance.index % 2 == 0 ? 1 : 2;
+  Grid grid = grid_of(instance);
+  if (instance.flaw == Flaw::odd_q2_grid) {
     degree = 2;
-    grid = {scene.points + 1, scene.points + 1, scene.length, scene.length};
+    grid = {instance.points + 1, instance.points + 1, instance.length,
+            instance.length};
   }
-  fem::BlockRequest request = block_request(scene, grid, degree, 1);
-  if (scene.flaw == Flaw::incompressible)
+  fem::BlockRequest request = block_request(instance, grid, degree, 1);
+  if (instance.flaw == Flaw::incompressible)
     request.poisson_ratio = 0.5;
-  if (scene.flaw == Flaw::shrinking_layers)
+  if (instance.flaw == Flaw::shrinking_layers)
     request.settings.growth = 0.5;
-  if (scene.flaw == Flaw::sliver)
+  if (instance.flaw == Flaw::sliver)
     request.settings.depth = {1.25 * degree, mechanics::ReferenceUnit::spacing};
   fem::load_fem_module().condensed(request);
 }
@@ -133,26 +135,26 @@ void read_spoilt_case() {
 
 } // namespace
 
-void run_flawed(const Scene& scene, SceneReport& report) {
-  switch (scene.flaw) {
+void run_flawed(const Instance& instance, InstanceReport& report) {
+  switch (instance.flaw) {
   case Flaw::incompressible:
   case Flaw::shrinking_layers:
   case Flaw::sliver:
   case Flaw::odd_q2_grid:
-    build_spoilt_block(scene);
+    build_spoilt_block(instance);
     break;
   case Flaw::nan_in_file:
   case Flaw::infinity_in_file:
-    read_spoilt_map(scene.flaw);
+    read_spoilt_map(instance.flaw);
     break;
   case Flaw::nan_in_case:
     read_spoilt_case();
     break;
   default:
-    solve_spoilt(scene);
+    solve_spoilt(instance);
     break;
   }
-  fail(report, {"refusal", name_of(scene.flaw) + " was not refused"});
+  fail(report, {"refusal", name_of(instance.flaw) + " was not refused"});
 }
 
 } // namespace asperity::robustness

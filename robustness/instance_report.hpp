@@ -24,7 +24,7 @@ bool is_good(Outcome outcome);
 std::string name_of(Outcome outcome);
 
 /// The report on one instance.
-struct SceneReport {
+struct InstanceReport {
   int index = 0;
   Outcome outcome = Outcome::verified;
   std::string check; ///< name of the failed check; empty if none failed
@@ -36,16 +36,16 @@ struct SceneReport {
   double reduced_gap = 0.0;
   /// Tolerance of reduced_gap; not sent to other processes [1]
   double reduced_tolerance = 0.0;
-  bool has_twin = false;
+  bool has_pair = false;
   bool has_same_bits = false; ///< fields of the pair, scaled, are bitwise equal
   /// Difference of the mean gaps, in units of the tolerance [1]
-  double twin_difference = 0.0;
+  double pair_difference = 0.0;
   double seconds = 0.0; ///< CPU time
 };
 
 /// Converts a report to one line of JSON and back.
 /// @throws nlohmann::json::exception  the line has another format
-std::string to_line(const SceneReport& report);
-SceneReport from_line(const std::string& line);
+std::string to_line(const InstanceReport& report);
+InstanceReport from_line(const std::string& line);
 
 } // namespace asperity::robustness

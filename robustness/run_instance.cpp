@@ -1,4 +1,4 @@
-#include "robustness/run_scene.hpp"
+#include "robustness/run_instance.hpp"
 
 #include "input/input_error.hpp"
 
@@ -11,37 +11,37 @@
 namespace asperity::robustness {
 namespace {
 
-void run_family(const Scene& scene, SceneReport& report) {
-  switch (scene.family) {
+void run_family(const Instance& instance, InstanceReport& report) {
+  switch (instance.family) {
   case Family::full_block:
-    return run_full_block(scene, report);
+    return run_full_block(instance, report);
   case Family::atoms:
-    return run_atoms(scene, report);
+    return run_atoms(instance, report);
   case Family::theory:
-    return run_theory(scene, report);
+    return run_theory(instance, report);
   case Family::flawed:
-    return run_flawed(scene, report);
+    return run_flawed(instance, report);
   default:
-    return run_elastic(scene, report);
+    return run_elastic(instance, report);
   }
 }
 
 /// A flawed instance that goes through the program has no library result for
 /// comparison.
-void run_by_path(const Scene& scene, std::filesystem::path program,
-                 SceneReport& report) {
-  if (scene.path == Path::library || scene.family != Family::flawed)
-    run_family(scene, report);
-  if (scene.path == Path::library || report.outcome != Outcome::verified)
+void run_by_path(const Instance& instance, std::filesystem::path program,
+                 InstanceReport& report) {
+  if (instance.path == Path::library || instance.family != Family::flawed)
+    run_family(instance, report);
+  if (instance.path == Path::library || report.outcome != Outcome::verified)
     return;
   if (program.empty())
     program = std::filesystem::read_symlink("/proc/self/exe");
-  run_program(scene, program, report);
+  run_program(instance, program, report);
 }
 
 /// A refusal is clear if it states what is allowed, or where in a file the
 /// mistake is.
-void refuse(const std::string& reason, SceneReport& report) {
+void refuse(const std::string& reason, InstanceReport& report) {
   report.reason = reason;
   const auto says = [&](const char* words) {
     return reason.find(words) != std::string::npos;
@@ -56,13 +56,13 @@ void refuse(const std::string& reason, SceneReport& report) {
 
 } // namespace
 
-SceneReport run_scene(const Scene& scene,
-                      const std::filesystem::path& program) {
-  SceneReport report;
-  report.index = scene.index;
+InstanceReport run_instance(const Instance& instance,
+                            const std::filesystem::path& program) {
+  InstanceReport report;
+  report.index = instance.index;
   const std::clock_t begin = std::clock();
   try {
-    run_by_path(scene, program, report);
+    run_by_path(instance, program, report);
   } catch (const std::domain_error& error) {
     refuse(error.what(), report);
   } catch (const input::InputError& error) {

@@ -5,7 +5,7 @@
 
 #include "cases/types/case.hpp"
 
-#include "robustness/scene.hpp"
+#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 
@@ -15,6 +15,6 @@ namespace asperity::robustness {
 /// is represented by its statistics: by its slope, and by waves down to eight
 /// node spacings.
 /// @throws input::InputError  the surface cannot be built
-Scene scene_of_case(const cases::Case& contact_case);
+Instance instance_of_case(const cases::Case& contact_case);
 
 } // namespace asperity::robustness

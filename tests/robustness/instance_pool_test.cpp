@@ -1,5 +1,5 @@
-// Claims about robustness/scene_pool.hpp and the line a report travels in:
-// every scene is reported once, whatever the processes do.
+// Claims about robustness/instance_pool.hpp and the line a report travels in:
+// every instance is reported once, whatever the processes do.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -7,38 +7,38 @@
 #include <stdexcept>
 #include <vector>
 
-#include "robustness/scene_pool.hpp"
+#include "robustness/instance_pool.hpp"
 
 namespace asperity::robustness {
 namespace {
 
-std::vector<Scene> scenes(int count) {
-  std::vector<Scene> all(static_cast<std::size_t>(count));
+std::vector<Instance> instances(int count) {
+  std::vector<Instance> all(static_cast<std::size_t>(count));
   for (int index = 0; index < count; ++index)
     all[static_cast<std::size_t>(index)].index = index;
   return all;
 }
 
-std::map<int, SceneReport> run(int count, const PoolSettings& settings,
-                               const RunOne& run_one) {
-  std::map<int, SceneReport> reports;
-  run_scenes(
-      scenes(count), settings,
-      [&](const SceneReport& report) {
+std::map<int, InstanceReport> run(int count, const PoolSettings& settings,
+                                  const RunOne& run_one) {
+  std::map<int, InstanceReport> reports;
+  run_instances(
+      instances(count), settings,
+      [&](const InstanceReport& report) {
         EXPECT_TRUE(reports.emplace(report.index, report).second);
       },
       run_one);
   return reports;
 }
 
-SceneReport sound(const Scene& scene) {
-  SceneReport report;
-  report.index = scene.index;
-  report.iterations = 10 * scene.index;
+InstanceReport sound(const Instance& instance) {
+  InstanceReport report;
+  report.index = instance.index;
+  report.iterations = 10 * instance.index;
   return report;
 }
 
-TEST(ScenePool, ReportsEverySceneOnceFromAnyNumberOfProcesses) {
+TEST(InstancePool, ReportsEveryInstanceOnceFromAnyNumberOfProcesses) {
   for (const int processes : {1, 3, 50}) {
     const auto reports = run(20, {processes, 60.0}, sound);
 
@@ -49,13 +49,13 @@ TEST(ScenePool, ReportsEverySceneOnceFromAnyNumberOfProcesses) {
   EXPECT_TRUE(run(0, {2, 60.0}, sound).empty());
 }
 
-TEST(ScenePool, OutlivesCrashes) {
-  const auto reports = run(12, {2, 60.0}, [](const Scene& scene) {
-    if (scene.index == 0 || scene.index == 7)
+TEST(InstancePool, OutlivesCrashes) {
+  const auto reports = run(12, {2, 60.0}, [](const Instance& instance) {
+    if (instance.index == 0 || instance.index == 7)
       std::abort();
-    if (scene.index == 11)
+    if (instance.index == 11)
       std::_Exit(5);
-    return sound(scene);
+    return sound(instance);
   });
 
   ASSERT_EQ(reports.size(), 12u);
@@ -67,11 +67,11 @@ TEST(ScenePool, OutlivesCrashes) {
   EXPECT_EQ(reports.at(11).reason, "exit code 5");
 }
 
-TEST(ScenePool, StopsASceneWithoutEnd) {
-  const auto reports = run(6, {2, 0.2}, [](const Scene& scene) {
-    for (volatile bool is_running = scene.index == 3; is_running;) {
+TEST(InstancePool, StopsAnInstanceWithoutEnd) {
+  const auto reports = run(6, {2, 0.2}, [](const Instance& instance) {
+    for (volatile bool is_running = instance.index == 3; is_running;) {
     }
-    return sound(scene);
+    return sound(instance);
   });
 
   ASSERT_EQ(reports.size(), 6u);
@@ -79,12 +79,12 @@ TEST(ScenePool, StopsASceneWithoutEnd) {
   EXPECT_EQ(reports.at(5).outcome, Outcome::verified);
 }
 
-TEST(ScenePool, RefusesNoTime) {
+TEST(InstancePool, RefusesNoTime) {
   EXPECT_THROW(run(1, {1, 0.0}, sound), std::domain_error);
 }
 
-TEST(SceneReport, ComesOutOfItsLineAsItWentIn) {
-  SceneReport report;
+TEST(InstanceReport, ComesOutOfItsLineAsItWentIn) {
+  InstanceReport report;
   report.index = 12;
   report.outcome = Outcome::check_failed;
   report.check = "energy";
@@ -92,11 +92,11 @@ TEST(SceneReport, ComesOutOfItsLineAsItWentIn) {
   report.iterations = 7;
   report.area = 0.1;
   report.reduced_gap = -1.0 / 3.0;
-  report.has_twin = true;
-  report.twin_difference = 1e-17;
+  report.has_pair = true;
+  report.pair_difference = 1e-17;
 
   const std::string line = to_line(report);
-  const SceneReport read = from_line(line);
+  const InstanceReport read = from_line(line);
 
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_EQ(to_line(read), line);

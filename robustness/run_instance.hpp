@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "robustness/scene.hpp"
-#include "robustness/scene_report.hpp"
+#include "robustness/instance.hpp"
+#include "robustness/instance_report.hpp"
 
 namespace asperity::robustness {
 
@@ -15,7 +15,7 @@ namespace asperity::robustness {
 /// allowed. A flawed instance that is not refused fails the check "refusal".
 /// @param program  path of `asperity`, for the instances that go through it;
 ///     empty: the executable of this process
-SceneReport run_scene(const Scene& scene,
-                      const std::filesystem::path& program = {});
+InstanceReport run_instance(const Instance& instance,
+                            const std::filesystem::path& program = {});
 
 } // namespace asperity::robustness

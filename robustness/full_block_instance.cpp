@@ -34,13 +34,14 @@ contact::ContactSolution as_contact(fem::BlockSolution block,
 
 /// What the steps are verified against, except for the tolerance of the gap,
 /// which depends on the step.
-AskedContact asked_of_block(const Scene& scene, std::span<const double> heights,
+AskedContact asked_of_block(const Instance& instance,
+                            std::span<const double> heights,
                             const fem::FullBlock& block,
                             const ComplianceRange& range, double spring) {
   AskedContact asked{heights, block.nodal_weights()};
-  asked.may_lose_contact = may_lose_contact(scene);
+  asked.may_lose_contact = may_lose_contact(instance);
   asked.local_compliance =
-      scene.law == mechanics::ContactLaw::penalty ? 1.0 / spring : 0.0;
+      instance.law == mechanics::ContactLaw::penalty ? 1.0 / spring : 0.0;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
   asked.load_tolerance = load_tolerance_of_block;
@@ -49,12 +50,12 @@ AskedContact asked_of_block(const Scene& scene, std::span<const double> heights,
 
 } // namespace
 
-void run_full_block(const Scene& scene, SceneReport& report) {
-  const Grid grid = grid_of(scene);
-  const SceneSurface surface = surface_of(scene, grid);
+void run_full_block(const Instance& instance, InstanceReport& report) {
+  const Grid grid = grid_of(instance);
+  const InstanceSurface surface = surface_of(instance, grid);
   const std::unique_ptr<fem::FullBlock> block =
       fem::load_fem_module().uncondensed(
-          block_request(scene, grid, scene.degree, 1));
+          block_request(instance, grid, instance.degree, 1));
   const Displace displace = [&](auto pressure, auto displacement) {
     const std::vector<double> answer = block->displacement(pressure);
     if (answer.size() != displacement.size())
@@ -63,23 +64,23 @@ void run_full_block(const Scene& scene, SceneReport& report) {
     std::copy(answer.begin(), answer.end(), displacement.begin());
   };
   const ComplianceRange range = compliance_range(grid, displace);
-  const bool is_hard = scene.law == mechanics::ContactLaw::hard;
-  const double spring = (is_hard ? wall_spring : scene.penalty) *
-                        scene.contact_modulus / grid.spacing_x();
+  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
+  const double spring = (is_hard ? wall_spring : instance.penalty) *
+                        instance.contact_modulus / grid.spacing_x();
   AskedContact asked =
-      asked_of_block(scene, surface.map.heights, *block, range, spring);
+      asked_of_block(instance, surface.map.heights, *block, range, spring);
 
   // For a flat surface the model uses a tolerance of its own, a fraction of the
   // node spacing.
   const double tolerance_scale =
-      scene.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
+      instance.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
   std::vector<StepSummary> summaries;
   for (const mechanics::LoadTarget& target :
-       targets_of(scene, surface.height_scale)) {
-    const contact::ContactSolution solution =
-        as_contact(block->solve(surface.map.heights, target,
-                                {scene.law, spring, relative_tolerance, 2000}),
-                   displace);
+       targets_of(instance, surface.height_scale)) {
+    const contact::ContactSolution solution = as_contact(
+        block->solve(surface.map.heights, target,
+                     {instance.law, spring, relative_tolerance, 2000}),
+        displace);
     report.iterations += solution.iterations;
     if (!solution.converged) {
       report.outcome = Outcome::gave_up;
@@ -95,12 +96,13 @@ void run_full_block(const Scene& scene, SceneReport& report) {
     if (const auto failure = verify_step(asked, target, solution, displace))
       return fail(report, *failure);
     if (const auto failure =
-            verify_observables(grid, asked, solution, scene.contact_modulus))
+            verify_observables(grid, asked, solution, instance.contact_modulus))
       return fail(report, *failure);
     summaries.push_back(summary_of(asked, solution));
   }
-  report_load_step(summaries[load_step(scene)], surface.height_scale, report);
-  if (const auto failure = verify_program(scene, summaries))
+  report_load_step(summaries[load_step(instance)], surface.height_scale,
+                   report);
+  if (const auto failure = verify_program(instance, summaries))
     fail(report, *failure);
 }
 

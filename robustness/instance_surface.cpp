@@ -1,4 +1,4 @@
-#include "robustness/scene_surface.hpp"
+#include "robustness/instance_surface.hpp"
 
 #include "surfaces/maps/exact_shapes.hpp"
 #include "surfaces/maps/self_affine.hpp"
@@ -38,17 +38,18 @@ HeightMap terraces_of(HeightMap map) {
   return map;
 }
 
-HeightMap rough_heights(const Scene& scene, const Grid& grid) {
-  return surfaces::realize(spectrum_of(scene), grid, {scene.seed, scene.index});
+HeightMap rough_heights(const Instance& instance, const Grid& grid) {
+  return surfaces::realize(spectrum_of(instance), grid,
+                           {instance.seed, instance.index});
 }
 
-HeightMap unscaled(const Scene& scene, const Grid& grid) {
+HeightMap unscaled(const Instance& instance, const Grid& grid) {
   const int n = grid.points_x;
-  switch (scene.shape) {
+  switch (instance.shape) {
   case Shape::rough:
-    return rough_heights(scene, grid);
+    return rough_heights(instance, grid);
   case Shape::terraces:
-    return terraces_of(rough_heights(scene, grid));
+    return terraces_of(rough_heights(instance, grid));
   case Shape::wave:
     return surfaces::wave_2d(grid, grid.length_x, grid.length_x);
   case Shape::paraboloid:
@@ -73,34 +74,34 @@ HeightMap unscaled(const Scene& scene, const Grid& grid) {
 
 } // namespace
 
-Grid grid_of(const Scene& scene) {
-  return {scene.points, scene.points, scene.length, scene.length};
+Grid grid_of(const Instance& instance) {
+  return {instance.points, instance.points, instance.length, instance.length};
 }
 
-surfaces::IsotropicSpectrum spectrum_of(const Scene& scene) {
-  const double longest = 2.0 * std::numbers::pi / scene.length;
+surfaces::IsotropicSpectrum spectrum_of(const Instance& instance) {
+  const double longest = 2.0 * std::numbers::pi / instance.length;
   const double shortest =
-      2.0 * std::numbers::pi / (scene.shortest_wave * scene.spacing());
+      2.0 * std::numbers::pi / (instance.shortest_wave * instance.spacing());
   // On a small grid, the shortest wave may equal the roll-off wavelength.
   return surfaces::SelfAffineSpectrum::with_rms_slope(
-             {scene.hurst, 0.99 * longest,
-              std::min(scene.roll_off * longest, shortest),
+             {instance.hurst, 0.99 * longest,
+              std::min(instance.roll_off * longest, shortest),
               std::max(1.01 * longest, shortest)},
-             scene.rms_slope)
+             instance.rms_slope)
       .isotropic();
 }
 
-SceneSurface surface_of(const Scene& scene, const Grid& grid) {
-  SceneSurface surface;
-  surface.map = unscaled(scene, grid);
+InstanceSurface surface_of(const Instance& instance, const Grid& grid) {
+  InstanceSurface surface;
+  surface.map = unscaled(instance, grid);
   surfaces::remove_mean(surface.map);
   const double slope = surfaces::statistics(surface.map).rms_slope;
   if (slope > 0.0)
     for (double& height : surface.map.heights)
-      height *= scene.rms_slope / slope;
+      height *= instance.rms_slope / slope;
   surface.height_scale = surfaces::statistics(surface.map).rms_height;
   if (!(surface.height_scale > 0.0))
-    surface.height_scale = scene.rms_slope * grid.spacing_x();
+    surface.height_scale = instance.rms_slope * grid.spacing_x();
   return surface;
 }
 

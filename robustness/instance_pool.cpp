@@ -1,4 +1,4 @@
-#include "robustness/scene_pool.hpp"
+#include "robustness/instance_pool.hpp"
 
 #include "base/child_process.hpp"
 #include "base/require.hpp"
@@ -42,14 +42,14 @@ void write_all(int pipe, const std::string& text) {
 
 class Pool {
 public:
-  Pool(std::span<const Scene> scenes, const PoolSettings& settings,
-       const std::function<void(const SceneReport&)>& take,
+  Pool(std::span<const Instance> instances, const PoolSettings& settings,
+       const std::function<void(const InstanceReport&)>& take,
        const RunOne& run_one)
-      : scenes_(scenes),
+      : instances_(instances),
         settings_(settings),
         take_(take),
         run_one_(run_one),
-        stride_(std::min(scenes.size(), processes_of(settings))) {}
+        stride_(std::min(instances.size(), processes_of(settings))) {}
 
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -75,11 +75,11 @@ private:
   void start(Worker& worker, std::size_t first) {
     worker = Worker{};
     worker.next = first;
-    if (first >= scenes_.size())
+    if (first >= instances_.size())
       return;
     worker.child = ChildProcess::forked([this, first](int pipe) {
-      for (std::size_t i = first; i < scenes_.size(); i += stride_)
-        write_all(pipe, to_line(run_one_(scenes_[i])) + "\n");
+      for (std::size_t i = first; i < instances_.size(); i += stride_)
+        write_all(pipe, to_line(run_one_(instances_[i])) + "\n");
     });
     worker.since = Clock::now();
   }
@@ -99,7 +99,7 @@ private:
       else if (is_overdue(worker))
         report_and_restart(worker, Outcome::timed_out,
                            fmt::format("more than {:g} s of CPU time",
-                                       settings_.scene_seconds));
+                                       settings_.instance_seconds));
     }
   }
 
@@ -109,8 +109,8 @@ private:
     const double waited =
         std::chrono::duration<double>(Clock::now() - worker.since).count();
     return worker.child->cpu_time() - worker.seconds_before >
-               settings_.scene_seconds ||
-           waited > patience * settings_.scene_seconds;
+               settings_.instance_seconds ||
+           waited > patience * settings_.instance_seconds;
   }
 
   void read_from(Worker& worker) {
@@ -135,7 +135,7 @@ private:
   /// Handles a closed pipe: the process has finished, or it died at an
   /// instance.
   void finish(Worker& worker) {
-    if (worker.next < scenes_.size())
+    if (worker.next < instances_.size())
       report_and_restart(worker, Outcome::crashed,
                          worker.child->wait().failure);
     else
@@ -144,8 +144,8 @@ private:
 
   void report_and_restart(Worker& worker, Outcome outcome,
                           const std::string& reason) {
-    SceneReport report;
-    report.index = scenes_[worker.next].index;
+    InstanceReport report;
+    report.index = instances_[worker.next].index;
     report.outcome = outcome;
     report.reason = reason;
     take_(report);
@@ -153,9 +153,9 @@ private:
     start(worker, worker.next + stride_);
   }
 
-  std::span<const Scene> scenes_;
+  std::span<const Instance> instances_;
   const PoolSettings& settings_;
-  const std::function<void(const SceneReport&)>& take_;
+  const std::function<void(const InstanceReport&)>& take_;
   const RunOne& run_one_;
   std::size_t stride_;
   std::vector<Worker> workers_;
@@ -163,12 +163,13 @@ private:
 
 } // namespace
 
-void run_scenes(std::span<const Scene> scenes, const PoolSettings& settings,
-                const std::function<void(const SceneReport&)>& take,
-                const RunOne& run_one) {
-  require_positive("scene_seconds", settings.scene_seconds, "s");
-  if (!scenes.empty())
-    Pool(scenes, settings, take, run_one).run();
+void run_instances(std::span<const Instance> instances,
+                   const PoolSettings& settings,
+                   const std::function<void(const InstanceReport&)>& take,
+                   const RunOne& run_one) {
+  require_positive("instance_seconds", settings.instance_seconds, "s");
+  if (!instances.empty())
+    Pool(instances, settings, take, run_one).run();
 }
 
 } // namespace asperity::robustness

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file defines one problem instance ("scene") of the robustness matrix:
+// This file defines one problem instance of the robustness matrix:
 // all of its parameters, which are drawn from a seed and an index only.
 
 #include "cases/types/case.hpp"
@@ -43,7 +43,7 @@ enum class Program {
 };
 
 /// The second run with which the instance is compared, as a metamorphic pair.
-enum class Twin {
+enum class MetamorphicRelation {
   none,
   binary_units,  ///< lengths and moduli times powers of two: bitwise equal
   decimal_units, ///< times powers of ten: equal to the solver's tolerance
@@ -90,7 +90,7 @@ enum class Flaw {
 };
 
 /// The parameters of one problem instance.
-struct Scene {
+struct Instance {
   std::uint64_t seed = 0;
   int index = 0; ///< >= 0
 
@@ -98,10 +98,10 @@ struct Scene {
   Shape shape = Shape::rough;
   mechanics::ContactLaw law = mechanics::ContactLaw::hard;
   mechanics::Control control = mechanics::Control::nominal_pressure;
-  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
+  mechanics::FarBoundary far_boundary = mechanics::FarBoundary::clamped;
   bool has_free_boundaries = false; ///< of a half-space under pressure control
   Program program = Program::increments;
-  Twin twin = Twin::none;
+  MetamorphicRelation relation = MetamorphicRelation::none;
   Flaw flaw = Flaw::none;
   Path path = Path::library;
   int threads = 3; ///< of the second run and of the program [1] 1..3
@@ -138,28 +138,29 @@ struct Scene {
 /// the bits are the same on every machine and in any order, and do not change
 /// when axes are added later.
 /// @throws std::domain_error  index < 0
-Scene draw_scene(std::uint64_t seed, int index);
+Instance draw_instance(std::uint64_t seed, int index);
 
 /// Draws an instance in which each axis takes the value of `base` with a
 /// probability of one half: the settings of a case are perturbed in this way.
 /// Flawed instances remain flawed, and the grid remains small.
-Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index);
+Instance draw_instance_about(const Instance& base, std::uint64_t seed,
+                             int index);
 
 /// Moves every member that is outside the range of its family into that range:
 /// a full 3-D model is small and coarse in depth, and a wave fits its grid.
-Scene within_reach(Scene scene);
+Instance within_reach(Instance instance);
 
 /// Describes the instance in one line, with all parameters that define it.
-std::string in_words(const Scene& scene);
+std::string in_words(const Instance& instance);
 
 /// Return the names of the enumerators for labels: "condensed-q1".
 std::string name_of(Family family);
 std::string name_of(Shape shape);
 std::string name_of(mechanics::ContactLaw law);
 std::string name_of(mechanics::Control control);
-std::string name_of(mechanics::FarBoundary top);
+std::string name_of(mechanics::FarBoundary far_boundary);
 std::string name_of(Program program);
-std::string name_of(Twin twin);
+std::string name_of(MetamorphicRelation relation);
 std::string name_of(Flaw flaw);
 std::string name_of(Path path);
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <span>
 
-#include "robustness/scene.hpp"
-#include "robustness/scene_report.hpp"
+#include "robustness/instance.hpp"
+#include "robustness/instance_report.hpp"
 
 namespace asperity::robustness {
 
@@ -16,11 +16,12 @@ namespace asperity::robustness {
 struct PoolSettings {
   int processes = 0; ///< 0: one per core of the machine
   /// CPU time > 0; the limit of the wall time is ten times as large
-  double scene_seconds = 60.0;
+  double instance_seconds = 60.0;
 };
 
-/// The function that a child runs on an instance: run_scene(), except in tests.
-using RunOne = std::function<SceneReport(const Scene&)>;
+/// The function that a child runs on an instance: run_instance(), except in
+/// tests.
+using RunOne = std::function<InstanceReport(const Instance&)>;
 
 /// Runs every instance once, in forked processes that run one instance after
 /// another, and passes each report to `take` in this process as it arrives. A
@@ -29,9 +30,10 @@ using RunOne = std::function<SceneReport(const Scene&)>;
 /// processes affects nothing in the reports but the run time. The calling
 /// process must have a single thread.
 /// @throws std::system_error  no process could be started
-/// @throws std::domain_error   scene_seconds is not positive
-void run_scenes(std::span<const Scene> scenes, const PoolSettings& settings,
-                const std::function<void(const SceneReport&)>& take,
-                const RunOne& run_one);
+/// @throws std::domain_error   instance_seconds is not positive
+void run_instances(std::span<const Instance> instances,
+                   const PoolSettings& settings,
+                   const std::function<void(const InstanceReport&)>& take,
+                   const RunOne& run_one);
 
 } // namespace asperity::robustness

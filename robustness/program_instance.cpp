@@ -36,16 +36,16 @@ std::vector<std::string> environment_of_the_program() {
 }
 
 ChildAnswer run_case_in(const fs::path& folder, const fs::path& program,
-                        const Scene& scene) {
+                        const Instance& instance) {
   ChildCommand command;
   command.folder = folder;
-  if (scene.path == Path::two_ranks)
+  if (instance.path == Path::two_ranks)
     command.words = {"mpirun", "-np", "2", "--oversubscribe"};
   for (const char* word : {program.c_str(), "run", "case.toml", "--out", "out",
                            "--no-cache", "--threads"})
     command.words.emplace_back(word);
-  command.words.push_back(std::to_string(scene.threads));
-  if (scene.path != Path::report)
+  command.words.push_back(std::to_string(instance.threads));
+  if (instance.path != Path::report)
     command.words.emplace_back("--no-report");
   command.environment = environment_of_the_program();
   return run_child(command);
@@ -59,22 +59,22 @@ std::string text_of(const fs::path& file) {
 /// Verifies that every row lies in its range and that, at the load of the
 /// instance, the mean gap agrees with that of the library. Each of the two has
 /// the tolerance as its error.
-std::optional<Failure> verify_result(const Scene& scene,
+std::optional<Failure> verify_result(const Instance& instance,
                                      const results::Result& result,
-                                     const SceneReport& report) {
+                                     const InstanceReport& report) {
   if (result.status != "complete" || result.methods.size() != 1 ||
       result.methods[0].realizations.size() != 1)
     return Failure{"program",
                    "the result does not consist of one complete curve"};
   const auto& rows = result.methods[0].realizations[0].points;
-  const SceneSurface surface = surface_of(scene, grid_of(scene));
-  if (rows.size() != targets_of(scene, surface.height_scale).size())
+  const InstanceSurface surface = surface_of(instance, grid_of(instance));
+  if (rows.size() != targets_of(instance, surface.height_scale).size())
     return Failure{"program",
                    fmt::format("the curve has {} rows", rows.size())};
   for (const results::CurvePoint& row : rows)
     if (auto failure = verify_row(row))
       return failure;
-  const double gap = rows[load_step(scene)].mean_gap / surface.height_scale;
+  const double gap = rows[load_step(instance)].mean_gap / surface.height_scale;
   if (std::abs(gap - report.reduced_gap) <= 2.0 * report.reduced_tolerance)
     return {};
   return Failure{
@@ -99,24 +99,25 @@ std::optional<Failure> verify_report(const fs::path& folder,
 
 } // namespace
 
-void run_program(const Scene& scene, const fs::path& program,
-                 SceneReport& report) {
+void run_program(const Instance& instance, const fs::path& program,
+                 InstanceReport& report) {
   const TemporaryFolder scratch("asperity-robustness");
-  write_file_atomically(scratch.path() / "map.txt", map_text_of(scene));
-  write_file_atomically(scratch.path() / "case.toml", case_text_of(scene));
-  const ChildAnswer answer = run_case_in(scratch.path(), program, scene);
+  write_file_atomically(scratch.path() / "map.txt", map_text_of(instance));
+  write_file_atomically(scratch.path() / "case.toml", case_text_of(instance));
+  const ChildAnswer answer = run_case_in(scratch.path(), program, instance);
   constexpr int bad_input = 2;
   if (answer.end.exit_code == bad_input)
     throw std::domain_error(answer.output);
   if (answer.end.exit_code != 0)
     return fail(report, {"program", answer.end.failure + ": " + answer.output});
-  if (scene.family == Family::flawed)
-    return fail(report, {"refusal", name_of(scene.flaw) + " was not refused"});
+  if (instance.family == Family::flawed)
+    return fail(report,
+                {"refusal", name_of(instance.flaw) + " was not refused"});
   const fs::path folder = scratch.path() / "out";
   if (const auto failure =
-          verify_result(scene, results::read_result(folder), report))
+          verify_result(instance, results::read_result(folder), report))
     return fail(report, *failure);
-  if (scene.path == Path::report)
+  if (instance.path == Path::report)
     if (const auto failure = verify_report(folder, answer.output))
       fail(report, *failure);
 }

@@ -1,4 +1,4 @@
-#include "robustness/scene.hpp"
+#include "robustness/instance.hpp"
 
 #include "base/require.hpp"
 #include "surfaces/maps/random_modes.hpp"
@@ -18,9 +18,9 @@ enum class Stream {
   shape,
   law,
   control,
-  top,
+  far_boundary,
   program,
-  twin,
+  relation,
   flaw,
   points,
   length,
@@ -152,11 +152,11 @@ Path draw_path(const Draw& draw, Family family) {
 
 /// Pressures are log-uniform, with half of the draws in the range in which
 /// contact changes most; gaps lie where the surfaces touch.
-double draw_load(const Draw& draw, const Scene& scene) {
-  if (scene.family == Family::theory)
+double draw_load(const Draw& draw, const Instance& instance) {
+  if (instance.family == Family::theory)
     return draw.log_uniform(Stream::load, 1e-12, 100.0);
-  if (scene.control == mechanics::Control::mean_gap)
-    return scene.law == mechanics::ContactLaw::penalty &&
+  if (instance.control == mechanics::Control::mean_gap)
+    return instance.law == mechanics::ContactLaw::penalty &&
                    draw.coin(Stream::load)
                ? draw.uniform(Stream::load, -1.0, 3.0)
                : draw.log_uniform(Stream::load, 1e-3, 4.0);
@@ -164,152 +164,160 @@ double draw_load(const Draw& draw, const Scene& scene) {
                                  : draw.log_uniform(Stream::load, 1e-3, 10.0);
 }
 
-void draw_surface(const Draw& draw, Scene& scene) {
-  scene.shape = draw_shape(draw);
-  scene.points = draw.pick<int>(Stream::points, {8, 16, 24, 32, 48, 64});
-  scene.length = draw.log_uniform(Stream::length, 1e-12, 1e6);
+void draw_surface(const Draw& draw, Instance& instance) {
+  instance.shape = draw_shape(draw);
+  instance.points = draw.pick<int>(Stream::points, {8, 16, 24, 32, 48, 64});
+  instance.length = draw.log_uniform(Stream::length, 1e-12, 1e6);
   // Both limits are drawn with finite probability, because part of a spectral
   // moment is a logarithm there.
-  scene.hurst = std::clamp(draw.uniform(Stream::hurst, -0.1, 1.1), 0.0, 1.0);
-  scene.roll_off = draw.uniform(Stream::roll_off, 1.0, 4.0);
-  scene.shortest_wave =
+  instance.hurst = std::clamp(draw.uniform(Stream::hurst, -0.1, 1.1), 0.0, 1.0);
+  instance.roll_off = draw.uniform(Stream::roll_off, 1.0, 4.0);
+  instance.shortest_wave =
       draw.pick<double>(Stream::shortest_wave, {2.0, 2.1, 2.1, 3.0, 4.0, 8.0});
-  scene.rms_slope = draw.log_uniform(Stream::rms_slope, 1e-6, 10.0);
+  instance.rms_slope = draw.log_uniform(Stream::rms_slope, 1e-6, 10.0);
 }
 
-void draw_block(const Draw& draw, Scene& scene) {
-  scene.contact_modulus = draw.log_uniform(Stream::contact_modulus, 1.0, 1e12);
-  scene.poisson_ratio =
+void draw_block(const Draw& draw, Instance& instance) {
+  instance.contact_modulus =
+      draw.log_uniform(Stream::contact_modulus, 1.0, 1e12);
+  instance.poisson_ratio =
       draw.pick<double>(Stream::poisson_ratio, {0.0, 0.3, 0.49, 0.4999});
-  scene.thickness = draw.log_uniform(Stream::thickness, 0.01, 10.0);
-  scene.growth = std::max(1.0, draw.uniform(Stream::growth, 0.8, 3.0));
-  scene.degree = draw.pick<int>(Stream::degree, {1, 2});
-  scene.coating_stiffness =
+  instance.thickness = draw.log_uniform(Stream::thickness, 0.01, 10.0);
+  instance.growth = std::max(1.0, draw.uniform(Stream::growth, 0.8, 3.0));
+  instance.degree = draw.pick<int>(Stream::degree, {1, 2});
+  instance.coating_stiffness =
       draw.coin(Stream::coating_stiffness)
           ? draw.log_uniform(Stream::coating_stiffness, 0.05, 20.0)
           : 1.0;
-  scene.coating_thickness = draw.uniform(Stream::coating_thickness, 0.02, 0.5);
-  scene.top = draw.pick<mechanics::FarBoundary>(
-      Stream::top,
+  instance.coating_thickness =
+      draw.uniform(Stream::coating_thickness, 0.02, 0.5);
+  instance.far_boundary = draw.pick<mechanics::FarBoundary>(
+      Stream::far_boundary,
       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
        mechanics::FarBoundary::pressure});
 }
 
 /// Restricts an instance to what a case file accepts: surfaces that are not
 /// flat, and positive mean gaps.
-Scene within_reach_of_a_case(Scene scene) {
-  if (scene.shape == Shape::flat)
-    scene.shape = Shape::wave;
-  if (scene.control == mechanics::Control::mean_gap)
-    scene.load = std::max(scene.load, 1e-3);
-  return scene;
+Instance within_reach_of_a_case(Instance instance) {
+  if (instance.shape == Shape::flat)
+    instance.shape = Shape::wave;
+  if (instance.control == mechanics::Control::mean_gap)
+    instance.load = std::max(instance.load, 1e-3);
+  return instance;
 }
 
 } // namespace
 
-Scene draw_scene(std::uint64_t seed, int index) {
+Instance draw_instance(std::uint64_t seed, int index) {
   require_not_negative("index", index, "1");
   const Draw draw(seed, index);
-  Scene scene;
-  scene.seed = seed;
-  scene.index = index;
-  scene.family = draw_family(draw);
-  draw_surface(draw, scene);
-  draw_block(draw, scene);
-  scene.law = draw.weigh<mechanics::ContactLaw>(
+  Instance instance;
+  instance.seed = seed;
+  instance.index = index;
+  instance.family = draw_family(draw);
+  draw_surface(draw, instance);
+  draw_block(draw, instance);
+  instance.law = draw.weigh<mechanics::ContactLaw>(
       Stream::law, {{mechanics::ContactLaw::penalty, 4.0},
                     {mechanics::ContactLaw::hard, 3.0},
                     {mechanics::ContactLaw::augmented, 2.0}});
-  scene.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
-  scene.control = draw.weigh<mechanics::Control>(
+  instance.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
+  instance.control = draw.weigh<mechanics::Control>(
       Stream::control, {{mechanics::Control::nominal_pressure, 7.0},
                         {mechanics::Control::mean_gap, 3.0}});
-  scene.load = draw_load(draw, scene);
-  scene.has_free_boundaries = draw.uniform(Stream::boundaries, 0.0, 3.0) < 1.0;
-  scene.program = draw.pick<Program>(
+  instance.load = draw_load(draw, instance);
+  instance.has_free_boundaries =
+      draw.uniform(Stream::boundaries, 0.0, 3.0) < 1.0;
+  instance.program = draw.pick<Program>(
       Stream::program, {Program::increments, Program::jump, Program::cycle});
-  scene.twin =
-      draw.pick<Twin>(Stream::twin, {Twin::none, Twin::binary_units,
-                                     Twin::decimal_units, Twin::threads});
-  scene.gamma = draw.log_uniform(Stream::gamma, 0.01, 1.0);
-  scene.path = draw_path(draw, scene.family);
+  instance.relation = draw.pick<MetamorphicRelation>(
+      Stream::relation,
+      {MetamorphicRelation::none, MetamorphicRelation::binary_units,
+       MetamorphicRelation::decimal_units, MetamorphicRelation::threads});
+  instance.gamma = draw.log_uniform(Stream::gamma, 0.01, 1.0);
+  instance.path = draw_path(draw, instance.family);
   // The default is three threads. A metamorphic pair that compares threads
   // needs at least two.
-  scene.threads = draw.pick<int>(Stream::threads, {1, 2, 3});
-  if (scene.twin == Twin::threads && scene.threads == 1)
-    scene.threads = 3;
-  if (scene.family == Family::flawed)
-    scene.flaw = draw_flaw(draw);
-  return within_reach(scene);
+  instance.threads = draw.pick<int>(Stream::threads, {1, 2, 3});
+  if (instance.relation == MetamorphicRelation::threads &&
+      instance.threads == 1)
+    instance.threads = 3;
+  if (instance.family == Family::flawed)
+    instance.flaw = draw_flaw(draw);
+  return within_reach(instance);
 }
 
-Scene draw_scene_about(const Scene& base, std::uint64_t seed, int index) {
-  const Scene drawn = draw_scene(seed, index);
+Instance draw_instance_about(const Instance& base, std::uint64_t seed,
+                             int index) {
+  const Instance drawn = draw_instance(seed, index);
   const Draw draw(seed, index);
-  Scene scene = drawn;
+  Instance instance = drawn;
   const auto keep = [&](Stream axis, auto member) {
     if (draw.coin(axis))
-      scene.*member = base.*member;
+      instance.*member = base.*member;
   };
-  keep(Stream::shape, &Scene::shape);
-  keep(Stream::law, &Scene::law);
-  keep(Stream::top, &Scene::top);
-  keep(Stream::length, &Scene::length);
-  keep(Stream::hurst, &Scene::hurst);
-  keep(Stream::roll_off, &Scene::roll_off);
-  keep(Stream::shortest_wave, &Scene::shortest_wave);
-  keep(Stream::rms_slope, &Scene::rms_slope);
-  keep(Stream::contact_modulus, &Scene::contact_modulus);
-  keep(Stream::poisson_ratio, &Scene::poisson_ratio);
-  keep(Stream::thickness, &Scene::thickness);
-  keep(Stream::growth, &Scene::growth);
-  keep(Stream::penalty, &Scene::penalty);
-  keep(Stream::gamma, &Scene::gamma);
-  if (scene.law != drawn.law && scene.control == mechanics::Control::mean_gap)
+  keep(Stream::shape, &Instance::shape);
+  keep(Stream::law, &Instance::law);
+  keep(Stream::far_boundary, &Instance::far_boundary);
+  keep(Stream::length, &Instance::length);
+  keep(Stream::hurst, &Instance::hurst);
+  keep(Stream::roll_off, &Instance::roll_off);
+  keep(Stream::shortest_wave, &Instance::shortest_wave);
+  keep(Stream::rms_slope, &Instance::rms_slope);
+  keep(Stream::contact_modulus, &Instance::contact_modulus);
+  keep(Stream::poisson_ratio, &Instance::poisson_ratio);
+  keep(Stream::thickness, &Instance::thickness);
+  keep(Stream::growth, &Instance::growth);
+  keep(Stream::penalty, &Instance::penalty);
+  keep(Stream::gamma, &Instance::gamma);
+  if (instance.law != drawn.law &&
+      instance.control == mechanics::Control::mean_gap)
     // Hard contact does not allow a negative gap.
-    scene.load = std::abs(scene.load);
-  if (scene.family != Family::flawed && draw.coin(Stream::family))
-    scene.family = base.family;
-  return within_reach(scene);
+    instance.load = std::abs(instance.load);
+  if (instance.family != Family::flawed && draw.coin(Stream::family))
+    instance.family = base.family;
+  return within_reach(instance);
 }
 
-Scene within_reach(Scene scene) {
-  const bool is_full = scene.family == Family::full_block;
-  if (scene.family != Family::halfspace ||
-      scene.control == mechanics::Control::mean_gap)
-    scene.has_free_boundaries = false;
-  if (is_full || scene.family == Family::atoms) {
-    scene.points = scene.points <= 48 ? 8 : 16;
-    scene.twin = Twin::none;
+Instance within_reach(Instance instance) {
+  const bool is_full = instance.family == Family::full_block;
+  if (instance.family != Family::halfspace ||
+      instance.control == mechanics::Control::mean_gap)
+    instance.has_free_boundaries = false;
+  if (is_full || instance.family == Family::atoms) {
+    instance.points = instance.points <= 48 ? 8 : 16;
+    instance.relation = MetamorphicRelation::none;
   }
   if (is_full) {
-    scene.thickness =
-        std::clamp(scene.thickness, 0.1, scene.points == 8 ? 2.0 : 0.5);
-    scene.growth = std::max(scene.growth, 1.5);
+    instance.thickness =
+        std::clamp(instance.thickness, 0.1, instance.points == 8 ? 2.0 : 0.5);
+    instance.growth = std::max(instance.growth, 1.5);
   }
-  if (scene.family == Family::atoms) {
-    scene.law =
+  if (instance.family == Family::atoms) {
+    instance.law =
         mechanics::ContactLaw::penalty; // the soft potential of the atoms
-    scene.control = mechanics::Control::nominal_pressure;
-    scene.program = Program::increments;
-    scene.load = std::clamp(scene.load, 1e-3, 0.3);
-    scene.rms_slope = std::clamp(scene.rms_slope, 1e-3, 0.2);
-    scene.length = scene.points * atom_spacing;
-    scene.contact_modulus = std::clamp(scene.contact_modulus, 1e10, 1e11);
-    scene.poisson_ratio = std::min(scene.poisson_ratio, 0.49);
-    scene.shape = Shape::rough;
-    scene.shortest_wave = std::max(scene.shortest_wave, 4.0);
+    instance.control = mechanics::Control::nominal_pressure;
+    instance.program = Program::increments;
+    instance.load = std::clamp(instance.load, 1e-3, 0.3);
+    instance.rms_slope = std::clamp(instance.rms_slope, 1e-3, 0.2);
+    instance.length = instance.points * atom_spacing;
+    instance.contact_modulus = std::clamp(instance.contact_modulus, 1e10, 1e11);
+    instance.poisson_ratio = std::min(instance.poisson_ratio, 0.49);
+    instance.shape = Shape::rough;
+    instance.shortest_wave = std::max(instance.shortest_wave, 4.0);
   }
-  if (scene.path == Path::two_ranks && !is_full)
-    scene.path = Path::library;
-  if (scene.path != Path::library)
-    scene = within_reach_of_a_case(scene);
+  if (instance.path == Path::two_ranks && !is_full)
+    instance.path = Path::library;
+  if (instance.path != Path::library)
+    instance = within_reach_of_a_case(instance);
   // At least two periods of the shortest wave fit into the roll-off length.
-  scene.roll_off =
-      std::min(scene.roll_off, 0.5 * scene.points / scene.shortest_wave);
-  scene.roll_off = std::max(scene.roll_off, 1.0);
-  scene.shortest_wave = std::min(scene.shortest_wave, 0.5 * scene.points);
-  return scene;
+  instance.roll_off = std::min(instance.roll_off,
+                               0.5 * instance.points / instance.shortest_wave);
+  instance.roll_off = std::max(instance.roll_off, 1.0);
+  instance.shortest_wave =
+      std::min(instance.shortest_wave, 0.5 * instance.points);
+  return instance;
 }
 
 } // namespace asperity::robustness

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "robustness/scene.hpp"
+#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 namespace {
@@ -36,17 +36,17 @@ std::string name_of(mechanics::Control control) {
   return nth(std::array{"pressure", "gap"}, control);
 }
 
-std::string name_of(mechanics::FarBoundary top) {
-  return nth(std::array{"clamped", "sliding", "pressure"}, top);
+std::string name_of(mechanics::FarBoundary far_boundary) {
+  return nth(std::array{"clamped", "sliding", "pressure"}, far_boundary);
 }
 
 std::string name_of(Program program) {
   return nth(std::array{"increments", "jump", "cycle"}, program);
 }
 
-std::string name_of(Twin twin) {
+std::string name_of(MetamorphicRelation relation) {
   return nth(std::array{"none", "binary-units", "decimal-units", "threads"},
-             twin);
+             relation);
 }
 
 std::string name_of(Flaw flaw) {
@@ -82,40 +82,41 @@ std::string name_of(Path path) {
   return nth(std::array{"library", "program", "report", "two-ranks"}, path);
 }
 
-std::string in_words(const Scene& scene) {
+std::string in_words(const Instance& instance) {
   std::string words = fmt::format(
       "seed {}, problem instance {}: {}, {} on {}^2 points, length {:.17g} m, "
       "H {:.17g}, roll-off at {:.17g} waves per side, shortest wave {:g} "
       "spacings, rms slope {:.17g}, E* {:.17g} Pa, nu {:g}, thickness {:.17g} "
       "lengths with the far boundary {}, grading ratio {:.17g}, ",
-      scene.seed, scene.index, name_of(scene.family), name_of(scene.shape),
-      scene.points, scene.length, scene.hurst, scene.roll_off,
-      scene.shortest_wave, scene.rms_slope, scene.contact_modulus,
-      scene.poisson_ratio, scene.thickness, name_of(scene.top), scene.growth);
-  if (scene.has_free_boundaries)
+      instance.seed, instance.index, name_of(instance.family),
+      name_of(instance.shape), instance.points, instance.length, instance.hurst,
+      instance.roll_off, instance.shortest_wave, instance.rms_slope,
+      instance.contact_modulus, instance.poisson_ratio, instance.thickness,
+      name_of(instance.far_boundary), instance.growth);
+  if (instance.has_free_boundaries)
     words += "free boundaries, ";
-  if (scene.family == Family::full_block)
-    words += fmt::format("Q{}, ", scene.degree);
-  if (scene.coating_stiffness != 1.0)
+  if (instance.family == Family::full_block)
+    words += fmt::format("Q{}, ", instance.degree);
+  if (instance.coating_stiffness != 1.0)
     words +=
         fmt::format("a coating of {:.17g} block thicknesses and {:.17g} E, ",
-                    scene.coating_thickness, scene.coating_stiffness);
-  words += name_of(scene.law);
-  if (scene.law != mechanics::ContactLaw::hard)
-    words += fmt::format(" of {:.17g} E*/h", scene.penalty);
-  words += scene.control == mechanics::Control::nominal_pressure
-               ? fmt::format(", {} to {:.17g} E* h'", name_of(scene.program),
-                             scene.load)
+                    instance.coating_thickness, instance.coating_stiffness);
+  words += name_of(instance.law);
+  if (instance.law != mechanics::ContactLaw::hard)
+    words += fmt::format(" of {:.17g} E*/h", instance.penalty);
+  words += instance.control == mechanics::Control::nominal_pressure
+               ? fmt::format(", {} to {:.17g} E* h'", name_of(instance.program),
+                             instance.load)
                : fmt::format(", {} to a mean gap of {:.17g} h_rms",
-                             name_of(scene.program), scene.load);
-  if (scene.family == Family::theory)
-    words += fmt::format(", gamma {:.17g}", scene.gamma);
-  if (scene.flaw != Flaw::none)
-    words += ", flaw " + name_of(scene.flaw);
-  if (scene.path != Path::library)
-    words += ", path " + name_of(scene.path);
+                             name_of(instance.program), instance.load);
+  if (instance.family == Family::theory)
+    words += fmt::format(", gamma {:.17g}", instance.gamma);
+  if (instance.flaw != Flaw::none)
+    words += ", flaw " + name_of(instance.flaw);
+  if (instance.path != Path::library)
+    words += ", path " + name_of(instance.path);
   return words + fmt::format(", metamorphic pair {}, {} threads",
-                             name_of(scene.twin), scene.threads);
+                             name_of(instance.relation), instance.threads);
 }
 
 } // namespace asperity::robustness

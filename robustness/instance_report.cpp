@@ -1,4 +1,4 @@
-#include "robustness/scene_report.hpp"
+#include "robustness/instance_report.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,22 +17,22 @@ std::string name_of(Outcome outcome) {
   return names.at(static_cast<std::size_t>(outcome));
 }
 
-std::string to_line(const SceneReport& report) {
+std::string to_line(const InstanceReport& report) {
   return nlohmann::json::array({report.index, static_cast<int>(report.outcome),
                                 report.check, report.reason, report.iterations,
                                 report.area, report.reduced_gap,
-                                report.has_twin, report.has_same_bits,
-                                report.twin_difference, report.seconds})
+                                report.has_pair, report.has_same_bits,
+                                report.pair_difference, report.seconds})
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-SceneReport from_line(const std::string& line) {
+InstanceReport from_line(const std::string& line) {
   const nlohmann::json fields = nlohmann::json::parse(line);
   // JSON represents a number that is not finite as null.
   const auto number = [&](std::size_t i) {
     return fields.at(i).is_null() ? 0.0 : fields.at(i).get<double>();
   };
-  SceneReport report;
+  InstanceReport report;
   report.index = fields.at(0).get<int>();
   report.outcome = static_cast<Outcome>(fields.at(1).get<int>());
   report.check = fields.at(2).get<std::string>();
@@ -40,9 +40,9 @@ SceneReport from_line(const std::string& line) {
   report.iterations = fields.at(4).get<int>();
   report.area = number(5);
   report.reduced_gap = number(6);
-  report.has_twin = fields.at(7).get<bool>();
+  report.has_pair = fields.at(7).get<bool>();
   report.has_same_bits = fields.at(8).get<bool>();
-  report.twin_difference = number(9);
+  report.pair_difference = number(9);
   report.seconds = number(10);
   return report;
 }

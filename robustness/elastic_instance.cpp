@@ -29,20 +29,21 @@ struct Pass {
   std::vector<StepSummary> summaries;
 };
 
-mechanics::ContactInterface interface_of(const Scene& scene, const Grid& grid) {
-  const bool is_hard = scene.law == mechanics::ContactLaw::hard;
-  return {scene.law,
-          is_hard ? 0.0
-                  : scene.penalty * scene.contact_modulus / grid.spacing_x()};
+mechanics::ContactInterface interface_of(const Instance& instance,
+                                         const Grid& grid) {
+  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
+  return {instance.law, is_hard ? 0.0
+                                : instance.penalty * instance.contact_modulus /
+                                      grid.spacing_x()};
 }
 
 /// Runs one pass and applies every check to every step. The solutions are empty
 /// if a check failed.
-Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
-  const Grid grid = grid_of(scene);
-  const SceneSurface surface = surface_of(scene, grid);
+Pass run_pass(const Instance& instance, int threads, InstanceReport& report) {
+  const Grid grid = grid_of(instance);
+  const InstanceSurface surface = surface_of(instance, grid);
   std::unique_ptr<contact::SurfaceOperator> elasticity =
-      operator_of(scene, grid, threads);
+      operator_of(instance, grid, threads);
   const std::unique_ptr<contact::SurfaceOperator> judge = elasticity->clone();
   const Displace displace = [&](auto pressure, auto displacement) {
     judge->displacement(pressure, displacement);
@@ -50,19 +51,19 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
   const ComplianceRange range = compliance_range(grid, displace);
   AskedContact asked{surface.map.heights, judge->nodal_weights()};
   asked.gap_tolerance = relative_tolerance * surface.height_scale;
-  asked.may_lose_contact = may_lose_contact(scene);
+  asked.may_lose_contact = may_lose_contact(instance);
   if (!judge->is_periodic())
     asked.border = results::Border::free;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
 
   contact::LoadSequence sequence(std::move(elasticity), surface.map.heights,
-                                 interface_of(scene, grid), asked.gap_tolerance,
-                                 max_iterations);
+                                 interface_of(instance, grid),
+                                 asked.gap_tolerance, max_iterations);
   asked.local_compliance = sequence.local_compliance();
   Pass pass;
   for (const mechanics::LoadTarget& target :
-       targets_of(scene, surface.height_scale)) {
+       targets_of(instance, surface.height_scale)) {
     contact::ContactSolution solution = sequence.solve(target);
     report.iterations += solution.iterations;
     if (!solution.converged) {
@@ -74,8 +75,8 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
       fail(report, *failure);
       return {};
     }
-    if (const auto failure =
-            verify_observables(grid, asked, solution, scene.contact_modulus)) {
+    if (const auto failure = verify_observables(grid, asked, solution,
+                                                instance.contact_modulus)) {
       fail(report, *failure);
       return {};
     }
@@ -86,7 +87,7 @@ Pass run_pass(const Scene& scene, int threads, SceneReport& report) {
     pass.summaries.push_back(summary_of(asked, solution));
     pass.solutions.push_back(std::move(solution));
   }
-  report_load_step(pass.summaries[load_step(scene)], surface.height_scale,
+  report_load_step(pass.summaries[load_step(instance)], surface.height_scale,
                    report);
   return pass;
 }
@@ -97,9 +98,10 @@ bool is_scaled(const std::vector<double>& first,
                     [ratio](double a, double b) { return a * ratio == b; });
 }
 
-void compare(const Scene& scene, const Pass& first, const Pass& second,
-             double length_ratio, double pressure_ratio, SceneReport& report) {
-  report.has_twin = true;
+void compare(const Instance& instance, const Pass& first, const Pass& second,
+             double length_ratio, double pressure_ratio,
+             InstanceReport& report) {
+  report.has_pair = true;
   report.has_same_bits = true;
   for (std::size_t i = 0; i < first.solutions.size(); ++i) {
     const StepSummary& a = first.summaries[i];
@@ -110,113 +112,121 @@ void compare(const Scene& scene, const Pass& first, const Pass& second,
                   pressure_ratio) &&
         is_scaled(first.solutions[i].gap, second.solutions[i].gap,
                   length_ratio);
-    report.twin_difference = std::max(
-        report.twin_difference,
+    report.pair_difference = std::max(
+        report.pair_difference,
         std::abs(b.mean_gap / length_ratio - a.mean_gap) / a.tolerance);
     if (auto failure = verify_same(a, b, length_ratio, pressure_ratio)) {
       failure->check = "twin";
       return fail(report, *failure);
     }
   }
-  if (scene.twin == Twin::binary_units && !report.has_same_bits)
+  if (instance.relation == MetamorphicRelation::binary_units &&
+      !report.has_same_bits)
     fail(
         report,
         {"twin", "the bits differ when the units are scaled by powers of two"});
-  if (scene.twin == Twin::threads && !report.has_same_bits)
+  if (instance.relation == MetamorphicRelation::threads &&
+      !report.has_same_bits)
     fail(report, {"twin", "the bits differ on several threads"});
 }
 
-void run_twin(const Scene& scene, const Pass& first, SceneReport& report) {
-  Scene twin = scene;
+void run_pair(const Instance& instance, const Pass& first,
+              InstanceReport& report) {
+  Instance pair = instance;
   double length_ratio = 1.0;
   double pressure_ratio = 1.0;
-  if (scene.twin == Twin::binary_units) {
+  if (instance.relation == MetamorphicRelation::binary_units) {
     length_ratio = binary_length;
     pressure_ratio = binary_pressure;
-  } else if (scene.twin == Twin::decimal_units) {
+  } else if (instance.relation == MetamorphicRelation::decimal_units) {
     length_ratio = decimal_length;
     pressure_ratio = decimal_pressure;
   }
-  twin.length *= length_ratio;
-  twin.contact_modulus *= pressure_ratio;
-  const Pass second =
-      run_pass(twin, scene.twin == Twin::threads ? scene.threads : 1, report);
+  pair.length *= length_ratio;
+  pair.contact_modulus *= pressure_ratio;
+  const Pass second = run_pass(
+      pair,
+      instance.relation == MetamorphicRelation::threads ? instance.threads : 1,
+      report);
   if (second.solutions.empty()) {
     report.reason = "second run of the pair: " + report.reason;
     return;
   }
-  compare(scene, first, second, length_ratio, pressure_ratio, report);
+  compare(instance, first, second, length_ratio, pressure_ratio, report);
 }
 
 } // namespace
 
-bool may_lose_contact(const Scene& scene) {
+bool may_lose_contact(const Instance& instance) {
   constexpr double plate = 0.05; // thickness [lengths]
-  if (scene.family != Family::halfspace && scene.thickness < plate &&
-      scene.top == mechanics::FarBoundary::pressure)
+  if (instance.family != Family::halfspace && instance.thickness < plate &&
+      instance.far_boundary == mechanics::FarBoundary::pressure)
     return true;
-  const bool is_block = scene.family == Family::full_block;
-  if (!is_block && scene.family != Family::condensed_q1 &&
-      scene.family != Family::condensed_q2)
+  const bool is_block = instance.family == Family::full_block;
+  if (!is_block && instance.family != Family::condensed_q1 &&
+      instance.family != Family::condensed_q2)
     return false;
   const bool is_q2 =
-      is_block ? scene.degree == 2 : scene.family == Family::condensed_q2;
-  return scene.poisson_ratio >=
+      is_block ? instance.degree == 2 : instance.family == Family::condensed_q2;
+  return instance.poisson_ratio >=
          cases::locking_ratio(is_q2 ? mechanics::Element::q2
                                     : mechanics::Element::q1);
 }
 
-fem::BlockRequest block_request(const Scene& scene, const Grid& grid,
+fem::BlockRequest block_request(const Instance& instance, const Grid& grid,
                                 int degree, int threads) {
   fem::BlockRequest request;
   request.grid = grid;
   request.settings.element =
       degree == 1 ? mechanics::Element::q1 : mechanics::Element::q2;
   request.settings.surface_cell_depth =
-      std::min(1.0, 0.5 * scene.thickness * grid.points_x / degree);
-  request.settings.growth = scene.growth;
-  request.settings.depth = {scene.thickness, mechanics::ReferenceUnit::length};
-  request.settings.far_boundary = scene.top;
-  request.scales = {scene.contact_modulus, scene.length, grid.spacing_x(),
-                    scene.rms_slope * grid.spacing_x()};
+      std::min(1.0, 0.5 * instance.thickness * grid.points_x / degree);
+  request.settings.growth = instance.growth;
+  request.settings.depth = {instance.thickness,
+                            mechanics::ReferenceUnit::length};
+  request.settings.far_boundary = instance.far_boundary;
+  request.scales = {instance.contact_modulus, instance.length, grid.spacing_x(),
+                    instance.rms_slope * grid.spacing_x()};
   request.youngs_modulus =
-      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
-  request.poisson_ratio = scene.poisson_ratio;
+      instance.contact_modulus *
+      (1.0 - instance.poisson_ratio * instance.poisson_ratio);
+  request.poisson_ratio = instance.poisson_ratio;
   request.threads = threads;
-  if (scene.coating_stiffness != 1.0)
-    request.layers = {{{scene.coating_thickness * scene.thickness,
+  if (instance.coating_stiffness != 1.0)
+    request.layers = {{{instance.coating_thickness * instance.thickness,
                         mechanics::ReferenceUnit::length},
-                       {scene.coating_stiffness * request.youngs_modulus,
-                        scene.poisson_ratio}}};
+                       {instance.coating_stiffness * request.youngs_modulus,
+                        instance.poisson_ratio}}};
   return request;
 }
 
 std::unique_ptr<contact::SurfaceOperator>
-operator_of(const Scene& scene, const Grid& grid, int threads) {
-  if (scene.family == Family::condensed_q1 ||
-      scene.family == Family::condensed_q2)
+operator_of(const Instance& instance, const Grid& grid, int threads) {
+  if (instance.family == Family::condensed_q1 ||
+      instance.family == Family::condensed_q2)
     return fem::load_fem_module().condensed(block_request(
-        scene, grid, scene.family == Family::condensed_q1 ? 1 : 2, threads));
-  if (scene.has_free_boundaries)
-    return std::make_unique<contact::FreeHalfspace>(grid, scene.contact_modulus,
-                                                    threads);
-  mechanics::ElasticBlock block{scene.contact_modulus, scene.poisson_ratio,
-                                std::numeric_limits<double>::infinity(),
-                                scene.top};
-  if (scene.family == Family::slab)
-    block.thickness = scene.thickness * scene.length;
+        instance, grid, instance.family == Family::condensed_q1 ? 1 : 2,
+        threads));
+  if (instance.has_free_boundaries)
+    return std::make_unique<contact::FreeHalfspace>(
+        grid, instance.contact_modulus, threads);
+  mechanics::ElasticBlock block{
+      instance.contact_modulus, instance.poisson_ratio,
+      std::numeric_limits<double>::infinity(), instance.far_boundary};
+  if (instance.family == Family::slab)
+    block.thickness = instance.thickness * instance.length;
   return std::make_unique<contact::FourierOperator>(
       contact::halfspace_operator(grid, block, threads));
 }
 
-void run_elastic(const Scene& scene, SceneReport& report) {
-  const Pass pass = run_pass(scene, 1, report);
+void run_elastic(const Instance& instance, InstanceReport& report) {
+  const Pass pass = run_pass(instance, 1, report);
   if (pass.solutions.empty())
     return;
-  if (const auto failure = verify_program(scene, pass.summaries))
+  if (const auto failure = verify_program(instance, pass.summaries))
     return fail(report, *failure);
-  if (scene.twin != Twin::none)
-    run_twin(scene, pass, report);
+  if (instance.relation != MetamorphicRelation::none)
+    run_pair(instance, pass, report);
 }
 
 } // namespace asperity::robustness

@@ -19,29 +19,32 @@ constexpr double interaction_energy = 1.192021805256e-20; // [J], 74.4 meV
 /// Root-mean-square force relative to the load per atom [1].
 constexpr double force_tolerance = 1e-8;
 
-md::AtomRequest request_of(const Scene& scene) {
+md::AtomRequest request_of(const Instance& instance) {
   md::AtomRequest request;
   request.settings.interaction_energy = interaction_energy;
   request.settings.interaction_distance = interaction_distance;
   request.settings.cutoff = cutoff;
   request.settings.contact_distance = contact_distance;
   request.settings.tolerance = force_tolerance;
-  request.settings.modes = scene.index % 2 == 0 ? mechanics::AtomModes::vector
-                                                : mechanics::AtomModes::normal;
-  request.layer = grid_of(scene);
-  const int substrate_points = md::incommensurate_atoms(scene.points);
-  request.substrate = {substrate_points, substrate_points, scene.length,
-                       scene.length};
-  request.scales = {scene.contact_modulus, scene.length, scene.spacing(),
-                    scene.rms_slope * scene.spacing()};
+  request.settings.modes = instance.index % 2 == 0
+                               ? mechanics::AtomModes::vector
+                               : mechanics::AtomModes::normal;
+  request.layer = grid_of(instance);
+  const int substrate_points = md::incommensurate_atoms(instance.points);
+  request.substrate = {substrate_points, substrate_points, instance.length,
+                       instance.length};
+  request.scales = {instance.contact_modulus, instance.length,
+                    instance.spacing(),
+                    instance.rms_slope * instance.spacing()};
   request.youngs_modulus =
-      scene.contact_modulus * (1.0 - scene.poisson_ratio * scene.poisson_ratio);
-  request.poisson_ratio = scene.poisson_ratio;
-  request.heights = surface_of(scene, request.substrate).map.heights;
+      instance.contact_modulus *
+      (1.0 - instance.poisson_ratio * instance.poisson_ratio);
+  request.poisson_ratio = instance.poisson_ratio;
+  request.heights = surface_of(instance, request.substrate).map.heights;
   return request;
 }
 
-StepSummary summary_of(const Scene& scene, const md::AtomStep& step) {
+StepSummary summary_of(const Instance& instance, const md::AtomStep& step) {
   StepSummary summary;
   summary.nominal_pressure = step.nominal_pressure;
   summary.mean_gap = summary.separation = step.mean_gap;
@@ -50,8 +53,8 @@ StepSummary summary_of(const Scene& scene, const md::AtomStep& step) {
   // pressure.
   summary.tolerance =
       force_tolerance *
-      (contact_distance + step.nominal_pressure * scene.length /
-                              (std::numbers::pi * scene.contact_modulus));
+      (contact_distance + step.nominal_pressure * instance.length /
+                              (std::numbers::pi * instance.contact_modulus));
   return summary;
 }
 
@@ -75,13 +78,13 @@ std::optional<Failure> verify_forces(const md::AtomStep& step, double asked) {
 
 } // namespace
 
-void run_atoms(const Scene& scene, SceneReport& report) {
+void run_atoms(const Instance& instance, InstanceReport& report) {
   const std::unique_ptr<md::AtomicContact> atoms =
-      md::make_atomic_contact(request_of(scene));
+      md::make_atomic_contact(request_of(instance));
   std::vector<StepSummary> steps;
   for (const double factor : {0.5, 1.0, 1.01}) {
     const double pressure =
-        factor * scene.load * scene.contact_modulus * scene.rms_slope;
+        factor * instance.load * instance.contact_modulus * instance.rms_slope;
     const md::AtomStep step =
         atoms->solve(mechanics::Control::nominal_pressure, pressure,
                      static_cast<int>(steps.size()));
@@ -93,14 +96,15 @@ void run_atoms(const Scene& scene, SceneReport& report) {
     }
     if (const auto failure = verify_forces(step, pressure))
       return fail(report, *failure);
-    const StepSummary summary = summary_of(scene, step);
+    const StepSummary summary = summary_of(instance, step);
     if (!steps.empty())
       if (const auto failure = verify_pair(steps.back(), summary))
         return fail(report, *failure);
     steps.push_back(summary);
   }
   report.area = 0.0; // atoms have a fitted area but no counted area
-  report.reduced_gap = steps[1].mean_gap / (scene.rms_slope * scene.spacing());
+  report.reduced_gap =
+      steps[1].mean_gap / (instance.rms_slope * instance.spacing());
 }
 
 } // namespace asperity::robustness

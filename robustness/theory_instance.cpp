@@ -48,11 +48,11 @@ std::optional<Failure> verify_values(const theory::PerssonContact& contact,
 /// Compares A/A_0 = erf(sqrt2 p/(E* h')) with the error function evaluated
 /// here; h' comes from the theory's own moments of the spectrum.
 std::optional<Failure> verify_area(const theory::PerssonContact& contact,
-                                   const Scene& scene,
+                                   const Instance& instance,
                                    const StepSummary& step) {
   const double slope = contact.spectrum().rms_slope();
   const double expected = std::erf(std::numbers::sqrt2 * step.nominal_pressure /
-                                   (scene.contact_modulus * slope));
+                                   (instance.contact_modulus * slope));
   if (std::abs(step.area - expected) > relative_accuracy * expected)
     return Failure{
         "area",
@@ -79,18 +79,19 @@ std::optional<Failure> verify_inverse(const theory::PerssonContact& contact,
 
 } // namespace
 
-void run_theory(const Scene& scene, SceneReport& report) {
-  const surfaces::IsotropicSpectrum formula = spectrum_of(scene);
+void run_theory(const Instance& instance, InstanceReport& report) {
+  const surfaces::IsotropicSpectrum formula = spectrum_of(instance);
   const theory::PerssonContact contact(
       theory::HeightSpectrum(
           theory::SpectrumFormula{formula.density, formula.kinks}),
-      scene.contact_modulus, scene.gamma);
+      instance.contact_modulus, instance.gamma);
   std::vector<StepSummary> steps;
   for (const double factor : {0.5, 1.0, 1.01}) {
-    const StepSummary step = summary_of(
-        contact, factor * scene.load * scene.contact_modulus * scene.rms_slope);
+    const StepSummary step =
+        summary_of(contact, factor * instance.load * instance.contact_modulus *
+                                instance.rms_slope);
     for (const auto& failure :
-         {verify_values(contact, step), verify_area(contact, scene, step),
+         {verify_values(contact, step), verify_area(contact, instance, step),
           verify_inverse(contact, step)})
       if (failure)
         return fail(report, *failure);

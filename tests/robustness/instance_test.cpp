@@ -1,0 +1,139 @@
+// Claims about robustness/instance.hpp and robustness/instance_surface.hpp: an
+// instance is its seed and its index, and the axes reach their ends.
+#include "surfaces/maps/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "robustness/instance.hpp"
+#include "robustness/instance_surface.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+TEST(Instance, IsItsSeedAndItsIndex) {
+  std::set<std::string> different;
+  for (int index = 0; index < 200; ++index) {
+    EXPECT_EQ(in_words(draw_instance(7, index)),
+              in_words(draw_instance(7, index)));
+    different.insert(in_words(draw_instance(7, index)));
+    different.insert(in_words(draw_instance(8, index)));
+  }
+  EXPECT_EQ(different.size(), 400u);
+  EXPECT_THROW(draw_instance(7, -1), std::domain_error);
+}
+
+// What a seed means never changes: the numbers of one instance, as first drawn.
+TEST(Instance, KeepsItsMeaning) {
+  const Instance instance = draw_instance(1, 48);
+  EXPECT_EQ(name_of(instance.family), "condensed-q1");
+  EXPECT_EQ(instance.points, 32);
+  EXPECT_DOUBLE_EQ(instance.length, 0.00028925466378849446);
+  EXPECT_DOUBLE_EQ(instance.penalty, 170856592463.84698);
+}
+
+TEST(Instance, ReachesTheEndsOfItsAxes) {
+  std::set<std::string> families, shapes, flaws, pairs, paths;
+  std::set<int> threads;
+  Instance least = draw_instance(3, 0);
+  Instance most = least;
+  for (int index = 0; index < 4000; ++index) {
+    const Instance instance = draw_instance(3, index);
+    families.insert(name_of(instance.family));
+    shapes.insert(name_of(instance.shape));
+    flaws.insert(name_of(instance.flaw));
+    pairs.insert(name_of(instance.relation));
+    paths.insert(name_of(instance.path));
+    threads.insert(instance.threads);
+    for (const auto member :
+         {&Instance::length, &Instance::hurst, &Instance::rms_slope,
+          &Instance::penalty, &Instance::contact_modulus, &Instance::growth,
+          &Instance::thickness}) {
+      least.*member = std::min(least.*member, instance.*member);
+      most.*member = std::max(most.*member, instance.*member);
+    }
+  }
+  EXPECT_EQ(families.size(), 8u);
+  EXPECT_EQ(shapes.size(), 9u);
+  EXPECT_EQ(flaws.size(), 25u);
+  EXPECT_EQ(paths.size(), 4u);
+  EXPECT_EQ(threads.size(), 3u);
+  EXPECT_EQ(pairs.size(), 4u);
+  // 4000 even draws miss the last hundredth of a range with e^-40.
+  EXPECT_LT(least.length, 1.6e-12);
+  EXPECT_GT(most.length, 6e5);
+  EXPECT_EQ(least.hurst, 0.0);
+  EXPECT_EQ(most.hurst, 1.0);
+  EXPECT_LT(least.penalty, 2e-6);
+  EXPECT_GT(most.penalty, 5e14);
+  EXPECT_LT(least.rms_slope, 1.2e-6);
+  EXPECT_GT(most.rms_slope, 8.0);
+  EXPECT_LT(least.contact_modulus, 1.4);
+  EXPECT_GT(most.contact_modulus, 7e11);
+  EXPECT_EQ(least.growth, 1.0);
+  EXPECT_GT(most.growth, 2.97);
+  EXPECT_LT(least.thickness, 0.011);
+  EXPECT_GT(most.thickness, 9.2);
+}
+
+// Half of the axes of a case's instance are its own, and the flawed stay
+// flawed.
+TEST(Instance, IsPerturbedAboutACase) {
+  Instance base;
+  base.length = 3e-6;
+  base.family = Family::condensed_q2;
+  int own = 0;
+  int n_instances = 1000;
+  for (int index = 0; index < n_instances; ++index) {
+    const Instance instance = draw_instance_about(base, 5, index);
+    own += instance.length == base.length;
+    EXPECT_EQ(instance.family == Family::flawed, instance.flaw != Flaw::none);
+    if (instance.law == mechanics::ContactLaw::hard &&
+        instance.control == mechanics::Control::mean_gap) {
+      EXPECT_GT(instance.load, 0.0);
+    }
+  }
+  // 3 sigma of a fair coin, and the few blocks of atoms with their own length.
+  EXPECT_NEAR(own, n_instances / 2, 3.0 * std::sqrt(n_instances / 4.0) + 25.0);
+}
+
+// Tolerance: rounding of a transform and a scaling.
+TEST(InstanceSurface, HasTheSlopeThatWasAsked) {
+  for (const Shape shape :
+       {Shape::rough, Shape::wave, Shape::paraboloid, Shape::spike, Shape::step,
+        Shape::sawtooth, Shape::terraces, Shape::checkerboard}) {
+    Instance instance;
+    instance.shape = shape;
+    instance.rms_slope = 0.37;
+    instance.length = 1e-9;
+
+    const InstanceSurface surface = surface_of(instance, grid_of(instance));
+
+    EXPECT_NEAR(surfaces::statistics(surface.map).rms_slope / 0.37, 1.0, 1e-12)
+        << name_of(shape);
+  }
+}
+
+TEST(InstanceSurface, OfTheNastyShapesIsWhatItSays) {
+  const auto heights_of = [](Shape shape) {
+    Instance instance;
+    instance.shape = shape;
+    return surface_of(instance, grid_of(instance)).map.heights;
+  };
+  const auto values = [](std::vector<double> heights) {
+    return std::set<double>(heights.begin(), heights.end()).size();
+  };
+  EXPECT_EQ(values(heights_of(Shape::flat)), 1u);
+  EXPECT_EQ(values(heights_of(Shape::spike)), 2u);
+  EXPECT_EQ(values(heights_of(Shape::step)), 2u);
+  EXPECT_EQ(values(heights_of(Shape::checkerboard)), 2u);
+  EXPECT_EQ(values(heights_of(Shape::terraces)), 4u);
+  EXPECT_EQ(values(heights_of(Shape::sawtooth)), 8u);
+}
+
+} // namespace
+} // namespace asperity::robustness
