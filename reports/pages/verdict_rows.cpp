@@ -23,8 +23,8 @@ std::string with_typographic_signs(std::string band) {
 }
 
 std::string undecided_words(const Verdict& verdict) {
-  return fmt::format("the interval crosses a limit of the band; the case "
-                     "counts this as {}. {}",
+  return fmt::format("the interval crosses a limit of the band, which the "
+                     "case counts as {}; {}",
                      verdict.passes_if_undecided ? "passed" : "not passed",
                      verdict.estimate.remark);
 }
