@@ -16,6 +16,7 @@ struct ChartAxis {
   bool is_log = false;   ///< the axis is logarithmic at first
   bool is_log10 = false; ///< the column holds log10 of the quantity shown
   std::optional<double> low, high; ///< range at first; empty: that of the data
+  std::vector<std::pair<double, std::string>> ticks = {}; ///< empty: numbers
 };
 
 /// A curve, or a straight line y = intercept + slope x without data.
@@ -25,6 +26,7 @@ struct ChartCurve {
   bool has_line = false;
   bool has_markers = false;
   bool has_steps = false;      ///< the line is a staircase
+  bool is_area = false;        ///< the area between `low` and `high` is shaded
   double width = 1.0;          ///< of lines [px]
   int dash = 1;                ///< 1: solid; 2: dashed; others: dotted
   int marker = 6;              ///< gnuplot's number of the marker
@@ -37,11 +39,13 @@ struct ChartCurve {
   double slope = 0.0, intercept = 0.0; ///< of a line without data
 };
 
-/// A shaded range of x over the whole height, or a bar at one height.
+/// A shaded range of x over the whole height, a line if the range is empty, or
+/// a bar at one height.
 struct ChartMark {
-  double low = 0.0, high = 0.0; ///< in units of x
+  double low = 0.0, high = 0.0; ///< in units of x; infinite: the edge
   double height = -1.0;         ///< 0: bottom, 1: top; negative: a range
   std::string color;
+  std::string label; ///< beside a line
 };
 
 /// A shaded area, such as an interval around the curve of the same colour.

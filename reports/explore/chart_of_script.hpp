@@ -14,14 +14,16 @@ namespace asperity::reports {
 /// Returns the curves that a script plots from its table.
 ///
 /// Understood are the axis commands (`set xlabel`, `ylabel`, `y2label`,
-/// `xrange`, `yrange`, `y2range`, `logscale`, and `unset` of these), horizontal
-/// bars (`set arrow`), shaded ranges (`set object`), and curves of the form
+/// `xrange`, `yrange`, `y2range`, `xtics` with names, `logscale`, and `unset`
+/// of these), horizontal bars and vertical lines (`set arrow`, the name of a
+/// line by `set label`), shaded ranges (`set object`), and curves of the form
 ///
 ///     'file.csv' using ($2==1 ? $3 : NaN):4 with lines title 'name'
 ///
-/// with `lines`, `points`, `linespoints`, `steps` or `xerrorbars`, and straight
-/// lines "0", "2.5" and "x". Each `plot` is one panel. Commands that only
-/// concern the appearance on paper are skipped.
+/// with `lines`, `points`, `linespoints`, `steps`, `xerrorbars`, `yerrorlines`
+/// or, between two columns, `filledcurves`, and straight lines "0", "2.5" and
+/// "x". Each `plot` is one panel. Commands that only concern the appearance on
+/// paper are skipped.
 ///
 /// @param header    first line of the table; a column that is called "log10 X"
 ///                is shown as X on a logarithmic axis

@@ -21,19 +21,17 @@ Json json_of(const ChartAxis& axis) {
     json["low"] = *axis.low;
   if (axis.high)
     json["high"] = *axis.high;
+  if (!axis.ticks.empty())
+    json["ticks"] = axis.ticks;
   return json;
 }
 
 Json json_of(const ChartCurve& curve) {
-  Json json{{"label", curve.label},
-            {"color", curve.color},
-            {"line", curve.has_line},
-            {"markers", curve.has_markers},
-            {"steps", curve.has_steps},
-            {"width", curve.width},
-            {"dash", curve.dash},
-            {"marker", curve.marker},
-            {"second", curve.is_on_second_axis}};
+  Json json{{"label", curve.label},     {"color", curve.color},
+            {"line", curve.has_line},   {"markers", curve.has_markers},
+            {"steps", curve.has_steps}, {"area", curve.is_area},
+            {"width", curve.width},     {"dash", curve.dash},
+            {"marker", curve.marker},   {"second", curve.is_on_second_axis}};
   if (curve.x == 0) {
     json["slope"] = curve.slope;
     json["intercept"] = curve.intercept;
@@ -61,11 +59,12 @@ Json json_of(const Chart& chart) {
     for (const ChartCurve& curve : panel.curves)
       json["curves"].push_back(json_of(curve));
     json["marks"] = Json::array();
-    for (const ChartMark& mark : panel.marks)
+    for (const ChartMark& mark : panel.marks) // infinite: null
       json["marks"].push_back({{"low", mark.low},
                                {"high", mark.high},
                                {"height", mark.height},
-                               {"color", mark.color}});
+                               {"color", mark.color},
+                               {"label", mark.label}});
     json["bands"] = Json::array();
     for (const ChartBand& band : panel.bands)
       json["bands"].push_back(
@@ -85,7 +84,8 @@ Json json_of(const MapStack& stack) {
   for (const MapQuantity& quantity : stack.quantities)
     json["quantities"].push_back({{"label", quantity.label},
                                   {"colors", quantity.colors},
-                                  {"contact", quantity.has_contact}});
+                                  {"contact", quantity.has_contact},
+                                  {"span", quantity.span}});
   json["frames"] = Json::array();
   for (const MapFrame& frame : stack.frames) {
     Json maps = Json::array();

@@ -16,6 +16,7 @@ struct MapQuantity {
   std::string label;        ///< with its unit: "pressure / (E* h')"
   std::string colors;       ///< "pressure", "gap", "height"
   bool has_contact = false; ///< zero means no contact; contact is shown as well
+  double span = 0.0;        ///< colours reach from -span to span; 0: all values
 };
 
 /// Maps at one load, in the order of the quantities.

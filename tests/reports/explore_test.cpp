@@ -89,6 +89,49 @@ TEST(ChartOfScript, ReadsBands) {
   EXPECT_FALSE(chart_of_script(script, header, "\n\n\na,b\n"));
 }
 
+// Claim: named ticks, a logarithmic second axis, lines over the whole height
+// with their names, and ranges that end at the edge.
+TEST(ChartOfScript, ReadsNamesLinesAndEdges) {
+  const auto chart = chart_of_plot(
+      "set xtics ('soft, thick' 0, 'hard' 1)\nset logscale y2\nset arrow from "
+      "3, graph 0 to 3, graph 1 nohead dashtype 3 linecolor rgb '#8a5a00' "
+      "back\nset label 'tip radius' at 3, graph 0.03 rotate by 90\nset object "
+      "rectangle from graph 0, graph 0 to first 2, graph 1 behind fillcolor "
+      "rgb '#59636e' fillstyle solid 0.1\nplot 'a.csv' using ($2==0 ? $3 : "
+      "NaN):5 axes x1y2 with lines title 'a'\n");
+
+  ASSERT_TRUE(chart);
+  const ChartPanel& panel = chart->panels.at(0);
+  ASSERT_EQ(panel.x.ticks.size(), 2U);
+  EXPECT_EQ(panel.x.ticks[0], std::pair(0.0, std::string("soft, thick")));
+  EXPECT_TRUE(panel.second.value().is_log);
+  EXPECT_FALSE(panel.y.is_log);
+  ASSERT_EQ(panel.marks.size(), 2U);
+  EXPECT_EQ(panel.marks[0].low, 3.0);
+  EXPECT_EQ(panel.marks[0].high, 3.0);
+  EXPECT_EQ(panel.marks[0].label, "tip radius");
+  EXPECT_TRUE(std::isinf(panel.marks[1].low));
+  EXPECT_EQ(panel.marks[1].high, 2.0);
+}
+
+// Claim: intervals of y, and areas between two columns of the table.
+TEST(ChartOfScript, ReadsIntervalsOfYAndAreas) {
+  const auto chart = chart_of_plot(
+      "plot 'a.csv' using ($2==0 ? $3 : NaN):3:5 with filledcurves linecolor "
+      "rgb '#0072B2' fillstyle transparent solid 0.2 noborder title '95 %', "
+      "'a.csv' using ($2==0 ? $3 : NaN):4:3:5 with yerrorlines title 'b'\n");
+
+  ASSERT_TRUE(chart);
+  const std::vector<ChartCurve>& curves = chart->panels.at(0).curves;
+  EXPECT_TRUE(curves.at(0).is_area);
+  EXPECT_EQ(curves.at(0).low, 3);
+  EXPECT_EQ(curves.at(0).high, 5);
+  EXPECT_EQ(curves.at(0).label, "95 %");
+  EXPECT_FALSE(curves.at(1).is_area || curves.at(1).has_x_interval);
+  EXPECT_TRUE(curves.at(1).has_line && curves.at(1).has_markers);
+  EXPECT_EQ(curves.at(1).high, 5);
+}
+
 // Claim: settings hold from panel to panel until they are unset.
 TEST(ChartOfScript, ReadsEveryPanel) {
   const auto chart = chart_of_plot(
@@ -118,7 +161,9 @@ TEST(ChartOfScript, RefusesWhatItDoesNotUnderstand) {
         ", 0 with boxes", ", 0",
         ", 'a.csv' using ($2==0 ? $3 : NaN):9 with lines",
         ", 'a.csv' using ($2==0 ? $3 : NaN):0 with lines",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):x with lines", ", ",
+        ", 'a.csv' using ($2==0 ? $3 : NaN):x with lines",
+        ", 'a.csv' using ($2==0 ? $3 : NaN):3 with filledcurves",
+        ", 'a.csv' using ($2==0 ? $3 : NaN):3:4 with lines", ", ",
         ", 'a.csv' using", "\nreplot"})
     EXPECT_FALSE(chart_of_plot(good + part)) << part;
   EXPECT_FALSE(chart_of_plot("set xlabel 'x'"));
