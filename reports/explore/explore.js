@@ -136,6 +136,22 @@
     canvas.addEventListener('dblclick', reset);
   }
 
+  // A dashed line over the whole height, with its name beside it.
+  function drawLine(context, x, area, label) {
+    context.save();
+    context.globalAlpha = 1;
+    context.setLineDash([3, 3]);
+    context.beginPath();
+    context.moveTo(x, area.top);
+    context.lineTo(x, area.bottom);
+    context.stroke();
+    context.translate(x - 4, area.bottom - 6);
+    context.rotate(-Math.PI / 2);
+    context.font = '11px sans-serif';
+    context.fillText(label, 0, 0);
+    context.restore();
+  }
+
   function drawRectangle(context, box) {
     if (!box) return;
     context.save();
@@ -154,7 +170,11 @@
     const shown = (value, axis) => axis.log10 ? 10 ** value : value;
     const yAxis = curve.second ? panel.second : panel.y;
     const interval = curve.xInterval ? panel.x : yAxis;
-    return table.rows.filter(row => row[1] === curve.index).map(row => ({
+    const rows = table.rows.filter(row => row[1] === curve.index);
+    if (curve.area) // its limits, without values
+      return rows.map(row => ({x: shown(row[curve.x], panel.x), y: NaN, low: shown(row[curve.low], yAxis), high: shown(row[curve.high], yAxis), name: row[0]}))
+        .filter(point => Number.isFinite(point.low) && Number.isFinite(point.high));
+    return rows.map(row => ({
       x: shown(row[curve.x], panel.x),
       y: shown(curve.factor * row[curve.y], yAxis),
       low: curve.low === undefined ? NaN : shown(row[curve.low], interval),
@@ -174,21 +194,48 @@
     });
   }
 
+  // Places of grid lines on a logarithmic axis: with the digits 1 to 9 over up
+  // to two decades, only powers of ten over more, at most about eight of them.
+  function logTicks(low, high) {
+    const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+    const step = Math.max(1, Math.ceil((last - first) / 8));
+    const digits = Math.log10(high / low) <= 2 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : [1];
+    const ticks = [];
+    for (let power = Math.ceil(first / step) * step; power <= last; power += step)
+      for (const digit of digits) ticks.push(Number(`${digit}e${power}`));
+    return ticks.filter(value => value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9));
+  }
+
+  // Of the digits, 1 has a text everywhere, 2 and 5 over up to a decade and a
+  // half, all of them over less than half a decade.
+  function hasText(value, {min, max}) {
+    const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+    const decades = Math.log10(max / min);
+    return digit === 1 || (digit === 2 || digit === 5) && decades < 1.5 || decades < 0.5;
+  }
+
   class CurvePanel {
     constructor(panel, table, place) {
       this.panel = panel;
       const data = panel.curves.map(curve => curve.x === undefined ? null : pointsOf(curve, panel, table));
       this.points = data.map((points, i) => points ?? straightLine(panel.curves[i], panel, data.filter(Boolean)));
       this.log = {x: panel.x.log, y: panel.y.log};
-      this.canvas = element('canvas');
+      this.canvas = element('canvas', {tabIndex: 0});
+      this.canvas.setAttribute('role', 'img');
+      this.canvas.setAttribute('aria-label', `${panel.y.label} against ${panel.x.label}: arrow keys show the values of a curve, space hides it, plus and minus zoom, 0 resets`);
       place.append(element('div', {className: 'canvas'}, this.canvas));
       this.chart = new Chart(this.canvas, this.configuration());
       this.showPoints();
+      this.canvas.addEventListener('keydown', event => this.press(event));
+      this.canvas.addEventListener('blur', () => this.showTip([]));
       allowZoom(this.canvas, (...box) => this.zoom(box), () => this.reset(), box => {
         this.box = box;
         this.chart.draw();
       });
     }
+
+    // True for curves with data, whose values can be shown.
+    hasValues(i) { return this.panel.curves[i].x !== undefined && !this.panel.curves[i].area; }
 
     // A logarithmic axis shows positive values only.
     canBeLog(axis) {
@@ -202,34 +249,36 @@
         borderColor: color, backgroundColor: 'transparent', pointBorderColor: color,
         borderWidth: curve.markers && !curve.line ? 1.3 : curve.width,
         borderDash: curve.dash === 1 ? [] : curve.dash === 2 ? [6, 4] : [2, 3],
-        pointStyle: curve.markers ? markers[curve.marker] ?? 'circle' : 'line', pointRadius: curve.markers ? 3.6 : 0,
-        clip: 6, pointBorderWidth: 1.3, pointHoverRadius: curve.x === undefined ? 0 : 5,
+        pointStyle: curve.markers ? markers[curve.marker] ?? 'circle' : curve.area ? 'rect' : 'line', pointRadius: curve.markers ? 3.6 : 0,
+        clip: 6, pointBorderWidth: 1.3, pointHoverRadius: this.hasValues(i) ? 5 : 0,
         pointHoverBorderWidth: 2, yAxisID: curve.second ? 'second' : 'y', order: i,
       };
     }
 
     axis(axis, name, log) {
       const limit = value => log && !(value > 0) ? undefined : value;
-      const decades = range => Math.log10(range.max / range.min);
+      const named = new Map(axis.ticks ?? []);
+      const build = scale => {
+        if (named.size > 0) scale.ticks = [...named.keys()].map(value => ({value}));
+        else if (log) scale.ticks = logTicks(scale.min, scale.max).map(value => ({value}));
+      };
       return {
         type: log ? 'logarithmic' : 'linear', axis: name === 'x' ? 'x' : 'y',
         position: name === 'second' ? 'right' : name === 'x' ? 'bottom' : 'left',
         min: limit(axis.low), max: limit(axis.high),
         title: {display: true, text: axis.label, color: style('--ink')},
         grid: {color: style('--line'), drawOnChartArea: name !== 'second'},
+        afterBuildTicks: build,
         ticks: {
-          color: style('--soft'), maxRotation: 0, autoSkipPadding: 12,
-          callback(value) {
-            const isPower = Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9;
-            return log && !isPower && decades(this) > 1.5 ? '' : tickText(value);
-          },
+          color: style('--soft'), maxRotation: named.size > 0 ? 50 : 0, autoSkip: !log && named.size === 0, autoSkipPadding: 12, includeBounds: false,
+          callback(value) { return named.get(value) ?? (log && !hasText(value, this) ? '' : tickText(value)); },
         },
       };
     }
 
     scales() {
       const scales = {x: this.axis(this.panel.x, 'x', this.log.x), y: this.axis(this.panel.y, 'y', this.log.y)};
-      if (this.panel.second) scales.second = this.axis(this.panel.second, 'second', false);
+      if (this.panel.second) scales.second = this.axis(this.panel.second, 'second', this.panel.second.log);
       return scales;
     }
 
@@ -237,7 +286,7 @@
       const panel = this.panel;
       const lines = item => {
         const point = item.raw;
-        const interval = Number.isFinite(point.low) ? ` (${numberText(point.low)} to ${numberText(point.high)})` : '';
+        const interval = point.high > point.low ? ` (${numberText(point.low)} to ${numberText(point.high)})` : '';
         return `${item.dataset.label || point.name}: (${numberText(point.x)}, ${numberText(point.y)})${interval}`;
       };
       return {
@@ -251,7 +300,7 @@
               position: 'bottom', onClick: (_, item) => this.toggle(item.datasetIndex),
               labels: {color: style('--ink'), usePointStyle: true, boxHeight: 7, filter: item => item.text !== ''},
             },
-            tooltip: {filter: item => panel.curves[item.datasetIndex].x !== undefined, callbacks: {label: lines}},
+            tooltip: {filter: item => this.hasValues(item.datasetIndex), callbacks: {label: lines}},
           },
         },
         plugins: [{
@@ -289,8 +338,13 @@
       ctx.clip();
       this.drawBands(chart);
       for (const mark of this.panel.marks) {
-        const [from, to] = [x.getPixelForValue(mark.low), x.getPixelForValue(mark.high)];
-        ctx.fillStyle = lineColor(mark.color);
+        const from = mark.low === null ? area.left : x.getPixelForValue(mark.low);
+        const to = mark.high === null ? area.right : x.getPixelForValue(mark.high);
+        ctx.fillStyle = ctx.strokeStyle = lineColor(mark.color);
+        if (from === to) {
+          drawLine(ctx, from, area, mark.label);
+          continue;
+        }
         ctx.globalAlpha = mark.height < 0 ? 0.1 : 1;
         if (mark.height < 0) ctx.fillRect(from, area.top, to - from, area.height);
         else ctx.fillRect(from, area.bottom - mark.height * area.height - 1.5, to - from, 3);
@@ -298,11 +352,18 @@
       ctx.restore();
     }
 
+    // The areas between two columns, as bands.
+    areas(chart) {
+      return this.panel.curves.flatMap((curve, i) => curve.area && chart.isDatasetVisible(i) ? [{color: curve.color,
+        corners: [...this.points[i].map(point => [point.x, point.low]), ...this.points[i].map(point => [point.x, point.high]).reverse()]}] : []);
+    }
+
     // A band is shown as long as a curve of its colour is.
     drawBands(chart) {
       const {ctx, scales: {x, y}} = chart;
       const inside = (value, scale) => scale.type === 'logarithmic' ? Math.max(value, scale.min / 10) : value;
-      for (const band of this.panel.bands) {
+      const bands = this.panel.bands.concat(this.areas(chart));
+      for (const band of bands) {
         if (!this.panel.curves.some((curve, i) => curve.color === band.color && chart.isDatasetVisible(i))) continue;
         ctx.fillStyle = lineColor(band.color);
         ctx.globalAlpha = 0.18;
@@ -320,7 +381,7 @@
       ctx.rect(area.left, area.top, area.width, area.height);
       ctx.clip();
       this.panel.curves.forEach((curve, i) => {
-        if (curve.low === undefined || !chart.isDatasetVisible(i)) return;
+        if (curve.low === undefined || curve.area || !chart.isDatasetVisible(i)) return;
         const [x, y] = [scales.x, scales[curve.second ? 'second' : 'y']];
         ctx.strokeStyle = lineColor(curve.color);
         ctx.lineWidth = 1.2;
@@ -363,6 +424,41 @@
       this.chart.update();
     }
 
+    // Shows the values of these points, given as [{datasetIndex, index}].
+    showTip(points) {
+      this.chart.setActiveElements(points);
+      this.chart.tooltip.setActiveElements(points, {x: 0, y: 0});
+      this.chart.update();
+    }
+
+    // Left and right move along a curve, up and down to another curve, space
+    // hides or shows it, plus and minus zoom around the point, 0 resets.
+    press(event) {
+      const datasets = this.chart.data.datasets;
+      const curves = datasets.map((_, i) => i).filter(i => this.hasValues(i) && datasets[i].data.length > 0);
+      if (curves.length === 0 || event.ctrlKey || event.altKey || event.metaKey) return;
+      const at = this.at ?? {datasetIndex: curves[0], index: -1};
+      const along = {ArrowRight: 1, ArrowLeft: -1}[event.key] ?? 0;
+      const across = {ArrowDown: 1, ArrowUp: -1}[event.key] ?? 0;
+      const factor = {'+': 0.5, '=': 0.5, '-': 2}[event.key];
+      if (along === 0 && across === 0 && !factor && ![' ', '0', 'Escape'].includes(event.key)) return;
+      event.preventDefault();
+      const next = (curves.indexOf(at.datasetIndex) + across + curves.length) % curves.length;
+      const last = datasets[curves[next]].data.length - 1;
+      this.at = {datasetIndex: curves[next], index: Math.min(last, Math.max(0, at.index + along))};
+      if (event.key === ' ') this.toggle(this.at.datasetIndex);
+      if (event.key === '0' || event.key === 'Escape') this.reset();
+      if (factor) this.zoomAround(datasets[this.at.datasetIndex].data[this.at.index], factor);
+      this.showTip(this.chart.isDatasetVisible(this.at.datasetIndex) ? [this.at] : []);
+    }
+
+    // Enlarges (factor below 1) or reduces the part that is shown.
+    zoomAround(point, factor) {
+      const area = this.chart.chartArea;
+      const [x, y] = [this.chart.scales.x.getPixelForValue(point.x), this.chart.scales[this.panel.curves[this.at.datasetIndex].second ? 'second' : 'y'].getPixelForValue(point.y)];
+      this.zoom([x + factor * (area.left - x), y + factor * (area.top - y), x + factor * (area.right - x), y + factor * (area.bottom - y)]);
+    }
+
     recolor() {
       this.chart.data.datasets.forEach((dataset, i) => Object.assign(dataset, this.dataset(this.panel.curves[i], i), {data: dataset.data}));
       this.chart.options.plugins.legend.labels.color = style('--ink');
@@ -381,12 +477,15 @@
       this.frame = stack.frames.length - 1;
       this.quantity = 0;
       this.isCommon = false;
-      this.canvas = element('canvas', {className: 'map'});
+      this.canvas = element('canvas', {className: 'map', tabIndex: 0});
+      this.canvas.setAttribute('role', 'img');
+      this.canvas.setAttribute('aria-label', 'map: arrow keys move the point whose value is shown, plus and minus zoom, 0 resets');
       this.words = element('p', {className: 'note values', textContent: '\u00a0'});
       place.append(this.controls(), element('div', {className: 'map-place'}, this.canvas), this.words);
       this.reset();
       allowZoom(this.canvas, (...box) => this.zoom(box), () => this.reset(), box => this.paint(box));
       this.canvas.addEventListener('pointermove', event => this.hover(event));
+      this.canvas.addEventListener('keydown', event => this.press(event));
       new ResizeObserver(() => this.paint()).observe(this.canvas.parentElement);
     }
 
@@ -417,8 +516,9 @@
 
     // Range of values that the colours cover.
     range() {
-      const {map, colors, isContact} = this.quantities[this.quantity];
+      const {map, colors, isContact, span: least} = this.quantities[this.quantity];
       if (isContact) return [0, 1];
+      if (least > 0) return [-least, least];
       const maps = (this.isCommon ? this.stack.frames : [this.stack.frames[this.frame]]).map(frame => frame.maps[map]);
       const low = Math.min(...maps.map(one => one.low));
       const high = Math.max(...maps.map(one => one.high));
@@ -556,6 +656,27 @@
       this.words.textContent = this.wordsAt(across, up);
     }
 
+    // Arrow keys move a point by a fiftieth of what is shown; its value is
+    // written below the map.
+    press(event) {
+      const step = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+      const factor = {'+': 0.5, '=': 0.5, '-': 2}[event.key];
+      if (!this.place || !this.steps || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (!step && !factor && event.key !== '0' && event.key !== 'Escape') return;
+      event.preventDefault();
+      const {left, right, low, high} = this.view;
+      const at = this.at ?? [0.5, 0.5];
+      const limited = (value, from, to) => Math.min(to - 1e-9, Math.max(from, value));
+      const moved = step ?? [0, 0];
+      this.at = [limited(at[0] + moved[0] * (right - left) / 50, left, right), limited(at[1] + moved[1] * (high - low) / 50, low, high)];
+      const place = this.place;
+      const [x, y] = [place.x + place.width * (this.at[0] - left) / (right - left), place.y + place.height * (high - this.at[1]) / (high - low)];
+      if (factor) this.zoom([x + factor * (place.x - x), y + factor * (place.y - y), x + factor * (place.x + place.width - x), y + factor * (place.y + place.height - y)]);
+      else if (!step) this.reset();
+      else this.paint([x - 4, y - 4, x + 4, y + 4]);
+      this.words.textContent = this.wordsAt(...this.at);
+    }
+
     wordsAt(across, up) {
       const {columns, rows, left, right, lower, upper, xLabel, yLabel} = this.stack;
       if (across < this.view.left || across >= this.view.right || up < this.view.low || up >= this.view.high) return '\u00a0';
@@ -671,7 +792,16 @@
   // --------------------------------------------------------------------- page
   const figures = new Map();
 
+  // The spots in the tables have the colours of the curves.
+  function colorSwatches() {
+    for (const swatch of document.querySelectorAll('.swatch')) {
+      swatch.dataset.color ??= /#[0-9a-f]{6}/i.exec(swatch.getAttribute('style') ?? '')?.[0] ?? '';
+      if (swatch.dataset.color) swatch.style.background = lineColor(swatch.dataset.color);
+    }
+  }
+
   function recolor() {
+    colorSwatches();
     for (const figure of figures.values()) for (const part of figure.parts) part.recolor();
   }
 
@@ -687,6 +817,7 @@
 
   function start() {
     addThemeButton();
+    colorSwatches();
     const seen = new IntersectionObserver(entries => {
       for (const entry of entries) {
         if (!entry.isIntersecting) continue;

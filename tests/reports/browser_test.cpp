@@ -258,6 +258,38 @@ TEST_F(Exploring, HidesCurvesChangesAxesAndZooms) {
   EXPECT_EQ(found.at("again"), found.at("whole"));
 }
 
+// Claim: without a mouse, the arrow keys show the values of the curves, space
+// hides a curve, plus enlarges and 0 resets; in a map they show values, too.
+TEST_F(Exploring, AnswersTheKeyboard) {
+  const nlohmann::json found = found_in_page(
+      "const {parts: [part]} = await figure('pressure-gap'); const {parts: "
+      "[view]} = await figure('maps-fem'); const press = (one, key) => "
+      "one.canvas.dispatchEvent(new KeyboardEvent('keydown', {key})); const "
+      "tip = () => part.chart.tooltip.body[0].lines[0]; press(part, "
+      "'ArrowRight'); const first = tip(); press(part, 'ArrowRight'); const "
+      "second = tip(); press(part, 'ArrowDown'); const other = tip(); const "
+      "range = () => part.chart.scales.x.max - part.chart.scales.x.min; const "
+      "whole = range(); press(part, '+'); const half = range() / whole; "
+      "press(part, '0'); const again = range() / whole; press(part, ' '); "
+      "const hidden = !part.chart.isDatasetVisible(part.at.datasetIndex); for "
+      "(let i = 0; i < 100 && !view.steps; ++i) await pause(); press(view, "
+      "'ArrowRight'); return {first, second, other, half, again, hidden, map: "
+      "view.words.textContent};");
+
+  ASSERT_TRUE(found.is_object()) << found;
+  const std::string first = found.at("first");
+  const std::string second = found.at("second");
+  EXPECT_EQ(first.find("theory: ("), 0U) << first;
+  EXPECT_EQ(second.find("theory: ("), 0U) << second;
+  EXPECT_NE(first, second);
+  EXPECT_EQ(found.at("other").get<std::string>().find("fem: ("), 0U);
+  EXPECT_NEAR(found.at("half").get<double>(), 0.5, 1e-9);
+  EXPECT_NEAR(found.at("again").get<double>(), 1.0, 1e-9);
+  EXPECT_TRUE(found.at("hidden").get<bool>());
+  EXPECT_EQ(found.at("map").get<std::string>().find("x [µm]: 5.2, "), 0U)
+      << found.at("map");
+}
+
 // Claim: the slider changes the map, and each map holds the values of the
 // result: within half of its 2047 steps.
 TEST_F(Exploring, ShowsTheMapOfTheLoadOfTheSlider) {
