@@ -73,6 +73,12 @@ std::string html_of(const BoardPage& page) {
   for (const BoardSection& section : page.sections)
     sections.push_back(section_data(section));
   data.set("sections", sections);
+  reports::DrawnGroup figures;
+  for (const BoardSection& section : page.sections)
+    figures.figures.insert(figures.figures.end(), section.figures.begin(),
+                           section.figures.end());
+  reports::set_figure_template(data);
+  reports::set_scripts(data, {&figures, 1}, false);
   kainjow::mustache::mustache view{std::string(board_template)};
   return view.render(data);
 }

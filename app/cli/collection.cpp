@@ -10,7 +10,8 @@ namespace asperity::app {
 
 void write_collection_report(const FoundCases& collection,
                              const std::vector<RunPart>& parts,
-                             const std::filesystem::path& folder) {
+                             const std::filesystem::path& folder,
+                             bool has_pdf) {
   if (parts.empty())
     return;
   std::vector<results::Result> results;
@@ -32,7 +33,7 @@ void write_collection_report(const FoundCases& collection,
   }
   const std::string readme = text_of_file(collection.folder / "README.md");
   for (const std::string& failure :
-       reports::write_paper_report(pages, readme, folder))
+       reports::write_paper_report(pages, readme, folder, {.has_pdf = has_pdf}))
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("report on all parts: {}\n", (folder / "report.html").string());
 }

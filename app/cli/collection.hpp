@@ -19,8 +19,10 @@ struct RunPart {
 
 /// Writes folder/report.html and the files that belong to it. Does nothing if
 /// no part has run.
+/// @param has_pdf  also print the report to report.pdf
 void write_collection_report(const FoundCases& collection,
                              const std::vector<RunPart>& parts,
-                             const std::filesystem::path& folder);
+                             const std::filesystem::path& folder,
+                             bool has_pdf);
 
 } // namespace asperity::app

@@ -174,7 +174,8 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
   if (is_collection && !command.no_report)
     write_collection_report(
         asked.found, parts,
-        folder_of(asked.found.collection, command.out, n_targets));
+        folder_of(asked.found.collection, command.out, n_targets),
+        command.has_pdf);
   return end;
 }
 
@@ -229,13 +230,7 @@ ExitCode report_results(const ReportCommand& command) {
                                 "itself; to compare points, give their "
                                 "folders: " +
                                 path + "/points/000");
-      if (has_pdf || !formats.empty())
-        throw input::InputError(path +
-                                " is a sweep, whose report takes neither "
-                                "--pdf nor --figures; give the folder of "
-                                "a point: " +
-                                path + "/points/000");
-      return report_sweep(path, out);
+      return report_sweep(path, out, extras);
     }
   std::vector<results::Result> read;
   read.reserve(paths.size());

@@ -107,8 +107,8 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
   const SweepOutcome outcome = run_to(asked, command, folder);
   ExitCode end = outcome.worst;
   if (!command.no_report) {
-    const reports::SweepReport report =
-        reports::write_sweep_report(outcome.record, folder, folder, true);
+    const reports::SweepReport report = reports::write_sweep_report(
+        outcome.record, folder, folder, true, {.has_pdf = command.has_pdf});
     print_undrawn(report);
     end = worse(end, print_findings(outcome.record, report));
     fmt::print("report: {}\n", (folder / "report.html").string());
@@ -120,11 +120,13 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
   return end;
 }
 
-ExitCode report_sweep(const fs::path& folder, const std::string& out) {
+ExitCode report_sweep(const fs::path& folder, const std::string& out,
+                      const reports::ReportExtras& extras) {
   const reports::SweepRecord record = reports::read_sweep_record(folder);
   const fs::path target = out.empty() ? folder : fs::path(out);
   const FolderLock lock(target, "report");
-  print_undrawn(reports::write_sweep_report(record, folder, target, false));
+  print_undrawn(
+      reports::write_sweep_report(record, folder, target, false, extras));
   fmt::print("report: {}\n", (target / "report.html").string());
   return exit_good;
 }

@@ -29,7 +29,8 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
 ///
 /// @param out  folder of the report; empty: that of the sweep
 ExitCode report_sweep(const std::filesystem::path& folder,
-                      const std::string& out);
+                      const std::string& out,
+                      const reports::ReportExtras& extras);
 
 /// Adds the summaries of all points of a sweep to what --json prints.
 void add_sweep_answer(JsonAnswer& answer, const std::filesystem::path& folder,

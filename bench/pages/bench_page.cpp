@@ -261,7 +261,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
                ? "No reference solution is known for this case."
                : "Errors are with respect to " + bench.truth.words + ".");
   page.set("truths", truth_rows(bench));
-  page.set("groups", group_data({&figures, 1}));
+  set_figures(page, {&figures, 1}, false);
   page.set("series", series_rows(bench));
   page.set("timing_note",
            "CPU and wall time are medians of n timed runs, with the smallest "

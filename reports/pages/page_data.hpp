@@ -77,4 +77,9 @@ void set_scripts(kainjow::mustache::data& page,
 /// Adds the template of a figure, which the templates of pages name.
 void set_figure_template(kainjow::mustache::data& page);
 
+/// Adds the groups of figures, their template and their scripts to a page that
+/// shows nothing else.
+void set_figures(kainjow::mustache::data& page,
+                 std::span<const DrawnGroup> groups, bool is_for_print);
+
 } // namespace asperity::reports

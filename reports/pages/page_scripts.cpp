@@ -43,4 +43,11 @@ void set_scripts(kainjow::mustache::data& page,
                (permissions.empty() ? "" : "; script-src" + permissions));
 }
 
+void set_figures(kainjow::mustache::data& page,
+                 std::span<const DrawnGroup> groups, bool is_for_print) {
+  page.set("groups", group_data(groups));
+  set_figure_template(page);
+  set_scripts(page, groups, is_for_print);
+}
+
 } // namespace asperity::reports

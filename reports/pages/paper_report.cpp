@@ -4,6 +4,7 @@
 #include "reports/figures/figures.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/paper_table.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/pages/readme_text.hpp"
 #include "reports/report_template.hpp"
 
@@ -52,6 +53,8 @@ DrawnFigure already_drawn(const Figure& figure, const fs::path& folder) {
                     text_of_picture(folder / (figure.name + ".svg")), ""};
   if (drawn.svg.empty())
     drawn.problem = "the report of the part does not contain this figure";
+  else
+    drawn.explore = explore_data(figure);
   return drawn;
 }
 
@@ -127,8 +130,7 @@ List problems_of(const Section& section) {
 }
 
 Value section_data(const Section& section, const fs::path& folder,
-                   const std::string& gnuplot,
-                   std::vector<std::string>& problems) {
+                   const DrawnGroup& group) {
   const PaperPart& first = *section.parts.front();
   Value value;
   value.set("name", section.name);
@@ -139,7 +141,6 @@ Value section_data(const Section& section, const fs::path& folder,
       !misses.empty())
     value.set("misses", misses);
   value.set("problems", problems_of(section));
-  const DrawnGroup group = drawn_figures(section, folder, gnuplot, problems);
   const List groups = group_data({&group, 1});
   value.set("figures", *groups.front().get("figures"));
   value.set("links", links_of(section, folder));
@@ -184,6 +185,7 @@ std::string section_of(const std::string& part_name) {
 std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
                                             const std::string& readme,
                                             const fs::path& folder,
+                                            const ReportExtras& extras,
                                             const std::string& gnuplot) {
   if (parts.empty())
     return {};
@@ -207,12 +209,24 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
     rows.push_back(row_data(row));
   page.set("rows", rows);
   List sections;
-  for (const Section& section : sections_of(parts))
-    sections.push_back(section_data(section, folder, gnuplot, problems));
+  std::vector<DrawnGroup> groups;
+  for (const Section& section : sections_of(parts)) {
+    groups.push_back(drawn_figures(section, folder, gnuplot, problems));
+    sections.push_back(section_data(section, folder, groups.back()));
+  }
   page.set("sections", sections);
   page.set("facts", facts_of(parts));
-  kainjow::mustache::mustache view{std::string(paper_template)};
-  write_file_atomically(folder / "report.html", view.render(page));
+  const auto text = [&](bool is_for_print) {
+    set_figure_template(page);
+    set_scripts(page, groups, is_for_print);
+    kainjow::mustache::mustache view{std::string(paper_template)};
+    return view.render(page);
+  };
+  write_file_atomically(folder / "report.html", text(false));
+  if (extras.has_pdf)
+    if (const std::string problem = print_report(text(true), folder);
+        !problem.empty())
+      problems.push_back(problem);
   write_file_atomically(folder / "paper.json", paper_json(parts, table, title));
   return problems;
 }

@@ -6,6 +6,7 @@
 // layout is paper.html.mustache.
 
 #include "reports/figures/series.hpp"
+#include "reports/pages/report.hpp"
 
 #include <filesystem>
 #include <span>
@@ -48,6 +49,7 @@ std::string section_of(const std::string& part_name);
 std::vector<std::string>
 write_paper_report(std::span<const PaperPart> parts, const std::string& readme,
                    const std::filesystem::path& folder,
+                   const ReportExtras& extras = {},
                    const std::string& gnuplot = "gnuplot");
 
 } // namespace asperity::reports

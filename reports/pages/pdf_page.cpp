@@ -92,4 +92,12 @@ std::string print_page(const std::string& html, const fs::path& pdf,
   return error ? program.string() + " wrote no PDF" : "";
 }
 
+std::string print_report(const std::string& html, const fs::path& folder) {
+  const fs::path program = pdf_program();
+  const std::string problem =
+      program.empty() ? no_pdf_program
+                      : print_page(html, folder / "report.pdf", program);
+  return problem.empty() ? "" : "report.pdf: " + problem;
+}
+
 } // namespace asperity::reports

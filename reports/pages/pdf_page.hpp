@@ -24,6 +24,11 @@ std::string print_page(const std::string& html,
                        const std::filesystem::path& pdf,
                        const std::filesystem::path& program);
 
+/// Prints the page of a report as folder/report.pdf, by pdf_program().
+/// @return  "report.pdf: " and why it was not printed; empty if it was
+std::string print_report(const std::string& html,
+                         const std::filesystem::path& folder);
+
 /// What to say where pdf_program() is empty.
 extern const char* const no_pdf_program;
 

@@ -147,15 +147,11 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   write_methods_text(entries, folder);
   write_file_atomically(folder / "report.html",
                         html_page(entries, drawn_groups));
-  if (extras.has_pdf) {
-    const std::filesystem::path program = pdf_program();
-    const std::string problem =
-        program.empty() ? no_pdf_program
-                        : print_page(html_page(entries, drawn_groups, true),
-                                     folder / "report.pdf", program);
-    if (!problem.empty())
-      problems.push_back("report.pdf: " + problem);
-  }
+  if (extras.has_pdf)
+    if (const std::string problem =
+            print_report(html_page(entries, drawn_groups, true), folder);
+        !problem.empty())
+      problems.push_back(problem);
   return problems;
 }
 

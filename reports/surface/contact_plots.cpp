@@ -11,10 +11,12 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
   Figure separation;
   separation.name = "predicted-separation";
   separation.title = "Predicted separation";
-  CsvTable table({"curve", "index", "u [m]", "p [Pa]", "A/A_0 [1]"});
+  const bool is_high = contact.rms_height > 2e-6;
+  CsvTable table(
+      {"curve", "index", is_high ? "u [um]" : "u [nm]", "p [Pa]", "A/A_0 [1]"});
   for (const PredictedLoad& load : contact.loads)
-    table.add("theory",
-              {0.0, load.mean_gap, load.nominal_pressure, load.area_fraction});
+    table.add("theory", {0.0, load.mean_gap * (is_high ? 1e6 : 1e9),
+                         load.nominal_pressure, load.area_fraction});
   separation.data = table.text();
   separation.caption = fmt::format(
       "Nominal pressure against mean separation by Persson's theory with E* = "
@@ -25,15 +27,12 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
       quantity_text(contact.rms_height, "m"), contact.rms_slope,
       quantity_text(contact.decay_length, "m"), contact.pressure_prefactor);
-  const bool is_high = contact.rms_height > 2e-6;
   separation.script = fmt::format(
       "set logscale y\nset format y '10^{{%T}}'\nset xlabel 'mean separation u "
       "[{}]'\nset ylabel 'nominal pressure p [Pa]'\nset xrange [0:*]\n{}",
       is_high ? "µm" : "nm",
-      plot_of({fmt::format("'predicted-separation.csv' using ($3*{:g}):4 with "
-                           "lines linewidth 1.8 linecolor rgb '#222222' "
-                           "notitle",
-                           is_high ? 1e6 : 1e9)}));
+      plot_of({"'predicted-separation.csv' " + of_series(0, "$3:4") +
+               " with lines linewidth 1.8 linecolor rgb '#222222' notitle"}));
   Figure area = separation;
   area.name = "predicted-area";
   area.title = "Predicted contact area";
@@ -43,8 +42,9 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       contact.rms_slope);
   area.script = "set logscale xy\nset format '10^{%T}'\nset xlabel 'nominal "
                 "pressure p [Pa]'\nset ylabel 'contact area A / A_0'\n" +
-                plot_of({"'predicted-area.csv' using 4:5 with lines linewidth "
-                         "1.8 linecolor rgb '#222222' notitle"});
+                plot_of({"'predicted-area.csv' " + of_series(0, "$4:5") +
+                         " with lines linewidth 1.8 linecolor rgb '#222222' "
+                         "notitle"});
   return {separation, area};
 }
 

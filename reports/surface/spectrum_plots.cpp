@@ -168,8 +168,8 @@ std::vector<Figure> figures_of(const surfaces::LineAnalysis& line) {
   profile.caption = line.origin;
   profile.script =
       "set xlabel 'x [µm]'\nset ylabel 'z [nm]'\n" +
-      plot_of({"'profile.csv' using 3:4 with lines linewidth 1 linecolor rgb "
-               "'#0072B2' notitle"});
+      plot_of({"'profile.csv' " + of_series(0, "$3:4") +
+               " with lines linewidth 1 linecolor rgb '#0072B2' notitle"});
   Figure spectrum;
   spectrum.name = "profile-spectrum";
   spectrum.title = "Spectrum of the line and of the surface";

@@ -1,5 +1,6 @@
 #include "reports/surface/surface_figures.hpp"
 
+#include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
@@ -59,6 +60,8 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   figure.title = "Heights";
   figure.data = fmt::format("Sq [m]\n{:.10g}\n", map.heights.sq);
   figure.maps.emplace_back("heights", picture.csv);
+  figure.stack = height_stack(grid, map.map.heights);
+  figure.stack->quantities.front().span = shown;
   figure.caption = fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
                                grid.points_y, quantity_text(grid.length_x, "m"),
                                quantity_text(grid.length_y, "m"), map.origin);
@@ -159,8 +162,8 @@ Figure autocorrelation_figure(const surfaces::MapAnalysis& map) {
   figure.script =
       "set xlabel 'distance r [µm]'\nset ylabel 'correlation'\nset xrange "
       "[0:*]\n" +
-      plot_of({"'autocorrelation.csv' using 3:4 with lines linewidth 1.6 "
-               "linecolor rgb '#0072B2' notitle",
+      plot_of({"'autocorrelation.csv' " + of_series(0, "$3:4") +
+                   " with lines linewidth 1.6 linecolor rgb '#0072B2' notitle",
                "0.2 with lines dashtype 3 linecolor rgb '#59636e' notitle",
                "0 with lines linewidth 0.6 linecolor rgb '#59636e' notitle"});
   return figure;
@@ -177,10 +180,11 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
                   is_slope ? "rms slope [1]" : "rms curvature [1/m]",
                   "sharpest peak [1/m]"});
   for (const surfaces::LocalDifferences& scale : map.scales)
-    table.add("differences",
-              {0.0, 1e6 * scale.distance(),
-               is_slope ? scale.rms_slope() : scale.rms_curvature(),
-               -scale.lowest_second});
+    table.add(
+        "differences",
+        {0.0, 1e6 * scale.distance(),
+         is_slope ? scale.rms_slope() : scale.rms_curvature(),
+         scale.lowest_second < 0.0 ? -scale.lowest_second : not_a_number});
   figure.data = table.text();
   figure.caption =
       is_slope
@@ -197,15 +201,14 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
                         map.spectrum.rms_curvature);
   const std::string file = "'" + figure.name + ".csv' ";
   std::vector<std::string> plots{
-      file +
-      std::string("using 3:4 with linespoints pointtype 6 pointsize 0.6 "
-                  "linewidth 1.3 linecolor rgb '#0072B2' title ") +
+      file + of_series(0, "$3:4") +
+      " with linespoints pointtype 6 pointsize 0.6 linewidth 1.3 linecolor "
+      "rgb '#0072B2' title " +
       (is_slope ? "'rms slope'" : "'rms curvature'")};
   if (!is_slope)
-    plots.push_back(file +
-                    "using 3:($5 > 0 ? $5 : NaN) with linespoints pointtype 8 "
-                    "pointsize 0.6 linecolor rgb '#D55E00' title 'sharpest "
-                    "peak'");
+    plots.push_back(file + of_series(0, "$3:5") +
+                    " with linespoints pointtype 8 pointsize 0.6 linecolor rgb "
+                    "'#D55E00' title 'sharpest peak'");
   figure.script = fmt::format(
       "set logscale xy\nset format y '10^{{%T}}'\nset xlabel 'distance "
       "[µm]'\nset ylabel '{}'\n{}",

@@ -153,13 +153,18 @@ std::string surface_page(const SurfaceReport& report,
     parts.push_back(part_data(map));
   for (const surfaces::LineAnalysis& line : report.lines)
     parts.push_back(part_data(line));
+  const bool has_many = report.parts() > 1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].set("anchor", fmt::format("part-{}", i + 1));
+    parts[i].set("label", has_many ? report.name_of(i) : "Parameters");
+  }
   page.set("parts", parts);
-  page.set("is_one_of_many", report.parts() > 1);
+  page.set("is_one_of_many", has_many);
   List notes;
   for (const std::string& note : stitching_notes(report))
     notes.push_back(text_item(note));
   page.set("notes", notes);
-  page.set("groups", group_data(groups));
+  set_figures(page, groups, false);
   kainjow::mustache::mustache view{std::string(surface_template)};
   return view.render(page);
 }

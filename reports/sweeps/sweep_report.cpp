@@ -5,6 +5,7 @@
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
 
@@ -140,23 +141,37 @@ void set_banner(Value& page, const Results& results) {
                                                      : "");
 }
 
+/// Where the report is written, and with what.
+struct Target {
+  const std::filesystem::path& folder;
+  const ReportExtras& extras;
+  const std::string& gnuplot;
+};
+
 DrawnGroup drawn_group(const std::string& heading,
-                       const std::vector<Figure>& figures,
-                       const std::filesystem::path& folder,
-                       const std::string& gnuplot,
+                       const std::vector<Figure>& figures, const Target& target,
                        std::vector<std::string>& undrawn) {
   DrawnGroup group{heading, {}};
+  const auto report = [&undrawn](const std::string& name,
+                                 const std::string& problem) {
+    if (!problem.empty())
+      undrawn.push_back(fmt::format("{}: {}", name, problem));
+  };
   for (const Figure& figure : figures) {
-    group.figures.push_back(draw(figure, folder / "figures", gnuplot));
-    if (!group.figures.back().problem.empty())
-      undrawn.push_back(
-          fmt::format("{}: {}", figure.name, group.figures.back().problem));
+    group.figures.push_back(
+        draw(figure, target.folder / "figures", target.gnuplot));
+    report(figure.name, group.figures.back().problem);
+    if (!target.extras.journal.endings.empty())
+      report("journal/" + figure.name,
+             draw_for_journal(figure, target.extras.journal,
+                              target.folder / "journal", target.gnuplot));
   }
   return group;
 }
 
 std::string page_text(const SweepRecord& record, const Results& results,
-                      const std::vector<DrawnGroup>& groups) {
+                      const std::vector<DrawnGroup>& groups,
+                      bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
   Value page;
   page.set("style", shared_style());
@@ -179,7 +194,7 @@ std::string page_text(const SweepRecord& record, const Results& results,
   const List failed = failed_rows(record, results);
   page.set("has_failed", !failed.empty());
   page.set("failed", failed);
-  page.set("groups", group_data(groups));
+  set_figures(page, groups, is_for_print);
   kainjow::mustache::mustache view{std::string(sweep_template)};
   return view.render(page);
 }
@@ -189,12 +204,14 @@ std::string page_text(const SweepRecord& record, const Results& results,
 SweepReport write_sweep_report(const SweepRecord& record,
                                const std::filesystem::path& folder,
                                const std::filesystem::path& out,
-                               bool is_trusted, const std::string& gnuplot) {
+                               bool is_trusted, const ReportExtras& extras,
+                               const std::string& gnuplot) {
   SweepReport report{read_swept_results(record, folder, is_trusted), {}};
   const Results& results = report.results;
   const auto drawn = [&](const char* heading,
                          const std::vector<Figure>& figures) {
-    return drawn_group(heading, figures, out, gnuplot, report.undrawn);
+    return drawn_group(heading, figures, {out, extras, gnuplot},
+                       report.undrawn);
   };
   std::vector<DrawnGroup> groups;
   groups.push_back(drawn("The curves", sweep_curve_figures(record, results)));
@@ -205,7 +222,12 @@ SweepReport write_sweep_report(const SweepRecord& record,
                 [](const DrawnGroup& group) { return group.figures.empty(); });
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   write_file_atomically(out / "report.html",
-                        page_text(record, results, groups));
+                        page_text(record, results, groups, false));
+  if (extras.has_pdf)
+    if (const std::string problem =
+            print_report(page_text(record, results, groups, true), out);
+        !problem.empty())
+      report.undrawn.push_back(problem);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));
   return report;
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-// This file writes the report on a sweep: sweep.json, sweep.csv, report.html
-// and its figures.
+// This file writes the report on a sweep: sweep.json, sweep.csv, report.html,
+// its figures and, on request, report.pdf and journal/.
 
+#include "reports/pages/report.hpp"
 #include "reports/sweeps/swept_results.hpp"
 
 #include <filesystem>
@@ -29,6 +30,7 @@ SweepReport write_sweep_report(const SweepRecord& record,
                                const std::filesystem::path& folder,
                                const std::filesystem::path& out,
                                bool is_trusted,
+                               const ReportExtras& extras = {},
                                const std::string& gnuplot = "gnuplot");
 
 } // namespace asperity::reports

@@ -65,7 +65,7 @@ struct TrendLine {
   std::string name;
   std::size_t method = 0;  ///< index of its method, which gives its colour
   std::size_t variant = 0; ///< index among the lines of the method
-  std::vector<std::vector<double>> rows; ///< position, value, half-width
+  std::vector<std::vector<double>> rows; ///< position, value and its limits
 };
 
 /// Returns the lines of all methods. The rows of a line follow each other, in
@@ -87,10 +87,12 @@ std::vector<TrendLine> trend_lines(const SweepRecord& record,
       auto line = std::ranges::find(lines, name, &TrendLine::name);
       if (line == lines.end())
         line = lines.insert(lines.end(), {name, m, variants++, {}});
+      const double half_width =
+          estimate->has_interval() ? estimate->half_width : 0.0;
       line->rows.push_back(
           {axis.positions[record.points[result->point].choice[0]],
-           estimate->value,
-           estimate->has_interval() ? estimate->half_width : 0.0});
+           estimate->value, estimate->value - half_width,
+           estimate->value + half_width});
     }
   }
   return lines;
@@ -103,19 +105,19 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
   figure.title = quantity_name + " against " + record.keys[0].key;
   const FigureAxis axis = axis_of(record.keys[0]);
   CsvTable table({"line", "index", axis.title, quantity_name,
-                  "half-width of 95 % interval"});
+                  "low end of 95 % interval", "high end of 95 % interval"});
   std::vector<std::string> parts;
   const std::vector<TrendLine> lines =
       trend_lines(record, results, axis, quantity_name);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const std::vector<double>& row : lines[i].rows)
       table.add(lines[i].name,
-                {static_cast<double>(i), row[0], row[1], row[2]});
+                {static_cast<double>(i), row[0], row[1], row[2], row[3]});
     const bool is_theory = lines[i].name.starts_with("theory");
     parts.push_back(fmt::format(
         "'{}.csv' {} with yerrorlines linecolor rgb '{}' dashtype {} pointtype "
         "{} pointsize 0.7 linewidth 1.2 title {}",
-        figure.name, of_series(i, "$3:4:5"),
+        figure.name, of_series(i, "$3:4:5:6"),
         is_theory ? "#222222" : method_color(lines[i].method),
         1 + lines[i].variant % 5, 4 + 2 * (lines[i].method % 5),
         gnuplot_text(lines[i].name)));

@@ -96,7 +96,9 @@ void QuickBench::expect_complete_table() const {
               std::count(head.begin(), head.end(), ','))
         << row;
   EXPECT_EQ(rows, json()["points"].size());
-  EXPECT_TRUE(std::filesystem::exists(folder / "b" / "report.html"));
+  EXPECT_NE(text_of(folder / "b" / "report.html").find("{\"name\":\"growth"),
+            std::string::npos)
+      << "figures can be explored";
 }
 
 // The counted area of a wave is of first order in the spacing, and

@@ -72,6 +72,8 @@ def check_report(program, folder):
     assert "contact by Persson's theory" in printed
     page = (folder / "page/report.html").read_text()
     assert page.count("data:image/svg+xml") == 9 and "could not be drawn" not in page
+    # All figures can be explored, the map without the library of the curves.
+    assert page.count('<script type="application/json">') == 9
     drawn = {path.stem for path in (folder / "page/figures").glob("*.svg")}
     assert {"topography", "map-spectrum", "predicted-area"} <= drawn, drawn
     kept = json.loads((folder / "page/surface.json").read_text())

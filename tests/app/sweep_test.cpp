@@ -60,6 +60,11 @@ TEST_F(SweepRuns, WritesOneReportOnAllPoints) {
         << words;
   EXPECT_NE(page.find("All expectations are met at 4 points."),
             std::string::npos);
+  for (const char* name :
+       {"sweep-pressure-gap-halfspace", "sweep-area-scale"}) // explorable
+    EXPECT_NE(page.find(std::string("{\"name\":\"") + name), std::string::npos)
+        << name;
+  EXPECT_NE(page.find("Content-Security-Policy"), std::string::npos);
 }
 
 // Claim: a point is an ordinary case: --set gives the same bits, and its folder
