@@ -35,8 +35,8 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
   if (iterations.empty())
     return std::nullopt;
   figure.caption += ". CPU times, means over the realisations.";
-  figure.script = "set multiplot layout 1,2 margins 0.08,0.98,0.27,0.95 "
-                  "spacing 0.1\nset key at screen 0.5, 0.02 bottom center "
+  figure.script = "set multiplot layout 1,2 margins 0.075,0.985,0.225,0.96 "
+                  "spacing 0.09\nset key at screen 0.5, 0.02 bottom center "
                   "vertical maxrows 1\nset "
                   "logscale x\nset format x "
                   "'10^{%T}'\nset xlabel " +

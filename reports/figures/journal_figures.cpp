@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
+#include "reports/figures/journal_layout.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,12 +32,13 @@ constexpr std::array<const char*, 3> endings_known{"pdf", "svg", "png"};
 std::string terminal(const std::string& ending, double width, double height) {
   const std::string style = fmt::format(
       "enhanced font 'Helvetica,{:g}' background '#ffffff'", font_size);
+  // A point of gnuplot's fonts is 1/72 inch times 4/3 in PDF, one pixel in SVG
+  // and 4/3 of one in PNG.
   if (ending == "pdf")
-    return fmt::format("pdfcairo size {:.4f}in,{:.4f}in {} fontscale 1 "
+    return fmt::format("pdfcairo size {:.4f}in,{:.4f}in {} fontscale 0.75 "
                        "linewidth 0.7 dashlength 0.7",
                        width / metres_per_inch, height / metres_per_inch,
                        style);
-  // One point of gnuplot's fonts is a pixel in SVG and 4/3 of one in PNG.
   if (ending == "svg")
     return fmt::format("svg size {:.0f},{:.0f} fixed {}",
                        width / metres_per_inch * 72.0,
@@ -112,13 +114,16 @@ std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
   const double width = figure.width > widest_column
                            ? 2.0 * format.width + column_distance
                            : format.width;
-  const double height = width * figure.height / figure.width;
+  const JournalLayout layout = journal_layout(figure, width, font_size);
+  Figure arranged = figure;
+  arranged.script = layout.script;
   std::string problems;
   for (const std::string& ending : format.endings) {
-    const std::string problem = run_script(
-        figure, folder, terminal(ending, width, height), ending, program);
+    const std::string problem =
+        run_script(arranged, folder, terminal(ending, width, layout.height),
+                   ending, program);
     if (problem.empty() && ending == "svg")
-      set_size_on_paper(folder / (figure.name + ".svg"), width, height);
+      set_size_on_paper(folder / (figure.name + ".svg"), width, layout.height);
     if (!problem.empty())
       problems += (problems.empty() ? "" : "; ") + problem;
   }

@@ -24,7 +24,8 @@ JournalFormat journal_format(const std::vector<std::string>& endings,
                              const std::string& width);
 
 /// Writes the figure into `folder`, with its table, its script and one drawing
-/// per ending. The text has 8 points, PNG 600 pixels per inch. A figure of
+/// per ending. The text has 8 points, that of legends 7, and PNG 600 pixels per
+/// inch. A plot with its own axes is arranged by journal_layout(). A figure of
 /// several panels or maps, which is wider than 700 px on the screen, gets the
 /// width of two columns and the 6 mm between them.
 /// @return  why an image could not be drawn; empty if all were

@@ -113,6 +113,44 @@ TEST_F(Drawing, HasTheWidthOfTheJournal) {
             std::string::npos);
 }
 
+/// The value behind "set lmargin at screen " and the like.
+double margin_in(const std::string& script, const std::string& name) {
+  const std::string words = "set " + name + " at screen ";
+  const std::size_t at = script.find(words);
+  EXPECT_NE(at, std::string::npos) << name;
+  return std::stod(script.substr(at + words.size()));
+}
+
+// Claim: the plot covers at least 60 % of the figure, whatever legend and
+// second axes it has, and the text of a PDF has the size that is asked for.
+TEST_F(Drawing, GivesMostOfAJournalFigureToThePlot) {
+  const std::string title = " title 'p/E* = 0.00133, A/A_0 = 0.0947, r = 0.13'";
+  const std::string curves = "plot x" + title + ", 2*x" + title + ", 3*x" +
+                             title + ", 4*x title 'theory'\n";
+  Figure figure;
+  figure.name = "trial";
+  figure.data = "x,y\n1,2\n";
+  for (const char* settings :
+       {"", "set key top right\n",
+        "set x2tics\nset border 7\nset x2label 'u'\n", "set key maxcols 2\n"})
+    for (const double width : {86e-3, 180e-3}) {
+      figure.script = settings + curves;
+
+      EXPECT_EQ(draw_for_journal(figure, {{"pdf"}, width}, folder), "");
+
+      const std::string script = text_of(folder / "trial.gp");
+      const double share =
+          (margin_in(script, "rmargin") - margin_in(script, "lmargin")) *
+          (margin_in(script, "tmargin") - margin_in(script, "bmargin"));
+      EXPECT_GE(share, 0.6) << settings << width;
+      EXPECT_LE(share, 1.0);
+      EXPECT_LE(margin_in(script, "lmargin"), 0.2); // room for numbers
+      EXPECT_GE(margin_in(script, "lmargin"), 15e-3 / width);
+      EXPECT_NE(script.find("font 'Helvetica,8'"), std::string::npos);
+      EXPECT_NE(script.find("fontscale 0.75"), std::string::npos); // of 96 dpi
+    }
+}
+
 std::string refusal(const std::vector<std::string>& endings,
                     const std::string& width) {
   try {

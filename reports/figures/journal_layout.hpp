@@ -1,0 +1,35 @@
+#pragma once
+
+// This file arranges a figure on the page of a journal: margins, legend and
+// height, such that most of the figure is its plot. It is internal to this
+// folder.
+
+#include "reports/figures/gnuplot.hpp"
+
+#include <string>
+
+namespace asperity::reports {
+
+/// Share of the figure that the rectangle between the axes covers at least,
+/// where the width allows it.
+constexpr double least_plot_share = 0.6;
+
+struct JournalLayout {
+  double height = 0.0; ///< [m]
+  std::string script;  ///< that of the figure with the arrangement
+};
+
+/// Arranges a figure of this width.
+///
+/// A figure with one pair of axes gets fixed margins and no second x axis. The
+/// legend is below the axis, in as many columns as fit, and the figure becomes
+/// higher if the plot would cover less than least_plot_share; or the legend is
+/// in a corner that such curves leave free. Figures of several panels or with
+/// images keep their own arrangement and proportions.
+///
+/// @param width      [m]
+/// @param font_size  of labels [pt]; the legend is one point smaller
+JournalLayout journal_layout(const Figure& figure, double width,
+                             double font_size);
+
+} // namespace asperity::reports
