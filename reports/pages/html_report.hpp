@@ -30,4 +30,8 @@ std::string html_page(std::span<const ReportEntry> entries,
 /// Describes the contact problem in one sentence: surface, material and loads.
 std::string case_sentence(const ReportEntry& entry);
 
+/// Says the same as a section on methods does: "An elastic block with E* =
+/// 2 GPa was pressed against a rigid measured surface of 512 × 512 points ...".
+std::string setup_sentences(const ReportEntry& entry);
+
 } // namespace asperity::reports

@@ -48,18 +48,28 @@ std::string grid_words(const results::Result& result) {
   return words;
 }
 
-std::string load_words(const results::Result& result) {
-  double least = not_a_number;
-  double largest = not_a_number;
+/// Nominal pressures of all methods.
+struct Loads {
   std::size_t steps = 0;
+  double least = not_a_number;   // [Pa]
+  double largest = not_a_number; // [Pa]
+};
+
+Loads loads_of(const results::Result& result) {
+  Loads loads;
   for (const results::MethodRecord& method : result.methods)
     for (const results::Curve& curve : method.realizations) {
-      steps = std::max(steps, curve.points.size());
+      loads.steps = std::max(loads.steps, curve.points.size());
       for (const results::CurvePoint& point : curve.points) {
-        least = std::fmin(least, point.nominal_pressure);
-        largest = std::fmax(largest, point.nominal_pressure);
+        loads.least = std::fmin(loads.least, point.nominal_pressure);
+        loads.largest = std::fmax(loads.largest, point.nominal_pressure);
       }
     }
+  return loads;
+}
+
+std::string load_words(const results::Result& result) {
+  const auto [steps, least, largest] = loads_of(result);
   if (steps == 0)
     return "";
   return fmt::format("; {} load step{}, p/E* from {:.3g} to {:.3g}", steps,
@@ -67,7 +77,55 @@ std::string load_words(const results::Result& result) {
                      largest / result.contact_modulus);
 }
 
+/// Puts what follows the first comma into parentheses.
+std::string with_parentheses(const std::string& words) {
+  const std::size_t comma = words.find(", ");
+  return comma == std::string::npos
+             ? words
+             : words.substr(0, comma) + " (" + words.substr(comma + 2) + ")";
+}
+
+std::string surface_sentence(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
+  const bool has_case = !result.case_text.empty();
+  std::string words = fmt::format(
+      "An elastic block with E* = {:.4g} GPa was pressed against a rigid {}",
+      result.contact_modulus * 1e-9,
+      has_case ? with_parentheses(surface_words(entry.contact_case->surface))
+               : "surface");
+  if (has_case && entry.contact_case->surface.edges == cases::Edges::mirror &&
+      entry.contact_case->surface.kind == SurfaceKind::measured)
+    words += ", continued by its mirror images";
+  if (result.surfaces.empty())
+    return words + ".";
+  const results::SurfaceRecord& surface = result.surfaces.front();
+  words += fmt::format(
+      ". {} {} × {} points over {:.4g} × {:.4g} µm, with rms height {:.4g} nm "
+      "and rms slope {:.3g}{}.",
+      result.surfaces.size() > 1
+          ? fmt::format("Each of {} realisations had", result.surfaces.size())
+          : "It had",
+      surface.grid.points_x, surface.grid.points_y, surface.grid.length_x * 1e6,
+      surface.grid.length_y * 1e6, surface.rms_height * 1e9, surface.rms_slope,
+      result.surfaces.size() > 1 ? " in the first one" : "");
+  return words;
+}
+
 } // namespace
+
+std::string setup_sentences(const ReportEntry& entry) {
+  const double modulus = entry.result->contact_modulus;
+  const auto [steps, least, largest] = loads_of(*entry.result);
+  std::string words = surface_sentence(entry);
+  if (steps == 1)
+    words +=
+        fmt::format(" The nominal pressure was {:.3g} E*.", largest / modulus);
+  else if (steps > 1)
+    words += fmt::format(
+        " The nominal pressure had {} values from {:.3g} E* to {:.3g} E*.",
+        steps, least / modulus, largest / modulus);
+  return words;
+}
 
 std::string case_sentence(const ReportEntry& entry) {
   return fmt::format(

@@ -262,6 +262,7 @@ TEST_F(Report, CitesWhatWasUsed) {
                        {"deal.II", "deal.II 9.4.1, Trilinos 13.2"}};
   write(result, "no-such-gnuplot");
   const std::string text = text_of(folder / "methods.txt");
+  EXPECT_NE(text.find(" was pressed against a rigid "), std::string::npos);
   const std::string sources = text_of(folder / "methods.bib");
 
   EXPECT_NE(text.find("deal.II 9.4.1 [arndt2021]"), std::string::npos) << text;
