@@ -9,13 +9,14 @@ namespace asperity::app {
 namespace {
 
 constexpr int section_rows = 49; ///< depths of a section, including the surface
-constexpr int section_columns = 257;  ///< upper limit
-constexpr double section_depth = 4.0; ///< multiple of the depth of the
-                                      ///< strongest point
-constexpr double section_reach = 1.5; ///< half-width as a multiple of the
-                                      ///< section depth
-constexpr double below_layers = 1.5;  ///< minimum depth as a multiple of the
-                                      ///< layer thickness
+constexpr int section_columns = 257;      ///< upper limit
+constexpr double section_depth = 4.0;     ///< multiple of the depth of the
+                                          ///< strongest point
+constexpr double section_reach = 1.5;     ///< half-width as a multiple of the
+                                          ///< section depth
+constexpr std::size_t most_sections = 12; ///< loads of one table
+constexpr double below_layers = 1.5; ///< minimum depth as a multiple of the
+                                     ///< layer thickness
 
 /// Returns the depth of the section in a block of unlimited thickness [m].
 double depth_of_section(const mechanics::ElasticBlock& block,
@@ -65,6 +66,27 @@ results::Table section_table(const std::string& method, double pressure,
       {depth_column, x_column, {"von_mises", "Pa", std::move(strength)}}};
 }
 
+/// Von Mises stress under a map [Pa], one row per depth, x fastest.
+std::vector<double> strength_at(const SectionPlaces& places,
+                                const contact::ElasticBlock& block,
+                                const results::Fields& map,
+                                const contact::StressPeak& peak, int threads) {
+  const Grid& grid = map.grid;
+  const contact::StressInside inside(grid, block, map.pressure, threads);
+  const int peak_x = static_cast<int>(peak.node) % grid.points_x;
+  const int peak_y = static_cast<int>(peak.node) / grid.points_x;
+  std::vector<double> strength;
+  for (const double depth : places.depth) {
+    const std::vector<double> plane =
+        contact::von_mises(inside.at_depth(depth));
+    for (const int offset : places.offsets) {
+      const int ix = (peak_x + offset + grid.points_x) % grid.points_x;
+      strength.push_back(plane[grid.index(ix, peak_y)]);
+    }
+  }
+  return strength;
+}
+
 std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
   std::vector<double> places;
   places.reserve(offsets.size());
@@ -90,23 +112,40 @@ results::Table stress_section(const std::string& method,
                               const mechanics::ElasticBlock& block,
                               const results::Fields& map,
                               const contact::StressPeak& peak, int threads) {
-  const Grid& grid = map.grid;
-  const contact::StressInside inside(grid, block, map.pressure, threads);
-  const int peak_x = static_cast<int>(peak.node) % grid.points_x;
-  const int peak_y = static_cast<int>(peak.node) / grid.points_x;
+  const SectionPlaces places = section_places(map.grid, block, peak.depth);
+  return section_table(method, map.nominal_pressure, "from its pressure",
+                       places.depth,
+                       in_metres(places.offsets, map.grid.spacing_x()),
+                       strength_at(places, block, map, peak, threads));
+}
+
+results::Table stress_sections(const std::string& method,
+                               const contact::ElasticBlock& block,
+                               std::span<const results::Fields> maps,
+                               const contact::StressPeak& peak, int threads) {
+  const Grid& grid = maps.front().grid;
   const SectionPlaces places = section_places(grid, block, peak.depth);
-  std::vector<double> strength;
-  for (const double depth : places.depth) {
-    const std::vector<double> plane =
-        contact::von_mises(inside.at_depth(depth));
-    for (const int offset : places.offsets) {
-      const int ix = (peak_x + offset + grid.points_x) % grid.points_x;
-      strength.push_back(plane[grid.index(ix, peak_y)]);
-    }
+  results::Column pressure{"nominal_pressure", "Pa", {}};
+  results::Column depth{"depth", "m", {}};
+  results::Column x{"x", "m", {}};
+  results::Column strength{"von_mises", "Pa", {}};
+  const std::size_t n_used = std::min(maps.size(), most_sections);
+  for (std::size_t k = 0; k < n_used; ++k) {
+    const results::Fields& map =
+        maps[n_used == 1 ? 0 : k * (maps.size() - 1) / (n_used - 1)];
+    const std::vector<double> of_map =
+        strength_at(places, block, map, peak, threads);
+    strength.values.insert(strength.values.end(), of_map.begin(), of_map.end());
+    for (const double at : places.depth)
+      for (const int offset : places.offsets) {
+        pressure.values.push_back(map.nominal_pressure);
+        depth.values.push_back(at);
+        x.values.push_back(offset * grid.spacing_x());
+      }
   }
-  return section_table(
-      method, map.nominal_pressure, "from its pressure", places.depth,
-      in_metres(places.offsets, grid.spacing_x()), std::move(strength));
+  return {"stress-sections-" + method,
+          "Von Mises stress in that plane at the saved loads, " + method,
+          {pressure, depth, x, strength}};
 }
 
 results::Table stress_section(const OwnSection& section,

@@ -8,6 +8,7 @@
 #include "fem/plugin.hpp"
 #include "results/types/result.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,20 @@ results::Table stress_section(const std::string& method,
                               const mechanics::ElasticBlock& block,
                               const results::Fields& map,
                               const contact::StressPeak& peak, int threads);
+
+/// Computes the stress in the plane of stress_section() of the map with the
+/// highest load under each of several maps on one grid, for the same places.
+///
+/// @param maps  at most 12 of them are used, evenly spaced, among them the
+/// first
+///              and the last
+/// @param peak  strongest point under the map with the highest load
+/// @return      table "stress-sections-<method>"; the rows of a map follow each
+///              other
+results::Table stress_sections(const std::string& method,
+                               const contact::ElasticBlock& block,
+                               std::span<const results::Fields> maps,
+                               const contact::StressPeak& peak, int threads);
 
 /// Identifies the section of a full block.
 struct OwnSection {

@@ -27,26 +27,33 @@ const CurvePoint& row_of(const results::Fields& map,
   });
 }
 
-/// Computes the section of the map with the highest load.
-///
+/// The map with the highest load and its strongest point.
+struct Heaviest {
+  const results::Fields& map;
+  StressPeak peak;
+};
+
 /// @param table  stress_table() of these maps
-results::Table heaviest_section(const cases::MethodSpec& method,
-                                const mechanics::ElasticBlock& block,
-                                std::span<const results::Fields> maps,
-                                const results::Table& table, int threads) {
+Heaviest heaviest_of(std::span<const results::Fields> maps,
+                     const results::Table& table) {
   const auto heaviest = std::max_element(
       maps.begin(), maps.end(), [](const auto& a, const auto& b) {
         return a.nominal_pressure < b.nominal_pressure;
       });
   const auto row = static_cast<std::size_t>(heaviest - maps.begin());
   const Grid& grid = heaviest->grid;
-  const StressPeak peak{
-      table.values("von_mises")[row], table.values("depth")[row],
-      grid.index(static_cast<int>(
-                     std::lround(table.values("x")[row] / grid.spacing_x())),
-                 static_cast<int>(
-                     std::lround(table.values("y")[row] / grid.spacing_y())))};
-  return stress_section(method.name, block, *heaviest, peak, threads);
+  return {*heaviest,
+          {table.values("von_mises")[row], table.values("depth")[row],
+           grid.index(static_cast<int>(std::lround(table.values("x")[row] /
+                                                   grid.spacing_x())),
+                      static_cast<int>(std::lround(table.values("y")[row] /
+                                                   grid.spacing_y())))}};
+}
+
+/// Returns true if the maps have one grid, so that one plane cuts all of them.
+bool have_one_grid(std::span<const results::Fields> maps) {
+  return std::ranges::all_of(
+      maps, [&](const auto& map) { return map.grid == maps.front().grid; });
 }
 
 } // namespace
@@ -134,11 +141,22 @@ void record_stress_inside(const cases::Case& contact_case,
         result.table("stress-section-" + method->name) != nullptr;
     if (has_own)
       continue;
+    const Heaviest heaviest = heaviest_of(maps, *table);
     const auto section = tally.attempt("stress section, " + method->name, [&] {
-      return heaviest_section(*method, block, maps, *table, threads);
+      return stress_section(method->name, block, heaviest.map, heaviest.peak,
+                            threads);
     });
     if (section)
       writer.record_table(*section);
+    if (maps.size() < 2 || !have_one_grid(maps))
+      continue;
+    const auto sections =
+        tally.attempt("stress sections, " + method->name, [&] {
+          return stress_sections(method->name, block, maps, heaviest.peak,
+                                 threads);
+        });
+    if (sections)
+      writer.record_table(*sections);
   }
 }
 

@@ -30,7 +30,8 @@ results::Table own_stress_table(const results::Table& of_pressure,
 
 /// Records both tables for every method with saved fields if the case requests
 /// it ([report] stress_inside): "stress-inside-<method>" of realisation 0, and
-/// "stress-section-<method>" of the highest load. The block is the continuum
+/// "stress-section-<method>" of the highest load, as well as
+/// "stress-sections-<method>" of several loads. The block is the continuum
 /// model of the method: a half-space or slab with E* and nu of the case (atoms:
 /// the half-space). A full block stores its own strongest points in its rows,
 /// and its own section was written to the file when its step was solved. What

@@ -24,6 +24,10 @@ std::string stress_table_name(const std::string& method) {
   return "stress-inside-" + method;
 }
 
+std::string stress_sections_name(const std::string& method) {
+  return "stress-sections-" + method;
+}
+
 std::string stress_section_name(const std::string& method) {
   return "stress-section-" + method;
 }

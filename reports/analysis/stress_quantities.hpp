@@ -10,6 +10,7 @@ namespace asperity::reports {
 /// Return the names of a method's table of stress maxima and of its section.
 std::string stress_table_name(const std::string& method);
 std::string stress_section_name(const std::string& method);
+std::string stress_sections_name(const std::string& method);
 
 /// Location and value of the largest von Mises stress under a Hertz contact.
 struct HertzStrength {

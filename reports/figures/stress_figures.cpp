@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace asperity::reports {
 namespace {
@@ -102,6 +103,60 @@ Figure strength_figure(const ReportEntry& entry) {
   return figure;
 }
 
+/// Returns the edge of the first cell of a row of nodes, and of the last one
+/// [um].
+std::pair<double, double> cell_edges(double first, double last, int n) {
+  const double half = n > 1 ? 0.5 * (last - first) / (n - 1) : 0.5e-6;
+  return {1e6 * (first - half), 1e6 * (last + half)};
+}
+
+/// Prepares sections at one or more loads for the browser. Their rows are
+/// ordered by load and by depth, x fastest.
+std::optional<MapStack> section_stack(const results::Table& table,
+                                      double modulus) {
+  const std::vector<double> depth = table.values("depth");
+  const std::vector<double> x = table.values("x");
+  const std::vector<double> strength = table.values("von_mises");
+  const std::vector<double> pressure = table.values("nominal_pressure");
+  if (depth.empty() || x.size() != depth.size() ||
+      strength.size() != depth.size() ||
+      (!pressure.empty() && pressure.size() != depth.size()))
+    return std::nullopt;
+  const auto columns = static_cast<std::size_t>(
+      std::ranges::find_if(depth,
+                           [&](double one) { return one != depth.front(); }) -
+      depth.begin());
+  const auto size = static_cast<std::size_t>(
+      std::ranges::adjacent_find(
+          depth, [](double one, double next) { return next < one; }) -
+      depth.begin());
+  const std::size_t rows_of_map = size == depth.size() ? size : size + 1;
+  if (columns == 0 || rows_of_map % columns != 0 ||
+      depth.size() % rows_of_map != 0)
+    return std::nullopt;
+  MapStack stack;
+  stack.columns = static_cast<int>(columns);
+  stack.rows = static_cast<int>(rows_of_map / columns);
+  std::tie(stack.left, stack.right) =
+      cell_edges(x.front(), x[columns - 1], stack.columns);
+  std::tie(stack.upper, stack.lower) =
+      cell_edges(depth.front(), depth[rows_of_map - 1], stack.rows);
+  stack.y_label = "depth [µm]";
+  stack.quantities = {{"von Mises / E*", "pressure", false}};
+  for (std::size_t start = 0; start < depth.size(); start += rows_of_map) {
+    std::vector<double> map; // the lowest row first
+    for (std::size_t row = rows_of_map; row > 0; row -= columns)
+      for (std::size_t i = row - columns; i < row; ++i)
+        map.push_back(strength[start + i] / modulus);
+    stack.frames.push_back(
+        {pressure.empty()
+             ? ""
+             : fmt::format("p / E* = {:.3g}", pressure[start] / modulus),
+         {packed_map(map, columns)}});
+  }
+  return stack;
+}
+
 /// Shows the von Mises stress in a section of x and depth, as an image.
 std::optional<Figure> section_figure(const ReportEntry& entry,
                                      const results::MethodRecord& method) {
@@ -127,6 +182,10 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
         return b > a || (std::isnan(a) && !std::isnan(b));
       });
   const std::size_t at = static_cast<std::size_t>(strongest - strength.begin());
+  const results::Table* const sections =
+      entry.result->table(stress_sections_name(method.name));
+  figure.stack =
+      section_stack(sections == nullptr ? *section : *sections, modulus);
   figure.width = 660;
   figure.height = 330;
   figure.caption = fmt::format(

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 
 #include "tests/app/folder.hpp"
 
@@ -92,6 +93,13 @@ TEST_F(InsideRun, HasTheBlocksOwnSection) {
   EXPECT_NE(other->title.find("from its pressure"), std::string::npos);
   EXPECT_EQ(own->title.substr(0, own->title.find(" Pa")),
             other->title.substr(0, other->title.find(" Pa")));
+  const results::Table* const all = found.table("stress-sections-halfspace");
+  ASSERT_NE(all, nullptr);
+  const std::vector<double> of_all = all->values("von_mises");
+  const std::vector<double> heaviest = other->values("von_mises");
+  ASSERT_EQ(of_all.size(), 3 * heaviest.size());
+  EXPECT_TRUE(std::ranges::equal(
+      heaviest, std::span(of_all).subspan(heaviest.size(), heaviest.size())));
   const std::vector<double> strength = own->values("von_mises");
   const auto& row = found.methods.at(1).realizations.at(0).points.at(1);
   const double highest = *std::max_element(strength.begin(), strength.end());

@@ -78,6 +78,40 @@ TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
   EXPECT_EQ(strength.caption.find("full 3-D model"), std::string::npos);
 }
 
+// Claim: in the browser the section has a map per load, its lowest row first;
+// without a table of loads, it has that of the section.
+TEST_F(StressFigures, HaveASectionPerLoad) {
+  const double modulus = synthetic::contact_modulus;
+  ASSERT_TRUE(figures()[1].stack);
+  EXPECT_EQ(figures()[1].stack->frames.size(), 1U);
+  result.tables.push_back(
+      table("stress-sections-fem",
+            {{"nominal_pressure", std::vector<double>(4, 0.01 * modulus)},
+             {"depth", {0.0, 0.0, 1e-6, 1e-6}},
+             {"x", {-1e-6, 1e-6, -1e-6, 1e-6}},
+             {"von_mises", {0.0, 0.0, modulus, 0.0}}}));
+  for (results::Column& column : result.tables.back().columns)
+    for (int i = 0; i < 4; ++i)
+      column.values.push_back(column.name == "nominal_pressure"
+                                  ? 2.0 * column.values[0]
+                              : column.name == "von_mises"
+                                  ? 2.0 * modulus
+                                  : column.values[static_cast<std::size_t>(i)]);
+
+  const MapStack stack = figures()[1].stack.value();
+
+  ASSERT_EQ(stack.frames.size(), 2U);
+  EXPECT_EQ(stack.frames[0].title, "p / E* = 0.01");
+  EXPECT_EQ(stack.frames[1].title, "p / E* = 0.02");
+  EXPECT_EQ(stack.columns, 2);
+  EXPECT_EQ(stack.rows, 2);
+  EXPECT_DOUBLE_EQ(stack.lower, 1.5); // the edge of the lowest cells
+  EXPECT_DOUBLE_EQ(stack.upper, -0.5);
+  EXPECT_EQ(stack.frames[0].maps[0].data,
+            packed_map({1.0, 0.0, 0.0, 0.0}, 2).data);
+  EXPECT_EQ(stack.frames[1].maps[0].low, 2.0);
+}
+
 // Claim: a place without stress is not the strongest, and the section says
 // where its numbers are from.
 TEST_F(StressFigures, LeaveOutPlacesWithoutStress) {
