@@ -5,8 +5,9 @@
 #include "cases/text/toml_text.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 
 namespace asperity::app {
 namespace {
@@ -67,11 +68,17 @@ private:
         read_quantity(given.text, key.dimension, key.yardsticks);
     if (!reading.quantity)
       return given;
-    const double in_si = reading.quantity->in_si(scales_);
-    const bool is_known = reading.quantity->yardstick == ReferenceUnit::si ||
-                          (std::isfinite(in_si) &&
-                           (in_si != 0.0 || reading.quantity->value == 0));
-    return is_known ? number_node(in_si) : given;
+    const std::optional<double> in_si = value_in_si(*reading.quantity);
+    return in_si ? number_node(*in_si) : given;
+  }
+
+  /// Returns nothing if the scale of the quantity is not known.
+  std::optional<double> value_in_si(const Quantity& quantity) const {
+    try {
+      return quantity.in_si(scales_);
+    } catch (const std::domain_error&) {
+      return std::nullopt;
+    }
   }
 
   /// Returns the loads of all steps.
@@ -79,10 +86,9 @@ private:
     Node list;
     list.type = NodeType::list;
     for (const Quantity& target : case_.load.targets) {
-      const double in_si = target.in_si(scales_);
-      Node node = number_node(in_si);
-      if (target.yardstick != ReferenceUnit::si &&
-          (!std::isfinite(in_si) || (in_si == 0.0 && target.value != 0.0))) {
+      const std::optional<double> in_si = value_in_si(target);
+      Node node = number_node(in_si.value_or(0.0));
+      if (!in_si) {
         std::ostringstream text;
         text << target.value << ' ' << yardstick_symbol(target.yardstick);
         node.type = NodeType::text;

@@ -100,7 +100,7 @@ void add_wavevectors(std::vector<DerivedNumber>& numbers,
                      const cases::Case& contact_case,
                      const KnownSurface& known) {
   const double two_pi = 2.0 * std::numbers::pi;
-  double shortest = known.scales.length; // wavelength [m]
+  double shortest = 0.0; // wavelength [m]
   if (contact_case.surface.kind == mechanics::SurfaceKind::self_affine) {
     const mechanics::SurfaceSpec& surface = contact_case.surface;
     add(numbers, "wavevector_low", surface.wavevector_low, "1/m",
@@ -120,8 +120,9 @@ void add_wavevectors(std::vector<DerivedNumber>& numbers,
   if (known.scales.spacing > 0.0) {
     add(numbers, "highest_resolved_wavevector",
         std::numbers::pi / known.scales.spacing, "1/m", "pi/h of the grid");
-    add(numbers, "nodes_per_shortest_wavelength",
-        shortest / known.scales.spacing, "1", "wavelength_short/h");
+    if (shortest > 0.0)
+      add(numbers, "nodes_per_shortest_wavelength",
+          shortest / known.scales.spacing, "1", "wavelength_short/h");
   }
 }
 

@@ -101,11 +101,17 @@ FoundCases find_cases(const std::string& word) {
   if (std::find(words.begin(), words.end(), word) != words.end())
     return is_collection(shipped) ? collection_in(shipped, word)
                                   : single(shipped / "case.toml", word);
+  // A far word is no hint.
+  const std::string near = input::nearest(word, words);
+  const bool is_near =
+      2 * static_cast<std::size_t>(input::edit_distance(word, near)) <=
+      word.size();
   throw input::InputError(
       word +
-      " is neither a case file, nor a folder with a case.toml, nor a "
-      "shipped case; nearest shipped case: " +
-      input::nearest(word, words) + " ('asperity list' shows all)");
+      " is neither a case file, nor a folder with a case.toml, nor a shipped "
+      "case" +
+      (is_near ? "; nearest shipped case: " + near : "") +
+      " ('asperity list' shows all)");
 }
 
 std::string reference_text_of(const cases::Case& read) {

@@ -45,23 +45,32 @@ const std::set<std::string> facts_of_a_run{
     "steps computed again for what follows them",
     "window"};
 
-/// Returns the values of the reference units that the text of a case states.
-mechanics::Scales stated_scales(const cases::Case& contact_case) {
+/// Returns the values of the reference units that the text of the case states
+/// and, on request, those of the surface of the result.
+mechanics::Scales known_scales(const ComparedSide& side, bool uses_surface) {
+  const cases::Case& contact_case = *side.contact_case;
   mechanics::Scales scales;
   scales.contact_modulus = contact_case.material.contact_modulus;
   scales.length = contact_case.surface.length.value_or(0.0);
   if (contact_case.surface.points)
     scales.spacing = scales.length / *contact_case.surface.points;
+  if (!uses_surface || side.result->surfaces.empty())
+    return scales;
+  const results::SurfaceRecord& surface = side.result->surfaces.front();
+  scales.length = surface.grid.length_x;
+  scales.spacing = surface.grid.spacing_x();
+  scales.rms_height = surface.rms_height;
+  scales.rms_slope = surface.rms_slope;
   return scales;
 }
 
 using Texts = std::map<std::string, std::string>;
 
-Texts keys_of(const ComparedSide& side) {
+Texts keys_of(const ComparedSide& side, bool uses_surface) {
   Texts keys;
   if (side.contact_case)
     for (const ResolvedKey& key :
-         resolved_keys(*side.contact_case, stated_scales(*side.contact_case)))
+         resolved_keys(*side.contact_case, known_scales(side, uses_surface)))
       keys[key.path] = cases::toml_value(key.value) +
                        (key.unit.empty() ? "" : " " + key.unit);
   return keys;
@@ -267,9 +276,11 @@ bool Difference::is_any() const {
 Difference difference_of(const ComparedSide& one, const ComparedSide& other,
                          double tolerance) {
   Difference difference;
-  difference.keys = differences(keys_of(one), keys_of(other));
-  difference.inputs = differences(one.inputs, other.inputs);
   difference.has_numbers = one.result && other.result;
+  const bool uses_surface = difference.has_numbers;
+  difference.keys =
+      differences(keys_of(one, uses_surface), keys_of(other, uses_surface));
+  difference.inputs = differences(one.inputs, other.inputs);
   if (!difference.has_numbers)
     return difference;
   difference.build = differences(build_of(one), build_of(other));

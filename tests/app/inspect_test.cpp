@@ -100,6 +100,15 @@ TEST_F(Inspect, DiffFindsKeysNumbersAndMissingRows) {
   EXPECT_NE(differ.output.find("theory           4 rows are equal"),
             std::string::npos)
       << differ.output;
+  std::string steep = small_case;
+  const std::string loads = "nominal_pressure = ";
+  steep.insert(steep.find(loads) + loads.size(), "[\"0.1 E* h'\"] # ");
+  write("steep.toml", steep);
+  ASSERT_EQ(run("run steep.toml --methods halfspace --no-report --out steep")
+                .exit_code,
+            0);
+  EXPECT_EQ(run("diff steep steep").exit_code, 0) << "a unit of the surface";
+  EXPECT_EQ(run("diff steep steep.toml --quiet").exit_code, 0);
   EXPECT_EQ(run("diff out/small peers").exit_code, 2);
   EXPECT_EQ(run("diff out/small nowhere").exit_code, 2);
 }
