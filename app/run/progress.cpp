@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sys/ioctl.h>
 #include <unistd.h>
+#include <utility>
 
 namespace asperity::app {
 namespace {
 
-constexpr int bar_width = 24;
+constexpr int widest_bar = 24;
+constexpr int usual_columns = 80; // of a terminal that does not tell
 constexpr std::chrono::milliseconds shortest_pause{200};
 constexpr std::chrono::milliseconds redraw_pause{1000};
 
@@ -18,7 +21,26 @@ double seconds_between(std::chrono::steady_clock::time_point from,
   return std::chrono::duration<double>(to - from).count();
 }
 
+/// Columns of the terminal, which can change at any time.
+int terminal_columns() {
+  winsize size{};
+  const bool is_known =
+      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : usual_columns;
+}
+
 } // namespace
+
+std::string bar_line(int done, int steps, const std::string& words,
+                     int columns) {
+  const int width = columns < 100 ? widest_bar / 2 : widest_bar;
+  const int filled = std::clamp(width * done / std::max(steps, 1), 0, width);
+  const std::string line = fmt::format("[{:#<{}}{:.<{}}] {}/{}  {}", "", filled,
+                                       "", width - filled, done, steps, words);
+  // A line that reaches the last column would be continued in the next one,
+  // and could not be drawn over.
+  return line.substr(0, static_cast<std::size_t>(std::max(columns - 1, 0)));
+}
 
 Progress::Progress(RemainingWork work, double contact_modulus,
                    std::chrono::milliseconds silence)
@@ -32,9 +54,14 @@ Progress::Progress(RemainingWork work, double contact_modulus,
       watcher_([this] { watch(); }) {}
 
 Progress::~Progress() {
+  end();
+}
+
+void Progress::end() {
   {
     const std::lock_guard lock(mutex_);
-    is_ended_ = true;
+    if (std::exchange(is_ended_, true))
+      return;
   }
   ended_.notify_all();
   watcher_.join();
@@ -61,7 +88,9 @@ void Progress::step_done(const std::string& method, int realization,
   last_done_ = last_drawn_ = Clock::now();
   const bool has_failed = point.status == results::StepStatus::not_converged;
   if (is_terminal_ && !has_failed) {
-    draw_bar(method, realization, point);
+    draw_bar(fmt::format("{}  {} r{} step {}  residual {:.0e}",
+                         remaining(Clock::now()), method, realization,
+                         point.step, point.residual));
     return;
   }
   fmt::print("{}{:>4}/{} {:<14} realization {} step {:>2}  p0 = {:.4e} E*  "
@@ -96,10 +125,9 @@ void Progress::at_work(const std::string& method, int realization,
   if (!is_terminal_ || now - last_drawn_ < shortest_pause)
     return;
   last_drawn_ = now;
-  draw_head();
-  fmt::print("  {} r{}  {} evaluations  energy {:.6e} J  residual {:.1e}",
-             method, realization, evaluations, energy, residual);
-  std::fflush(stdout);
+  draw_bar(fmt::format("{} r{}  {} evaluations  residual {:.1e}  energy {:.6e} "
+                       "J",
+                       method, realization, evaluations, residual, energy));
 }
 
 void Progress::watch() {
@@ -114,12 +142,12 @@ void Progress::watch() {
     const std::string activity = longest_activity(now);
     if (activity.empty())
       continue;
-    if (is_terminal_)
-      draw_head();
-    fmt::print("  {}; {}{}", activity, remaining(now),
-               is_terminal_ ? ""
-                            : fmt::format("; {} of {} steps done\n",
-                                          work_.steps_done(), work_.steps()));
+    if (is_terminal_) {
+      draw_bar(remaining(now) + "  " + activity);
+      continue;
+    }
+    fmt::print("  {}; {}; {} of {} steps done\n", activity, remaining(now),
+               work_.steps_done(), work_.steps());
     std::fflush(stdout);
   }
 }
@@ -140,19 +168,9 @@ std::string Progress::remaining(Clock::time_point now) const {
                                            seconds_between(last_done_, now)));
 }
 
-void Progress::draw_head() const {
-  const int n_steps = std::max(work_.steps(), 1);
-  const int filled =
-      std::min(bar_width * work_.steps_done() / n_steps, bar_width);
-  fmt::print("\r\033[K[{:#<{}}{:.<{}}] {}/{}", "", filled, "",
-             bar_width - filled, work_.steps_done(), work_.steps());
-}
-
-void Progress::draw_bar(const std::string& method, int realization,
-                        const results::CurvePoint& point) {
-  draw_head();
-  fmt::print("  {} r{} step {}  residual {:.0e}  {}", method, realization,
-             point.step, point.residual, remaining(Clock::now()));
+void Progress::draw_bar(const std::string& words) const {
+  fmt::print("\r\033[K{}", bar_line(work_.steps_done(), work_.steps(), words,
+                                    terminal_columns()));
   std::fflush(stdout);
 }
 

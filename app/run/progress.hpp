@@ -16,6 +16,12 @@
 
 namespace asperity::app {
 
+/// Returns a line with a bar, the counters and some words, cut off so that it
+/// is shorter than a line of the terminal. The bar is shorter below 100
+/// columns.
+std::string bar_line(int done, int steps, const std::string& words,
+                     int columns);
+
 /// Shows the progress. The class is thread-safe.
 class Progress {
 public:
@@ -25,7 +31,11 @@ public:
   Progress(RemainingWork work, double contact_modulus,
            std::chrono::milliseconds silence = std::chrono::seconds(20));
 
-  ~Progress(); ///< removes the bar
+  ~Progress(); ///< calls end()
+
+  /// Removes the bar, so that other text can be printed. Nothing may be
+  /// reported after it.
+  void end();
 
   /// Something that takes time, from its construction to its end.
   class Activity {
@@ -70,10 +80,8 @@ private:
   /// Returns the text of the activity that takes longest; "" if there is none.
   std::string longest_activity(Clock::time_point now) const;
   std::string remaining(Clock::time_point now) const;
-  /// Draws the bar and the counters without a line break.
-  void draw_head() const;
-  void draw_bar(const std::string& method, int realization,
-                const results::CurvePoint& point);
+  /// Draws the bar over the last one, without a line break.
+  void draw_bar(const std::string& words) const;
 
   std::mutex mutex_;
   std::condition_variable ended_;

@@ -192,6 +192,7 @@ RunOutcome Run::execute() {
   writer_.record_provenance(
       {{"writing CPU time", fmt::format("{:.4f} s", writer_.cpu_time())}});
   writer_.finish(was_interrupted ? "interrupted" : "complete");
+  progress_.end();
   fmt::print("{} steps: {} computed, {} from the cache\n",
              tally_.computed_steps + tally_.kept_steps(),
              tally_.computed_steps.load(), tally_.kept_steps());

@@ -66,6 +66,20 @@ TEST(RemainingWork, IsToldInReadableUnits) {
   EXPECT_EQ(remaining_text(std::nullopt), "longer than predicted");
 }
 
+// Claim: the line of a terminal never reaches its last column, because it could
+// not be drawn over then.
+TEST(Progress, DrawsLinesShorterThanTheTerminal) {
+  const std::string words = "about 5 s left  halfspace r0 step 5";
+
+  EXPECT_EQ(bar_line(28, 48, words, 80), "[#######.....] 28/48  " + words);
+  EXPECT_EQ(bar_line(24, 48, words, 200),
+            "[############............] 24/48  " + words);
+  for (const int columns : {1, 2, 20, 40, 80})
+    EXPECT_LT(bar_line(0, 0, words + words + words, columns).size(),
+              static_cast<std::size_t>(columns))
+        << columns;
+}
+
 // Claim: a step that runs on without an answer is mentioned in a pipe. The test
 // waits for the line as long as it takes.
 TEST(Progress, MentionsALongStepInAPipe) {
