@@ -11,26 +11,33 @@ namespace asperity::robustness {
 namespace {
 
 constexpr const char* head = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>Asperity: stability</title>
+<html lang="en"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1"><title>Asperity: stability</title>
 <style>
-body { margin: 0 auto; padding: 2rem 1.6rem 4rem; max-width: 76rem; color: #1b1f24;
+:root { color-scheme: light dark; --paper: #fff; --ink: #1b1f24; --soft: #59636e; --line: #d8dee4; --pale: #f6f8fa;
+  --ok: #0a6b3d; --ok-pale: #f0f8f3; --bad: #b3261e; --bad-pale: #fdf3f2; }
+@media screen and (prefers-color-scheme: dark) { :root { --paper: #15181c; --ink: #e4e8ec; --soft: #9aa5b1; --line: #363d45;
+  --pale: #1e2328; --ok: #5fd39a; --ok-pale: #14271e; --bad: #ff8a80; --bad-pale: #2e1a19; } }
+html { background: var(--paper); }
+body { margin: 0 auto; padding: 2rem 1.6rem 4rem; max-width: 76rem; color: var(--ink);
   font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; line-height: 1.5; }
 h1 { font-size: 1.7rem; margin: 0 0 .4rem; }
-h2 { font-size: 1.2rem; margin: 2.4rem 0 .6rem; border-bottom: 1px solid #d8dee4; }
+h2 { font-size: 1.2rem; margin: 2.4rem 0 .6rem; border-bottom: 1px solid var(--line); }
 p, li { max-width: 52rem; }
-.soft { color: #59636e; }
-.banner { padding: .7rem 1rem; border-left: 5px solid #0a6b3d; background: #f0f8f3; font-weight: 600; }
-.banner.bad { border-color: #b3261e; background: #fdf3f2; }
-table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
-th { text-align: left; color: #59636e; border-bottom: 1.5px solid #1b1f24; padding: .3rem .9rem .3rem 0; }
-td { border-bottom: 1px solid #d8dee4; padding: .3rem .9rem .3rem 0; vertical-align: top; }
+.soft { color: var(--soft); }
+.banner { padding: .7rem 1rem; border-left: 5px solid var(--ok); background: var(--ok-pale); font-weight: 600; }
+.banner.bad { border-color: var(--bad); background: var(--bad-pale); }
+table { display: block; overflow-x: auto; border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th { text-align: left; color: var(--soft); border-bottom: 1.5px solid var(--ink); padding: .3rem .9rem .3rem 0; }
+td { border-bottom: 1px solid var(--line); padding: .3rem .9rem .3rem 0; vertical-align: top; }
 td.n, th.n { text-align: right; }
-code { white-space: nowrap; font-size: .85rem; background: #f6f8fa; padding: .1rem .3rem; }
+code { white-space: nowrap; font-size: .85rem; background: var(--pale); padding: .1rem .3rem; }
 .wide { overflow-x: auto; }
-svg text { font-family: inherit; } svg { max-width: 100%; height: auto; }
+svg text { font-family: inherit; fill: currentColor; } svg { max-width: 100%; height: auto; }
+@media screen and (max-width: 44rem) { body { padding: 1rem 1rem 3rem; } svg { max-width: none; } code { white-space: normal; } }
 @media print {
   body { max-width: none; padding: 0; font-size: 9pt; } .wide { overflow: visible; }
-  table { width: 100%; font-size: 7.5pt; } th, td { padding-right: .4rem; overflow-wrap: anywhere; }
+  table { display: table; width: 100%; font-size: 7.5pt; } th, td { padding-right: .4rem; overflow-wrap: anywhere; }
   code { white-space: normal; overflow-wrap: anywhere; } tr, svg { break-inside: avoid; } h2 { break-after: avoid; }
   .banner { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
