@@ -15,7 +15,7 @@ namespace asperity::cases {
 struct ShownFigure {
   std::string part;
   std::string name;
-  Place place; ///< where the file names it, for messages
+  input::Place place; ///< where the file names it, for messages
 };
 
 struct Collection {

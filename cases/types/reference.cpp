@@ -45,7 +45,7 @@ std::optional<std::vector<std::string>> fields_of(const std::string& line) {
 }
 
 double number_in(const std::string& field, const std::string& column,
-                 const Place& place, Mistakes& mistakes) {
+                 const input::Place& place, input::Mistakes& mistakes) {
   double number = 0.0;
   const char* const end = field.data() + field.size();
   const auto [rest, error] = std::from_chars(field.data(), end, number);
@@ -61,9 +61,9 @@ double number_in(const std::string& field, const std::string& column,
 /// Reads one line of values.
 ///
 /// @param optional_columns  number of optional columns
-void read_line(const std::string& line, const Place& place,
+void read_line(const std::string& line, const input::Place& place,
                std::size_t optional_columns,
-               std::vector<ReferenceValue>& values, Mistakes& mistakes) {
+               std::vector<ReferenceValue>& values, input::Mistakes& mistakes) {
   const auto fields = fields_of(line);
   if (!fields || fields->size() != needed_fields + optional_columns) {
     mistakes.add(place,
@@ -100,13 +100,14 @@ std::vector<ReferenceValue> read_reference(const std::string& path) {
 std::vector<ReferenceValue> read_reference_text(const std::string& text,
                                                 const std::string& path) {
   std::vector<ReferenceValue> values;
-  Mistakes mistakes;
+  input::Mistakes mistakes;
   std::istringstream lines(text);
   int line_number = 0;
   bool has_header = false;
   std::size_t optional_columns = 0;
   for (std::string line; std::getline(lines, line);) {
-    const Place place{fmt::format("{}:{}", path, ++line_number), line_number};
+    const input::Place place{fmt::format("{}:{}", path, ++line_number),
+                             line_number};
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
     if (find_not_plain(line) != line.npos) {

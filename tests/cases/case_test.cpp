@@ -12,7 +12,7 @@ namespace {
 constexpr mechanics::Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
 // Claim: a quantity is its number times its yardstick. Exact: one product.
-TEST(mechanics::Quantity, IsItsNumberTimesItsYardstick) {
+TEST(Quantity, IsItsNumberTimesItsYardstick) {
   EXPECT_EQ(
       (mechanics::Quantity{7.0, mechanics::ReferenceUnit::si}.in_si(scales)),
       7.0);
@@ -40,7 +40,7 @@ TEST(mechanics::Quantity, IsItsNumberTimesItsYardstick) {
       1e19); // 100 * 2e9 Pa / 2e-8 m
 }
 
-TEST(mechanics::Quantity, RefusesAYardstickThatIsNotKnown) {
+TEST(Quantity, RefusesAYardstickThatIsNotKnown) {
   const mechanics::Quantity quantity{2.0, mechanics::ReferenceUnit::rms_height};
 
   EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);
@@ -48,7 +48,7 @@ TEST(mechanics::Quantity, RefusesAYardstickThatIsNotKnown) {
 
 // Claim: the block of modulus E (1 - nu^2) has the pair's E*; it is what
 // E* = E / (1 - nu^2) says, solved for E.
-TEST(mechanics::MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
+TEST(MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
   const mechanics::MaterialSpec material{2e9, 0.3};
 
   const double youngs_modulus = material.block_youngs_modulus();
@@ -56,7 +56,7 @@ TEST(mechanics::MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
   EXPECT_DOUBLE_EQ(youngs_modulus / (1.0 - 0.3 * 0.3), 2e9);
 }
 
-TEST(mechanics::MaterialSpec, NeedsPoissonsRatioForTheBlock) {
+TEST(MaterialSpec, NeedsPoissonsRatioForTheBlock) {
   try {
     (void)mechanics::MaterialSpec{2e9, {}}.block_youngs_modulus();
     FAIL() << "a block without Poisson's ratio was accepted";

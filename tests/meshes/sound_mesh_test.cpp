@@ -40,11 +40,12 @@ BlockMesh five_tetrahedra() {
   mesh.cell_group.assign(5, 0);
   mesh.faces.clear();
   using enum FaceGroup;
-  mesh.faces = {
-      {{0, 1, 3, 0}, contact}, {{0, 2, 3, 0}, contact}, {{4, 5, 6, 0}, fixed},
-      {{5, 6, 7, 0}, fixed},   {{0, 2, 6, 0}, left},    {{0, 4, 6, 0}, left},
-      {{1, 3, 5, 0}, right},   {{3, 5, 7, 0}, right},   {{0, 1, 5, 0}, front},
-      {{0, 4, 5, 0}, front},   {{2, 3, 6, 0}, back},    {{3, 6, 7, 0}, back}};
+  mesh.faces = {{{0, 1, 3, 0}, contact},      {{0, 2, 3, 0}, contact},
+                {{4, 5, 6, 0}, far_boundary}, {{5, 6, 7, 0}, far_boundary},
+                {{0, 2, 6, 0}, left},         {{0, 4, 6, 0}, left},
+                {{1, 3, 5, 0}, right},        {{3, 5, 7, 0}, right},
+                {{0, 1, 5, 0}, front},        {{0, 4, 5, 0}, front},
+                {{2, 3, 6, 0}, back},         {{3, 6, 7, 0}, back}};
   return mesh;
 }
 
