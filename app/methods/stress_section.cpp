@@ -68,7 +68,7 @@ results::Table section_table(const std::string& method, double pressure,
 
 /// Von Mises stress under a map [Pa], one row per depth, x fastest.
 std::vector<double> strength_at(const SectionPlaces& places,
-                                const contact::ElasticBlock& block,
+                                const mechanics::ElasticBlock& block,
                                 const results::Fields& map,
                                 const contact::StressPeak& peak, int threads) {
   const Grid& grid = map.grid;
@@ -120,7 +120,7 @@ results::Table stress_section(const std::string& method,
 }
 
 results::Table stress_sections(const std::string& method,
-                               const contact::ElasticBlock& block,
+                               const mechanics::ElasticBlock& block,
                                std::span<const results::Fields> maps,
                                const contact::StressPeak& peak, int threads) {
   const Grid& grid = maps.front().grid;

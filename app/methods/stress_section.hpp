@@ -51,7 +51,7 @@ results::Table stress_section(const std::string& method,
 /// @return      table "stress-sections-<method>"; the rows of a map follow each
 ///              other
 results::Table stress_sections(const std::string& method,
-                               const contact::ElasticBlock& block,
+                               const mechanics::ElasticBlock& block,
                                std::span<const results::Fields> maps,
                                const contact::StressPeak& peak, int threads);
 

@@ -93,7 +93,8 @@ std::string surface_sentence(const ReportEntry& entry) {
       result.contact_modulus * 1e-9,
       has_case ? with_parentheses(surface_words(entry.contact_case->surface))
                : "surface");
-  if (has_case && entry.contact_case->surface.edges == cases::Edges::mirror &&
+  if (has_case &&
+      entry.contact_case->surface.edges == mechanics::Edges::mirror &&
       entry.contact_case->surface.kind == SurfaceKind::measured)
     words += ", continued by its mirror images";
   if (result.surfaces.empty())
