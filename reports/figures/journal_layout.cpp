@@ -14,15 +14,15 @@ namespace {
 constexpr double printers_point = 25.4e-3 / 72.0; // [m]
 
 // Sizes in multiples of the font size.
-constexpr double beside = 5.6;     // label and numbers of a vertical axis
-constexpr double below = 3.7;      // those of the horizontal axis
-constexpr double free_edge = 0.9;  // half a number sticks out
-constexpr double key_row = 1.15;   // of the font size of the legend
-constexpr double key_sample = 3.5; // line or marker, and the blank beside it
-constexpr double key_gap = 0.7;    // between the axis and the legend
-constexpr double letter = 0.58;    // mean width
+constexpr double space_beside = 5.6;  // label and numbers of a vertical axis
+constexpr double space_below = 3.7;   // those of the horizontal axis
+constexpr double free_edge = 0.9;     // half a number sticks out
+constexpr double key_row = 1.15;      // of the font size of the legend
+constexpr double key_sample = 3.5;    // line or marker, and the blank beside it
+constexpr double key_gap = 0.7;       // between the axis and the legend
+constexpr double letter_width = 0.58; // mean width
 
-constexpr double highest = 1.3; // times the width
+constexpr double highest_ratio = 1.3; // times the width
 
 /// Number of characters of UTF-8 text.
 double n_letters(const std::string& text) {
@@ -60,7 +60,7 @@ KeyBelow key_below(const std::string& script, double width, double size) {
   double longest = 0.0;
   for (const std::string& title : titles)
     longest = std::max(longest, n_letters(title));
-  const double entry = size * (key_sample + letter * longest);
+  const double entry = size * (key_sample + letter_width * longest);
   KeyBelow key;
   key.columns = std::clamp(static_cast<int>(width / entry), 1,
                            has(script, "set key maxcols 2") ? 2 : 4);
@@ -114,19 +114,20 @@ JournalLayout journal_layout(const Figure& figure, double width,
     return layout;
   const double size = font_size * printers_point;
   const double key_size = (font_size - 1.0) * printers_point;
-  const double left = beside * size;
-  const double right = (has(script, "set y2tics") ? beside : free_edge) * size;
+  const double left = space_beside * size;
+  const double right =
+      (has(script, "set y2tics") ? space_beside : free_edge) * size;
   const double top = free_edge * size;
   const std::string corner = free_corner(figure);
   const bool is_inside = !corner.empty();
   const KeyBelow key = key_below(script, width - left - right, key_size);
   const double bottom =
-      below * size + (is_inside ? 0.0 : key.height + key_gap * size);
+      space_below * size + (is_inside ? 0.0 : key.height + key_gap * size);
   const double across = (width - left - right) / width;
   if (across > least_plot_share)
     layout.height = std::max(
         layout.height,
-        std::min(highest * width,
+        std::min(highest_ratio * width,
                  (top + bottom) / (1.0 - 1.01 * least_plot_share / across)));
   const std::string settings = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
