@@ -1,0 +1,75 @@
+#include "fem/multigrid/box_lattice.hpp"
+
+#include "base/require.hpp"
+
+#include <algorithm>
+
+namespace asperity::fem {
+
+const CellModuli& BoxLattice::moduli_of(int x, int y, int layer) const {
+  if (is_layered())
+    return moduli[static_cast<std::size_t>(layer)];
+  const auto row =
+      static_cast<std::size_t>(layer) * static_cast<std::size_t>(cells_y) +
+      static_cast<std::size_t>(y);
+  return moduli[row * static_cast<std::size_t>(cells_x) +
+                static_cast<std::size_t>(x)];
+}
+
+void require_lattice(const BoxLattice& lattice) {
+  require_between("degree", lattice.degree, 1.0, 2.0, "1");
+  require_between("cells_x", lattice.cells_x, 1.0, 1e6, "1");
+  require_between("cells_y", lattice.cells_y, 1.0, 1e6, "1");
+  require_positive("length_x", lattice.length_x, "m");
+  require_positive("length_y", lattice.length_y, "m");
+  require_between("number of layers", lattice.layers(), 1.0, 1e6, "1");
+  for (const double thickness : lattice.thickness)
+    require_positive("thickness", thickness, "m");
+  const std::size_t cells = lattice.thickness.size() *
+                            static_cast<std::size_t>(lattice.cells_x) *
+                            static_cast<std::size_t>(lattice.cells_y);
+  if (!lattice.is_layered() && lattice.moduli.size() != cells)
+    refuse_argument("number of moduli",
+                    static_cast<double>(lattice.moduli.size()),
+                    "that of the layers or of the cells");
+  for (const CellModuli& moduli : lattice.moduli) {
+    require_positive("shear modulus", moduli.shear, "Pa");
+    require_positive("lambda + 2 mu / 3", moduli.lame + 2.0 / 3 * moduli.shear,
+                     "Pa");
+  }
+}
+
+BoxLattice normalised(const BoxLattice& lattice, double& unit) {
+  BoxLattice scaled = lattice;
+  double length = std::min(lattice.width_x(), lattice.width_y());
+  for (const double thickness : lattice.thickness)
+    length = std::min(length, thickness);
+  double stress = 0.0;
+  for (const CellModuli& moduli : lattice.moduli)
+    stress = std::max(stress, moduli.shear);
+  scaled.length_x /= length;
+  scaled.length_y /= length;
+  for (double& thickness : scaled.thickness)
+    thickness /= length;
+  for (CellModuli& moduli : scaled.moduli)
+    moduli = {moduli.lame / stress, moduli.shear / stress};
+  unit = stress * length;
+  return scaled;
+}
+
+NodeLayout::NodeLayout(const BoxLattice& lattice)
+    : degree_(at(lattice.degree)),
+      stride_(at(lattice.cells_x) + 1),
+      rows_(degree_ * at(lattice.cells_y) + 1),
+      planes_(degree_ * at(lattice.layers()) + 1),
+      is_periodic_(lattice.is_periodic) {}
+
+int NodeLayout::nodes_x() const {
+  return static_cast<int>(degree_ * (stride_ - 1)) + (is_periodic_ ? 0 : 1);
+}
+
+int NodeLayout::nodes_y() const {
+  return static_cast<int>(rows_) - (is_periodic_ ? 1 : 0);
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,218 @@
+#include "fem/multigrid/cell_kernel.hpp"
+
+#include "fem/multigrid/box_stiffness.hpp"
+
+#include <array>
+#include <utility>
+
+// The values of a cell of degree 1 stay in registers, so its loops are
+// unrolled.
+#define ASPERITY_UNROLL _Pragma("GCC unroll 12")
+
+namespace asperity::fem {
+namespace {
+
+/// Numbers of neighbouring cells along x, as many as fit into `bytes`.
+template <class Number, std::size_t bytes>
+struct CellPack {
+  typedef Number Type __attribute__((vector_size(bytes)));
+  /// The same at any place of a vector.
+  typedef Number Unaligned
+      __attribute__((vector_size(bytes), aligned(sizeof(Number)), may_alias));
+};
+
+/// The values after one cell: {last of `before`, all but the last of `here`}.
+template <class Pack, std::size_t... lane>
+[[gnu::always_inline]] inline void shift_up(const Pack& before,
+                                            const Pack& here, Pack& shifted,
+                                            std::index_sequence<lane...>) {
+  shifted =
+      __builtin_shufflevector(before, here, (sizeof...(lane) - 1 + lane)...);
+}
+
+template <int degree, class Number, bool has_shear, std::size_t bytes>
+struct Cells {
+  using Pack = typename CellPack<Number, bytes>::Type;
+  using Unaligned = typename CellPack<Number, bytes>::Unaligned;
+  static constexpr std::size_t nodes = degree + 1;
+  static constexpr std::size_t lines = 3 * nodes * nodes; ///< along x
+  static constexpr std::size_t size = lines * nodes;
+  static constexpr std::size_t lanes = bytes / sizeof(Number);
+  static constexpr ParitySlots<degree> slots{};
+
+  [[gnu::always_inline]] static std::size_t
+  line_start(const LayerProduct<Number>& layer, std::size_t line) {
+    const std::size_t component = line / (nodes * nodes);
+    return line / nodes % nodes * layer.plane_size +
+           line % nodes * layer.row_size + component * degree * layer.stride;
+  }
+
+  [[gnu::always_inline]] static void read(const LayerProduct<Number>& layer,
+                                          const Number* from, Pack* v) {
+    for (std::size_t line = 0; line < lines; ++line) {
+      const Number* const first = from + line_start(layer, line);
+      v[line * nodes] = *reinterpret_cast<const Unaligned*>(first);
+      if constexpr (degree == 2)
+        v[line * nodes + 1] =
+            *reinterpret_cast<const Unaligned*>(first + layer.stride);
+      v[line * nodes + degree] = *reinterpret_cast<const Unaligned*>(first + 1);
+    }
+  }
+
+  /// T along one axis, or its transpose, which has the opposite sign of the
+  /// difference.
+  template <std::size_t step, bool is_transposed>
+  [[gnu::always_inline]] static void reflect(Pack* v) {
+    for (std::size_t i = 0; i < size / nodes; ++i) {
+      Pack& first = v[i / step * step * nodes + i % step];
+      Pack& last = (&first)[degree * step];
+      const Pack before = first;
+      first = is_transposed ? before - last : before + last;
+      last = is_transposed ? before + last : last - before;
+    }
+  }
+
+  template <std::size_t block>
+  [[gnu::always_inline]] static void
+  multiply_block(const Number* blocks, const Pack& factor, const Pack& shear,
+                 Pack* v) {
+    constexpr std::size_t rows = static_cast<std::size_t>(slots.count[block]);
+    const Number* const own = blocks + slots.start[block];
+    Pack in[rows];
+    ASPERITY_UNROLL
+    for (std::size_t s = 0; s < rows; ++s)
+      in[s] = v[slots.row[block][s]];
+    for (std::size_t r = 0; r < rows; ++r) {
+      Pack sum = own[r * rows] * in[0];
+      ASPERITY_UNROLL
+      for (std::size_t s = 1; s < rows; ++s)
+        sum += own[r * rows + s] * in[s];
+      sum *= factor;
+      if constexpr (has_shear) {
+        Pack other = own[slots.entries + r * rows] * in[0];
+        ASPERITY_UNROLL
+        for (std::size_t s = 1; s < rows; ++s)
+          other += own[slots.entries + r * rows + s] * in[s];
+        sum += other * shear;
+      }
+      v[slots.row[block][r]] = sum;
+    }
+  }
+
+  [[gnu::always_inline]] static void multiply(const Number* blocks,
+                                              const Pack& factor,
+                                              const Pack& shear, Pack* v) {
+    reflect<1, false>(v);
+    reflect<nodes, false>(v);
+    reflect<nodes * nodes, false>(v);
+    multiply_block<0>(blocks, factor, shear, v);
+    multiply_block<1>(blocks, factor, shear, v);
+    multiply_block<2>(blocks, factor, shear, v);
+    multiply_block<3>(blocks, factor, shear, v);
+    multiply_block<4>(blocks, factor, shear, v);
+    multiply_block<5>(blocks, factor, shear, v);
+    multiply_block<6>(blocks, factor, shear, v);
+    multiply_block<7>(blocks, factor, shear, v);
+    reflect<nodes * nodes, true>(v);
+    reflect<nodes, true>(v);
+    reflect<1, true>(v);
+  }
+
+  /// Adds the sums of each cell. A vertex between two cells is written once:
+  /// what the cell before it adds is passed on in `passed`.
+  [[gnu::always_inline]] static void write(const LayerProduct<Number>& layer,
+                                           const Pack* v, Pack* passed,
+                                           Number* to) {
+    for (std::size_t line = 0; line < lines; ++line) {
+      Number* const first = to + line_start(layer, line);
+      Pack from_before;
+      shift_up(passed[line], v[line * nodes + degree], from_before,
+               std::make_index_sequence<lanes>());
+      passed[line] = v[line * nodes + degree];
+      *reinterpret_cast<Unaligned*>(first) += v[line * nodes] + from_before;
+      if constexpr (degree == 2)
+        *reinterpret_cast<Unaligned*>(first + layer.stride) +=
+            v[line * nodes + 1];
+    }
+  }
+
+  [[gnu::always_inline]] static void row(const LayerProduct<Number>& layer,
+                                         std::size_t y) {
+    const std::size_t start = degree * y * layer.row_size;
+    Pack passed[lines] = {};
+    for (std::size_t x = 0; x < layer.cells_x; x += lanes) {
+      Pack v[size];
+      read(layer, layer.from + start + x, v);
+      const std::size_t at = y * layer.factor_row + x;
+      const Pack factor =
+          *reinterpret_cast<const Unaligned*>(layer.factor + at);
+      Pack shear = factor;
+      if constexpr (has_shear)
+        shear = *reinterpret_cast<const Unaligned*>(layer.shear + at);
+      multiply(layer.blocks, factor, shear, v);
+      write(layer, v, passed, layer.to + start + x);
+    }
+    if (layer.cells_x % lanes != 0)
+      return;
+    for (std::size_t line = 0; line < lines; ++line)
+      layer.to[start + layer.cells_x + line_start(layer, line)] +=
+          passed[line][lanes - 1];
+  }
+
+  [[gnu::always_inline]] static void all(const LayerProduct<Number>& layer) {
+    for (std::size_t y = 0; y < layer.cells_y; ++y)
+      row(layer, y);
+  }
+};
+
+template <int degree, class Number, bool has_shear>
+void multiply_on_any(const LayerProduct<Number>& layer) {
+  Cells<degree, Number, has_shear, 16>::all(layer);
+}
+
+#ifdef __x86_64__
+template <int degree, class Number, bool has_shear>
+[[gnu::target("avx2,fma")]] void
+multiply_on_avx2(const LayerProduct<Number>& layer) {
+  Cells<degree, Number, has_shear, 32>::all(layer);
+}
+
+template <int degree, class Number, bool has_shear>
+[[gnu::target("avx512f,avx512dq,avx512vl,avx512bw,fma")]] void
+multiply_on_avx512(const LayerProduct<Number>& layer) {
+  Cells<degree, Number, has_shear, 64>::all(layer);
+}
+#endif
+
+template <int degree, class Number, bool has_shear>
+auto multiply_here() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+    return multiply_on_avx512<degree, Number, has_shear>;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return multiply_on_avx2<degree, Number, has_shear>;
+#endif
+  return multiply_on_any<degree, Number, has_shear>;
+}
+
+template <int degree, class Number>
+void multiply_layer_of(const LayerProduct<Number>& layer) {
+  static const auto by_factor = multiply_here<degree, Number, false>();
+  static const auto by_two = multiply_here<degree, Number, true>();
+  (layer.shear == nullptr ? by_factor : by_two)(layer);
+}
+
+} // namespace
+
+void multiply_layer(int degree, const LayerProduct<float>& layer) {
+  degree == 1 ? multiply_layer_of<1>(layer) : multiply_layer_of<2>(layer);
+}
+
+void multiply_layer(int degree, const LayerProduct<double>& layer) {
+  degree == 1 ? multiply_layer_of<1>(layer) : multiply_layer_of<2>(layer);
+}
+
+} // namespace asperity::fem
+
+#undef ASPERITY_UNROLL

@@ -1,0 +1,45 @@
+#pragma once
+
+// Interpolation of displacements from a coarse lattice to a fine one, and its
+// transpose for forces.
+
+#include "fem/multigrid/axis_weights.hpp"
+#include "fem/multigrid/box_lattice.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace asperity::fem {
+
+/// The product of the interpolations along the three axes.
+class LatticeTransfer {
+public:
+  LatticeTransfer(const BoxLattice& fine, const BoxLattice& coarse);
+
+  /// Sets the coarse force to the transposed interpolation of the fine force;
+  /// zero at images.
+  void restrict_force(const std::vector<float>& fine,
+                      std::vector<float>& coarse);
+
+  /// Sets the fine displacement to the interpolated coarse one, without
+  /// images.
+  void interpolate(const std::vector<float>& coarse, std::vector<float>& fine);
+
+  /// The interpolation along an axis (0, 1, 2).
+  const SparseRows& along(std::size_t axis) const { return weights_[axis]; }
+
+  std::size_t bytes() const;
+
+private:
+  void add_along_x(const SparseRows& matrix, const float* from,
+                   std::size_t from_stride, float* to,
+                   std::size_t to_stride) const;
+
+  NodeLayout fine_, coarse_;
+  std::array<SparseRows, 3> weights_;    ///< row: fine node
+  std::array<SparseRows, 3> transposed_; ///< row: coarse node
+  std::vector<float> plane_, row_;
+};
+
+} // namespace asperity::fem

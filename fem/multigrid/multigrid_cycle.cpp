@@ -1,0 +1,222 @@
+#include "fem/multigrid/multigrid_cycle.hpp"
+
+#include "fem/multigrid/lattice_levels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <random>
+
+namespace asperity::fem {
+namespace {
+
+/// Terms of the polynomial before and after each coarse correction.
+constexpr int smoother_degree = 4;
+
+/// A lattice with at most this many unknowns is solved exactly.
+constexpr std::size_t most_exact_unknowns = 250;
+
+std::size_t unknowns_of(const BoxLattice& lattice) {
+  const NodeLayout layout(lattice);
+  return 3 * layout.planes() * static_cast<std::size_t>(layout.nodes_x()) *
+         static_cast<std::size_t>(layout.nodes_y());
+}
+
+/// The largest eigenvalue of diag(K)^-1 K: an estimate by the power method that
+/// is made larger by its possible error, unless that of a cell is a smaller
+/// bound.
+float largest_eigenvalue(const LatticeOperator<float>& stiffness,
+                         const std::vector<float>& diagonal) {
+  constexpr int steps = 25;
+  constexpr double margin = 1.15;
+  std::mt19937 engine(1);
+  std::vector<float> vector(diagonal.size(), 0.0F), image(diagonal.size());
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    if (diagonal[i] > 0.0F)
+      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
+  double estimate = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    stiffness.apply(vector.data(), image.data());
+    double above = 0.0, below = 0.0;
+    for (std::size_t i = 0; i < vector.size(); ++i)
+      if (diagonal[i] > 0.0F) {
+        const float before = vector[i];
+        vector[i] = image[i] / diagonal[i];
+        above += static_cast<double>(image[i] * vector[i]);
+        below += static_cast<double>(before * image[i]);
+      }
+    estimate = above / below;
+    const auto scale = static_cast<float>(1.0 / std::sqrt(above));
+    for (float& value : vector)
+      value *= scale;
+  }
+  return static_cast<float>(
+      std::min(margin * estimate, stiffness.jacobi_bound()));
+}
+
+} // namespace
+
+struct MultigridCycle::Level {
+  Level(const BoxLattice& fine, const BoxLattice& next)
+      : lattice(fine),
+        stiffness(fine),
+        diagonal(stiffness.diagonal()),
+        transfer(fine, next),
+        face_transfer(fine, next),
+        places(face_places(stiffness.layout())),
+        displacement(diagonal.size()),
+        residual(displacement),
+        direction(displacement),
+        product(displacement) {
+    lattice.moduli.clear();
+    eigenvalue = largest_eigenvalue(stiffness, diagonal);
+    face_diagonal.reserve(places.size());
+    for (const std::size_t place : places)
+      face_diagonal.push_back(diagonal[place]);
+    std::swap(diagonal, inverse);
+    for (float& value : inverse)
+      value = value > 0.0F ? 1.0F / (eigenvalue * value) : 0.0F;
+    clear_far_boundary(lattice, stiffness.layout(), inverse.data());
+  }
+
+  void set_contact(const FaceContact& own);
+  void apply();
+  void smooth(bool is_first);
+  void clear_held(std::vector<float>& vector) const;
+
+  BoxLattice lattice; ///< without moduli
+  LatticeOperator<float> stiffness;
+  std::vector<float> diagonal; ///< only during construction
+  LatticeTransfer transfer;
+  FaceTransfer face_transfer;
+  std::vector<std::size_t> places; ///< of the surface's nodes
+  std::vector<float> displacement, residual, direction, product;
+  std::vector<float> inverse; ///< of diagonal times eigenvalue; zero if held
+  std::vector<float> face_diagonal;
+  float eigenvalue = 0.0F;
+  FaceContact contact;
+  std::vector<std::size_t> held; ///< places
+};
+
+void MultigridCycle::Level::set_contact(const FaceContact& own) {
+  contact = own;
+  held.clear();
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    double sum = 0.0;
+    if (!contact.springs.is_empty())
+      for (std::size_t i = contact.springs.start[node];
+           i < contact.springs.start[node + 1]; ++i)
+        sum += std::abs(contact.springs.weight[i]);
+    inverse[places[node]] = static_cast<float>(
+        1.0 / (static_cast<double>(eigenvalue * face_diagonal[node]) + sum));
+    if (!contact.held.empty() && contact.held[node]) {
+      held.push_back(places[node]);
+      inverse[places[node]] = 0.0F;
+    }
+  }
+}
+
+void MultigridCycle::Level::clear_held(std::vector<float>& vector) const {
+  clear_far_boundary(lattice, stiffness.layout(), vector.data());
+  for (const std::size_t place : held)
+    vector[place] = 0.0F;
+}
+
+/// Subtracts (K + S) direction from the residual.
+void MultigridCycle::Level::apply() {
+  stiffness.apply(direction.data(), product.data());
+  if (!contact.springs.is_empty())
+    add_spring_force(contact.springs, places, direction.data(), product.data());
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] -= product[i];
+}
+
+/// Chebyshev's polynomial of the fourth kind. The residual must be that of the
+/// displacement; the last product is left out after the coarse correction,
+/// where nobody needs it.
+void MultigridCycle::Level::smooth(bool is_first) {
+  if (is_first)
+    std::fill(displacement.begin(), displacement.end(), 0.0F);
+  for (int term = 1; term <= smoother_degree; ++term) {
+    const float kept = term == 1 ? 0.0F
+                                 : static_cast<float>(2 * term - 3) /
+                                       static_cast<float>(2 * term + 1);
+    const float added =
+        static_cast<float>(8 * term - 4) / static_cast<float>(2 * term + 1);
+    for (std::size_t i = 0; i < direction.size(); ++i) {
+      direction[i] = kept * direction[i] + added * inverse[i] * residual[i];
+      displacement[i] += direction[i];
+    }
+    if (is_first || term < smoother_degree)
+      apply();
+  }
+}
+
+MultigridCycle::MultigridCycle(const BoxLattice& lattice) {
+  BoxLattice own = lattice;
+  while (can_coarsen(own) && unknowns_of(own) > most_exact_unknowns) {
+    BoxLattice next = coarser(own);
+    levels_.push_back(std::make_unique<Level>(own, next));
+    own = std::move(next);
+  }
+  coarsest_ = std::make_unique<CoarsestLattice>(own);
+}
+
+MultigridCycle::~MultigridCycle() = default;
+
+void MultigridCycle::set_contact(const FaceContact& contact) {
+  FaceContact own = contact;
+  for (const auto& level : levels_) {
+    level->set_contact(own);
+    own = level->face_transfer.coarse(own);
+  }
+  coarsest_->set_contact(own);
+}
+
+std::vector<float>& MultigridCycle::force() {
+  return levels_.empty() ? coarsest_->force : levels_.front()->residual;
+}
+
+const std::vector<float>& MultigridCycle::displacement() const {
+  return levels_.empty() ? coarsest_->displacement
+                         : levels_.front()->displacement;
+}
+
+void MultigridCycle::descend(std::size_t level) {
+  if (level == levels_.size()) {
+    coarsest_->solve();
+    return;
+  }
+  Level& own = *levels_[level];
+  const bool is_last = level + 1 == levels_.size();
+  own.smooth(true);
+  own.clear_held(own.residual);
+  own.transfer.restrict_force(
+      own.residual, is_last ? coarsest_->force : levels_[level + 1]->residual);
+  descend(level + 1);
+  own.transfer.interpolate(is_last ? coarsest_->displacement
+                                   : levels_[level + 1]->displacement,
+                           own.direction);
+  own.clear_held(own.direction);
+  for (std::size_t i = 0; i < own.displacement.size(); ++i)
+    own.displacement[i] += own.direction[i];
+  own.apply();
+  own.smooth(false);
+}
+
+void MultigridCycle::run() {
+  descend(0);
+}
+
+std::size_t MultigridCycle::bytes() const {
+  std::size_t bytes = coarsest_->bytes();
+  for (const auto& level : levels_)
+    bytes += 5 * level->inverse.size() * sizeof(float) +
+             level->places.size() * (sizeof(std::size_t) + sizeof(float)) +
+             level->stiffness.bytes() + level->transfer.bytes() +
+             level->face_transfer.bytes() + level->contact.springs.bytes();
+  return bytes;
+}
+
+} // namespace asperity::fem

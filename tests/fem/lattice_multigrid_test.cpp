@@ -1,0 +1,254 @@
+// Claims about fem/multigrid: how fast conjugate gradients converge, whatever
+// the lattice, the moduli and the contact. The stiffness itself is compared
+// with deal.II's in lattice_block_test.cpp.
+#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/lattice_multigrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/fem/blocks.hpp"
+
+namespace asperity::fem {
+namespace {
+
+/// A graded block of cubes at the surface, as deep as wide.
+BoxLattice graded_lattice(int degree, int cells, double growth) {
+  BoxLattice lattice;
+  lattice.degree = degree;
+  lattice.cells_x = lattice.cells_y = cells;
+  lattice.length_x = lattice.length_y = 1.0;
+  lattice.thickness = meshes::graded_layers(1.0 / cells, growth, 1.0);
+  lattice.moduli.assign(lattice.thickness.size(), {1.5, 1.0}); // nu = 0.3
+  return lattice;
+}
+
+/// Moduli 10^-decades..10^decades, evenly in the exponent.
+void make_uneven(BoxLattice& lattice, double decades) {
+  const std::size_t cells = lattice.thickness.size() *
+                            static_cast<std::size_t>(lattice.cells_x) *
+                            static_cast<std::size_t>(lattice.cells_y);
+  lattice.moduli.clear();
+  for (const double chance : random_field(cells, 4)) {
+    const double factor = std::pow(10.0, decades * (2.0 * chance - 1.0));
+    lattice.moduli.push_back({1.5 * factor, factor});
+  }
+}
+
+/// The nodes that the highest fifth of a wavy surface touches.
+std::vector<bool> touched(const NodeLayout& layout) {
+  std::vector<bool> nodes;
+  const double turn = 2.0 * std::numbers::pi;
+  for (int y = 0; y < layout.nodes_y(); ++y)
+    for (int x = 0; x < layout.nodes_x(); ++x) {
+      const double u = turn * x / layout.nodes_x();
+      const double v = turn * y / layout.nodes_y();
+      nodes.push_back(std::cos(u) + std::cos(2.0 * v + 1.0) +
+                          0.7 * std::cos(3.0 * u + 2.0 * v) +
+                          0.5 * std::cos(5.0 * u - 4.0 * v + 0.5) >
+                      1.1);
+    }
+  return nodes;
+}
+
+FaceContact held_nodes(const NodeLayout& layout) {
+  return {{}, touched(layout)};
+}
+
+FaceContact nodal_springs(const NodeLayout& layout, double stiffness) {
+  FaceContact contact;
+  const std::vector<bool> nodes = touched(layout);
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    if (nodes[node]) {
+      contact.springs.column.push_back(node);
+      contact.springs.weight.push_back(stiffness);
+    }
+    contact.springs.start.push_back(contact.springs.column.size());
+  }
+  return contact;
+}
+
+/// Random forces below the contact surface, which are zero at the far boundary.
+std::vector<double> random_forces(const NodeLayout& layout) {
+  std::vector<double> force(layout.size(), 0.0);
+  const std::vector<double> numbers = random_field(layout.size(), 6);
+  std::size_t number = 0;
+  for (int k = 1; k + 1 < static_cast<int>(layout.planes()); ++k)
+    for (int y = 0; y < layout.nodes_y(); ++y)
+      for (int x = 0; x < layout.nodes_x(); ++x)
+        for (int c = 0; c < 3; ++c)
+          force[layout.index(x, y, k, c)] = numbers[number++] - 0.5;
+  return force;
+}
+
+/// Iterations to a residual relative to the force; 1000 without convergence.
+int iterations(const BoxLattice& lattice, const FaceContact& contact,
+               double tolerance = 1e-8) {
+  LatticeMultigrid multigrid(lattice);
+  multigrid.set_contact(contact);
+  const std::vector<double> force = random_forces(multigrid.layout());
+  double square = 0.0;
+  for (const double value : force)
+    square += value * value;
+  std::vector<double> displacement(force.size(), 0.0);
+  const LatticeSolution solution =
+      multigrid.solve(force, displacement, tolerance * std::sqrt(square), 300);
+  return solution.has_converged ? solution.iterations : 1000;
+}
+
+class LatticeDegrees : public ::testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(Both, LatticeDegrees, ::testing::Values(1, 2));
+
+// Claim: the number of iterations does not depend on the number of cells, on
+// how layers are graded or on the sides.
+TEST_P(LatticeDegrees, NeedAsManyIterationsAtEverySize) {
+  for (const int cells : {6, 12, 24})
+    for (const double growth : {1.0, 1.2, 1.5})
+      for (const bool is_periodic : {true, false}) {
+        if (cells * growth > 24.0 / GetParam())
+          continue;
+        BoxLattice lattice = graded_lattice(GetParam(), cells, growth);
+        lattice.is_periodic = is_periodic;
+        EXPECT_LE(iterations(lattice, {}), 8)
+            << cells << " cells, growth " << growth;
+      }
+}
+
+// Claim: neither do cells that are not cubes, or columns whose number is odd.
+TEST_P(LatticeDegrees, NeedFewIterationsOnAnyLattice) {
+  BoxLattice odd = graded_lattice(GetParam(), 13, 1.3);
+  BoxLattice oblong = graded_lattice(GetParam(), 12, 1.3);
+  oblong.cells_y = 3;
+  BoxLattice narrow = graded_lattice(GetParam(), 12, 1.3);
+  narrow.length_y = 0.2;
+  BoxLattice coated = graded_lattice(GetParam(), 12, 1.3);
+  coated.thickness.insert(coated.thickness.begin(), 2, 0.01);
+  coated.moduli.insert(coated.moduli.begin(), 2, {15.0, 10.0});
+  BoxLattice single = graded_lattice(GetParam(), 1, 1.3);
+
+  EXPECT_LE(iterations(odd, {}), 9);
+  EXPECT_LE(iterations(oblong, {}), 9);
+  EXPECT_LE(iterations(narrow, {}), 12);
+  EXPECT_LE(iterations(coated, {}), 20);
+  EXPECT_LE(iterations(single, {}), 2);
+}
+
+// Claim: held nodes and springs of any stiffness are transferred to the coarse
+// lattices well enough.
+TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
+  const BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
+  const NodeLayout layout(lattice);
+
+  EXPECT_LE(iterations(lattice, held_nodes(layout)), 10);
+  for (const double stiffness : {1e-4, 1.0, 1e2, 1e4}) {
+    const double own = stiffness / lattice.cells_x; // times mu h
+    EXPECT_LE(iterations(lattice, nodal_springs(layout, own)), 14) << stiffness;
+  }
+}
+
+// Claim: uneven moduli cost a few iterations, contrasts of six decades between
+// neighbours some tens.
+TEST_P(LatticeDegrees, NeedMoreIterationsForUnevenModuli) {
+  BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
+  const NodeLayout layout(lattice);
+
+  make_uneven(lattice, 0.2); // a factor of 2.5
+  EXPECT_LE(iterations(lattice, held_nodes(layout), 1e-12), 15);
+  make_uneven(lattice, 1.0);
+  EXPECT_LE(iterations(lattice, held_nodes(layout)), 24);
+  make_uneven(lattice, 3.0);
+  EXPECT_LE(iterations(lattice, held_nodes(layout)), 100);
+}
+
+// Claim: the limit of the method near incompressibility, where a smoother of
+// single nodes is a poor one: the iterations grow as 1 / (1 - 2 nu)^0.5 or so.
+TEST_P(LatticeDegrees, NeedManyIterationsNearIncompressibility) {
+  BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
+  const auto at = [&](double poisson_ratio) {
+    const double ratio = 2.0 * poisson_ratio / (1.0 - 2.0 * poisson_ratio);
+    lattice.moduli.assign(lattice.thickness.size(), {ratio, 1.0});
+    return iterations(lattice, {});
+  };
+
+  EXPECT_LE(at(0.45), 16);
+  EXPECT_LE(at(0.49), 40);
+  EXPECT_LE(at(0.499), 140);
+}
+
+// Claim: units do not matter, although the cycle works in single precision.
+TEST_P(LatticeDegrees, NeedAsManyIterationsInAnyUnit) {
+  BoxLattice lattice = graded_lattice(GetParam(), 8, 1.2);
+  const int expected = iterations(lattice, {});
+  lattice.length_x = lattice.length_y = 1e-25;
+  for (double& thickness : lattice.thickness)
+    thickness *= 1e-25;
+  for (CellModuli& moduli : lattice.moduli)
+    moduli = {1e-20 * moduli.lame, 1e-20 * moduli.shear};
+
+  EXPECT_EQ(iterations(lattice, {}), expected);
+}
+
+// Claim: the cycle is symmetric and positive, as conjugate gradients require.
+// Tolerance: single precision.
+TEST_P(LatticeDegrees, HaveASymmetricCycle) {
+  const BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
+  const NodeLayout layout(lattice);
+  MultigridCycle cycle(lattice);
+  cycle.set_contact(nodal_springs(layout, 1.0));
+  const std::vector<double> a = random_forces(layout);
+  std::vector<double> b(a.size(), 0.0);
+  for (int y = 0; y < layout.nodes_y(); ++y)
+    b[layout.index(0, y, 0, 2)] = 1.0 + y;
+  const auto run = [&](const std::vector<double>& force) {
+    std::transform(force.begin(), force.end(), cycle.force().begin(),
+                   [](double value) { return static_cast<float>(value); });
+    cycle.run();
+    return cycle.displacement();
+  };
+  const auto inner_product = [](const auto& x, const auto& y) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      sum += x[i] * static_cast<double>(y[i]);
+    return sum;
+  };
+
+  const std::vector<float> by_a = run(a), by_b = run(b);
+
+  const double a_a = inner_product(a, by_a), b_b = inner_product(b, by_b);
+  EXPECT_GT(a_a, 0.0);
+  EXPECT_GT(b_b, 0.0);
+  EXPECT_NEAR(inner_product(a, by_b), inner_product(b, by_a),
+              1e-5 * std::sqrt(a_a * b_b));
+}
+
+// Claim: merged layers stay below three times the smallest side of a cell while
+// there are any to merge, and moduli are means over the volume.
+TEST(LatticeLevels, MergeShortCellsOnly) {
+  BoxLattice lattice = graded_lattice(1, 16, 1.5);
+  lattice.moduli.front() = {4.0, 3.0};
+  const BoxLattice next = coarser(lattice);
+
+  EXPECT_EQ(next.cells_x, 8);
+  ASSERT_LT(next.thickness.size(), lattice.thickness.size());
+  EXPECT_LE(next.thickness.front(), 3.0 / 16.0);
+  EXPECT_EQ(next.thickness.back(), lattice.thickness.back());
+  const double share = lattice.thickness[0] / next.thickness[0];
+  EXPECT_NEAR(next.moduli[0].shear, 1.0 + 2.0 * share, 1e-12);
+}
+
+// Claim: impossible lattices are refused.
+TEST(BoxLattice, IsRefusedOutsideOfItsRange) {
+  BoxLattice lattice = graded_lattice(1, 4, 1.2);
+  lattice.moduli.pop_back();
+  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+  lattice = graded_lattice(3, 4, 1.2);
+  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+  lattice = graded_lattice(1, 4, 1.2);
+  lattice.is_periodic = lattice.holds_normal = false;
+  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+}
+
+} // namespace
+} // namespace asperity::fem
