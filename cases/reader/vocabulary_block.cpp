@@ -196,9 +196,9 @@ std::vector<Key> whole_block_keys() {
        .show = Show::no,
        .description =
            "With solver = \"full\": direct factorisation, or conjugate "
-           "gradients with algebraic multigrid or with the condensed block "
-           "(fourier; periodic layers only) as preconditioner; auto selects "
-           "the fastest that the mesh allows."},
+           "gradients with multigrid or with the condensed block (fourier; "
+           "periodic layers only) as preconditioner; auto selects the fastest "
+           "that the mesh allows."},
       {.name = "contact_at",
        .type = ValueType::word,
        .words = {"nodes", "gauss"},

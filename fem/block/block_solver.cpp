@@ -99,7 +99,7 @@ public:
   explicit Operator(const BlockSolver& solver) : solver_(solver) {}
 
   void vmult(Vector& to, const Vector& from) const {
-    solver_.system_.stiffness().vmult(to, from);
+    solver_.multiply(to, from);
     if (solver_.has_springs_) {
       const ContactPoints& points = solver_.system_.contact();
       points.take_displacement(from, forces_);
@@ -116,13 +116,18 @@ private:
 };
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
-                         std::unique_ptr<BlockPreconditioner> own)
+                         std::unique_ptr<BlockPreconditioner> own,
+                         std::unique_ptr<LatticeBlock> lattice)
     : system_(system),
-      is_direct_(kind == LinearSolver::direct ||
-                 (kind == LinearSolver::automatic &&
-                  system.n_unknowns() <= most_direct_unknowns)),
+      is_direct_(!lattice && (kind == LinearSolver::direct ||
+                              (kind == LinearSolver::automatic &&
+                               system.n_unknowns() <= most_direct_unknowns))),
       own_(std::move(own)),
+      lattice_(std::move(lattice)),
       factors_(std::make_unique<Factors>()) {
+  if (lattice_)
+    return;
+  static_cast<void>(system.stiffness()); // is assembled here
   if (is_direct_ || own_)
     return;
   const bool is_low_order = has_low_order(system.space());
@@ -137,7 +142,17 @@ BlockSolver::~BlockSolver() = default;
 std::string BlockSolver::name() const {
   if (is_direct_)
     return is_alone() ? "direct (MUMPS)" : "direct (KLU)";
+  if (lattice_)
+    return "CG, multigrid on the lattice (" +
+           std::to_string(lattice_->levels()) + " levels)";
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
+}
+
+void BlockSolver::multiply(Vector& to, const Vector& from) const {
+  if (lattice_)
+    lattice_->vmult(to, from);
+  else
+    system_.stiffness().vmult(to, from);
 }
 
 std::string BlockSolver::failure() const {
@@ -146,6 +161,8 @@ std::string BlockSolver::failure() const {
 }
 
 double BlockSolver::memory() const {
+  if (lattice_)
+    return static_cast<double>(lattice_->bytes());
   std::size_t bytes = system_.stiffness().memory_consumption();
   if (own_) {
     bytes += own_->bytes();
@@ -208,6 +225,9 @@ void BlockSolver::set_contact(std::span<const double> springs,
             false, is_alone() ? "Amesos_Mumps" : "Amesos_Klu"));
     factors_->direct->initialize(matrix_);
     ++setups_;
+  } else if (lattice_) {
+    lattice_->prepare(springs, held);
+    setups_ = 1; // contact is transferred to the same lattices
   } else if (own_) {
     own_->prepare(springs, held);
     ++setups_;
@@ -256,6 +276,12 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
   constexpr unsigned int most_steps = 1000;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
+  if (lattice_) {
+    const LatticeSolution solution =
+        lattice_->solve(unknowns, forces, tolerance, most_steps);
+    iterations_ += solution.iterations;
+    return solution.has_converged;
+  }
   if (own_)
     return iterate(unknowns, forces, tolerance, most_steps);
   refresh_multigrid();

@@ -6,6 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
+#include "fem/block/lattice_block.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -50,9 +51,12 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// unknowns are zero except for their diagonal. Only the direct solver
 /// assembles this matrix; conjugate gradients apply it matrix-free.
 ///
-/// Multigrid (Trilinos ML) is set up for the first contact state: for the
-/// matrix itself, or for a block of second-order hexahedra for the matrix of
-/// first-order cells on the same nodes (block_assembly.hpp), for which setup
+/// A block on a lattice of boxes is solved by geometric multigrid without any
+/// matrix (LatticeBlock).
+///
+/// Algebraic multigrid (Trilinos ML) is set up for the first contact state: for
+/// the matrix itself, or for a block of second-order hexahedra for the matrix
+/// of first-order cells on the same nodes (block_assembly.hpp), for which setup
 /// and smoothing take half the time. The hierarchy is reused for later contact
 /// states until the iterations in excess of those with the new hierarchy would
 /// pay for another setup. Held unknowns are masked outside of the hierarchy, so
@@ -61,10 +65,16 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 class BlockSolver {
 public:
   /// @param system must outlive the solver
-  /// @param own  preconditioner used in place of multigrid; may be null
+  /// @param own      preconditioner used in place of multigrid; may be null
+  /// @param lattice  solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
-              std::unique_ptr<BlockPreconditioner> own = {});
+              std::unique_ptr<BlockPreconditioner> own = {},
+              std::unique_ptr<LatticeBlock> lattice = {});
   ~BlockSolver();
+
+  /// Computes to = K from, without the contact state. This call is collective.
+  void multiply(dealii::TrilinosWrappers::MPI::Vector& to,
+                const dealii::TrilinosWrappers::MPI::Vector& from) const;
 
   /// Sets the contact state. The call is free if nothing has changed.
   /// @param springs  springs of the contact points of this rank [N/m]
@@ -84,6 +94,8 @@ public:
                            double tolerance);
 
   bool is_direct() const { return is_direct_; }
+
+  bool is_on_lattice() const { return lattice_ != nullptr; }
 
   int iterations() const { return iterations_; } ///< total CG iterations
 
@@ -116,6 +128,7 @@ private:
   const BlockSystem& system_;
   bool is_direct_;
   std::unique_ptr<BlockPreconditioner> own_;
+  std::unique_ptr<LatticeBlock> lattice_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
   dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_
                                                      ///< belong to

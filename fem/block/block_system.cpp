@@ -26,10 +26,17 @@ BlockSystem::BlockSystem(const BlockProblem& problem)
       contact_(space_, problem) {
   if (problem.counter)
     counter_ = moduli(*problem.counter);
-  CellMatrices matrices(space_);
-  assemble(*this, matrices, {}, stiffness_);
   integrate_top_load();
   find_face_modulus();
+}
+
+const dealii::TrilinosWrappers::SparseMatrix& BlockSystem::stiffness() const {
+  if (!is_assembled_) {
+    CellMatrices matrices(space_);
+    assemble(*this, matrices, {}, stiffness_);
+    is_assembled_ = true;
+  }
+  return stiffness_;
 }
 
 Moduli BlockSystem::moduli_of(

@@ -31,9 +31,8 @@ public:
     return space_.dof_handler().n_dofs();
   }
 
-  const dealii::TrilinosWrappers::SparseMatrix& stiffness() const {
-    return stiffness_;
-  }
+  /// The stiffness matrix K, assembled by the first call, which is collective.
+  const dealii::TrilinosWrappers::SparseMatrix& stiffness() const;
 
   /// Consistent force on the unknowns from a nominal pressure of 1 Pa that
   /// pulls the far boundaries away from the contact [m^2]. Its sum is the area
@@ -62,7 +61,8 @@ private:
   std::string quality_;
   BlockSpace space_;
   ContactPoints contact_;
-  dealii::TrilinosWrappers::SparseMatrix stiffness_;
+  mutable bool is_assembled_ = false;
+  mutable dealii::TrilinosWrappers::SparseMatrix stiffness_;
   dealii::TrilinosWrappers::MPI::Vector top_load_;
   double face_shear_modulus_ = 0.0;
 };

@@ -30,7 +30,8 @@ class ContactNewton {
 public:
   /// @param system must outlive this object
   ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
-                std::unique_ptr<BlockPreconditioner> own = {});
+                std::unique_ptr<BlockPreconditioner> own = {},
+                std::unique_ptr<LatticeBlock> lattice = {});
 
   /// Solves, starting from the state at the end of the last call, and writes
   /// all results that are not fields into the answer.
@@ -108,6 +109,7 @@ private:
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
   double stiffness_of(std::span<const double> springs) const;
+  double tightness() const;
   bool border(const mechanics::LoadTarget& load,
               std::span<const double> springs, const std::vector<bool>& held);
 

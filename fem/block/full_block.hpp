@@ -20,7 +20,7 @@ namespace asperity::fem {
 using mechanics::LinearSolver;
 
 /// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns.
+/// unknowns, on a lattice of boxes up to fewer.
 inline constexpr unsigned int most_direct_unknowns = 12000;
 
 /// The contact law, in SI units.

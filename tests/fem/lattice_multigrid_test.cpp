@@ -141,7 +141,7 @@ TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
   const BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
   const NodeLayout layout(lattice);
 
-  EXPECT_LE(iterations(lattice, held_nodes(layout)), 10);
+  EXPECT_LE(iterations(lattice, held_nodes(layout)), 8);
   for (const double stiffness : {1e-4, 1.0, 1e2, 1e4}) {
     const double own = stiffness / lattice.cells_x; // times mu h
     EXPECT_LE(iterations(lattice, nodal_springs(layout, own)), 14) << stiffness;

@@ -1,0 +1,75 @@
+#pragma once
+
+// Geometric multigrid for a block whose mesh is a lattice of boxes: which
+// unknown is at which of its nodes, and what pins and contact points do there.
+// Include this header in .cpp files of fem/ only.
+
+#include "fem/block/block_system.hpp"
+#include "fem/multigrid/lattice_multigrid.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::fem {
+
+/// The stiffness of the block and its inverse on the lattice, on one rank.
+///
+/// Pins (BlockSpace) that only prevent a rigid motion carry the sum of the
+/// forces, and the motion is subtracted from the solution. A pin in z of a
+/// block that contact supports as well is held.
+class LatticeBlock {
+public:
+  /// @param system must outlive this object; its mesh is that of the lattice
+  LatticeBlock(const BlockSystem& system, const BoxLattice& lattice);
+
+  /// Computes to = K from on the unconstrained unknowns.
+  void vmult(dealii::TrilinosWrappers::MPI::Vector& to,
+             const dealii::TrilinosWrappers::MPI::Vector& from) const;
+
+  /// As BlockPreconditioner::prepare.
+  void prepare(std::span<const double> springs, const std::vector<bool>& held);
+
+  /// Solves with K and the contact of the last prepare(), starting from
+  /// `unknowns`. Forces and unknowns are zero at held unknowns.
+  LatticeSolution solve(dealii::TrilinosWrappers::MPI::Vector& unknowns,
+                        const dealii::TrilinosWrappers::MPI::Vector& forces,
+                        double tolerance, int most_iterations);
+
+  std::size_t levels() const { return multigrid_.levels(); }
+
+  std::size_t bytes() const;
+
+private:
+  struct Pin {
+    std::size_t place = 0;
+    unsigned int component = 0;
+  };
+
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  void number_unknowns();
+  void number_cell(const dealii::DoFHandler<3>::active_cell_iterator& cell);
+  void take(dealii::types::global_dof_index unknown, unsigned int component,
+            std::size_t place);
+  void number_points();
+  void to_lattice(const Vector& from, std::vector<double>& to) const;
+  void from_lattice(const std::vector<double>& from, Vector& to) const;
+  void find_modes();
+  std::vector<double> at_pins(const std::vector<double>& right_sides,
+                              bool is_transposed) const;
+
+  const BlockSystem& system_;
+  LatticeMultigrid multigrid_;
+  std::vector<double> depths_;      ///< of the sides of the layers [m]
+  std::vector<std::size_t> places_; ///< on the lattice, of each unknown
+  std::vector<Pin> pins_;
+  SparseRows points_; ///< contact points by face nodes
+  bool has_contact_ = false;
+  std::vector<Pin> loose_; ///< pins that hold a rigid motion only
+  std::vector<std::vector<double>> modes_; ///< as many rigid motions
+  mutable std::vector<double> from_, to_;
+};
+
+} // namespace asperity::fem
