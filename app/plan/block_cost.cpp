@@ -45,25 +45,38 @@ constexpr double uneven_fourier_time[] = {3.2e-6, 6.0e-6};
 constexpr double direct_time = 1.75e-8;
 constexpr double assembly_time = 20e-6; ///< mesh and matrix assembly, per
                                         ///< unknown [s]
+/// Geometric multigrid on a lattice of boxes (`rough-3d` at 64^2 in Q1 and
+/// 128^2 in Q2, on a busy Xeon): CPU times per unknown and Newton step, and of
+/// mesh and set-up per unknown [s].
+constexpr double lattice_time[] = {2.3e-6, 2.2e-6};
+constexpr double lattice_setup_time[] = {14e-6, 4e-6};
 
 constexpr double kilobyte = 1000.0;
 constexpr double fourier_memory[] = {2.3 * kilobyte, 4.5 * kilobyte};
 constexpr double multigrid_memory[] = {3.2 * kilobyte, 5.8 * kilobyte};
+constexpr double lattice_memory[] = {2.9 * kilobyte, 0.85 * kilobyte};
 /// In addition to multigrid_memory.
 constexpr double direct_memory = 5.5 * kilobyte;
+
+/// Whether the mesh consists of equal columns of boxes, for which multigrid is
+/// geometric and needs no matrix.
+bool is_on_lattice(const cases::Case& contact_case,
+                   const mechanics::FemSettings& settings) {
+  return settings.full.bodies == 1 &&
+         (!settings.full.uses_case_mesh ||
+          contact_case.mesh.kind == mechanics::MeshKind::layers);
+}
 
 LinearSolver solver_of(const cases::Case& contact_case,
                        const mechanics::FemSettings& settings,
                        double unknowns) {
   if (settings.full.linear_solver != LinearSolver::automatic)
     return settings.full.linear_solver;
-  if (unknowns <= fem::most_direct_unknowns)
-    return LinearSolver::direct;
-  const bool is_layered = !settings.full.uses_case_mesh ||
-                          contact_case.mesh.kind == mechanics::MeshKind::layers;
-  return is_layered && settings.full.bodies == 1 &&
-                 settings.full.sides == mechanics::BlockSides::periodic
-             ? LinearSolver::fourier
+  // On a lattice a block that is small enough for the direct solver takes
+  // tenths of a second.
+  return unknowns <= fem::most_direct_unknowns &&
+                 !is_on_lattice(contact_case, settings)
+             ? LinearSolver::direct
              : LinearSolver::multigrid;
 }
 
@@ -101,6 +114,7 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
   const bool is_uneven = contact_case.material.inclusion.has_value() ||
                          contact_case.material.variation.has_value();
   double unknown_time = 0.0; // per Newton step
+  double unknown_setup = assembly_time;
   double unknown_memory = multigrid_memory[order];
   switch (solver_of(contact_case, settings, size.unknowns)) {
   case LinearSolver::direct:
@@ -112,8 +126,14 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
     unknown_memory = fourier_memory[order];
     break;
   default:
-    unknown_time =
-        multigrid_time(contact_case, settings, size.nodes_per_side, order);
+    if (is_on_lattice(contact_case, settings)) {
+      unknown_time = lattice_time[order];
+      unknown_setup = lattice_setup_time[order];
+      unknown_memory = lattice_memory[order];
+    } else {
+      unknown_time =
+          multigrid_time(contact_case, settings, size.nodes_per_side, order);
+    }
   }
   MethodCost cost;
   cost.unknowns = size.unknowns;
@@ -121,7 +141,7 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
                    (is_rough(contact_case.surface) ? rough_newton_steps
                                                    : smooth_newton_steps);
   cost.setup_time =
-      rates.slowness() * (fem_load_time + assembly_time * size.unknowns);
+      rates.slowness() * (fem_load_time + unknown_setup * size.unknowns);
   cost.memory = unknown_memory * size.unknowns;
   return cost;
 }
