@@ -29,10 +29,12 @@ struct BlockSettings {
 
 /// Solver of the linear systems of the full block.
 enum class LinearSolver {
-  automatic, ///< direct for small blocks; for larger ones fourier if the mesh
-             ///< is a periodic regular grid, else multigrid
+  automatic, ///< direct for small blocks; for larger ones geometric multigrid
+             ///< on a lattice of boxes (one rank), fourier if the mesh is a
+             ///< periodic regular grid, else multigrid
   direct,    ///< MUMPS; KLU on several ranks
-  multigrid, ///< CG, Trilinos ML smoothed aggregation
+  multigrid, ///< CG with geometric multigrid on a lattice of boxes (one rank),
+             ///< otherwise Trilinos ML smoothed aggregation
   fourier,   ///< CG, preconditioned by the Fourier solver of the laterally
              ///< uniform block
 };
