@@ -94,7 +94,7 @@ TEST_F(Warnings, NameCurvesWithoutContact) {
 TEST_F(Warnings, NameElementsThatLock) {
   rough.material.poisson_ratio = 0.4999;
   cases::MethodSpec fem{.name = "fem", .settings = mechanics::FemSettings{}};
-  std::get<mechanics::FemSettings>(fem.settings).element =
+  std::get<mechanics::FemSettings>(fem.settings).block.element =
       mechanics::Element::q1;
   rough.methods = {fem};
   result.methods.clear();
