@@ -230,8 +230,9 @@ TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
   write("quick.toml",
         std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
   const Ended done =
-      run("check quick.toml small.toml --no-cache --junit verdicts.xml",
-          "timeout --preserve-status -s INT 0.2");
+      run("check quick.toml small.toml --no-cache --junit verdicts.xml "
+          "--set surface.points=1024", // longer than the two seconds
+          "timeout --preserve-status -s INT 2");
 
   EXPECT_EQ(done.exit_code, 130) << done.output;
   const std::string xml = text_of(folder / "verdicts.xml");
