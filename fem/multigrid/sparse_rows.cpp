@@ -28,20 +28,21 @@ SparseRows product(const SparseRows& left, const SparseRows& right,
   constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> place(columns, nowhere); // in the present row
   SparseRows result;
+  const auto add = [&](std::size_t column, double weight) {
+    if (place[column] == nowhere) {
+      place[column] = result.column.size();
+      result.column.push_back(column);
+      result.weight.push_back(0.0);
+    }
+    result.weight[place[column]] += weight;
+  };
   for (std::size_t row = 0; row < left.rows(); ++row) {
     const std::size_t first = result.column.size();
     for (std::size_t i = left.start[row]; i < left.start[row + 1]; ++i) {
       const std::size_t middle = left.column[i];
       for (std::size_t j = right.start[middle]; j < right.start[middle + 1];
-           ++j) {
-        const std::size_t column = right.column[j];
-        if (place[column] == nowhere) {
-          place[column] = result.column.size();
-          result.column.push_back(column);
-          result.weight.push_back(0.0);
-        }
-        result.weight[place[column]] += left.weight[i] * right.weight[j];
-      }
+           ++j)
+        add(right.column[j], left.weight[i] * right.weight[j]);
     }
     for (std::size_t i = first; i < result.column.size(); ++i)
       place[result.column[i]] = nowhere;
