@@ -35,7 +35,7 @@ std::array<std::size_t, 3> cells_along(const meshes::BlockMesh& mesh) {
 /// Whether every vertex and every cell is where layered_mesh puts it.
 bool is_layered_mesh(const meshes::BlockMesh& mesh,
                      const std::array<std::size_t, 3>& cells) {
-  const auto [n_x, n_y, n_z] = cells;
+  const std::size_t n_x = cells[0], n_y = cells[1], n_z = cells[2];
   if (n_x * n_y * n_z == 0 || mesh.cells.size() != n_x * n_y * n_z ||
       mesh.vertices.size() != (n_x + 1) * (n_y + 1) * (n_z + 1))
     return false;
