@@ -51,48 +51,36 @@ void LatticeTransfer::add_along_x(const SparseRows& matrix, const float* from,
 
 void LatticeTransfer::restrict_force(const std::vector<float>& fine,
                                      std::vector<float>& coarse) {
-  std::fill(coarse.begin(), coarse.end(), 0.0F);
-  plane_.resize(fine_.plane_size());
-  row_.resize(fine_.row_size());
-  const SparseRows& z = transposed_[2];
-  const SparseRows& y = transposed_[1];
-  for (std::size_t k = 0; k < z.rows(); ++k) {
-    std::fill(plane_.begin(), plane_.end(), 0.0F);
-    for (std::size_t i = z.start[k]; i < z.start[k + 1]; ++i)
-      add_multiple(z.weight[i], &fine[z.column[i] * fine_.plane_size()],
-                   plane_.size(), plane_.data());
-    for (std::size_t j = 0; j < y.rows(); ++j) {
-      std::fill(row_.begin(), row_.end(), 0.0F);
-      for (std::size_t i = y.start[j]; i < y.start[j + 1]; ++i)
-        add_multiple(y.weight[i], &plane_[y.column[i] * fine_.row_size()],
-                     row_.size(), row_.data());
-      add_along_x(transposed_[0], row_.data(), fine_.stride(),
-                  &coarse[k * coarse_.plane_size() + j * coarse_.row_size()],
-                  coarse_.stride());
-    }
-  }
+  multiply(transposed_, fine_, fine, coarse_, coarse);
 }
 
 void LatticeTransfer::interpolate(const std::vector<float>& coarse,
                                   std::vector<float>& fine) {
-  std::fill(fine.begin(), fine.end(), 0.0F);
-  plane_.resize(coarse_.plane_size());
-  row_.resize(coarse_.row_size());
-  const SparseRows& z = weights_[2];
-  const SparseRows& y = weights_[1];
+  multiply(weights_, coarse_, coarse, fine_, fine);
+}
+
+void LatticeTransfer::multiply(const std::array<SparseRows, 3>& matrices,
+                               const NodeLayout& from_layout,
+                               const std::vector<float>& from,
+                               const NodeLayout& to_layout,
+                               std::vector<float>& to) {
+  std::fill(to.begin(), to.end(), 0.0F);
+  plane_.resize(from_layout.plane_size());
+  row_.resize(from_layout.row_size());
+  const auto& [x, y, z] = matrices;
   for (std::size_t k = 0; k < z.rows(); ++k) {
     std::fill(plane_.begin(), plane_.end(), 0.0F);
     for (std::size_t i = z.start[k]; i < z.start[k + 1]; ++i)
-      add_multiple(z.weight[i], &coarse[z.column[i] * coarse_.plane_size()],
+      add_multiple(z.weight[i], &from[z.column[i] * plane_.size()],
                    plane_.size(), plane_.data());
     for (std::size_t j = 0; j < y.rows(); ++j) {
       std::fill(row_.begin(), row_.end(), 0.0F);
       for (std::size_t i = y.start[j]; i < y.start[j + 1]; ++i)
-        add_multiple(y.weight[i], &plane_[y.column[i] * coarse_.row_size()],
+        add_multiple(y.weight[i], &plane_[y.column[i] * row_.size()],
                      row_.size(), row_.data());
-      add_along_x(weights_[0], row_.data(), coarse_.stride(),
-                  &fine[k * fine_.plane_size() + j * fine_.row_size()],
-                  fine_.stride());
+      add_along_x(x, row_.data(), from_layout.stride(),
+                  &to[k * to_layout.plane_size() + j * to_layout.row_size()],
+                  to_layout.stride());
     }
   }
 }

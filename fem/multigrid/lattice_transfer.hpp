@@ -32,6 +32,11 @@ public:
   std::size_t bytes() const;
 
 private:
+  /// Sets `to` to the product of the matrices along the three axes with `from`.
+  void multiply(const std::array<SparseRows, 3>& matrices,
+                const NodeLayout& from_layout, const std::vector<float>& from,
+                const NodeLayout& to_layout, std::vector<float>& to);
+
   void add_along_x(const SparseRows& matrix, const float* from,
                    std::size_t from_stride, float* to,
                    std::size_t to_stride) const;
