@@ -15,21 +15,15 @@
 #include <unistd.h>
 #include <vector>
 
+#include "tests/app/folder.hpp"
+
 namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Store : public ::testing::Test {
+class Store : public FolderTest {
 protected:
-  Store() {
-    std::string pattern =
-        (fs::temp_directory_path() / "asperity-cache-XXXXXX").string();
-    folder = mkdtemp(pattern.data());
-  }
-
-  ~Store() override { fs::remove_all(folder); }
-
   /// A key that is the hash of a number.
   static std::string key(int number) {
     return content_hash(std::to_string(number));
@@ -42,8 +36,6 @@ protected:
     fs::last_write_time(file(number), fs::file_time_type::clock::now() -
                                           std::chrono::hours(hours));
   }
-
-  fs::path folder;
 };
 
 // The value sha256sum prints for the three bytes "abc" (FIPS 180-2, B.1).

@@ -2,26 +2,21 @@
 
 // A folder of its own for each test.
 
+#include "base/temporary_folder.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <string>
 
 namespace asperity::app {
 
 /// A test with an empty folder to work in, removed at its end.
 class FolderTest : public ::testing::Test {
+private:
+  TemporaryFolder temporary_{"asperity"};
+
 protected:
-  FolderTest() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "asperity-XXXXXX").string();
-    folder = mkdtemp(pattern.data());
-  }
-
-  ~FolderTest() override { std::filesystem::remove_all(folder); }
-
-  std::filesystem::path folder;
+  const std::filesystem::path folder = temporary_.path();
 };
 
 } // namespace asperity::app

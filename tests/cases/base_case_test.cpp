@@ -1,11 +1,11 @@
 // Claims about a case that stands on another (cases/reader/base_case.hpp): its
 // keys win, its text stands alone, and a message names the file it is about.
+#include "base/temporary_folder.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -18,15 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 class BaseCase : public ::testing::Test {
+private:
+  TemporaryFolder temporary_{"base"};
+
 protected:
+  const fs::path folder = temporary_.path();
+
   BaseCase() {
-    std::string pattern = (fs::temp_directory_path() / "base-XXXXXX").string();
-    folder = mkdtemp(pattern.data());
     fs::create_directories(folder / "deep/er");
     write("block.toml", contact_case);
   }
-
-  ~BaseCase() override { fs::remove_all(folder); }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name) << text;
@@ -49,8 +50,6 @@ protected:
     }
     return "";
   }
-
-  fs::path folder;
 };
 
 const std::string on_block = "base = \"../../block.toml\"\n";

@@ -1,12 +1,12 @@
 // Claims about [sweep] (cases/sweeps/sweep.hpp): which points a file has, that
 // each is an ordinary case, and that every mistake names file, line and key.
+#include "base/temporary_folder.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"
 #include "input/input_error.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -19,13 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 class Sweep : public ::testing::Test {
-protected:
-  Sweep() {
-    std::string pattern = (fs::temp_directory_path() / "sweep-XXXXXX").string();
-    folder = mkdtemp(pattern.data());
-  }
+private:
+  TemporaryFolder temporary_{"sweep"};
 
-  ~Sweep() override { fs::remove_all(folder); }
+protected:
+  const fs::path folder = temporary_.path();
 
   /// Writes the sample case with these lines in its [sweep].
   std::string with(const std::string& lines) const {
@@ -55,8 +53,6 @@ protected:
     for (const std::string& word : words)
       EXPECT_NE(found.find(word), std::string::npos) << word << "\n" << found;
   }
-
-  fs::path folder;
 };
 
 TEST_F(Sweep, MakesEveryPairOfAProduct) {
