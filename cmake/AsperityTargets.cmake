@@ -67,7 +67,8 @@ endfunction()
 
 # What every test includes is compiled once, and tests are optimised less than
 # the libraries they call: half of the compiler's time for a test.
-set(test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> $<$<CONFIG:Release>:-O1>)
+set(test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> $<$<CONFIG:Release>:-O1>
+  $<$<CONFIG:Debug>:-O0>)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   file(WRITE ${CMAKE_BINARY_DIR}/test_headers.cpp "")
@@ -77,6 +78,9 @@ if(BUILD_TESTING)
   target_precompile_headers(asperity_test_headers PRIVATE <gtest/gtest.h> <algorithm>
     <array> <cmath> <complex> <filesystem> <fstream> <functional> <map> <memory>
     <numeric> <optional> <random> <span> <sstream> <string> <vector>)
+  add_library(asperity_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+  target_link_libraries(asperity_test_main PUBLIC asperity::base asperity_flags GTest::gtest)
+  target_include_directories(asperity_test_main PRIVATE ${PROJECT_SOURCE_DIR})
 endif()
 
 # The unit tests that do not load deal.II: what tests/sanitizers/run builds.
@@ -97,7 +101,7 @@ function(asperity_test path)
   string(MAKE_C_IDENTIFIER "test_${path}" target)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
   target_link_libraries(${target}
-    PRIVATE ${arg_DEPENDS} asperity_flags GTest::gtest_main)
+    PRIVATE ${arg_DEPENDS} asperity_flags asperity_test_main)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${test_options})
   target_precompile_headers(${target} REUSE_FROM asperity_test_headers)
