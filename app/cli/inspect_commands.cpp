@@ -22,6 +22,7 @@ void add_describe(CLI::App& program, DescribeCommand& describe,
   add_overrides(command, describe.overrides);
   add_quick(command, describe.is_quick);
   add_threads(command, describe.threads);
+  add_quiet(command, output);
   add_json(command, output, "everything");
   add_example(command, "describe polymer --set surface.points=1024");
   command->callback([&] { action = [&] { return describe_cases(describe); }; });

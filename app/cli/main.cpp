@@ -242,7 +242,7 @@ int run(int argc, char** argv) {
   AnswerCommands answers;
   add_answer_commands(program, answers, output, action);
   SurfaceCommand surface;
-  add_surface_command(program, surface, action);
+  add_surface_command(program, surface, output, action);
   InspectCommands inspect;
   bool is_to_clear = false;
   add_cache(program, is_to_clear, output, action);

@@ -1,8 +1,8 @@
 #include "app/cli/surface_command.hpp"
 
 #include "app/cli/surface_input.hpp"
+#include "app/run/option_quantity.hpp"
 #include "base/folder_lock.hpp"
-#include "cases/types/units.hpp"
 #include "input/input_error.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_json.hpp"
@@ -23,20 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @throws input::InputError  no number with such a unit, or not above 0
-double positive_quantity(const char* option, const std::string& text,
-                         cases::Dimension dimension) {
-  const cases::QuantityReading read = cases::read_quantity(text, dimension, {});
-  if (!read.quantity)
-    throw input::InputError(
-        fmt::format("{} = \"{}\" {}", option, text, read.mistake));
-  if (!(read.quantity->value > 0.0))
-    throw input::InputError(fmt::format("{} = \"{}\", but must be > 0 [{}]",
-                                        option, text,
-                                        cases::si_unit(dimension)));
-  return read.quantity->value;
-}
-
 /// Refuses the name of a converted file before any work.
 void require_known_ending(const fs::path& file) {
   const std::string ending = file.extension().string();
@@ -54,11 +40,10 @@ void write_converted(const SurfaceCommand& command,
     throw input::InputError("--write converts one map; give one map file");
   const surfaces::MapAnalysis& map = report.maps.front();
   surfaces::write_map(command.write, map.map, map.name);
-  if (!command.is_json)
-    fmt::print(
-        "written: {} (heights in m, {:.6g} x {:.6g} m; levelled as above, keep "
-        "them as measured by --level none)\n",
-        command.write, map.map.grid.length_x, map.map.grid.length_y);
+  fmt::print(
+      "written: {} (heights in m, {:.6g} x {:.6g} m; levelled as above, keep "
+      "them as measured by --level none)\n",
+      command.write, map.map.grid.length_x, map.map.grid.length_y);
 }
 
 void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
@@ -106,12 +91,20 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
 }
 
 ExitCode print_channels(const std::vector<std::string>& files) {
+  nlohmann::json channels = nlohmann::json::array();
   for (const std::string& file : files)
-    for (const surfaces::ChannelInfo& channel : surfaces::list_channels(file))
+    for (const surfaces::ChannelInfo& channel : surfaces::list_channels(file)) {
       fmt::print("{}: {:<24} {:<8} {} x {}\n", file,
                  channel.title.empty() ? "(untitled)" : channel.title,
                  channel.unit.empty() ? "-" : channel.unit, channel.points_x,
                  channel.points_y);
+      channels.push_back({{"file", file},
+                          {"channel", channel.title},
+                          {"unit", channel.unit},
+                          {"points", {channel.points_x, channel.points_y}}});
+    }
+  if (wants_json())
+    emit_answer(channels.dump(1) + "\n");
   return exit_good;
 }
 
@@ -132,22 +125,20 @@ ExitCode inspect_surface(const SurfaceCommand& command) {
   if (!command.write.empty())
     require_known_ending(command.write);
   const reports::SurfaceReport report = analysed(command);
-  if (command.is_json)
-    fmt::print("{}\n", surface_json(report).dump(1));
-  else
-    fmt::print("{}", surface_text(report));
+  fmt::print("{}", surface_text(report));
+  if (wants_json())
+    emit_answer(surface_json(report).dump(1) + "\n");
   if (!command.write.empty())
     write_converted(command, report);
   const bool has_report =
-      !command.has_no_report && (!command.is_json || !command.out.empty());
+      !command.has_no_report && (!wants_json() || !command.out.empty());
   if (!has_report)
     return exit_good;
   const fs::path folder = folder_of(command, report);
   const FolderLock lock(folder, "surface " + report.title);
   for (const std::string& problem : write_surface_report(report, folder))
     fmt::print(stderr, "warning: figure {}\n", problem);
-  if (!command.is_json)
-    fmt::print("report: {}\n", (folder / "report.html").string());
+  fmt::print("report: {}\n", (folder / "report.html").string());
   return exit_good;
 }
 
@@ -182,7 +173,7 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
 } // namespace
 
 void add_surface_command(CLI::App& program, SurfaceCommand& surface,
-                         Action& action) {
+                         OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "surface", "Inspect measured maps, line scans or the surface\n"
                  "of a case: parameters, spectrum, report.");
@@ -203,9 +194,11 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
                       "output folder (default: out/<name of the file>)");
   command->add_flag("--no-report", surface.has_no_report,
                     "print the numbers only");
-  command->add_flag("--json", surface.is_json,
-                    "print all numbers as JSON; write a report only\n"
-                    "with --out");
+  add_quiet(command, output);
+  command->add_flag("--json", output.is_json,
+                    "print all numbers, or with --channels the list of\n"
+                    "channels, as JSON; other text goes to standard\n"
+                    "error; write a report only with --out");
   add_example(command, "surface map.txt --contact-modulus \"2 GPa\"");
   command->callback([&] { action = [&] { return inspect_surface(surface); }; });
 }

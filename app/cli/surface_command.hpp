@@ -28,15 +28,14 @@ struct SurfaceCommand {
   std::string write;           ///< file to convert the map to
   bool lists_channels = false; ///< print the channels of files, no more
   bool has_no_report = false;
-  bool is_json = false;
 };
 
 /// Analyses the inputs, prints the results and writes the report.
 /// @throws input::InputError  an input cannot be read, or an option is invalid
 ExitCode inspect_surface(const SurfaceCommand& command);
 
-/// @param surface, action  must outlive the parsing of the command line
+/// @param surface, output, action  must outlive the parsing of the command line
 void add_surface_command(CLI::App& program, SurfaceCommand& surface,
-                         Action& action);
+                         OutputOptions& output, Action& action);
 
 } // namespace asperity::app

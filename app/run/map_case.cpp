@@ -1,5 +1,6 @@
 #include "app/run/map_case.hpp"
 
+#include "app/run/option_quantity.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
@@ -66,6 +67,8 @@ std::string map_case_text(const MapOfCase& map) {
         "{} is no case file (.toml); to press it as a measured map, please add "
         "--contact-modulus, for example --contact-modulus \"2 GPa\"",
         map.file));
+  (void)positive_quantity("--contact-modulus", map.contact_modulus,
+                          cases::Dimension::pressure);
   return fmt::format(
       fmt::runtime(text_of_case),
       fmt::arg("title", quoted(fs::path(map.file).filename().string())),

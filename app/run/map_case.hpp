@@ -19,7 +19,7 @@ bool is_map_file(const std::string& word);
 /// Returns the text of a case that presses the map on a half-space, in steps of
 /// equal ratios of the contact area from 1.6 % to 95 %, beside
 /// Persson's theory. It names the map by its absolute path.
-/// @throws input::InputError  there is no contact modulus
+/// @throws input::InputError  there is no valid contact modulus
 std::string map_case_text(const MapOfCase& map);
 
 } // namespace asperity::app

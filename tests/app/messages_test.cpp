@@ -181,7 +181,8 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
       << with_case.output;
   const Ended unit = run("run map.asc --contact-modulus '2 GPb'");
   EXPECT_EQ(unit.exit_code, 2);
-  EXPECT_TRUE(says(unit, "material.contact_modulus")) << unit.output;
+  EXPECT_TRUE(says(unit, "--contact-modulus = \"2 GPb\" has the unknown unit"))
+      << unit.output;
   write("plain.asc", "1 2 3\n2 4 1\n5 2 2\n");
   EXPECT_EQ(run("new plain --map plain.asc --contact-modulus 2e9").exit_code,
             2);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """`asperity surface` from the command line: numbers, files, messages.
 
-surface_command_test.py PROGRAM SOURCE FOLDER: runs the program on maps that are
-written into FOLDER, and on the real maps beside the source tree if they are there.
+surface_command_test.py PROGRAM FOLDER: runs the program on maps that are written
+into FOLDER, and on the real maps of the folder ASPERITY_TEST_DATA if it is set.
 """
 import json
 import os
@@ -15,11 +15,12 @@ import numpy as np
 
 
 def run(program, *words, code=0):
-    """What a command prints, after a check of its exit code."""
+    """What a command prints, after a check of its exit code; with --json, the
+    answer alone."""
     ended = subprocess.run([program, "surface", *map(str, words)], text=True, check=False,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert ended.returncode == code, f"{words}: {ended.returncode}\n{ended.stdout}{ended.stderr}"
-    return ended.stdout + ended.stderr
+    return ended.stdout + ("" if "--json" in words else ended.stderr)
 
 
 def write_map(path, heights):
@@ -62,6 +63,7 @@ def check_wave(program, folder):
     printed = run(program, map_file, *scale, "--no-report")
     assert "128 x 128 points over 10 µm x 10 µm" in printed and "Sq" in printed
     assert not (folder / "out").exists(), "--no-report wrote a report"
+    assert run(program, map_file, *scale, "--no-report", "--quiet") == ""
 
 
 def check_report(program, folder):
@@ -97,6 +99,8 @@ def check_several(program, folder):
     scales = ["--height-unit", "nm", "--json"]
     channels = run(program, folder / "wide.txt", "--channels")
     assert "128 x 128" in channels, channels
+    listed = json.loads(run(program, folder / "wide.txt", "--channels", "--json"))
+    assert listed[0]["file"] == str(folder / "wide.txt") and listed[0]["points"] == [128, 128], listed
     one = json.loads(run(program, folder / "wide.txt", "--length", "10 um", *scales))
     two = json.loads(run(program, folder / "narrow.txt", "--length", "1 um", *scales))
     for part, length in (("wide", "10.0"), ("narrow", "1.0")):
@@ -172,17 +176,17 @@ def check_messages(program, folder):
     assert not (folder / "a.docx").exists()
 
 
-def check_real_maps(program, source):
-    data = Path(source).parent / "shared/data/afm-20um-256.txt"
+def check_real_maps(program):
+    data = Path(os.environ.get("ASPERITY_TEST_DATA", ""), "afm-20um-256.txt")
     if not data.exists():
-        print("skipped: there are no real maps")
+        print("skipped: ASPERITY_TEST_DATA names no folder of real maps")
         return
     found = json.loads(run(program, data, "--level", "bow", "--json"))["maps"][0]
     assert found["points"] == [256, 256]
     assert abs(found["parameters"]["sq"]["value"] - 6e-9) < 1e-9 # as its README says
 
 
-def main(program, source, scratch):
+def main(program, scratch):
     folder = Path(scratch)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -195,7 +199,7 @@ def main(program, source, scratch):
     check_several(program, folder)
     check_line(program, folder)
     check_report(program, folder)
-    check_real_maps(program, source)
+    check_real_maps(program)
 
 
 if __name__ == "__main__":
