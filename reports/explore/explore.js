@@ -68,10 +68,11 @@
     return String(Number(value.toPrecision(5)));
   }
 
-  // Numbers at an axis: powers of ten as 10⁻³, others short.
-  function tickText(value) {
+  // Numbers at an axis: short, or with powers of ten such as 5·10⁻⁴, which very
+  // large and small numbers always have.
+  function tickText(value, withPowers = false) {
     const exponent = Math.log10(Math.abs(value));
-    if (value !== 0 && (exponent < -3 || exponent >= 5)) {
+    if (value !== 0 && (exponent < -3 || exponent >= 5 || withPowers && (exponent < -1e-9 || exponent >= 1))) {
       const power = Math.floor(exponent + 1e-9);
       const digits = Number((value / 10 ** power).toPrecision(3));
       const raised = [...String(power)].map(c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]).join('');
@@ -163,7 +164,9 @@
   }
 
   // ------------------------------------------------------------------- curves
+  // Gnuplot's numbers of markers; those in `filled` are the ones before, filled.
   const markers = {1: 'cross', 2: 'crossRot', 4: 'rect', 6: 'circle', 8: 'triangle', 10: 'triangle', 12: 'rectRot'};
+  const filled = [5, 7, 9, 11, 13];
 
   // The points of a curve, from the rows of the table that belong to it.
   function pointsOf(curve, panel, table) {
@@ -244,15 +247,25 @@
 
     dataset(curve, i) {
       const color = lineColor(curve.color);
+      const isFilled = filled.includes(curve.marker);
       return {
         label: curve.label, data: [], showLine: curve.line, stepped: curve.steps ? 'before' : false,
         borderColor: color, backgroundColor: 'transparent', pointBorderColor: color,
         borderWidth: curve.markers && !curve.line ? 1.3 : curve.width,
         borderDash: curve.dash === 1 ? [] : curve.dash === 2 ? [6, 4] : [2, 3],
-        pointStyle: curve.markers ? markers[curve.marker] ?? 'circle' : curve.area ? 'rect' : 'line', pointRadius: curve.markers ? 3.6 : 0,
+        pointBackgroundColor: isFilled ? color : 'transparent', pointStyle: curve.markers ? markers[isFilled ? curve.marker - 1 : curve.marker] ?? 'circle' : curve.area ? 'rect' : 'line', pointRadius: curve.markers ? 3.6 : 0,
         clip: 6, pointBorderWidth: 1.3, pointHoverRadius: this.hasValues(i) ? 5 : 0,
         pointHoverBorderWidth: 2, yAxisID: curve.second ? 'second' : 'y', order: i,
       };
+    }
+
+    // The ends of the intervals on an axis, so that its range holds them.
+    intervalEnds(name, log) {
+      const ends = this.panel.curves.flatMap((curve, i) => {
+        const hasInterval = curve.low !== undefined && name === (curve.xInterval ? 'x' : curve.second ? 'second' : 'y');
+        return hasInterval ? this.points[i].flatMap(point => [point.low, point.high]) : [];
+      }).filter(end => Number.isFinite(end) && (!log || end > 0));
+      return ends.length > 0 ? {suggestedMin: Math.min(...ends), suggestedMax: Math.max(...ends)} : {};
     }
 
     axis(axis, name, log) {
@@ -265,13 +278,16 @@
       return {
         type: log ? 'logarithmic' : 'linear', axis: name === 'x' ? 'x' : 'y',
         position: name === 'second' ? 'right' : name === 'x' ? 'bottom' : 'left',
-        min: limit(axis.low), max: limit(axis.high),
+        min: limit(axis.low), max: limit(axis.high), ...this.intervalEnds(name, log),
         title: {display: true, text: axis.label, color: style('--ink')},
         grid: {color: style('--line'), drawOnChartArea: name !== 'second'},
         afterBuildTicks: build,
         ticks: {
           color: style('--soft'), maxRotation: named.size > 0 ? 50 : 0, autoSkip: !log && named.size === 0, autoSkipPadding: 12, includeBounds: false,
-          callback(value) { return named.get(value) ?? (log && !hasText(value, this) ? '' : tickText(value)); },
+          callback(value) {
+            const hasPowers = log && (this.min < 1e-3 || this.max >= 1e5);
+            return named.get(value) ?? (log && !hasText(value, this) ? '' : tickText(value, hasPowers));
+          },
         },
       };
     }
@@ -298,7 +314,12 @@
           plugins: {
             legend: {
               position: 'bottom', onClick: (_, item) => this.toggle(item.datasetIndex),
-              labels: {color: style('--ink'), usePointStyle: true, boxHeight: 7, filter: item => item.text !== ''},
+              labels: {
+                color: style('--ink'), usePointStyle: true, boxHeight: 7, filter: item => item.text !== '',
+                // The legend shows a curve by its point; its lines are short.
+                generateLabels: chart => Chart.defaults.plugins.legend.labels.generateLabels(chart)
+                  .map(item => ({...item, lineDash: chart.data.datasets[item.datasetIndex].borderDash.map(length => length / 2)})),
+              },
             },
             tooltip: {filter: item => this.hasValues(item.datasetIndex), callbacks: {label: lines}},
           },
@@ -385,6 +406,7 @@
         const [x, y] = [scales.x, scales[curve.second ? 'second' : 'y']];
         ctx.strokeStyle = lineColor(curve.color);
         ctx.lineWidth = 1.2;
+        ctx.setLineDash(chart.data.datasets[i].borderDash);
         ctx.beginPath();
         for (const point of chart.data.datasets[i].data) {
           const [px, py] = [x.getPixelForValue(point.x), y.getPixelForValue(point.y)];

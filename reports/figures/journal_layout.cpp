@@ -107,7 +107,7 @@ std::string before_plot(std::string script, const std::string& settings) {
 } // namespace
 
 JournalLayout journal_layout(const Figure& figure, double width,
-                             double font_size) {
+                             double font_size, double key_spacing) {
   JournalLayout layout{width * figure.height / figure.width, figure.script};
   const std::string& script = figure.script;
   if (has(script, "multiplot") || has(script, "palette"))
@@ -133,9 +133,9 @@ JournalLayout journal_layout(const Figure& figure, double width,
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set xlabel offset 0,0.3\nset ylabel offset 0.8,0\nset key font ',{:g}' "
-      "height 0 samplen 1.4 spacing 1 {}\n",
+      "height 0 samplen 1.4 spacing {:.3g} {}\n",
       left / width, 1.0 - right / width, 1.0 - top / layout.height,
-      bottom / layout.height, font_size - 1.0,
+      bottom / layout.height, font_size - 1.0, key_spacing,
       is_inside ? "inside vertical " + corner
                 : fmt::format("at screen 0.5, screen {:.4f} center bottom "
                               "horizontal maxcols {}",

@@ -27,9 +27,12 @@ struct JournalLayout {
 /// in a corner that such curves leave free. Figures of several panels or with
 /// images keep their own arrangement and proportions.
 ///
-/// @param width      [m]
-/// @param font_size  of labels [pt]; the legend is one point smaller
+/// @param width        [m]
+/// @param font_size    of labels [pt]; the legend is one point smaller
+/// @param key_spacing  gnuplot's spacing of the rows of a legend, at which a
+/// row
+///                     has 1.15 times the size of its font
 JournalLayout journal_layout(const Figure& figure, double width,
-                             double font_size);
+                             double font_size, double key_spacing);
 
 } // namespace asperity::reports

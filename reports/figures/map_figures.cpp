@@ -111,9 +111,9 @@ Figure map_figure(const std::string& method,
     figure.maps.emplace_back(gap_name, gap.csv);
   }
   figure.caption = fmt::format(
-      "Realisation 0 at {} loads. Above: pressure over E* h' ({:.3g} MPa), "
-      "white where there is none; below: gap over h_rms ({:.3g} nm), dark "
-      "where the surfaces touch. Axes in µm.",
+      "Realisation 0 at {} loads. Pressure over E* h' ({:.3g} MPa), white "
+      "where there is none; gap (in print the lower maps) over h_rms ({:.3g} "
+      "nm), dark where the surfaces touch. Axes in µm.",
       chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
   figure.script = fmt::format("{}set multiplot layout 2,{} margins "
                               "0.05,0.93,0.05,0.94 spacing 0.11,0.06\n{}{}{}{}"

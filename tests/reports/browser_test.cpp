@@ -258,6 +258,24 @@ TEST_F(Exploring, HidesCurvesChangesAxesAndZooms) {
   EXPECT_EQ(found.at("again"), found.at("whole"));
 }
 
+// Claim: an axis without a range of its own holds the intervals of its points.
+TEST_F(Exploring, ShowsWholeIntervals) {
+  const nlohmann::json found = found_in_page(
+      "const {parts: [part]} = await figure('pressure-gap'); const {panel, "
+      "points} = part; Object.assign(panel.y, {low: undefined, high: "
+      "undefined}); panel.curves[0].low = 1; for (const point of points[0]) { "
+      "point.low = point.y / 100; point.high = 100 * point.y; } "
+      "part.showPoints(); const {min, max} = part.chart.scales.y; return "
+      "{below: points[0].filter(point => point.low < min).length, above: "
+      "points[0].filter(point => point.high > max).length, all: "
+      "points[0].length};");
+
+  ASSERT_TRUE(found.is_object()) << found;
+  EXPECT_GT(found.at("all"), 3);
+  EXPECT_EQ(found.at("below"), 0);
+  EXPECT_EQ(found.at("above"), 0);
+}
+
 // Claim: without a mouse, the arrow keys show the values of the curves, space
 // hides a curve, plus enlarges and 0 resets; in a map they show values, too.
 TEST_F(Exploring, AnswersTheKeyboard) {

@@ -4,10 +4,13 @@
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/journal_figures.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <string>
 
 namespace asperity::reports {
 namespace {
@@ -159,6 +162,34 @@ std::string refusal(const std::vector<std::string>& endings,
     return error.what();
   }
   return "";
+}
+
+/// Returns the vertical place of a text in a drawing [px], counted downwards. A
+/// curve has its name before the legend has it, too.
+double place_of(const std::string& svg, const std::string& text) {
+  const std::size_t start = svg.rfind("translate(", svg.rfind(text));
+  return start == std::string::npos
+             ? std::numeric_limits<double>::quiet_NaN()
+             : std::stod(svg.substr(svg.find(',', start) + 1));
+}
+
+// Claim: a legend of several rows does not cover the label of the axis.
+TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
+  Figure figure;
+  figure.name = "trial";
+  figure.data = "x,y\n1,2\n2,3\n";
+  figure.script = "set xlabel 'across'\nplot ";
+  for (const char* number : {"1", "2", "3", "4"})
+    figure.script +=
+        fmt::format("{}*x title 'a title as wide as the plot {}'{}", number,
+                    number, *number == '4' ? "\n" : ", ");
+
+  ASSERT_EQ(draw_for_journal(figure, {{"svg"}, 86e-3}, folder), "");
+
+  const std::string svg = text_of(folder / "trial.svg");
+  const double label = place_of(svg, "across");
+  EXPECT_GT(place_of(svg, "a title as wide as the plot 1"), label + 8.0);
+  EXPECT_LT(place_of(svg, "a title as wide as the plot 4"), label + 48.0);
 }
 
 TEST(JournalFormat, ReadsUnitsAndRefusesOthers) {
