@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <unordered_map>
 
 namespace asperity::surfaces {
 namespace {
@@ -39,21 +40,30 @@ std::vector<Shell> spectral_shells(const HeightMap& map,
   require_between("relative_width", relative_width, 1e-6, 1e3, "1");
   const double longest =
       wavevector(1, std::max(map.grid.length_x, map.grid.length_y));
-  std::map<std::int64_t, Sums> sums;
+  std::unordered_map<std::int64_t, Sums> sums;
   double total = 0.0;
+  // Neighbouring modes are mostly in one shell, which is then not looked up.
+  std::int64_t number = -1;
+  Sums* shell = nullptr;
   for_each_mode(map, [&](const ModePower& mode) {
-    Sums& shell = sums[shell_number(mode.wavevector / longest, relative_width)];
-    shell.power += mode.power;
-    shell.square_slope += mode.wavevector * mode.wavevector * mode.power;
-    shell.modes += mode.modes;
+    const std::int64_t own =
+        shell_number(mode.wavevector / longest, relative_width);
+    if (own != number) {
+      number = own;
+      shell = &sums[own];
+    }
+    shell->power += mode.power;
+    shell->square_slope += mode.wavevector * mode.wavevector * mode.power;
+    shell->modes += mode.modes;
     total += mode.power;
   });
 
   std::vector<Shell> shells;
-  for (const auto& [number, shell] : sums)
-    if (shell.power > 1e-28 * total)
-      shells.push_back({std::sqrt(shell.square_slope / shell.power),
-                        shell.power, shell.modes});
+  const std::map<std::int64_t, Sums> ascending(sums.begin(), sums.end());
+  for (const auto& [index, sum] : ascending)
+    if (sum.power > 1e-28 * total)
+      shells.push_back(
+          {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
   return shells;
 }
 
