@@ -15,6 +15,18 @@ std::string grid_text(const Grid& grid) {
              : fmt::format("{} x {}", grid.points_x, grid.points_y);
 }
 
+/// Returns " (CPU 2 min, 4.2 MB)", without what is not known.
+std::string cost_text(const results::Skipped& skipped) {
+  const bool has_time = !std::isnan(skipped.cpu_time);
+  const bool has_size = !std::isnan(skipped.bytes);
+  if (!has_time && !has_size)
+    return "";
+  return fmt::format(" ({}{}{})",
+                     has_time ? "CPU " + time_text(skipped.cpu_time) : "",
+                     has_time && has_size ? ", " : "",
+                     has_size ? size_text(skipped.bytes) : "");
+}
+
 } // namespace
 
 std::string time_text(double seconds) {
@@ -29,7 +41,9 @@ std::string time_text(double seconds) {
 std::string size_text(double bytes) {
   if (std::isnan(bytes))
     return "?";
-  return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes)
+  if (bytes < 1e7)
+    return fmt::format("{:.2g} MB", 1e-6 * bytes);
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes)
                      : fmt::format("{:.3g} GB", 1e-9 * bytes);
 }
 
@@ -61,8 +75,7 @@ std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
   if (!plan.skipped.empty())
     text += "skipped, with the predicted cost of each:\n";
   for (const results::Skipped& one : plan.skipped)
-    text += fmt::format("  {}: {} (CPU {}, {})\n", one.what, one.why,
-                        time_text(one.cpu_time), size_text(one.bytes));
+    text += fmt::format("  {}: {}{}\n", one.what, one.why, cost_text(one));
   for (const std::string& warning : plan.warnings)
     text += fmt::format("warning: {}\n", warning);
   return text;

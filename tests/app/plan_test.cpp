@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -274,6 +275,27 @@ TEST_F(PlannedRun, IsPrintedAsATable) {
        {"halfspace", "32 x 32", "formula", "predicted: CPU ", "on 2 threads",
         "skipped, with the predicted cost of each:"})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
+}
+
+// Claim: sizes are written without exponents, and of work that was skipped only
+// the costs that are known.
+TEST_F(PlannedRun, IsPrintedWithReadableNumbers) {
+  EXPECT_EQ(size_text(4.2e6), "4.2 MB");
+  EXPECT_EQ(size_text(2.64e8), "264 MB");
+  EXPECT_EQ(size_text(6.18e10), "61.8 GB");
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  Plan planned = plan();
+  planned.skipped = {{"one", "why", unknown, unknown},
+                     {"two", "why", 2.0, unknown},
+                     {"three", "why", unknown, 4.2e6},
+                     {"four", "why", 2.0, 4.2e6}};
+
+  const std::string text = plan_text(planned, read());
+
+  EXPECT_NE(text.find("  one: why\n  two: why (CPU 2 s)\n"
+                      "  three: why (4.2 MB)\n  four: why (CPU 2 s, 4.2 MB)\n"),
+            std::string::npos)
+      << text;
 }
 
 } // namespace
