@@ -15,7 +15,7 @@ double known(const char* name, double scale, const char* unit) {
 } // namespace
 
 double Quantity::in_si(const Scales& scales) const {
-  switch (yardstick) {
+  switch (reference) {
   case ReferenceUnit::si:
     return value;
   case ReferenceUnit::contact_modulus:
@@ -33,7 +33,7 @@ double Quantity::in_si(const Scales& scales) const {
     return value * known("contact_modulus", scales.contact_modulus, "Pa") *
            known("rms_slope", scales.rms_slope, "1");
   }
-  throw std::domain_error("yardstick is none of the known ones");
+  throw std::domain_error("reference is none of the known ones");
 }
 
 } // namespace asperity::mechanics

@@ -29,7 +29,7 @@ struct Scales {
 /// the surface is read.
 struct Quantity {
   double value = 0.0;
-  ReferenceUnit yardstick = ReferenceUnit::si;
+  ReferenceUnit reference = ReferenceUnit::si;
 
   double in_si(const Scales& scales) const;
 };

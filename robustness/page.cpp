@@ -159,7 +159,7 @@ std::string instance_list(const std::vector<InstanceResult>& results,
       "<table><tr><th>problem instance</th><th>outcome</th></tr>\n";
   for (const auto& [instance, report] : results)
     html += fmt::format(
-        "<tr><td><code>{} --scene {}</code></td><td><b>{}{}</b> {} "
+        "<tr><td><code>{} --instance {}</code></td><td><b>{}{}</b> {} "
         "iterations. {}<br><span class=\"soft\">{}</span></td></tr>\n",
         run.rerun, instance.index, name_of(report.outcome),
         report.check.empty() ? "" : ": " + report.check, report.iterations,

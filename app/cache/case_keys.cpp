@@ -66,7 +66,7 @@ std::string surface_text(const Node& file) {
 std::string load_text(const mechanics::LoadingPath& load, std::size_t step) {
   const mechanics::Quantity& target = load.targets[step];
   return fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
-                     static_cast<int>(target.yardstick));
+                     static_cast<int>(target.reference));
 }
 
 } // namespace

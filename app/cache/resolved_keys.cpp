@@ -21,13 +21,13 @@ using cases::NodeType;
 using cases::parse_toml_value;
 using cases::QuantityReading;
 using cases::read_quantity;
+using cases::reference_symbol;
 using cases::si_unit;
 using cases::toml_key;
 using cases::toml_value;
 using cases::ValueType;
 using cases::vocabulary;
 using cases::vocabulary_table;
-using cases::yardstick_symbol;
 using mechanics::Quantity;
 using mechanics::ReferenceUnit;
 using mechanics::Scales;
@@ -65,7 +65,7 @@ private:
     if (given.type != NodeType::text)
       return given;
     const QuantityReading reading =
-        read_quantity(given.text, key.dimension, key.yardsticks);
+        read_quantity(given.text, key.dimension, key.references);
     if (!reading.quantity)
       return given;
     const std::optional<double> in_si = value_in_si(*reading.quantity);
@@ -90,7 +90,7 @@ private:
       Node node = number_node(in_si.value_or(0.0));
       if (!in_si) {
         std::ostringstream text;
-        text << target.value << ' ' << yardstick_symbol(target.yardstick);
+        text << target.value << ' ' << reference_symbol(target.reference);
         node.type = NodeType::text;
         node.text = text.str();
       }

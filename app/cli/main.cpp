@@ -165,7 +165,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
                       "cases whose settings are perturbed\n"
                       "(default: none)");
   command
-      ->add_option("--scenes", robustness.instances,
+      ->add_option("--instances", robustness.instances,
                    "number of problem instances (default: 2000)")
       ->check(CLI::Range(1, 10000000));
   command->add_option("--seed", robustness.seed,
@@ -173,7 +173,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
   command->add_option("--only", robustness.only,
                       "only instances of a family or with a value of an\n"
                       "axis: slab, law=hard");
-  command->add_option("--scene", robustness.instance,
+  command->add_option("--instance", robustness.instance,
                       "run the instance with this index only and print\n"
                       "its details");
   command->add_option("--out", robustness.out,
@@ -181,7 +181,7 @@ void add_robustness(CLI::App& program, RobustnessCommand& robustness,
   add_threads(command, robustness.threads);
   add_quiet(command, output);
   add_json(command, output, "stress.json");
-  add_example(command, "robustness --scenes 500 --only law=hard");
+  add_example(command, "robustness --instances 500 --only law=hard");
   command->callback(
       [&] { action = [&] { return run_robustness(robustness); }; });
 }

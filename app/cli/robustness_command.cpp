@@ -158,7 +158,7 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
   json += (json.empty() ? "" : ",\n") + json_of_file(folder / "stress.json");
 
   for (const auto& [instance, report] : matrix.others())
-    fmt::print("{} --scene {}: {}{} {}\n", words.rerun, instance.index,
+    fmt::print("{} --instance {}: {}{} {}\n", words.rerun, instance.index,
                name_of(report.outcome),
                report.check.empty() ? "" : " (" + report.check + ")",
                report.reason);

@@ -65,8 +65,8 @@ void name_values(CLI::App& program) {
   const std::map<std::string, std::string> values{
       {"--out", "DIR"},        {"--problem", "DIR"},      {"--junit", "FILE"},
       {"--set", "KEY=VALUE"},  {"--methods", "NAMES"},    {"--method", "NAME"},
-      {"--target-error", "E"}, {"--threads", "N"},        {"--scenes", "N"},
-      {"--scene", "N"},        {"--seed", "N"},           {"--repeats", "N"},
+      {"--target-error", "E"}, {"--threads", "N"},        {"--instances", "N"},
+      {"--instance", "N"},     {"--seed", "N"},           {"--repeats", "N"},
       {"--realizations", "N"}, {"--budget", "SECONDS"},   {"--tolerance", "X"},
       {"--map", "FILE"},       {"--contact-modulus", "E"}};
   for (CLI::App* command :

@@ -12,7 +12,7 @@ using mechanics::HalfspaceSettings;
 std::string in_words(const ContactSettings& settings) {
   const auto penalty = [&] {
     const char* unit =
-        settings.penalty.yardstick ==
+        settings.penalty.reference ==
                 mechanics::ReferenceUnit::contact_modulus_per_spacing
             ? "E*/h"
             : "Pa/m";

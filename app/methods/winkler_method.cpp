@@ -33,7 +33,7 @@ private:
 
 MethodDescription describe(const mechanics::WinklerSettings& settings) {
   const bool is_relative =
-      settings.stiffness.yardstick ==
+      settings.stiffness.reference ==
       mechanics::ReferenceUnit::contact_modulus_per_spacing;
   return {"winkler",
           fmt::format("Winkler foundation of stiffness {:g} {}, hard contact",

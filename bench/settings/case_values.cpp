@@ -66,7 +66,7 @@ void add_without_spacings(const Node& table, const std::string& path,
         cases::read_quantity(entry.node.text, cases::Dimension::length,
                              {mechanics::ReferenceUnit::spacing});
     if (reading.quantity &&
-        reading.quantity->yardstick == mechanics::ReferenceUnit::spacing)
+        reading.quantity->reference == mechanics::ReferenceUnit::spacing)
       overrides.push_back(
           fmt::format("{}.{}={}", path, entry.key,
                       cases::write_quantity({reading.quantity->value * spacing},

@@ -42,7 +42,7 @@ Json quantity_schema(const Key& key) {
     return number;
   std::string choice;
   for (const Unit& unit : units())
-    if (is_allowed(unit, key.dimension, key.yardsticks))
+    if (is_allowed(unit, key.dimension, key.references))
       choice +=
           fmt::format("{}{}", choice.empty() ? "" : "|", escaped(unit.symbol));
   const Json text = {

@@ -47,7 +47,7 @@ std::string units_text(const Key& key) {
     return fmt::format("{}", fmt::join(key.words, " | "));
   if (key.dimension != Dimension::none)
     return fmt::format(
-        "[{}]", fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
+        "[{}]", fmt::join(unit_symbols(key.dimension, key.references), ", "));
   return "";
 }
 
@@ -84,7 +84,7 @@ std::string type_text(const Key& key) {
   if (key.type == ValueType::program)
     return fmt::format(
         "{} [{}]", allowed_text(key),
-        fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
+        fmt::join(unit_symbols(key.dimension, key.references), ", "));
   return allowed_text(key);
 }
 

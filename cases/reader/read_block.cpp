@@ -46,7 +46,7 @@ mechanics::MaterialInclusion read_inclusion(const Node& node,
   table.refuse_unknown();
   mechanics::MaterialInclusion inclusion{
       table.quantity("radius"), table.quantity("depth"), read_moduli(table)};
-  if (inclusion.radius.yardstick == inclusion.depth.yardstick &&
+  if (inclusion.radius.reference == inclusion.depth.reference &&
       inclusion.depth.value > 0.0 &&
       inclusion.depth.value <= inclusion.radius.value)
     table.refuse(*node.find("depth"), "must be larger than the radius");

@@ -23,7 +23,7 @@ void check_ends(TableReader& table, double from, double to) {
 double wavevector_of(TableReader& table, const std::string& key,
                      const mechanics::SurfaceSpec& surface) {
   const mechanics::Quantity wavelength = table.quantity(key);
-  if (wavelength.yardstick == mechanics::ReferenceUnit::length &&
+  if (wavelength.reference == mechanics::ReferenceUnit::length &&
       !surface.length) {
     table.refuse(*table.node().find(key),
                  "surface.length is missing, which its unit needs");

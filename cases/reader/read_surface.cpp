@@ -81,10 +81,10 @@ void SurfaceReader::read_grid() {
 // converted here.
 double SurfaceReader::length_of(const std::string& key) {
   const mechanics::Quantity quantity = table.quantity(key);
-  if (quantity.yardstick == mechanics::ReferenceUnit::si)
+  if (quantity.reference == mechanics::ReferenceUnit::si)
     return quantity.value;
   const bool is_by_spacing =
-      quantity.yardstick == mechanics::ReferenceUnit::spacing;
+      quantity.reference == mechanics::ReferenceUnit::spacing;
   if (!table.has("length") || (is_by_spacing && !table.has("points")))
     table.refuse(*table.node().find(key), is_by_spacing
                                               ? "h needs surface.length and "

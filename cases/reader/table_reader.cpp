@@ -95,7 +95,7 @@ mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     quantity.value = node.number();
   } else if (node.type == NodeType::text && key.dimension != Dimension::none) {
     const QuantityReading reading =
-        read_quantity(node.text, key.dimension, key.yardsticks);
+        read_quantity(node.text, key.dimension, key.references);
     if (!reading.quantity) {
       complain(node, "= " + written(node) + " " + reading.mistake);
       return {};
@@ -106,10 +106,10 @@ mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     return {};
   }
   if (!key.range.contains(quantity.value)) {
-    const bool is_si = quantity.yardstick == mechanics::ReferenceUnit::si;
+    const bool is_si = quantity.reference == mechanics::ReferenceUnit::si;
     refuse(node,
            key.range.sentence(is_si ? si_unit(key.dimension)
-                                    : yardstick_symbol(quantity.yardstick)));
+                                    : reference_symbol(quantity.reference)));
     return {};
   }
   return quantity;
@@ -222,14 +222,14 @@ std::vector<mechanics::Quantity> TableReader::sweep(const Node& node,
   if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
     return {};
   const auto spacing = static_cast<Spacing>(*word);
-  if (from.yardstick != to.yardstick) {
+  if (from.reference != to.reference) {
     refuse(*to_node,
            "must have the same kind of unit as from: both in SI or both in " +
                std::string("the same unit of the problem"));
     return {};
   }
   if (spacing == Spacing::area) {
-    if (from.yardstick !=
+    if (from.reference !=
         mechanics::ReferenceUnit::contact_modulus_times_slope) {
       refuse(*from_node, "spacing = \"area\" needs pressures in E* h'");
       return {};
@@ -249,7 +249,7 @@ std::vector<mechanics::Quantity> TableReader::sweep(const Node& node,
     targets.push_back(
         {interpolated(from.value, to.value,
                       static_cast<double>(step) / (steps - 1), spacing),
-         from.yardstick});
+         from.reference});
   return targets;
 }
 

@@ -226,7 +226,7 @@ std::string allowed_text(const Key& key) {
       return "a number";
     return fmt::format(
         "a number [{}] or a string with one of: {}", si_unit(key.dimension),
-        fmt::join(unit_symbols(key.dimension, key.yardsticks), ", "));
+        fmt::join(unit_symbols(key.dimension, key.references), ", "));
   case ValueType::target:
     return "a quantity in the units of its key";
   case ValueType::integer:

@@ -63,7 +63,7 @@ struct Key {
   ValueType type = ValueType::quantity;
   Dimension dimension = Dimension::none;
   Range range = any_number();
-  std::vector<mechanics::ReferenceUnit> yardsticks = {}; ///< reference units
+  std::vector<mechanics::ReferenceUnit> references = {}; ///< reference units
                                                          ///< allowed besides SI
   std::vector<std::string> words = {};
   Need need = Need::never;

@@ -156,7 +156,7 @@ Key length_key(std::string name, std::string example, std::string description) {
   return {.name = std::move(name),
           .dimension = Dimension::length,
           .range = positive(),
-          .yardsticks = {mechanics::ReferenceUnit::length,
+          .references = {mechanics::ReferenceUnit::length,
                          mechanics::ReferenceUnit::spacing},
           .need = Need::always,
           .example = std::move(example),

@@ -57,7 +57,7 @@ std::vector<Key> lattice_size_keys() {
       {.name = "depth",
        .dimension = Dimension::length,
        .range = positive(),
-       .yardsticks = {mechanics::ReferenceUnit::length,
+       .references = {mechanics::ReferenceUnit::length,
                       mechanics::ReferenceUnit::spacing},
        .fallback = "\"1 length\"",
        .example = "\"1 length\"",

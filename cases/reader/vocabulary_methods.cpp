@@ -26,7 +26,7 @@ std::vector<Key> contact_keys() {
       {.name = "penalty",
        .dimension = Dimension::stiffness,
        .range = positive(),
-       .yardsticks = {mechanics::ReferenceUnit::contact_modulus_per_spacing},
+       .references = {mechanics::ReferenceUnit::contact_modulus_per_spacing},
        .need = Need::conditional,
        .when =
            "with contact = \"penalty\" or \"augmented\"; ignored with \"hard\"",
@@ -64,7 +64,7 @@ Table load_table() {
                .type = ValueType::program,
                .dimension = Dimension::pressure,
                .range = positive(),
-               .yardsticks =
+               .references =
                    {mechanics::ReferenceUnit::contact_modulus,
                     mechanics::ReferenceUnit::contact_modulus_times_slope},
                .need = Need::conditional,
@@ -78,7 +78,7 @@ Table load_table() {
                .type = ValueType::program,
                .dimension = Dimension::length,
                .range = positive(),
-               .yardsticks = {mechanics::ReferenceUnit::length,
+               .references = {mechanics::ReferenceUnit::length,
                               mechanics::ReferenceUnit::spacing,
                               mechanics::ReferenceUnit::rms_height},
                .need = Need::conditional,
@@ -159,7 +159,7 @@ Table halfspace_table() {
               {.name = "thickness",
                .dimension = Dimension::length,
                .range = positive(),
-               .yardsticks = {mechanics::ReferenceUnit::length,
+               .references = {mechanics::ReferenceUnit::length,
                               mechanics::ReferenceUnit::spacing},
                .when = "default: infinitely thick",
                .example = "\"1 length\"",
@@ -206,7 +206,7 @@ Table fem_table() {
           {.name = "depth",
            .dimension = Dimension::length,
            .range = positive(),
-           .yardsticks = {mechanics::ReferenceUnit::length,
+           .references = {mechanics::ReferenceUnit::length,
                           mechanics::ReferenceUnit::spacing},
            .fallback = "\"1 length\"",
            .example = "\"1 length\"",
@@ -241,7 +241,7 @@ Table winkler_table() {
               {.name = "stiffness",
                .dimension = Dimension::stiffness,
                .range = positive(),
-               .yardsticks =
+               .references =
                    {mechanics::ReferenceUnit::contact_modulus_per_spacing},
                .need = Need::always,
                .example = "\"0.1 E*/h\"",

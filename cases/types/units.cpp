@@ -125,35 +125,35 @@ std::string si_unit(Dimension dimension) {
   return found == units().end() ? "1" : found->symbol;
 }
 
-std::string yardstick_symbol(mechanics::ReferenceUnit yardstick) {
+std::string reference_symbol(mechanics::ReferenceUnit reference) {
   for (const Unit& unit : units())
-    if (unit.yardstick == yardstick &&
-        yardstick != mechanics::ReferenceUnit::si)
+    if (unit.reference == reference &&
+        reference != mechanics::ReferenceUnit::si)
       return unit.symbol;
   return "";
 }
 
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<mechanics::ReferenceUnit>& yardsticks) {
+                const std::vector<mechanics::ReferenceUnit>& references) {
   return unit.dimension == dimension &&
-         (unit.yardstick == mechanics::ReferenceUnit::si ||
-          std::find(yardsticks.begin(), yardsticks.end(), unit.yardstick) !=
-              yardsticks.end());
+         (unit.reference == mechanics::ReferenceUnit::si ||
+          std::find(references.begin(), references.end(), unit.reference) !=
+              references.end());
 }
 
 std::vector<std::string>
 unit_symbols(Dimension dimension,
-             const std::vector<mechanics::ReferenceUnit>& yardsticks) {
+             const std::vector<mechanics::ReferenceUnit>& references) {
   std::vector<std::string> symbols;
   for (const Unit& unit : units())
-    if (is_allowed(unit, dimension, yardsticks) && !unit.is_alias)
+    if (is_allowed(unit, dimension, references) && !unit.is_alias)
       symbols.push_back(unit.symbol);
   return symbols;
 }
 
 QuantityReading
 read_quantity(const std::string& text, Dimension dimension,
-              const std::vector<mechanics::ReferenceUnit>& yardsticks) {
+              const std::vector<mechanics::ReferenceUnit>& references) {
   const std::string written = trimmed(text);
   const char* const end = written.data() + written.size();
   double number = 0.0;
@@ -164,7 +164,7 @@ read_quantity(const std::string& text, Dimension dimension,
     return refused("does not begin with a number");
 
   const std::string symbol = trimmed(std::string(rest, end));
-  const std::vector<std::string> allowed = unit_symbols(dimension, yardsticks);
+  const std::vector<std::string> allowed = unit_symbols(dimension, references);
   if (dimension == Dimension::none)
     return refused("must be a plain number, without quotes");
   if (symbol.empty())
@@ -172,20 +172,20 @@ read_quantity(const std::string& text, Dimension dimension,
                                "quotes is in {})",
                                fmt::join(allowed, ", "), si_unit(dimension)));
   const Unit* const unit = unit_called(symbol);
-  if (!unit || !is_allowed(*unit, dimension, yardsticks))
+  if (!unit || !is_allowed(*unit, dimension, references))
     return refused(wrong_unit(symbol, allowed));
 
   const double value = number * unit->multiplier / unit->divisor;
   if (!std::isfinite(value))
     return refused("is out of the range of numbers");
-  return {mechanics::Quantity{value, unit->yardstick}, ""};
+  return {mechanics::Quantity{value, unit->reference}, ""};
 }
 
 std::string write_quantity(const mechanics::Quantity& quantity,
                            Dimension dimension) {
-  const std::string symbol = quantity.yardstick == mechanics::ReferenceUnit::si
+  const std::string symbol = quantity.reference == mechanics::ReferenceUnit::si
                                  ? si_unit(dimension)
-                                 : yardstick_symbol(quantity.yardstick);
+                                 : reference_symbol(quantity.reference);
   return fmt::format("{} {}", quantity.value, symbol);
 }
 

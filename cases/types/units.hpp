@@ -37,7 +37,7 @@ struct Unit {
   Dimension dimension = Dimension::none;
   double multiplier = 1.0;
   double divisor = 1.0;
-  mechanics::ReferenceUnit yardstick = mechanics::ReferenceUnit::si;
+  mechanics::ReferenceUnit reference = mechanics::ReferenceUnit::si;
   bool is_alias = false; ///< alternative spelling, accepted but not listed in
                          ///< messages
 };
@@ -53,17 +53,17 @@ std::string si_unit(Dimension dimension);
 
 /// Returns the symbol of a reference unit: "E*", "length", "h", "h_rms",
 /// "E*/h", "E* h'"; "" for si.
-std::string yardstick_symbol(mechanics::ReferenceUnit yardstick);
+std::string reference_symbol(mechanics::ReferenceUnit reference);
 
 /// Returns true if the unit may follow a number of that dimension, given the
 /// allowed reference units.
 bool is_allowed(const Unit& unit, Dimension dimension,
-                const std::vector<mechanics::ReferenceUnit>& yardsticks);
+                const std::vector<mechanics::ReferenceUnit>& references);
 
 /// Returns the symbols of the allowed units without aliases.
 std::vector<std::string>
 unit_symbols(Dimension dimension,
-             const std::vector<mechanics::ReferenceUnit>& yardsticks);
+             const std::vector<mechanics::ReferenceUnit>& references);
 
 /// The result of reading a quantity: the quantity or the mistake.
 struct QuantityReading {
@@ -76,7 +76,7 @@ struct QuantityReading {
 /// quotes. The number is finite; the caller checks its range.
 QuantityReading
 read_quantity(const std::string& text, Dimension dimension,
-              const std::vector<mechanics::ReferenceUnit>& yardsticks);
+              const std::vector<mechanics::ReferenceUnit>& references);
 
 /// Writes the quantity such that read_quantity() restores it to the last bit:
 /// "2e-07 m".

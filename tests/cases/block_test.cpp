@@ -47,7 +47,7 @@ TEST(Block, HasLayersFromTheFaceUp) {
            "youngs_modulus = 3e9, poisson_ratio = 0.4 }]"});
 
   ASSERT_EQ(read.material.layers.size(), 2U);
-  EXPECT_EQ(read.material.layers[0].thickness.yardstick,
+  EXPECT_EQ(read.material.layers[0].thickness.reference,
             mechanics::ReferenceUnit::length);
   EXPECT_EQ(read.material.layers[0].thickness.value, 0.05);
   EXPECT_EQ(read.material.layers[0].moduli.youngs_modulus, 20e9);
@@ -99,9 +99,9 @@ TEST(Block, RefusesAnInclusionThatSticksOut) {
       << answer;
 }
 
-// Claim: a sphere that touches the face sticks out; depths in other yardsticks
-// than the radius are nothing the reader can compare.
-TEST(Block, ComparesDepthsOfOneYardstickAlone) {
+// Claim: a sphere that touches the face sticks out; depths in other reference
+// units than the radius are nothing the reader can compare.
+TEST(Block, ComparesDepthsOfOneReferenceUnitAlone) {
   const auto sphere = [](const std::string& depth) {
     return "[material.inclusion]\nradius = \"0.2 length\"\ndepth = " + depth +
            "\nyoungs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n";
@@ -133,7 +133,7 @@ TEST(Block, IsMeshedByGmshWhereItIsWhole) {
 
   EXPECT_TRUE(fem_of(read).full.uses_case_mesh);
   EXPECT_EQ(read.mesh.geometry, mechanics::MeshGeometry::indentation);
-  EXPECT_EQ(read.mesh.size_at_contact.yardstick,
+  EXPECT_EQ(read.mesh.size_at_contact.reference,
             mechanics::ReferenceUnit::spacing);
   EXPECT_FALSE(fem_of(block(mesh)).full.uses_case_mesh);
   EXPECT_FALSE(fem_of(block(mesh, {"fem.solver=full", "fem.mesh=layers"}))

@@ -1,4 +1,5 @@
-// Claims about cases/types/case.hpp: yardsticks and the one block of a pair.
+// Claims about cases/types/case.hpp: reference units and the one block of a
+// pair.
 #include "cases/types/case.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@ namespace {
 
 constexpr mechanics::Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
-// Claim: a quantity is its number times its yardstick. Exact: one product.
-TEST(Quantity, IsItsNumberTimesItsYardstick) {
+// Claim: a quantity is its number times its reference unit. Exact: one product.
+TEST(Quantity, IsItsNumberTimesItsReferenceUnit) {
   EXPECT_EQ(
       (mechanics::Quantity{7.0, mechanics::ReferenceUnit::si}.in_si(scales)),
       7.0);
@@ -40,7 +41,7 @@ TEST(Quantity, IsItsNumberTimesItsYardstick) {
       1e19); // 100 * 2e9 Pa / 2e-8 m
 }
 
-TEST(Quantity, RefusesAYardstickThatIsNotKnown) {
+TEST(Quantity, RefusesAReferenceUnitThatIsNotKnown) {
   const mechanics::Quantity quantity{2.0, mechanics::ReferenceUnit::rms_height};
 
   EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);

@@ -57,7 +57,7 @@ TEST(ReadCase, SpacesALoadProgramAsAsked) {
   ASSERT_EQ(logarithmic.targets.size(), 3U);
   EXPECT_EQ(logarithmic.control, mechanics::Control::nominal_pressure);
   EXPECT_EQ(logarithmic.targets[0].value, 1e-3);
-  EXPECT_EQ(logarithmic.targets[0].yardstick,
+  EXPECT_EQ(logarithmic.targets[0].reference,
             mechanics::ReferenceUnit::contact_modulus);
   EXPECT_DOUBLE_EQ(logarithmic.targets[1].value, 1e-2);
   EXPECT_EQ(logarithmic.targets[2].value, 0.1);
@@ -75,7 +75,7 @@ TEST(ReadCase, SpacesContactAreasEvenly) {
   EXPECT_EQ(loads.front().value, 0.01);
   EXPECT_EQ(loads.back().value, 2.0);
   const auto area = [&](std::size_t step) {
-    EXPECT_EQ(loads[step].yardstick,
+    EXPECT_EQ(loads[step].reference,
               mechanics::ReferenceUnit::contact_modulus_times_slope);
     return std::erf(std::sqrt(2.0) * loads[step].value);
   };
@@ -121,7 +121,7 @@ TEST(ReadCase, ControlsTheMeanGapToo) {
 
   ASSERT_EQ(load.targets.size(), 1U);
   EXPECT_EQ(load.control, mechanics::Control::mean_gap);
-  EXPECT_EQ(load.targets[0].yardstick, mechanics::ReferenceUnit::rms_height);
+  EXPECT_EQ(load.targets[0].reference, mechanics::ReferenceUnit::rms_height);
 }
 
 // Claim: E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
@@ -170,7 +170,7 @@ TEST(ReadCase, HasTheDefaultsOfTheStructs) {
   EXPECT_EQ(fem.block.surface_cell_depth, plain.block.surface_cell_depth);
   EXPECT_EQ(fem.block.growth, plain.block.growth);
   EXPECT_EQ(fem.block.depth.value, plain.block.depth.value);
-  EXPECT_EQ(fem.block.depth.yardstick, plain.block.depth.yardstick);
+  EXPECT_EQ(fem.block.depth.reference, plain.block.depth.reference);
   EXPECT_EQ(fem.block.far_boundary, plain.block.far_boundary);
   EXPECT_EQ(fem.solver, plain.solver);
   EXPECT_EQ(slab.far_boundary, mechanics::HalfspaceSettings{}.far_boundary);

@@ -52,11 +52,11 @@ TEST(Units, ConvertWholeNumbersWithOneRounding) {
     ASSERT_TRUE(reading.quantity) << example.text << " " << reading.mistake;
     EXPECT_EQ(reading.quantity->value, std::strtod(example.in_si, nullptr))
         << example.text;
-    EXPECT_EQ(reading.quantity->yardstick, mechanics::ReferenceUnit::si);
+    EXPECT_EQ(reading.quantity->reference, mechanics::ReferenceUnit::si);
   }
 }
 
-TEST(Units, KeepTheProblemsOwnYardsticks) {
+TEST(Units, KeepTheProblemsOwnReferenceUnits) {
   const QuantityReading load =
       read_quantity("0.3 E*", Dimension::pressure,
                     {mechanics::ReferenceUnit::contact_modulus});
@@ -71,15 +71,15 @@ TEST(Units, KeepTheProblemsOwnYardsticks) {
                     {mechanics::ReferenceUnit::contact_modulus_times_slope});
 
   EXPECT_EQ(by_slope.quantity->value, 0.3);
-  EXPECT_EQ(by_slope.quantity->yardstick,
+  EXPECT_EQ(by_slope.quantity->reference,
             mechanics::ReferenceUnit::contact_modulus_times_slope);
   EXPECT_EQ(load.quantity->value, 0.3);
-  EXPECT_EQ(load.quantity->yardstick,
+  EXPECT_EQ(load.quantity->reference,
             mechanics::ReferenceUnit::contact_modulus);
   EXPECT_EQ(penalty.quantity->value, 100.0);
-  EXPECT_EQ(penalty.quantity->yardstick,
+  EXPECT_EQ(penalty.quantity->reference,
             mechanics::ReferenceUnit::contact_modulus_per_spacing);
-  EXPECT_EQ(gap.quantity->yardstick, mechanics::ReferenceUnit::rms_height);
+  EXPECT_EQ(gap.quantity->reference, mechanics::ReferenceUnit::rms_height);
 }
 
 TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
@@ -101,8 +101,9 @@ TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(length_from("").mistake, "does not begin with a number");
 }
 
-// A yardstick is refused where the key does not offer it, though it is known.
-TEST(Units, OfferAYardstickOnlyWhereTheKeyDoes) {
+// A reference unit is refused where the key does not offer it, though it is
+// known.
+TEST(Units, OfferAReferenceUnitOnlyWhereTheKeyDoes) {
   EXPECT_EQ(read_quantity("2 E*", Dimension::pressure, {}).mistake,
             "has the unit E* of a pressure, but must have one of: Pa, kPa, "
             "MPa, GPa");
@@ -118,15 +119,15 @@ TEST(Units, NameTheNearestDespiteTheCase) {
 RC_GTEST_PROP(UnitsProperty, WrittenQuantitiesReadBack, (double number)) {
   RC_PRE(std::isfinite(number));
   const Unit unit = *rc::gen::elementOf(units());
-  const mechanics::Quantity quantity{number, unit.yardstick};
+  const mechanics::Quantity quantity{number, unit.reference};
 
   const QuantityReading reading =
       read_quantity(write_quantity(quantity, unit.dimension), unit.dimension,
-                    {unit.yardstick});
+                    {unit.reference});
 
   RC_ASSERT(reading.quantity.has_value());
   RC_ASSERT(reading.quantity->value == number);
-  RC_ASSERT(reading.quantity->yardstick == unit.yardstick);
+  RC_ASSERT(reading.quantity->reference == unit.reference);
 }
 
 // Claim: an integer of any unit is worth factor times the SI unit, with the

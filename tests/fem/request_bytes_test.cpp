@@ -56,7 +56,7 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(got.grid.length_y, 1.7e-6);
   EXPECT_EQ(got.block.element, mechanics::Element::q1);
   EXPECT_EQ(got.block.surface_cell_depth, 0.7);
-  EXPECT_EQ(got.block.depth.yardstick, ReferenceUnit::spacing);
+  EXPECT_EQ(got.block.depth.reference, ReferenceUnit::spacing);
   EXPECT_EQ(got.block.far_boundary, mechanics::FarBoundary::pressure);
   EXPECT_EQ(got.full.sides, mechanics::BlockSides::free);
   EXPECT_EQ(got.full.linear_solver, LinearSolver::multigrid);
@@ -74,7 +74,7 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(got.material.variation->seed, 0xfedcba9876543210U);
   EXPECT_EQ(got.material.variation->factor, "1 + x");
   EXPECT_EQ(got.mesh.cells, mechanics::MeshCells::tetrahedra);
-  EXPECT_EQ(got.mesh.fine_radius.yardstick, ReferenceUnit::rms_height);
+  EXPECT_EQ(got.mesh.fine_radius.reference, ReferenceUnit::rms_height);
   EXPECT_EQ(got.mesh.file, "block.msh");
   EXPECT_EQ(got.mesh.file_unit, 1e-3);
   EXPECT_EQ(got.scales.rms_slope, 0.1);

@@ -35,7 +35,7 @@ TEST(Page, NamesTheInstanceThatEndedOtherwise) {
   EXPECT_NE(page.find("50 problem instances: 49 converged and verified, 0 "
                       "refused with a reason, 1 with any other outcome."),
             std::string::npos);
-  EXPECT_NE(page.find("asperity robustness --seed 2 --scene 20"),
+  EXPECT_NE(page.find("asperity robustness --seed 2 --instance 20"),
             std::string::npos);
   EXPECT_NE(page.find("check failed: energy"), std::string::npos);
   EXPECT_NE(page.find("U &lt; p du &amp; more"), std::string::npos);
