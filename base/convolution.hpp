@@ -16,17 +16,21 @@ namespace asperity {
 /// Computes answer = F^-1 [ multiplier(q) F field ], with the sign of
 /// RealFourier.
 ///
-/// Rows are transformed one at a time. Then blocks of columns are gathered,
-/// transformed, multiplied, transformed back and scattered while they are in
-/// the cache; then the rows are transformed back. FFTW only sees single rows
-/// and columns, so the result is bitwise independent of the number of threads,
-/// and because of FFTW_ESTIMATE it is the same in every run. Real is float or
-/// double.
+/// Rows are transformed in pairs: a + i b has the transform Z, and
+///
+///     A(k) = (Z(k) + conj Z(-k))/2,   B(k) = (Z(k) - conj Z(-k))/(2i),
+///
+/// which takes less time than two real transforms. Then blocks of columns are
+/// gathered, with the pairs of rows separated, transformed, multiplied,
+/// transformed back and scattered while they are in the cache; then the pairs
+/// are transformed back. FFTW only sees single pairs and columns, so the result
+/// is bitwise independent of the number of threads, and because of
+/// FFTW_ESTIMATE it is the same in every run. Real is float or double.
 ///
 /// A field may occupy the first rows and columns of the grid only and be 0
-/// elsewhere, as in a convolution without periodic images: the rows of zeros are
-/// then neither stored nor transformed, and the answer is computed on the same
-/// part of the grid.
+/// elsewhere, as in a convolution without periodic images: the rows of zeros
+/// are then neither stored nor transformed, and the answer is computed on the
+/// same part of the grid.
 ///
 /// An instance is immutable: threads may share it, each with its own Scratch.
 template <class Real>
@@ -44,7 +48,7 @@ public:
     friend class Convolution;
     std::vector<std::complex<Real>> spectrum_;
     std::vector<std::complex<Real>> columns_; ///< one block per thread
-    std::vector<Real> rows_;                  ///< one row per thread
+    std::vector<std::complex<Real>> pairs_;   ///< one pair of rows per thread
   };
 
   /// @param threads  >= 1, used by each application
@@ -78,11 +82,16 @@ private:
   struct Plans;
   void prepare(Scratch& scratch) const;
   void transform_columns(const Symbol& symbol, Scratch& scratch) const;
+  void gather(const std::complex<Real>* spectrum, std::size_t first,
+              std::size_t n, std::complex<Real>* columns) const;
+  void scatter(const std::complex<Real>* columns, std::size_t first,
+               std::size_t n, std::complex<Real>* spectrum) const;
 
   Grid grid_;
   Grid held_;
   int threads_;
-  std::size_t row_stride_;    ///< complex values per row of the spectrum
+  std::size_t pair_stride_;   ///< complex values per pair of rows
+  std::size_t n_columns_;     ///< of the half spectrum, rounded up to blocks
   std::size_t column_stride_; ///< values per column of a block
   std::unique_ptr<Plans> plans_;
 };

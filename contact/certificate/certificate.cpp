@@ -2,6 +2,7 @@
 
 #include "base/field_sums.hpp"
 #include "base/require.hpp"
+#include "contact/certificate/weighted.hpp"
 #include "contact/solvers/solver.hpp"
 
 #include <algorithm>
@@ -10,43 +11,6 @@
 
 namespace asperity::contact {
 namespace {
-
-/// Sums over the nodes with the weights of the operator.
-class Weighted {
-public:
-  explicit Weighted(std::span<const double> weights) : weights_(weights) {}
-
-  double mean_of(std::span<const double> a) const {
-    return mean(a.size(), [&](std::size_t i) { return a[i]; });
-  }
-
-  /// <a, b>: the weighted mean of the product.
-  double product(std::span<const double> a, std::span<const double> b) const {
-    return mean(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
-  }
-
-private:
-  /// Compensated summation (Kahan): the roundoff does not grow with the number
-  /// of nodes.
-  template <class Term>
-  double mean(std::size_t nodes, const Term& term) const {
-    double sum = 0.0;
-    double lost = 0.0;
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const double added = weight(i) * term(i) - lost;
-      const double next = sum + added;
-      lost = (next - sum) - added;
-      sum = next;
-    }
-    return sum / static_cast<double>(nodes);
-  }
-
-  double weight(std::size_t i) const {
-    return weights_.empty() ? 1.0 : weights_[i];
-  }
-
-  std::span<const double> weights_;
-};
 
 double largest_of(std::span<const double> values) {
   return *std::ranges::max_element(values);

@@ -140,18 +140,23 @@ void BoundaryExtension::collect(const NodeBits& members, const NodeBits& before,
   });
 }
 
-float BoundaryExtension::around(const Ring& ring, std::size_t k,
-                                const float* field) const {
+inline float BoundaryExtension::around(const Ring& ring, std::size_t k,
+                                       const float* field) const {
   const std::size_t i = ring.nodes[k];
+  if (k >= ring.n_inside)
+    return around_border(i, field);
   const auto width = static_cast<std::size_t>(grid_.points_x);
-  if (k < ring.n_inside) {
-    const float* const at = field + i;
-    return at[1] + *(at - 1) + at[width] + *(at - width) +
-           diagonal_weight * (at[width + 1] + at[width - 1] +
-                              *(at - width + 1) + *(at - width - 1));
-  }
-  const int ix = static_cast<int>(i % width);
-  const int iy = static_cast<int>(i / width);
+  const float* const at = field + i;
+  return at[1] + *(at - 1) + at[width] + *(at - width) +
+         diagonal_weight * (at[width + 1] + at[width - 1] + *(at - width + 1) +
+                            *(at - width - 1));
+}
+
+float BoundaryExtension::around_border(std::size_t node,
+                                       const float* field) const {
+  const auto width = static_cast<std::size_t>(grid_.points_x);
+  const int ix = static_cast<int>(node % width);
+  const int iy = static_cast<int>(node / width);
   float sum = 0.0F;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)

@@ -71,6 +71,8 @@ private:
 
   /// Sum of w field over the eight neighbours of node k of the ring.
   float around(const Ring& ring, std::size_t k, const float* field) const;
+  /// The same for a node on the border of the grid's storage.
+  float around_border(std::size_t node, const float* field) const;
   template <class DoNodes>
   void each_chunk(const Ring& ring, const DoNodes& do_nodes) const;
 

@@ -1,31 +1,29 @@
 #include "contact/solvers/contact_state.hpp"
 
-#include "base/maximum.hpp"
 #include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/node_weights.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity::contact {
 namespace {
 
-/// The displacement is recomputed when the error has fallen by this factor
-/// since the last time: the accumulated single-precision changes have by then
-/// left an error of about 1e-7 of the first one.
-constexpr double recurrence_range = 1e-4;
-
-struct ResidualSums {
-  double error = 0.0, free_weight = 0.0, freed = 0.0;
-
-  ResidualSums& operator+=(const ResidualSums& other) {
-    error = maximum(error, other.error);
-    free_weight += other.free_weight;
-    freed += other.freed;
-    return *this;
-  }
-};
+/// Calls change(begin, end) for each block, which changes the gaps of these
+/// nodes and returns the lowest of them, NaN if any is not finite.
+template <class Change>
+void change_gap(std::size_t nodes, int threads, std::vector<double>& lowest,
+                const Change& change) {
+  double* const low = lowest.data();
+  chunked(nodes, threads, [&, low](std::size_t begin, std::size_t end) {
+    each_block(begin, end,
+               [&](std::size_t block, std::size_t first, std::size_t last) {
+                 low[block] = change(first, last);
+               });
+  });
+}
 
 } // namespace
 
@@ -42,6 +40,12 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       residual(pressure.size()),
       freedom(pressure.size()),
       threads(elasticity_.threads()),
+      active(blocks_of(pressure.size()), 1),
+      written_(active.size(), 0),
+      previous_written_(active.size(), 0),
+      lowest_(active.size()),
+      change_(pressure.size()),
+      change_written_(active.size(), 0),
       previous_residual_(pressure.size()) {
   const double* const h = problem.heights.data();
   const auto sum =
@@ -64,11 +68,39 @@ void ContactState::compute_raw_gap() {
   is_computed_ = true;
   double* const w = raw_gap.data();
   const double* const h = problem.heights.data();
-  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      w[i] -= h[i];
-  });
+  change_gap(pressure.size(), threads, lowest_,
+             [=](std::size_t begin, std::size_t end) {
+               double lowest = std::numeric_limits<double>::infinity();
+               double zero = 0.0;
+#pragma omp simd reduction(min : lowest) reduction(+ : zero)
+               for (std::size_t i = begin; i < end; ++i) {
+                 const double gap = w[i] - h[i];
+                 w[i] = gap;
+                 lowest = gap < lowest ? gap : lowest;
+                 zero += 0.0 * gap;
+               }
+               return lowest + zero;
+             });
   contact_sums_ = contact_sums();
+}
+
+void ContactState::add_to_gap(float factor, std::span<const float> field) {
+  double* const w = raw_gap.data();
+  const float* const f = field.data();
+  const double scale = static_cast<double>(factor);
+  change_gap(pressure.size(), threads, lowest_,
+             [=](std::size_t begin, std::size_t end) {
+               double lowest = std::numeric_limits<double>::infinity();
+               double zero = 0.0;
+#pragma omp simd reduction(min : lowest) reduction(+ : zero)
+               for (std::size_t i = begin; i < end; ++i) {
+                 const double gap = w[i] + scale * static_cast<double>(f[i]);
+                 w[i] = gap;
+                 lowest = gap < lowest ? gap : lowest;
+                 zero += 0.0 * gap;
+               }
+               return lowest + zero;
+             });
 }
 
 ContactState::ContactSums ContactState::contact_sums() const {
@@ -76,8 +108,9 @@ ContactState::ContactSums ContactState::contact_sums() const {
   const double* const p = pressure.data();
   const double* const u = raw_gap.data();
   return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-    return chunked_sum<ContactSums>(
-        pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
+    return flagged_sum<ContactSums>(
+        active, pressure.size(), threads,
+        [=](std::size_t begin, std::size_t end) {
           double sum = 0.0, total = 0.0;
 #pragma omp simd reduction(+ : sum, total)
           for (std::size_t i = begin; i < end; ++i) {
@@ -90,58 +123,6 @@ ContactState::ContactSums ContactState::contact_sums() const {
   });
 }
 
-void ContactState::update_residual() {
-  std::swap(residual, previous_residual_);
-  measure_residual();
-  if (is_computed_) {
-    computed_error_ = gap_error;
-  } else if (is_converged() || gap_error < recurrence_range * computed_error_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
-    compute_raw_gap();
-    measure_residual();
-    computed_error_ = gap_error;
-  }
-}
-
-void ContactState::measure_residual() {
-  const double compliance = problem.local_compliance;
-  const double* const p = pressure.data();
-  const double* const w = raw_gap.data();
-  float* const r = residual.data();
-  std::uint8_t* const free = freedom.data();
-  rigid_distance_ = by_pressure()
-                        ? -contact_sums_.residual / contact_sums_.weight
-                        : target.amount + mean_height_;
-  const double rigid = rigid_distance_;
-  const auto sums =
-      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<ResidualSums>(
-            pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-              double error = 0.0, total = 0.0, changed = 0.0;
-              double zero = 0.0; // NaN where any value is not finite
-#pragma omp simd reduction(+ : total, changed, zero) reduction(max : error)
-              for (std::size_t i = begin; i < end; ++i) {
-                const double value = w[i] + compliance * p[i] + rigid;
-                const double overlap = value < 0.0 ? 1.0 : 0.0;
-                const double code = p[i] > 0.0 ? 2.0 : overlap;
-                const double kept = code > 0.0 ? value : 0.0;
-                const double size = std::abs(kept);
-                const bool was_free = free[i] > fixed;
-                changed += was_free != (code > 0.0) ? 1.0 : 0.0;
-                free[i] = static_cast<std::uint8_t>(code);
-                r[i] = static_cast<float>(kept);
-                error = size > error ? size : error;
-                zero += 0.0 * value;
-                total += code > 0.0 ? weight[i] : 0.0;
-              }
-              return ResidualSums{error + zero, total, changed};
-            });
-      });
-  gap_error = sums.error;
-  free_weight = sums.free_weight;
-  freed += sums.freed;
-}
-
 float ContactState::free_mean(std::span<const float> field) const {
   if (!by_pressure())
     return 0.0F;
@@ -149,16 +130,18 @@ float ContactState::free_mean(std::span<const float> field) const {
   const std::uint8_t* const free = freedom.data();
   const Sum sum =
       with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<Sum>(
-            field.size(), threads, [=](std::size_t begin, std::size_t end) {
-              double total = 0.0;
+        return flagged_sum<Sum>(active, field.size(), threads,
+                                [=](std::size_t begin, std::size_t end) {
+                                  double total = 0.0;
 #pragma omp simd reduction(+ : total)
-              for (std::size_t i = begin; i < end; ++i) {
-                const float kept = free[i] > fixed ? z[i] : 0.0F;
-                total += weight[i] * static_cast<double>(kept);
-              }
-              return Sum{total};
-            });
+                                  for (std::size_t i = begin; i < end; ++i) {
+                                    const float kept =
+                                        free[i] > fixed ? z[i] : 0.0F;
+                                    total +=
+                                        weight[i] * static_cast<double>(kept);
+                                  }
+                                  return Sum{total};
+                                });
       });
   return static_cast<float>(sum.value / free_weight);
 }
@@ -170,8 +153,8 @@ ContactState::Slopes ContactState::slopes(std::span<const float> field,
   const float* const r = residual.data();
   const float* const before = previous_residual_.data();
   return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-    return chunked_sum<Slopes>(
-        field.size(), threads, [=](std::size_t begin, std::size_t end) {
+    return flagged_sum<Slopes>(
+        active, field.size(), threads, [=](std::size_t begin, std::size_t end) {
           double now = 0.0, change = 0.0;
 #pragma omp simd reduction(+ : now, change)
           for (std::size_t i = begin; i < end; ++i) {
@@ -187,71 +170,55 @@ ContactState::Slopes ContactState::slopes(std::span<const float> field,
 
 void ContactState::advance(float step, std::span<const float> direction,
                            std::span<float> compliance_direction) {
+  clear_inactive(active, change_written_, std::span(change_));
   double* const p = pressure.data();
-  double* const u = raw_gap.data();
   const float* const d = direction.data();
-  float* const cd = compliance_direction.data();
+  float* const dp = change_.data();
   const double length = static_cast<double>(step);
-  const double compliance = problem.local_compliance;
   is_computed_ = false;
   const auto sums =
       with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<SeveralSums<4>>(
-            pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-              double total = 0.0, cuts = 0.0, gap_sum = 0.0, contact = 0.0;
-#pragma omp simd reduction(+ : total, cuts, gap_sum, contact)
+        return flagged_sum<SeveralSums<2>>(
+            active, pressure.size(), threads,
+            [=](std::size_t begin, std::size_t end) {
+              double total = 0.0, cuts = 0.0;
+#pragma omp simd reduction(+ : total, cuts)
               for (std::size_t i = begin; i < end; ++i) {
                 const double wish = p[i] - length * static_cast<double>(d[i]);
                 const double kept = wish > 0.0 ? wish : 0.0;
-                const double gap = u[i] - length * static_cast<double>(cd[i]);
-                const double w = kept > 0.0 ? weight[i] : 0.0;
+                dp[i] = static_cast<float>(kept - p[i]);
                 p[i] = kept;
-                u[i] = gap;
-                cd[i] = static_cast<float>(kept - wish);
                 total += weight[i] * kept;
                 cuts += kept - wish;
-                gap_sum += w * (gap + compliance * kept);
-                contact += w;
               }
-              return SeveralSums<4>{{total, cuts, gap_sum, contact}};
+              return SeveralSums<2>{{total, cuts}};
             });
       });
-  const auto [pressure_sum, all_cuts, residual_sum, weight_sum] = sums.values;
-  contact_sums_ = {residual_sum, weight_sum};
-  if (all_cuts > 0.0)
-    correct_cuts(compliance_direction, pressure_sum);
+  const auto [pressure_sum, all_cuts] = sums.values;
+  if (all_cuts > 0.0) {
+    restore_load(pressure_sum);
+    elasticity.displacement_change(change_, compliance_direction);
+    ++transforms;
+    add_to_gap(1.0F, compliance_direction);
+  } else {
+    add_to_gap(-step, compliance_direction);
+  }
+  contact_sums_ = contact_sums();
 }
 
-void ContactState::correct_cuts(std::span<float> change, double pressure_sum) {
-  const double scale =
-      by_pressure() ? load_scale(target, pressure.size(), pressure_sum) : 1.0;
+void ContactState::restore_load(double pressure_sum) {
+  if (!by_pressure())
+    return;
+  const double scale = load_scale(target, pressure.size(), pressure_sum);
   double* const p = pressure.data();
-  double* const u = raw_gap.data();
-  float* const field = change.data();
-  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      field[i] += static_cast<float>((scale - 1.0) * p[i]);
-      p[i] *= scale;
-    }
-  });
-  elasticity.displacement_change(change, change);
-  ++transforms;
-  const double compliance = problem.local_compliance;
-  contact_sums_ =
-      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<ContactSums>(
-            pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-              double sum = 0.0, total = 0.0;
-#pragma omp simd reduction(+ : sum, total)
-              for (std::size_t i = begin; i < end; ++i) {
-                u[i] += static_cast<double>(field[i]);
-                const double w = p[i] > 0.0 ? weight[i] : 0.0;
-                sum += w * (u[i] + compliance * p[i]);
-                total += w;
-              }
-              return ContactSums{sum, total};
-            });
-      });
+  float* const dp = change_.data();
+  flagged(active, pressure.size(), threads,
+          [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+              dp[i] += static_cast<float>((scale - 1.0) * p[i]);
+              p[i] *= scale;
+            }
+          });
 }
 
 ContactSolution ContactState::solution() && {

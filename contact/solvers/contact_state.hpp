@@ -4,6 +4,7 @@
 // iteration: pressure and displacement in double precision, their changes in
 // single precision.
 
+#include "contact/solvers/node_blocks.hpp"
 #include "contact/solvers/solver.hpp"
 
 #include <cmath>
@@ -27,8 +28,9 @@ inline float allowed(float value, std::uint8_t freedom) {
   return freedom > fixed ? limited : 0.0F;
 }
 
-/// Pressure, displacement and residual, kept consistent. Each operation is a
-/// single pass over the nodes that also accumulates the sums needed later.
+/// Pressure, displacement and residual, kept consistent. Each operation passes
+/// over the active blocks of nodes and accumulates the sums needed later; only
+/// the gap is read and written at every node, once per change of pressure.
 class ContactState {
 public:
   /// Checks the arguments and sets the initial state.
@@ -44,8 +46,8 @@ public:
   void update_residual();
 
   /// Sets p = max(0, p - step * direction) and updates C p. If a pressure was
-  /// set to 0, C p is corrected and a prescribed load is restored by scaling,
-  /// which costs one application of C.
+  /// set to 0, a prescribed load is restored by scaling, and the change of C p
+  /// is computed from that of p, which costs one application of C.
   /// @param compliance_direction  C direction; overwritten
   void advance(float step, std::span<const float> direction,
                std::span<float> compliance_direction);
@@ -96,6 +98,8 @@ public:
   int iterations = 0;
   int transforms = 0;
   int threads = 1;
+  /// Blocks with an active node. Residual and freedom are 0 in the others.
+  BlockFlags active;
   double freed = 0.0; ///< cumulative number of changes of the active set
 
 private:
@@ -109,16 +113,29 @@ private:
     }
   };
 
+  struct ResidualSums;
+  struct BlockSums;
+
   void compute_raw_gap();
-  void correct_cuts(std::span<float> change, double pressure_sum);
+  /// raw_gap += factor * field
+  void add_to_gap(float factor, std::span<const float> field);
+  void restore_load(double pressure_sum);
   ContactSums contact_sums() const;
   void measure_residual();
+  template <class Weight>
+  BlockSums measure_block(const Weight& weight, std::size_t begin,
+                          std::size_t end);
 
   double mean_height_ = 0.0;
   double rigid_distance_ = 0.0; ///< u [m]
   double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
   bool is_computed_ = false;    ///< C p was recomputed, not updated
   ContactSums contact_sums_;    ///< sums of raw_gap + c p where p > 0
+  BlockFlags written_;          ///< blocks where `residual` may differ from 0
+  BlockFlags previous_written_;
+  std::vector<double> lowest_; ///< lowest raw_gap of each block [m]
+  std::vector<float> change_;  ///< of the pressure in the last iteration [Pa]
+  BlockFlags change_written_;  ///< blocks where `change_` may differ from 0
   std::vector<float> previous_residual_;
 };
 

@@ -19,6 +19,46 @@ constexpr double coarse_accuracy = 1e-3;
 /// Longest extrapolation, in units of the last load increment.
 constexpr double longest_extrapolation = 2.5;
 
+/// Share of the extrapolated change of a gap that is used: new contacts carry a
+/// part of the next load.
+constexpr double gap_share = 0.7;
+
+/// Pressure that replaces an extrapolated overlap, times the compliance of
+/// short waves over that overlap.
+constexpr double overlap_stiffness = 0.5;
+
+/// Distance of the target from the last step in units of the distance between
+/// the two steps. Under pressure control, distances are ratios of loads, since
+/// the mean gap falls with the logarithm of the load.
+double extrapolation_reach(mechanics::Control control, double before,
+                           double last, double target) {
+  if (control == mechanics::Control::nominal_pressure)
+    return std::log(target / last) / std::log(last / before);
+  return (target - last) / (last - before);
+}
+
+/// The pressure where there is one, otherwise minus the gap: both in one field,
+/// because one of them is 0 at every node.
+std::vector<double> signed_state(const ContactSolution& solution) {
+  std::vector<double> state = solution.pressure;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (!(state[i] > 0.0))
+      state[i] = -std::max(0.0, solution.gap[i]);
+  return state;
+}
+
+/// Pressure at a node for the next load.
+/// @param stiffness  pressure per overlap [Pa/m]
+double extrapolated(double before, double last, double reach,
+                    double stiffness) {
+  if (before <= 0.0 && last <= 0.0) // a gap at both loads
+    return stiffness *
+           std::max(0.0, last + gap_share * reach * (last - before));
+  const double old = before > 0.0 ? before : stiffness * before;
+  const double now = last > 0.0 ? last : stiffness * last;
+  return std::max(0.0, now + reach * (now - old));
+}
+
 /// With a soft penalty the penetration is far larger than the heights, and the
 /// gap is known only to the roundoff of that penetration and of a sum over N
 /// nearly equal values, whose roundoff errors are alike and add up.
@@ -81,14 +121,14 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   return solution;
 }
 
-/// The layout is: kind of load, then amount and pressure of each step.
+/// The layout is: kind of load, then amount and state of each step.
 std::vector<double> LoadSequence::memory() const {
   std::vector<double> memory;
   for (const Step& step : history_) {
     if (memory.empty())
       memory.push_back(static_cast<double>(control_));
     memory.push_back(step.amount);
-    memory.insert(memory.end(), step.pressure.begin(), step.pressure.end());
+    memory.insert(memory.end(), step.state.begin(), step.state.end());
   }
   return memory;
 }
@@ -101,11 +141,14 @@ void LoadSequence::recall(std::span<const double> memory) {
                     "the size of one or two saved steps");
   std::vector<Step> history;
   for (std::size_t at = 1; at < memory.size(); at += length) {
-    const std::span<const double> pressure =
+    const std::span<const double> state =
         memory.subspan(at + 1, heights_.size());
-    for (const double value : pressure)
-      require_not_negative("a saved pressure", value, "Pa");
-    history.push_back({memory[at], {pressure.begin(), pressure.end()}});
+    for (const double value : state)
+      if (!std::isfinite(value))
+        refuse_argument("a saved pressure or gap", value, "finite");
+    if (!has_load(state))
+      refuse_argument("a saved load", 0.0, "> 0 [Pa] at some node");
+    history.push_back({memory[at], {state.begin(), state.end()}});
   }
   history_ = std::move(history);
   if (memory.empty())
@@ -121,15 +164,18 @@ LoadSequence::start_for(const mechanics::LoadTarget& target) {
   if (history_.size() == 2) {
     const Step& before = history_[0];
     const Step& last = history_[1];
-    const double reach =
-        (target.amount - last.amount) / (last.amount - before.amount);
+    const double reach = extrapolation_reach(control_, before.amount,
+                                             last.amount, target.amount);
     if (std::abs(reach) <= longest_extrapolation) {
-      std::vector<double> start = last.pressure;
+      std::vector<double> start(heights_.size());
+      const double stiffness =
+          overlap_stiffness /
+          (elasticity_->short_wave_compliance() + local_compliance());
       chunked(start.size(), elasticity_->threads(),
               [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                  start[i] = std::max(
-                      0.0, start[i] + reach * (start[i] - before.pressure[i]));
+                  start[i] = extrapolated(before.state[i], last.state[i], reach,
+                                          stiffness);
               });
       if (has_load(start))
         return start;
@@ -141,7 +187,8 @@ LoadSequence::start_for(const mechanics::LoadTarget& target) {
       *elasticity_, problem, target,
       std::max(gap_tolerance_, coarse_accuracy * rms_height(heights_)));
   if (start.empty() && !history_.empty())
-    start = history_.back().pressure;
+    for (const double value : history_.back().state)
+      start.push_back(std::max(0.0, value));
   return start;
 }
 
@@ -155,7 +202,7 @@ void LoadSequence::remember(const mechanics::LoadTarget& target,
     history_.pop_back();
   if (history_.size() == 2)
     history_.erase(history_.begin());
-  history_.push_back({target.amount, solution.pressure});
+  history_.push_back({target.amount, signed_state(solution)});
 }
 
 } // namespace asperity::contact

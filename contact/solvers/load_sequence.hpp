@@ -14,8 +14,10 @@ namespace asperity::contact {
 
 /// Solves one load step after another. The initial guess of a step is
 ///
-/// - after two earlier steps: their linear extrapolation to the new load, cut
-///   off at 0;
+/// - after two earlier steps: their extrapolation to the new load, of the
+///   pressures in contact and of the gaps elsewhere: where a gap closes, new
+///   contact begins. It is linear in the logarithm of a prescribed pressure and
+///   in a prescribed mean gap;
 /// - after one step, or for a load too far away: the coarse-to-fine guess
 ///   below, or the last step, scaled, if there is no coarse operator;
 /// - for the first step: the problem on every second node (recursively), solved
@@ -56,7 +58,8 @@ public:
 private:
   struct Step {
     double amount;
-    std::vector<double> pressure;
+    /// Pressure where > 0 [Pa], otherwise minus the gap [m].
+    std::vector<double> state;
   };
 
   std::vector<double> start_for(const mechanics::LoadTarget& target);

@@ -1,6 +1,5 @@
 #include "contact/solvers/solver.hpp"
 
-#include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/node_weights.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/boundary_extension.hpp"
@@ -51,7 +50,8 @@ public:
       : rim_(state.elasticity.grid(), state.threads),
         preconditioned_(state.pressure.size()),
         direction_(state.pressure.size()),
-        compliance_direction_(state.pressure.size()) {}
+        compliance_direction_(state.pressure.size()),
+        written_(state.active.size(), 0) {}
 
   /// Makes one iteration. Returns false if there is no descent direction.
   bool step(ContactState& state) {
@@ -138,14 +138,15 @@ private:
             ? static_cast<float>(std::max(0.0, slopes.change / before_))
             : 0.0F;
     before_ = slopes.now;
+    clear_inactive(state.active, written_, std::span(direction_));
     float* const d = direction_.data();
     const float* const z = preconditioned_.data();
     const std::uint8_t* const free = state.freedom.data();
     const float* const r = state.residual.data();
     const auto slope =
         with_weights(state.elasticity.nodal_weights(), [&](const auto weight) {
-          return chunked_sum<Sum>(
-              direction_.size(), state.threads,
+          return flagged_sum<Sum>(
+              state.active, direction_.size(), state.threads,
               [=](std::size_t begin, std::size_t end) {
                 double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
@@ -172,8 +173,8 @@ private:
     const float* const cd = compliance_direction_.data();
     return with_weights(
         state.elasticity.nodal_weights(), [&](const auto weight) {
-          return chunked_sum<Sum>(
-                     direction_.size(), state.threads,
+          return flagged_sum<Sum>(
+                     state.active, direction_.size(), state.threads,
                      [=](std::size_t begin, std::size_t end) {
                        double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
@@ -193,6 +194,7 @@ private:
   std::vector<float> preconditioned_;
   std::vector<float> direction_;
   std::vector<float> compliance_direction_;
+  BlockFlags written_; ///< blocks where the direction may differ from 0
   double before_ = 0.0;
 };
 

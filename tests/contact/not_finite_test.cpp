@@ -174,7 +174,7 @@ TEST_F(FaultyContact, AMemoryThatIsNotFiniteIsRefused) {
   LoadSequence sequence(sound.clone(), heights,
                         {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
   sequence.solve({Kind::nominal_pressure, 0.05});
-  for (const double bad : {nan, infinity, -1.0}) {
+  for (const double bad : {nan, infinity, -infinity}) {
     std::vector<double> memory = sequence.memory();
     memory.back() = bad;
     LoadSequence other(sound.clone(), heights,
