@@ -5,8 +5,12 @@
 #include <deal.II/fe/fe_q_iso_q1.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
 #include <algorithm>
 #include <cmath>
+#include <ml_MultiLevelPreconditioner.h>
 
 namespace asperity::fem {
 namespace {
@@ -46,6 +50,31 @@ dealii::Table<2, bool> neighbours(const dealii::FiniteElement<3>& element) {
   return couples;
 }
 
+/// Sets the rows and columns of the flagged unknowns to zero except for the
+/// diagonal.
+void clear_rows_and_columns(
+    dealii::TrilinosWrappers::SparseMatrix& matrix,
+    const dealii::TrilinosWrappers::MPI::Vector& flags) {
+  const Epetra_CrsMatrix& crs = matrix.trilinos_matrix();
+  const Epetra_MultiVector& by_row = flags.trilinos_vector();
+  Epetra_Vector by_column(crs.ColMap());
+  if (crs.Importer() != nullptr)
+    by_column.Import(*by_row(0), *crs.Importer(), Insert);
+  else
+    by_column.Update(1.0, *by_row(0), 0.0);
+  for (int row = 0; row < crs.NumMyRows(); ++row) {
+    const bool is_held = by_row[0][row] != 0.0;
+    const int own_column = crs.LCID(crs.GRID(row));
+    int n_entries = 0;
+    double* values = nullptr;
+    int* columns = nullptr;
+    crs.ExtractMyRowView(row, n_entries, values, columns);
+    for (int i = 0; i < n_entries; ++i)
+      if (columns[i] != own_column && (is_held || by_column[columns[i]] != 0.0))
+        values[i] = 0.0;
+  }
+}
+
 } // namespace
 
 void assemble(const BlockSystem& system, CellMatrices& matrices,
@@ -74,6 +103,37 @@ void assemble(const BlockSystem& system, CellMatrices& matrices,
         matrices.of(cell, system.moduli_of(cell)), unknowns, matrix);
   });
   matrix.compress(dealii::VectorOperation::add);
+}
+
+void hold(dealii::TrilinosWrappers::SparseMatrix& matrix,
+          const BlockSpace& space, std::span<const global_dof_index> unknowns) {
+  dealii::TrilinosWrappers::MPI::Vector flags = space.make_vector();
+  for (const auto unknown : unknowns)
+    flags(unknown) = 1.0;
+  flags.compress(dealii::VectorOperation::insert);
+  if (flags.linfty_norm() > 0.0)
+    clear_rows_and_columns(matrix, flags);
+}
+
+std::size_t
+hierarchy_bytes(const dealii::TrilinosWrappers::PreconditionAMG& multigrid) {
+  const auto* const own =
+      dynamic_cast<const ML_Epetra::MultiLevelPreconditioner*>(
+          &multigrid.trilinos_operator());
+  if (own == nullptr || own->GetML() == nullptr)
+    return 0;
+  const ML& hierarchy = *own->GetML();
+  std::size_t entries = 0;
+  const auto add = [&](const ML_Operator& matrix) {
+    entries += static_cast<std::size_t>(std::max(0, matrix.N_nonzeros));
+  };
+  for (int level = 0; level < hierarchy.ML_num_levels; ++level) {
+    add(hierarchy.Pmat[level]);
+    add(hierarchy.Rmat[level]);
+    if (level != hierarchy.ML_finest_level)
+      add(hierarchy.Amat[level]);
+  }
+  return entries * (sizeof(double) + sizeof(int));
 }
 
 bool has_low_order(const BlockSpace& space) {

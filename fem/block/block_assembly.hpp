@@ -9,6 +9,9 @@
 #include "fem/block/cell_matrices.hpp"
 
 #include <deal.II/base/table.h>
+#include <deal.II/lac/trilinos_precondition.h>
+
+#include <span>
 
 namespace asperity::fem {
 
@@ -19,6 +22,18 @@ namespace asperity::fem {
 void assemble(const BlockSystem& system, CellMatrices& matrices,
               const dealii::Table<2, bool>& couples,
               dealii::TrilinosWrappers::SparseMatrix& matrix);
+
+/// Sets the rows and columns of unknowns of this rank to zero except for their
+/// diagonal. This call is collective.
+void hold(dealii::TrilinosWrappers::SparseMatrix& matrix,
+          const BlockSpace& space,
+          std::span<const dealii::types::global_dof_index> unknowns);
+
+/// Memory of the matrices of a hierarchy on this rank, except for that of the
+/// matrix it was set up for [bytes]; the hierarchy's own function does not
+/// count them.
+std::size_t
+hierarchy_bytes(const dealii::TrilinosWrappers::PreconditionAMG& multigrid);
 
 /// Whether the block consists of second-order hexahedra.
 bool has_low_order(const BlockSpace& space);

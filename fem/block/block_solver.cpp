@@ -7,9 +7,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_solver.h>
 
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
 #include <algorithm>
 #include <cmath>
 
@@ -28,29 +25,6 @@ constexpr double setup_steps = 20.0;
 /// its second matrix on two ranks.
 bool is_alone() {
   return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-}
-
-/// Sets the rows and columns of the flagged unknowns to zero except for the
-/// diagonal.
-void clear_rows_and_columns(Matrix& matrix, const Vector& flags) {
-  const Epetra_CrsMatrix& crs = matrix.trilinos_matrix();
-  const Epetra_MultiVector& by_row = flags.trilinos_vector();
-  Epetra_Vector by_column(crs.ColMap());
-  if (crs.Importer() != nullptr)
-    by_column.Import(*by_row(0), *crs.Importer(), Insert);
-  else
-    by_column.Update(1.0, *by_row(0), 0.0);
-  for (int row = 0; row < crs.NumMyRows(); ++row) {
-    const bool is_held = by_row[0][row] != 0.0;
-    const int own_column = crs.LCID(crs.GRID(row));
-    int n_entries = 0;
-    double* values = nullptr;
-    int* columns = nullptr;
-    crs.ExtractMyRowView(row, n_entries, values, columns);
-    for (int i = 0; i < n_entries; ++i)
-      if (columns[i] != own_column && (is_held || by_column[columns[i]] != 0.0))
-        values[i] = 0.0;
-  }
 }
 
 } // namespace
@@ -117,15 +91,15 @@ private:
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<BlockPreconditioner> own,
-                         std::unique_ptr<LatticeBlock> lattice)
+                         std::unique_ptr<MatrixFreeBlock> free)
     : system_(system),
-      is_direct_(!lattice && (kind == LinearSolver::direct ||
-                              (kind == LinearSolver::automatic &&
-                               system.n_unknowns() <= most_direct_unknowns))),
+      is_direct_(!free && (kind == LinearSolver::direct ||
+                           (kind == LinearSolver::automatic &&
+                            system.n_unknowns() <= most_direct_unknowns))),
       own_(std::move(own)),
-      lattice_(std::move(lattice)),
+      free_(std::move(free)),
       factors_(std::make_unique<Factors>()) {
-  if (lattice_)
+  if (free_)
     return;
   static_cast<void>(system.stiffness()); // is assembled here
   if (is_direct_ || own_)
@@ -142,15 +116,14 @@ BlockSolver::~BlockSolver() = default;
 std::string BlockSolver::name() const {
   if (is_direct_)
     return is_alone() ? "direct (MUMPS)" : "direct (KLU)";
-  if (lattice_)
-    return "CG, multigrid on the lattice (" +
-           std::to_string(lattice_->levels()) + " levels)";
+  if (free_)
+    return free_->name();
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
 }
 
 void BlockSolver::multiply(Vector& to, const Vector& from) const {
-  if (lattice_)
-    lattice_->vmult(to, from);
+  if (free_)
+    free_->vmult(to, from);
   else
     system_.stiffness().vmult(to, from);
 }
@@ -161,15 +134,15 @@ std::string BlockSolver::failure() const {
 }
 
 double BlockSolver::memory() const {
-  if (lattice_)
-    return static_cast<double>(lattice_->bytes());
+  if (free_)
+    return static_cast<double>(free_->bytes());
   std::size_t bytes = system_.stiffness().memory_consumption();
   if (own_) {
     bytes += own_->bytes();
   } else {
     bytes += low_order_.memory_consumption() + matrix_.memory_consumption();
     if (!is_direct_ && !is_stale_)
-      bytes += factors_->multigrid.memory_consumption();
+      bytes += hierarchy_bytes(factors_->multigrid);
   }
   return dealii::Utilities::MPI::sum(static_cast<double>(bytes),
                                      MPI_COMM_WORLD);
@@ -193,12 +166,7 @@ void BlockSolver::clear_held(Vector& vector) const {
 void BlockSolver::write_matrix(const Matrix& stiffness) {
   matrix_.copy_from(stiffness);
   system_.contact().add_springs(springs_, matrix_);
-  Vector flags = system_.space().make_vector();
-  for (const auto unknown : held_)
-    flags(unknown) = 1.0;
-  flags.compress(dealii::VectorOperation::insert);
-  if (flags.linfty_norm() > 0.0)
-    clear_rows_and_columns(matrix_, flags);
+  hold(matrix_, system_.space(), held_);
 }
 
 void BlockSolver::set_contact(std::span<const double> springs,
@@ -225,9 +193,9 @@ void BlockSolver::set_contact(std::span<const double> springs,
             false, is_alone() ? "Amesos_Mumps" : "Amesos_Klu"));
     factors_->direct->initialize(matrix_);
     ++setups_;
-  } else if (lattice_) {
-    lattice_->prepare(springs, held);
-    setups_ = 1; // contact is transferred to the same lattices
+  } else if (free_) {
+    free_->prepare(springs, held);
+    setups_ = free_->setups();
   } else if (own_) {
     own_->prepare(springs, held);
     ++setups_;
@@ -276,10 +244,11 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
   constexpr unsigned int most_steps = 1000;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
-  if (lattice_) {
+  if (free_) {
     const LatticeSolution solution =
-        lattice_->solve(unknowns, forces, tolerance, most_steps);
+        free_->solve(unknowns, forces, tolerance, most_steps);
     iterations_ += solution.iterations;
+    setups_ = free_->setups();
     return solution.has_converged;
   }
   if (own_)

@@ -6,7 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/block/lattice_block.hpp"
+#include "fem/multigrid/conjugate_gradients.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -42,6 +42,40 @@ public:
   virtual std::size_t bytes() const = 0; ///< memory on this rank [bytes]
 };
 
+/// LinearSolver::automatic uses a MatrixFreeBlock up to this ratio of Lame's
+/// moduli, that of nu = 0.49; beyond, it may need too many iterations.
+inline constexpr double most_free_ratio = 49.0;
+
+/// The stiffness of the block and its inverse on one rank, without a matrix.
+class MatrixFreeBlock {
+public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  virtual ~MatrixFreeBlock() = default;
+
+  /// Computes to = K from on the unconstrained unknowns.
+  virtual void vmult(Vector& to, const Vector& from) const = 0;
+
+  /// As BlockPreconditioner::prepare.
+  virtual void prepare(std::span<const double> springs,
+                       const std::vector<bool>& held) = 0;
+
+  /// Solves with K and the contact of the last prepare(), starting from
+  /// `unknowns`. Forces and unknowns are zero at held unknowns.
+  virtual LatticeSolution solve(Vector& unknowns, const Vector& forces,
+                                double tolerance, int most_iterations) = 0;
+
+  /// Factor on the relative tolerance of the systems of a Newton step, below 1
+  /// if a smaller residual costs little.
+  virtual double tightness() const { return 1.0; }
+
+  virtual int setups() const = 0; ///< so far
+
+  virtual std::string name() const = 0;
+
+  virtual std::size_t bytes() const = 0;
+};
+
 /// Settings of Trilinos ML for a matrix on the unknowns of a block.
 /// @param is_second_order  whether the matrix is that of second-order cells
 dealii::TrilinosWrappers::PreconditionAMG::AdditionalData
@@ -51,8 +85,9 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// unknowns are zero except for their diagonal. Only the direct solver
 /// assembles this matrix; conjugate gradients apply it matrix-free.
 ///
-/// A block on a lattice of boxes is solved by geometric multigrid without any
-/// matrix (LatticeBlock).
+/// A block on a lattice of boxes and one of second-order hexahedra are solved
+/// by multigrid without their matrix on one rank (LatticeBlock,
+/// HexahedronBlock).
 ///
 /// Algebraic multigrid (Trilinos ML) is set up for the first contact state: for
 /// the matrix itself, or for a block of second-order hexahedra for the matrix
@@ -66,10 +101,10 @@ class BlockSolver {
 public:
   /// @param system must outlive the solver
   /// @param own      preconditioner used in place of multigrid; may be null
-  /// @param lattice  solves in place of all others; may be null
+  /// @param free     solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
               std::unique_ptr<BlockPreconditioner> own = {},
-              std::unique_ptr<LatticeBlock> lattice = {});
+              std::unique_ptr<MatrixFreeBlock> free = {});
   ~BlockSolver();
 
   /// Computes to = K from, without the contact state. This call is collective.
@@ -95,7 +130,8 @@ public:
 
   bool is_direct() const { return is_direct_; }
 
-  bool is_on_lattice() const { return lattice_ != nullptr; }
+  /// Factor on the relative tolerance of the systems of a Newton step.
+  double tightness() const { return free_ ? free_->tightness() : 1.0; }
 
   int iterations() const { return iterations_; } ///< total CG iterations
 
@@ -128,7 +164,7 @@ private:
   const BlockSystem& system_;
   bool is_direct_;
   std::unique_ptr<BlockPreconditioner> own_;
-  std::unique_ptr<LatticeBlock> lattice_;
+  std::unique_ptr<MatrixFreeBlock> free_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
   dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_
                                                      ///< belong to

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace asperity::fem {
 namespace {
@@ -47,12 +49,15 @@ int axis_of(FaceGroup group) {
 
 } // namespace
 
-BlockSpace::BlockSpace(const BlockProblem& problem)
+BlockSpace::BlockSpace(
+    const BlockProblem& problem,
+    std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
     : lengths_(
           {problem.mesh.length_x, problem.mesh.length_y, problem.mesh.depth}),
       tolerance_(1e-6 *
                  std::min(problem.grid.spacing_x(), problem.grid.spacing_y())),
-      triangulation_(first_of_all(problem)),
+      triangulation_(triangulation ? std::move(triangulation)
+                                   : first_of_all(problem)),
       dof_handler_(*triangulation_) {
   choose_element(problem.degree);
   dof_handler_.distribute_dofs(*element_);
@@ -130,6 +135,32 @@ std::vector<FaceNode> BlockSpace::face_nodes(FaceGroup group) const {
   for (const auto& entry : nodes)
     list.push_back(entry.second);
   return list;
+}
+
+std::vector<std::uint32_t> BlockSpace::cell_nodes() const {
+  const auto& support = element_->get_unit_support_points();
+  const unsigned int degree = element_->degree;
+  std::vector<unsigned int> order(support.size() /
+                                  3); // of the first components
+  for (unsigned int i = 0; i < support.size(); ++i)
+    if (element_->system_to_component_index(i).first == 0) {
+      double place = 0.0;
+      for (unsigned int axis = 3; axis-- > 0;)
+        place = place * (degree + 1) + degree * support[i][axis];
+      order.at(static_cast<std::size_t>(std::lround(place))) = i;
+    }
+  std::vector<std::uint32_t> nodes;
+  std::vector<global_dof_index> unknowns(support.size());
+  for (const auto& cell : dof_handler_.active_cell_iterators()) {
+    cell->get_dof_indices(unknowns);
+    for (const unsigned int i : order) {
+      nodes.push_back(static_cast<std::uint32_t>(unknowns[i]));
+      if (unknowns[i + 1] != unknowns[i] + 1 ||
+          unknowns[i + 2] != unknowns[i] + 2)
+        throw std::logic_error("the unknowns of a node are not consecutive");
+    }
+  }
+  return nodes;
 }
 
 std::vector<std::pair<global_dof_index, double>> BlockSpace::resolved(

@@ -16,6 +16,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -42,10 +43,18 @@ struct FaceNode {
 class BlockSpace {
 public:
   /// @throws std::domain_error  under the conditions of make_full_block
-  explicit BlockSpace(const BlockProblem& problem);
+  /// @param triangulation  of another space of the same problem; may be null
+  explicit BlockSpace(const BlockProblem& problem,
+                      std::shared_ptr<dealii::parallel::TriangulationBase<3>>
+                          triangulation = {});
 
   const dealii::parallel::TriangulationBase<3>& triangulation() const {
     return *triangulation_;
+  }
+
+  const std::shared_ptr<dealii::parallel::TriangulationBase<3>>&
+  shared_triangulation() const {
+    return triangulation_;
   }
 
   const dealii::DoFHandler<3>& dof_handler() const { return dof_handler_; }
@@ -74,6 +83,10 @@ public:
   /// on, each once, ordered by the number of u_z.
   std::vector<FaceNode> face_nodes(meshes::FaceGroup group) const;
 
+  /// The first of the three consecutive unknowns of each node of each cell, of
+  /// hexahedra with x fastest.
+  std::vector<std::uint32_t> cell_nodes() const;
+
   /// Resolves the constraints in a row of shape values: the entries of the
   /// unconstrained unknowns, sorted, each unknown once.
   std::vector<std::pair<dealii::types::global_dof_index, double>> resolved(
@@ -94,7 +107,7 @@ private:
 
   std::array<double, 3> lengths_; ///< of one body [m]
   double tolerance_;
-  std::unique_ptr<dealii::parallel::TriangulationBase<3>> triangulation_;
+  std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation_;
   std::unique_ptr<dealii::FESystem<3>> element_;
   std::unique_ptr<dealii::Mapping<3>> mapping_;
   dealii::Quadrature<3> in_cell_;

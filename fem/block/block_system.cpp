@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity::fem {
 namespace {
@@ -18,11 +19,20 @@ using meshes::FaceGroup;
 } // namespace
 
 BlockSystem::BlockSystem(const BlockProblem& problem)
+    : BlockSystem(problem, nullptr) {}
+
+BlockSystem::BlockSystem(const BlockProblem& problem,
+                         const BlockSystem& same_mesh)
+    : BlockSystem(problem, same_mesh.space().shared_triangulation()) {}
+
+BlockSystem::BlockSystem(
+    const BlockProblem& problem,
+    std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
     : grid_(problem.grid),
       field_(problem.moduli),
       top_(problem.top),
       quality_(problem.quality),
-      space_(problem),
+      space_(problem, std::move(triangulation)),
       contact_(space_, problem) {
   if (problem.counter)
     counter_ = moduli(*problem.counter);

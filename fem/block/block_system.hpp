@@ -19,6 +19,9 @@ public:
   /// @throws std::domain_error  under the conditions of make_full_block
   explicit BlockSystem(const BlockProblem& problem);
 
+  /// A block on the mesh of another one, which `problem` need not contain.
+  BlockSystem(const BlockProblem& problem, const BlockSystem& same_mesh);
+
   const Grid& grid() const { return grid_; }
 
   const BlockSpace& space() const { return space_; }
@@ -51,6 +54,9 @@ public:
   std::string report() const;
 
 private:
+  BlockSystem(
+      const BlockProblem& problem,
+      std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation);
   void integrate_top_load();
   void find_face_modulus();
 

@@ -31,7 +31,7 @@ public:
   /// @param system must outlive this object
   ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
                 std::unique_ptr<BlockPreconditioner> own = {},
-                std::unique_ptr<LatticeBlock> lattice = {});
+                std::unique_ptr<MatrixFreeBlock> free = {});
 
   /// Solves, starting from the state at the end of the last call, and writes
   /// all results that are not fields into the answer.
@@ -109,7 +109,6 @@ private:
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
   double stiffness_of(std::span<const double> springs) const;
-  double tightness() const;
   bool border(const mechanics::LoadTarget& load,
               std::span<const double> springs, const std::vector<bool>& held);
 

@@ -19,11 +19,6 @@ using dealii::TrilinosWrappers::MPI::Vector;
 constexpr double loose_on_wall = 1e-2;
 constexpr double loose_on_springs = 1e-3;
 
-/// Factor on both on a lattice of boxes, where a decade costs one iteration.
-/// Under a pressure-loaded far boundary the response to the approach is a small
-/// difference, and 1e-3 is too inaccurate for a stationary contact set.
-constexpr double tight_on_lattice = 1e-3;
-
 /// Factor by which a refinement reduces the residual of a response that it
 /// reuses from the previous step.
 constexpr double sharpening = 1e-2;
@@ -89,10 +84,6 @@ double ContactNewton::stiffness_of(std::span<const double> springs) const {
                       : std::numeric_limits<double>::infinity();
 }
 
-double ContactNewton::tightness() const {
-  return solver_.is_on_lattice() ? tight_on_lattice : 1.0;
-}
-
 /// Solves answer = (K + springs)^-1 forces with the unknowns of held points
 /// fixed at the given displacements. The initial guess is the content of
 /// `answer`.
@@ -126,7 +117,7 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
     answer.compress(dealii::VectorOperation::insert);
   }
   const double tolerance = std::clamp(
-      range.share * tightness() *
+      range.share * solver_.tightness() *
           (has_wall ? loose_on_wall : loose_on_springs) * right.l2_norm(),
       range.finest, range.coarsest);
   if (!solver_.solve(answer, right, tolerance))
@@ -176,7 +167,7 @@ bool ContactNewton::step(const mechanics::LoadTarget& load,
   forces = 0.0;
   points.add_force(pushes, forces);
   if (!solve_for(by_approach_, forces, with_wall,
-                 {.coarsest = share * tightness() * loose_on_springs *
+                 {.coarsest = share * solver_.tightness() * loose_on_springs *
                               stiffness_of(springs),
                   .share = share}))
     return false;

@@ -8,6 +8,7 @@
 #include "fem/block/block_section.hpp"
 #include "fem/block/contact_newton.hpp"
 #include "fem/block/face_maps.hpp"
+#include "fem/block/hexahedron_block.hpp"
 #include "fem/block/lattice_block.hpp"
 #include "fem/block/lattice_preconditioner.hpp"
 #include "fem/block/mesh_lattice.hpp"
@@ -69,22 +70,13 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                  *problem.lattice);
 }
 
-/// LinearSolver::automatic uses the direct solver up to this number of unknowns
-/// on a lattice of boxes, where geometric multigrid is faster than on other
-/// meshes.
-constexpr unsigned int most_direct_lattice_unknowns = 2000;
-
-/// LinearSolver::automatic uses geometric multigrid up to this ratio of Lame's
-/// moduli, that of nu = 0.49; beyond, it needs too many iterations.
-constexpr double most_lattice_ratio = 49.0;
-
 /// Geometric multigrid if the mesh is a lattice of boxes and no other solver is
 /// requested or preferable; null otherwise.
 std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
                                            const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_lattice_unknowns;
+                         system.n_unknowns() > most_direct_free_unknowns;
   if (!is_asked && !may_serve)
     return nullptr;
   const std::optional<BoxLattice> lattice = box_lattice(problem);
@@ -92,7 +84,7 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
     return nullptr;
   const bool is_compressible =
       std::ranges::all_of(lattice->moduli, [](const CellModuli& own) {
-        return own.lame <= most_lattice_ratio * own.shear;
+        return own.lame <= most_free_ratio * own.shear;
       });
   return is_asked || is_compressible
              ? std::make_unique<LatticeBlock>(system, *lattice)
@@ -103,12 +95,14 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
 /// requests or that is the fastest.
 ContactNewton newton_of(const BlockProblem& problem,
                         const BlockSystem& system) {
-  std::unique_ptr<LatticeBlock> lattice = multigrid_of(problem, system);
+  std::unique_ptr<MatrixFreeBlock> free = multigrid_of(problem, system);
   std::unique_ptr<BlockPreconditioner> fourier;
-  if (!lattice)
+  if (!free)
     fourier = lattice_of(problem, system);
+  if (!free && !fourier)
+    free = hexahedron_block_of(problem, system);
   return ContactNewton(system, problem.linear_solver, std::move(fourier),
-                       std::move(lattice));
+                       std::move(free));
 }
 
 class MeshedBlock final : public FullBlock {

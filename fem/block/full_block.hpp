@@ -20,8 +20,12 @@ namespace asperity::fem {
 using mechanics::LinearSolver;
 
 /// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns, on a lattice of boxes up to fewer.
+/// unknowns.
 inline constexpr unsigned int most_direct_unknowns = 12000;
+
+/// The same where multigrid needs no matrix: on a lattice of boxes and for
+/// second-order hexahedra, on one rank.
+inline constexpr unsigned int most_direct_free_unknowns = 2000;
 
 /// The contact law, in SI units.
 struct BlockContact {

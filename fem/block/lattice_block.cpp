@@ -214,6 +214,11 @@ LatticeSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
   return solution;
 }
 
+std::string LatticeBlock::name() const {
+  return "CG, multigrid on the lattice (" + std::to_string(levels()) +
+         " levels)";
+}
+
 std::size_t LatticeBlock::bytes() const {
   std::size_t numbers = from_.size() + to_.size() + places_.size();
   for (const auto& mode : modes_)

@@ -3,6 +3,7 @@
 // Solves for the displacement of a block on a lattice of boxes by conjugate
 // gradients, preconditioned by geometric multigrid.
 
+#include "fem/multigrid/conjugate_gradients.hpp"
 #include "fem/multigrid/face_contact.hpp"
 #include "fem/multigrid/lattice_operator.hpp"
 #include "fem/multigrid/multigrid_cycle.hpp"
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace asperity::fem {
-
-/// The outcome of LatticeMultigrid::solve.
-struct LatticeSolution {
-  bool has_converged = false;
-  int iterations = 0;
-  double first_residual = 0.0, last_residual = 0.0; ///< l2 norms [N]
-};
 
 /// K + S without a matrix, in double precision, and its inverse, where S are
 /// springs on the contact surface. Unknowns that the far boundary or contact
@@ -63,12 +57,20 @@ public:
 
   std::size_t bytes() const;
 
-private:
-  void clear_contact(std::vector<double>& vector) const;
+  // The parts of the iteration (conjugate_gradients.hpp).
+  void clear_held(std::vector<double>& vector) const;
   void apply_all(std::vector<double>& displacement,
                  std::vector<double>& force) const;
-  double precondition(double scale);
 
+  std::vector<float>& cycle_force() { return cycle_.force(); }
+
+  const std::vector<float>& cycle_displacement() const {
+    return cycle_.displacement();
+  }
+
+  void run_cycle() { cycle_.run(); }
+
+private:
   BoxLattice lattice_;
   LatticeOperator<double> stiffness_;
   double unit_ = 1.0; ///< of the cycle's stiffness [N/m]
@@ -76,7 +78,7 @@ private:
   FaceContact contact_;
   std::vector<std::size_t> pinned_;
   std::vector<std::size_t> places_; ///< of the surface's nodes
-  std::vector<double> residual_, direction_, product_;
+  GradientVectors gradients_;
 };
 
 } // namespace asperity::fem

@@ -1,12 +1,12 @@
 #include "fem/multigrid/multigrid_cycle.hpp"
 
+#include "fem/multigrid/chebyshev.hpp"
 #include "fem/multigrid/lattice_levels.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 
 namespace asperity::fem {
 namespace {
@@ -23,41 +23,18 @@ std::size_t unknowns_of(const BoxLattice& lattice) {
          static_cast<std::size_t>(layout.nodes_y());
 }
 
-/// The largest eigenvalue of diag(K)^-1 K: an estimate by the power method that
-/// is made larger by its possible error, unless that of a cell is a smaller
-/// bound.
+/// The largest eigenvalue of diag(K)^-1 K: an estimate, unless that of a cell
+/// is a smaller bound.
 float largest_eigenvalue(const LatticeOperator<float>& stiffness,
                          const std::vector<float>& diagonal) {
-  constexpr int steps = 25;
-  constexpr double margin = 1.15;
-  std::mt19937 engine(1);
-  std::vector<float> vector(diagonal.size(), 0.0F), image(diagonal.size());
-  for (std::size_t i = 0; i < vector.size(); ++i)
-    if (diagonal[i] > 0.0F)
-      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
-  double estimate = 0.0;
-  for (int step = 0; step < steps; ++step) {
-    stiffness.apply(vector.data(), image.data());
-    double above = 0.0, below = 0.0;
-    for (std::size_t i = 0; i < vector.size(); ++i)
-      if (diagonal[i] > 0.0F) {
-        const float before = vector[i];
-        vector[i] = image[i] / diagonal[i];
-        above += static_cast<double>(image[i] * vector[i]);
-        below += static_cast<double>(before * image[i]);
-      }
-    estimate = above / below;
-    const auto scale = static_cast<float>(1.0 / std::sqrt(above));
-    for (float& value : vector)
-      value *= scale;
-  }
-  return static_cast<float>(
-      std::min(margin * estimate, stiffness.jacobi_bound()));
+  const double estimate = eigenvalue_estimate(
+      diagonal, [&](float* from, float* to) { stiffness.apply(from, to); });
+  return static_cast<float>(std::min(estimate, stiffness.jacobi_bound()));
 }
 
 } // namespace
 
-struct MultigridCycle::Level {
+struct MultigridCycle::Level : SmoothedVectors {
   Level(const BoxLattice& fine, const BoxLattice& next)
       : lattice(fine),
         stiffness(fine),
@@ -65,10 +42,8 @@ struct MultigridCycle::Level {
         transfer(fine, next),
         face_transfer(fine, next),
         places(face_places(stiffness.layout())),
-        displacement(diagonal.size()),
-        residual(displacement),
-        direction(displacement),
-        product(displacement) {
+        product(diagonal.size()) {
+    displacement = residual = direction = product;
     lattice.moduli.clear();
     eigenvalue = largest_eigenvalue(stiffness, diagonal);
     face_diagonal.reserve(places.size());
@@ -91,7 +66,7 @@ struct MultigridCycle::Level {
   LatticeTransfer transfer;
   FaceTransfer face_transfer;
   std::vector<std::size_t> places; ///< of the surface's nodes
-  std::vector<float> displacement, residual, direction, product;
+  std::vector<float> product;
   std::vector<float> inverse; ///< of diagonal times eigenvalue; zero if held
   std::vector<float> face_diagonal;
   float eigenvalue = 0.0F;
@@ -132,25 +107,13 @@ void MultigridCycle::Level::apply() {
     residual[i] -= product[i];
 }
 
-/// Chebyshev's polynomial of the fourth kind. The residual must be that of the
-/// displacement; the last product is left out after the coarse correction,
-/// where nobody needs it.
+/// The last product is left out after the coarse correction, where nobody needs
+/// it.
 void MultigridCycle::Level::smooth(bool is_first) {
   if (is_first)
     std::fill(displacement.begin(), displacement.end(), 0.0F);
-  for (int term = 1; term <= smoother_degree; ++term) {
-    const float kept = term == 1 ? 0.0F
-                                 : static_cast<float>(2 * term - 3) /
-                                       static_cast<float>(2 * term + 1);
-    const float added =
-        static_cast<float>(8 * term - 4) / static_cast<float>(2 * term + 1);
-    for (std::size_t i = 0; i < direction.size(); ++i) {
-      direction[i] = kept * direction[i] + added * inverse[i] * residual[i];
-      displacement[i] += direction[i];
-    }
-    if (is_first || term < smoother_degree)
-      apply();
-  }
+  smooth_by_chebyshev(*this, inverse, smoother_degree, !is_first,
+                      [this] { apply(); });
 }
 
 MultigridCycle::MultigridCycle(const BoxLattice& lattice) {

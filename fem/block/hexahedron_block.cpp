@@ -1,0 +1,337 @@
+#include "fem/block/hexahedron_block.hpp"
+
+#include "fem/block/block_assembly.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+namespace {
+
+/// Cost of a set-up of the hierarchy in iterations.
+constexpr double setup_steps = 20.0;
+
+UnknownConstraints constraints_of(const BlockSpace& space) {
+  UnknownConstraints found;
+  for (const auto& line : space.constraints().get_lines()) {
+    found.unknowns.push_back(line.index);
+    for (const auto& [master, weight] : line.entries) {
+      found.masters.column.push_back(master);
+      found.masters.weight.push_back(weight);
+    }
+    found.masters.start.push_back(found.masters.column.size());
+  }
+  return found;
+}
+
+HexahedronMesh mesh_of(const BlockSystem& system) {
+  HexahedronMesh mesh;
+  mesh.unknowns = system.n_unknowns();
+  mesh.constraints = constraints_of(system.space());
+  const std::vector<std::uint32_t> nodes = system.space().cell_nodes();
+  auto first = nodes.begin();
+  for (const auto& cell :
+       system.space().dof_handler().active_cell_iterators()) {
+    std::copy_n(first, nodes_in_hexahedron, mesh.nodes.emplace_back().begin());
+    first += nodes_in_hexahedron;
+    auto& vertices = mesh.vertices.emplace_back();
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int i = 0; i < 3; ++i)
+        vertices.at(v).at(i) = cell->vertex(v)[i];
+    const Moduli moduli = system.moduli_of(cell);
+    mesh.moduli.push_back({moduli.lame_modulus, moduli.shear_modulus});
+  }
+  return mesh;
+}
+
+/// The share of the vertex v = 0..7 of a cell in the node = 0..26.
+double weight_of(unsigned int v, std::size_t node) {
+  double weight = 1.0;
+  for (unsigned int axis = 0; axis < 3; ++axis, node /= 3) {
+    const double place = 0.5 * static_cast<double>(node % 3);
+    weight *= (v >> axis & 1U) == 1 ? place : 1.0 - place;
+  }
+  return weight;
+}
+
+BlockProblem first_order(const BlockProblem& problem) {
+  BlockProblem coarse = problem;
+  coarse.degree = 1;
+  // Reserves entries for all pairs of vertices of a face.
+  coarse.contact_at = mechanics::ContactPoints::gauss;
+  return coarse;
+}
+
+/// Whether no cell is too incompressible for multigrid without a matrix.
+bool is_compressible(const BlockSystem& system) {
+  for (const auto& cell :
+       system.space().dof_handler().active_cell_iterators()) {
+    const Moduli own = system.moduli_of(cell);
+    if (own.lame_modulus > most_free_ratio * own.shear_modulus)
+      return false;
+  }
+  return true;
+}
+
+} // namespace
+
+FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
+                                           const BlockSystem& fine)
+    : coarse_(first_order(problem), fine),
+      constraints_(constraints_of(coarse_.space())),
+      force_(coarse_.space().make_vector()),
+      displacement_(force_) {
+  find_parents(fine);
+  find_points(fine);
+  find_rigid_modes();
+}
+
+/// Finds the vertices from which each second-order node is interpolated.
+void FirstOrderCorrection::find_parents(const BlockSystem& fine) {
+  const std::vector<std::uint32_t> vertices = coarse_.space().cell_nodes();
+  const std::vector<std::uint32_t> nodes = fine.space().cell_nodes();
+  std::vector<bool> is_known(fine.n_unknowns(), false);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_known[nodes[i]])
+      continue;
+    is_known[nodes[i]] = true;
+    nodes_.push_back(nodes[i]);
+    for (unsigned int v = 0; v < 8; ++v)
+      if (const double weight = weight_of(v, i % nodes_in_hexahedron);
+          weight > 0.0) {
+        parents_.column.push_back(vertices[i / nodes_in_hexahedron * 8 + v]);
+        parents_.weight.push_back(weight);
+      }
+    parents_.start.push_back(parents_.column.size());
+  }
+}
+
+/// Writes the rows of the contact points in first-order unknowns.
+void FirstOrderCorrection::find_points(const BlockSystem& fine) {
+  std::vector<std::size_t> row_of(fine.n_unknowns() / 3);
+  for (std::size_t row = 0; row < nodes_.size(); ++row)
+    row_of[nodes_[row] / 3] = row;
+  for (std::size_t i = 0; i < fine.contact().size(); ++i) {
+    FaceRow coarse;
+    for (const auto& [unknown, value] : fine.contact()[i].row) {
+      const std::size_t row = row_of[unknown / 3];
+      for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1];
+           ++k)
+        coarse.emplace_back(parents_.column[k] + unknown % 3,
+                            value * parents_.weight[k]);
+    }
+    points_.push_back(coarse_.space().resolved(coarse));
+    vertices_.emplace_back();
+    if (coarse.size() == 1 &&
+        !coarse_.space().constraints().is_constrained(coarse.front().first))
+      vertices_.back() = coarse.front().first;
+  }
+}
+
+/// Computes the rigid motions of the block, the near null space of the matrix:
+/// three translations and three rotations, one after the other.
+void FirstOrderCorrection::find_rigid_modes() {
+  const BlockSpace& space = coarse_.space();
+  const std::size_t size = coarse_.n_unknowns();
+  std::vector<dealii::Point<3>> places(size);
+  dealii::DoFTools::map_dofs_to_support_points(space.mapping(),
+                                               space.dof_handler(), places);
+  const double unit = coarse_.grid().length_x;
+  rigid_modes_.assign(6 * size, 0.0);
+  for (const std::uint32_t node : space.cell_nodes())
+    for (unsigned int c = 0; c < 3; ++c) {
+      const unsigned int next = (c + 1) % 3;
+      const unsigned int last = (c + 2) % 3;
+      rigid_modes_[c * size + node + c] = 1.0;
+      // Rotation about axis c.
+      rigid_modes_[(3 + c) * size + node + last] =
+          places[node][next] / unit - 0.5;
+      rigid_modes_[(3 + c) * size + node + next] =
+          0.5 - places[node][last] / unit;
+    }
+}
+
+void FirstOrderCorrection::prepare(std::span<const double> springs,
+                                   const std::vector<bool>& held) {
+  // A hierarchy without stiff springs, or with springs where there are none, is
+  // useless, whereas nodes can be held without it.
+  if (!std::ranges::equal(springs, springs_)) {
+    springs_.assign(springs.begin(), springs.end());
+    is_stale_ = true;
+  }
+  held_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] && vertices_[i])
+      held_.push_back(*vertices_[i]);
+  is_new_ = false;
+}
+
+void FirstOrderCorrection::refresh() {
+  if (!is_stale_)
+    return;
+  multigrid_.clear();
+  matrix_.copy_from(coarse_.stiffness());
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (springs_[k] != 0.0)
+      for (const auto& [i, value_i] : points_[k])
+        for (const auto& [j, value_j] : points_[k])
+          matrix_.add(i, j, springs_[k] * value_i * value_j);
+  matrix_.compress(dealii::VectorOperation::add);
+  hold(matrix_, coarse_.space(), held_);
+  Teuchos::ParameterList parameters;
+  std::unique_ptr<Epetra_MultiVector> translations; // are in the modes as well
+  multigrid_settings(coarse_.space(), false)
+      .set_parameters(parameters, translations, matrix_.trilinos_matrix());
+  parameters.set("null space: type", "pre-computed");
+  parameters.set("null space: dimension", 6);
+  parameters.set("null space: vectors", rigid_modes_.data());
+  multigrid_.initialize(matrix_, parameters);
+  is_stale_ = false;
+  is_new_ = true;
+  steps_per_decade_ = lost_steps_ = 0.0;
+  ++setups_;
+}
+
+void FirstOrderCorrection::add(const std::vector<float>& residual,
+                               std::vector<float>& displacement, double unit) {
+  refresh();
+  force_ = 0.0;
+  double* const force = force_.begin();
+  for (std::size_t row = 0; row < nodes_.size(); ++row)
+    for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        force[parents_.column[k] + c] +=
+            unit * parents_.weight[k] *
+            static_cast<double>(residual[nodes_[row] + c]);
+  constraints_.condense(force);
+  for (const auto unknown : held_)
+    force[unknown] = 0.0;
+  multigrid_.vmult(displacement_, force_);
+  double* const found = displacement_.begin();
+  for (const auto unknown : held_)
+    found[unknown] = 0.0;
+  constraints_.distribute(found);
+  for (std::size_t row = 0; row < nodes_.size(); ++row)
+    for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        displacement[nodes_[row] + c] += static_cast<float>(
+            parents_.weight[k] * found[parents_.column[k] + c]);
+}
+
+void FirstOrderCorrection::judge(int iterations, double decades) {
+  constexpr int fewest_steps = 3;
+  if (iterations < fewest_steps || !(decades > 1.0))
+    return;
+  if (is_new_)
+    steps_per_decade_ = std::max(steps_per_decade_, iterations / decades);
+  else
+    lost_steps_ += std::max(0.0, iterations - steps_per_decade_ * decades);
+  is_stale_ = lost_steps_ > setup_steps;
+}
+
+std::size_t FirstOrderCorrection::bytes() const {
+  return coarse_.stiffness().memory_consumption() +
+         matrix_.memory_consumption() +
+         (setups_ > 0 ? hierarchy_bytes(multigrid_) : 0) + parents_.bytes() +
+         constraints_.bytes() + nodes_.size() * sizeof(std::size_t);
+}
+
+HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
+                                 const BlockSystem& system)
+    : system_(system),
+      correction_(problem, system),
+      multigrid_(mesh_of(system)) {
+  multigrid_.set_correction([this](const auto& residual, auto& displacement) {
+    correction_.add(residual, displacement, multigrid_.unit());
+  });
+}
+
+void HexahedronBlock::vmult(Vector& to, const Vector& from) const {
+  from_.assign(from.begin(), from.end());
+  multigrid_.apply(from_, to_);
+  std::copy(to_.begin(), to_.end(), to.begin());
+}
+
+void HexahedronBlock::prepare(std::span<const double> springs,
+                              const std::vector<bool>& held) {
+  HexahedronContact contact;
+  SparseRows points; // by number of an unknown in contact.unknowns
+  std::vector<std::size_t> number(system_.n_unknowns(), 0);
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const auto& row = system_.contact()[i].row;
+    if (held[i])
+      contact.held.push_back(row.front().first);
+    if (springs[i] == 0.0)
+      continue;
+    for (const auto& [unknown, value] : row) {
+      if (number[unknown] == 0) {
+        contact.unknowns.push_back(unknown);
+        number[unknown] = contact.unknowns.size();
+      }
+      points.column.push_back(number[unknown] - 1);
+      points.weight.push_back(value * std::sqrt(springs[i]));
+    }
+    points.start.push_back(points.column.size());
+  }
+  const std::size_t size = contact.unknowns.size();
+  if (size > 0)
+    contact.springs = product(transposed(points, size), points, size);
+  multigrid_.set_contact(std::move(contact));
+  correction_.prepare(springs, held);
+}
+
+LatticeSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
+                                       double tolerance, int most_iterations) {
+  to_.assign(forces.begin(), forces.end());
+  from_.assign(unknowns.begin(), unknowns.end());
+  // A hierarchy of another contact state may be useless for this one.
+  constexpr int most_with_old = 50;
+  const bool is_old = !correction_.is_current();
+  LatticeSolution solution = multigrid_.solve(
+      to_, from_, tolerance,
+      is_old ? std::min(most_with_old, most_iterations) : most_iterations);
+  if (solution.has_converged || !is_old) {
+    correction_.judge(solution.iterations, std::log10(solution.first_residual /
+                                                      solution.last_residual));
+  } else {
+    const int before = solution.iterations;
+    correction_.renew();
+    solution = multigrid_.solve(to_, from_, tolerance, most_iterations);
+    solution.iterations += before;
+  }
+  multigrid_.clear_held(from_);
+  std::copy(from_.begin(), from_.end(), unknowns.begin());
+  return solution;
+}
+
+std::string HexahedronBlock::name() const {
+  return "CG, multigrid without a matrix, first order by Trilinos ML";
+}
+
+std::size_t HexahedronBlock::bytes() const {
+  return multigrid_.bytes() + correction_.bytes() +
+         (from_.size() + to_.size()) * sizeof(double);
+}
+
+bool is_hexahedron_block(const BlockSystem& system) {
+  return has_low_order(system.space()) && !system.has_counter() &&
+         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
+
+std::unique_ptr<MatrixFreeBlock>
+hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system) {
+  const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
+  const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
+                         system.n_unknowns() > most_direct_free_unknowns;
+  if (!(is_asked || may_serve) || !is_hexahedron_block(system) ||
+      !is_compressible(system))
+    return nullptr;
+  return std::make_unique<HexahedronBlock>(problem, system);
+}
+
+} // namespace asperity::fem

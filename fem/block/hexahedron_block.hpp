@@ -1,0 +1,111 @@
+#pragma once
+
+// Multigrid without a matrix for second-order hexahedra of any shape: the block
+// as plain data, and the correction by first-order functions on the same mesh.
+// Include this header in .cpp files of fem/ only.
+
+#include "fem/block/block_solver.hpp"
+#include "fem/block/block_system.hpp"
+#include "fem/multigrid/hexahedron_multigrid.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::fem {
+
+/// The block of first-order functions on the mesh of a second-order one, solved
+/// approximately by Trilinos ML, and the transfer between the two.
+///
+/// A node of the contact surface is held if the second-order node at its place
+/// is; springs are those of the second-order block on first-order functions
+/// (Galerkin).
+class FirstOrderCorrection {
+public:
+  /// @param fine must outlive this object
+  FirstOrderCorrection(const BlockProblem& problem, const BlockSystem& fine);
+
+  void prepare(std::span<const double> springs, const std::vector<bool>& held);
+
+  /// Adds the correction for a residual, both over the second-order unknowns.
+  /// @param unit  of the residual over that of the correction [N/m]
+  void add(const std::vector<float>& residual, std::vector<float>& displacement,
+           double unit);
+
+  /// Reports that a solution took `iterations` for `decades` of the residual:
+  /// the hierarchy is renewed when its age has cost more than a new one.
+  void judge(int iterations, double decades);
+
+  /// Whether the hierarchy is, or will be at its next use, that of the present
+  /// contact.
+  bool is_current() const { return is_new_ || is_stale_; }
+
+  void renew() { is_stale_ = true; } ///< at the next use
+
+  int setups() const { return setups_; }
+
+  std::size_t bytes() const;
+
+private:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  using Unknown = dealii::types::global_dof_index;
+
+  void find_parents(const BlockSystem& fine);
+  void find_points(const BlockSystem& fine);
+  void find_rigid_modes();
+  void refresh();
+
+  BlockSystem coarse_;
+  std::vector<std::size_t> nodes_; ///< first unknown of each second-order node
+  SparseRows parents_; ///< first unknowns of vertices, a row per node
+  UnknownConstraints constraints_; ///< of the vertices
+  std::vector<FaceRow> points_;    ///< contact points by first-order unknowns
+  std::vector<std::optional<Unknown>> vertices_; ///< of the contact points
+  std::vector<double> rigid_modes_; ///< of the first-order unknowns, by mode
+  std::vector<double> springs_;
+  std::vector<Unknown> held_;
+  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  dealii::TrilinosWrappers::PreconditionAMG multigrid_;
+  Vector force_, displacement_;
+  bool is_stale_ = true, is_new_ = false;
+  double steps_per_decade_ = 0.0, lost_steps_ = 0.0;
+  int setups_ = 0;
+};
+
+/// The stiffness of a block of second-order hexahedra and its inverse, on one
+/// rank.
+class HexahedronBlock : public MatrixFreeBlock {
+public:
+  /// @param system must outlive this object
+  HexahedronBlock(const BlockProblem& problem, const BlockSystem& system);
+
+  void vmult(Vector& to, const Vector& from) const override;
+  void prepare(std::span<const double> springs,
+               const std::vector<bool>& held) override;
+  LatticeSolution solve(Vector& unknowns, const Vector& forces,
+                        double tolerance, int most_iterations) override;
+
+  int setups() const override { return correction_.setups(); }
+
+  std::string name() const override;
+  std::size_t bytes() const override;
+
+private:
+  const BlockSystem& system_;
+  FirstOrderCorrection correction_;
+  HexahedronMultigrid multigrid_;
+  mutable std::vector<double> from_, to_;
+};
+
+/// Whether HexahedronBlock can solve the problem: one body of second-order
+/// hexahedra, on one rank. With two bodies, stiff springs between them leave
+/// their common motion to the correction alone.
+bool is_hexahedron_block(const BlockSystem& system);
+
+/// The block if it can solve the problem and no other solver is requested or
+/// preferable; null otherwise.
+std::unique_ptr<MatrixFreeBlock>
+hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system);
+
+} // namespace asperity::fem

@@ -1,0 +1,84 @@
+#pragma once
+
+// Conjugate gradients in double precision around a multigrid cycle in single
+// precision.
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace asperity::fem {
+
+/// The outcome of a solution by conjugate gradients.
+struct LatticeSolution {
+  bool has_converged = false;
+  int iterations = 0;
+  double first_residual = 0.0, last_residual = 0.0; ///< l2 norms [N]
+};
+
+/// The vectors of the iteration, kept between solutions.
+struct GradientVectors {
+  std::vector<double> residual, direction, product;
+};
+
+/// Solves for `displacement`, starting from its values.
+/// @tparam Problem  has apply_all(displacement, force), which may overwrite
+///                  dependent entries of the displacement; clear_held(vector),
+///                  which sets unknowns to zero that are not solved for;
+///                  cycle_force() and cycle_displacement(), vectors of float;
+///                  and run_cycle(), which computes the second from the first
+/// @param tolerance  of the l2 norm of the residual
+template <class Problem>
+LatticeSolution
+conjugate_gradients(Problem& problem, const std::vector<double>& force,
+                    std::vector<double>& displacement, double tolerance,
+                    int most_iterations, GradientVectors& own) {
+  const auto inner = [](const auto& a, const auto& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  LatticeSolution solution;
+  own.direction.assign(force.size(), 0.0);
+  problem.apply_all(displacement, own.residual);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    own.residual[i] = force[i] - own.residual[i];
+  problem.clear_held(own.residual);
+  double norm = std::sqrt(inner(own.residual, own.residual));
+  solution.first_residual = norm;
+  double before = 1.0;
+  while (norm > tolerance && solution.iterations < most_iterations) {
+    ++solution.iterations;
+    // The cycle acts on the residual over its norm, which fits into a float.
+    std::vector<float>& scaled = problem.cycle_force();
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+      scaled[i] = static_cast<float>(own.residual[i] / norm);
+    problem.run_cycle();
+    const std::vector<float>& result = problem.cycle_displacement();
+    double product = 0.0;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      product += own.residual[i] * static_cast<double>(result[i]);
+    product *= norm;
+    const double kept = solution.iterations == 1 ? 0.0 : product / before;
+    before = product;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      own.direction[i] =
+          norm * static_cast<double>(result[i]) + kept * own.direction[i];
+    problem.clear_held(own.direction);
+    problem.apply_all(own.direction, own.product);
+    const double step = product / inner(own.direction, own.product);
+    if (!(step > 0.0) || !std::isfinite(step))
+      break;
+    double square = 0.0;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      displacement[i] += step * own.direction[i];
+      own.residual[i] -= step * own.product[i];
+      square += own.residual[i] * own.residual[i];
+    }
+    norm = std::sqrt(square);
+  }
+  solution.last_residual = norm;
+  solution.has_converged = norm <= tolerance;
+  return solution;
+}
+
+} // namespace asperity::fem

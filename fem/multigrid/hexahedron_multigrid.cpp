@@ -1,0 +1,126 @@
+#include "fem/multigrid/hexahedron_multigrid.hpp"
+
+#include "fem/multigrid/face_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::fem {
+namespace {
+
+/// Terms of the polynomial before and after the correction.
+constexpr int smoother_terms = 4;
+
+} // namespace
+
+HexahedronMultigrid::HexahedronMultigrid(const HexahedronMesh& mesh)
+    : stiffness_(mesh),
+      scaled_(normalised(mesh, unit_)),
+      constrained_(mesh.constraints.unknowns) {
+  eigenvalue_ = static_cast<float>(
+      eigenvalue_estimate(scaled_.diagonal(), [&](float* from, float* to) {
+        scaled_.apply(from, to);
+      }));
+  own_.displacement.assign(mesh.unknowns, 0.0F);
+  own_.residual = own_.direction = product_ = own_.displacement;
+  set_contact({});
+}
+
+void HexahedronMultigrid::set_contact(HexahedronContact contact) {
+  contact_ = std::move(contact);
+  const std::vector<float>& diagonal = scaled_.diagonal();
+  inverse_.resize(diagonal.size());
+  for (std::size_t i = 0; i < inverse_.size(); ++i)
+    inverse_[i] =
+        diagonal[i] > 0.0F ? 1.0F / (eigenvalue_ * diagonal[i]) : 0.0F;
+  scaled_springs_ = contact_.springs;
+  for (double& spring : scaled_springs_.weight)
+    spring /= unit_;
+  for (std::size_t row = 0; row < scaled_springs_.rows(); ++row) {
+    double sum = 0.0;
+    for (std::size_t i = scaled_springs_.start[row];
+         i < scaled_springs_.start[row + 1]; ++i)
+      sum += std::abs(scaled_springs_.weight[i]);
+    const std::size_t unknown = contact_.unknowns[row];
+    inverse_[unknown] = static_cast<float>(
+        1.0 / (static_cast<double>(eigenvalue_ * diagonal[unknown]) + sum));
+  }
+  for (const std::size_t unknown : contact_.held)
+    inverse_[unknown] = 0.0F;
+}
+
+void HexahedronMultigrid::apply(std::vector<double>& displacement,
+                                std::vector<double>& force) const {
+  force.resize(stiffness_.size());
+  stiffness_.apply(displacement.data(), force.data());
+}
+
+void HexahedronMultigrid::apply_all(std::vector<double>& displacement,
+                                    std::vector<double>& force) const {
+  apply(displacement, force);
+  if (!contact_.springs.is_empty())
+    add_spring_force(contact_.springs, contact_.unknowns, displacement.data(),
+                     force.data());
+  clear_held(force);
+}
+
+/// Sets the unknowns to zero that constraints or contact determine.
+void HexahedronMultigrid::clear_held(std::vector<double>& vector) const {
+  for (const std::size_t unknown : constrained_)
+    vector[unknown] = 0.0;
+  for (const std::size_t unknown : contact_.held)
+    vector[unknown] = 0.0;
+}
+
+/// Subtracts (K + S) direction from the residual.
+void HexahedronMultigrid::subtract() {
+  scaled_.apply(own_.direction.data(), product_.data());
+  if (!scaled_springs_.is_empty())
+    add_spring_force(scaled_springs_, contact_.unknowns, own_.direction.data(),
+                     product_.data());
+  for (std::size_t i = 0; i < product_.size(); ++i)
+    own_.residual[i] -= product_[i];
+}
+
+void HexahedronMultigrid::run_cycle() {
+  const auto subtracts = [&] { subtract(); };
+  const auto clear = [&](std::vector<float>& vector) {
+    for (const std::size_t unknown : constrained_)
+      vector[unknown] = 0.0F;
+    for (const std::size_t unknown : contact_.held)
+      vector[unknown] = 0.0F;
+  };
+  std::fill(own_.displacement.begin(), own_.displacement.end(), 0.0F);
+  smooth_by_chebyshev(own_, inverse_, smoother_terms, false, subtracts);
+  if (correction_) {
+    clear(own_.residual);
+    std::fill(own_.direction.begin(), own_.direction.end(), 0.0F);
+    correction_(own_.residual, own_.direction);
+    clear(own_.direction);
+    for (std::size_t i = 0; i < product_.size(); ++i)
+      own_.displacement[i] += own_.direction[i];
+    subtract();
+  }
+  smooth_by_chebyshev(own_, inverse_, smoother_terms, true, subtracts);
+  clear(own_.displacement);
+}
+
+LatticeSolution HexahedronMultigrid::solve(const std::vector<double>& force,
+                                           std::vector<double>& displacement,
+                                           double tolerance,
+                                           int most_iterations) {
+  return conjugate_gradients(*this, force, displacement, tolerance,
+                             most_iterations, gradients_);
+}
+
+std::size_t HexahedronMultigrid::bytes() const {
+  return stiffness_.bytes() + scaled_.bytes() +
+         5 * product_.size() * sizeof(float) +
+         3 * product_.size() * sizeof(double) + 2 * contact_.springs.bytes() +
+         (constrained_.size() + contact_.unknowns.size() +
+          contact_.held.size()) *
+             sizeof(std::size_t);
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,252 @@
+#include "fem/multigrid/hexahedron_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+namespace {
+
+using Vector3 = std::array<double, 3>;
+using Shape = std::array<Vector3, 7>; ///< c0 .. c6 of (F.5)
+
+/// The signs of xi, eta, zeta of the shape's coefficients: which of the
+/// coordinates a coefficient multiplies.
+constexpr std::array<std::array<bool, 3>, 7> factors{{{true, false, false},
+                                                      {false, true, false},
+                                                      {false, false, true},
+                                                      {true, true, false},
+                                                      {false, true, true},
+                                                      {true, false, true},
+                                                      {true, true, true}}};
+
+Shape shape_of(const std::array<Vector3, 8>& vertices) {
+  Shape shape{};
+  for (std::size_t term = 0; term < 7; ++term)
+    for (unsigned int v = 0; v < 8; ++v) {
+      double sign = 0.125;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        if (factors[term][axis] && (v >> axis & 1U) == 0)
+          sign = -sign;
+      for (std::size_t i = 0; i < 3; ++i)
+        shape[term][i] += sign * vertices[v][i];
+    }
+  return shape;
+}
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Values and derivatives of the shape functions of a line at a Gauss point.
+struct LineFunctions {
+  std::array<double, 3> value{}, slope{};
+
+  explicit LineFunctions(double at)
+      : value{0.5 * at * (at - 1.0), 1.0 - at * at, 0.5 * at * (at + 1.0)},
+        slope{at - 0.5, -2.0 * at, at + 0.5} {}
+};
+
+/// The diagonal of the matrix of one cell, by node and component.
+class CellDiagonal {
+public:
+  CellDiagonal() {
+    const double place = std::sqrt(0.6);
+    for (std::size_t i = 0; i < 3; ++i)
+      lines_[i] =
+          LineFunctions(places_[i] = place * (static_cast<double>(i) - 1.0));
+  }
+
+  const std::array<double, 3 * nodes_in_hexahedron>&
+  of(const Shape& shape, const CellModuli& moduli) {
+    diagonal_.fill(0.0);
+    for (std::size_t z = 0; z < 3; ++z)
+      for (std::size_t y = 0; y < 3; ++y)
+        for (std::size_t x = 0; x < 3; ++x)
+          add_point(shape, moduli, {x, y, z});
+    return diagonal_;
+  }
+
+private:
+  void add_point(const Shape& c, const CellModuli& moduli,
+                 const std::array<std::size_t, 3>& point) {
+    const double xi = places_[point[0]], eta = places_[point[1]],
+                 zeta = places_[point[2]];
+    std::array<Vector3, 3> edges{}, cofactors{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges[0][i] =
+          c[0][i] + eta * c[3][i] + zeta * c[5][i] + eta * zeta * c[6][i];
+      edges[1][i] =
+          c[1][i] + xi * c[3][i] + zeta * c[4][i] + xi * zeta * c[6][i];
+      edges[2][i] = c[2][i] + xi * c[5][i] + eta * c[4][i] + xi * eta * c[6][i];
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      cofactors[i] = cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
+    const double determinant = edges[0][0] * cofactors[0][0] +
+                               edges[0][1] * cofactors[0][1] +
+                               edges[0][2] * cofactors[0][2];
+    constexpr std::array<double, 3> weights{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+    const double scale =
+        weights[point[0]] * weights[point[1]] * weights[point[2]] / determinant;
+    std::array<const LineFunctions*, 3> lines{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      lines[axis] = &lines_[point[axis]];
+    for (std::size_t a = 0; a < nodes_in_hexahedron; ++a) {
+      const std::array<std::size_t, 3> node{a % 3, a / 3 % 3, a / 9};
+      Vector3 gradient{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double slope = 1.0;
+        for (std::size_t i = 0; i < 3; ++i)
+          slope *=
+              i == axis ? lines[i]->slope[node[i]] : lines[i]->value[node[i]];
+        for (std::size_t k = 0; k < 3; ++k)
+          gradient[k] += slope * cofactors[axis][k];
+      }
+      const double square = gradient[0] * gradient[0] +
+                            gradient[1] * gradient[1] +
+                            gradient[2] * gradient[2];
+      for (std::size_t k = 0; k < 3; ++k)
+        diagonal_[3 * a + k] +=
+            scale * ((moduli.lame + moduli.shear) * gradient[k] * gradient[k] +
+                     moduli.shear * square);
+    }
+  }
+
+  std::array<double, 3> places_{};
+  std::array<LineFunctions, 3> lines_{LineFunctions(0.0), LineFunctions(0.0),
+                                      LineFunctions(0.0)};
+  std::array<double, 3 * nodes_in_hexahedron> diagonal_{};
+};
+
+} // namespace
+
+template <class Number>
+void UnknownConstraints::distribute(Number* displacement) const {
+  for (std::size_t row = 0; row < unknowns.size(); ++row) {
+    double sum = 0.0;
+    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
+      sum += masters.weight[i] *
+             static_cast<double>(displacement[masters.column[i]]);
+    displacement[unknowns[row]] = static_cast<Number>(sum);
+  }
+}
+
+template <class Number>
+void UnknownConstraints::condense(Number* force) const {
+  for (std::size_t row = 0; row < unknowns.size(); ++row) {
+    const auto own = static_cast<double>(force[unknowns[row]]);
+    force[unknowns[row]] = Number(0);
+    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
+      force[masters.column[i]] += static_cast<Number>(masters.weight[i] * own);
+  }
+}
+
+template void UnknownConstraints::distribute(float*) const;
+template void UnknownConstraints::distribute(double*) const;
+template void UnknownConstraints::condense(float*) const;
+template void UnknownConstraints::condense(double*) const;
+
+HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit) {
+  double edge = 0.0, stiffest = 0.0;
+  for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
+    const auto& v = mesh.vertices[cell];
+    for (const std::size_t other : {1U, 2U, 4U}) {
+      const double length = std::hypot(
+          v[other][0] - v[0][0], v[other][1] - v[0][1], v[other][2] - v[0][2]);
+      edge = edge == 0.0 ? length : std::min(edge, length);
+    }
+    stiffest = std::max(stiffest, mesh.moduli[cell].shear);
+  }
+  HexahedronMesh scaled = mesh;
+  for (auto& vertices : scaled.vertices)
+    for (auto& vertex : vertices)
+      for (double& coordinate : vertex)
+        coordinate /= edge;
+  for (CellModuli& moduli : scaled.moduli)
+    moduli = {moduli.lame / stiffest, moduli.shear / stiffest};
+  unit = edge * stiffest;
+  return scaled;
+}
+
+template <class Number>
+HexahedronOperator<Number>::HexahedronOperator(const HexahedronMesh& mesh)
+    : size_(mesh.unknowns), constraints_(mesh.constraints) {
+  const std::size_t cells = mesh.nodes.size();
+  const std::size_t groups = (cells + cells_in_group - 1) / cells_in_group;
+  nodes_.reserve(groups * cells_in_group * nodes_in_hexahedron);
+  for (const auto& nodes : mesh.nodes)
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  nodes_.resize(groups * cells_in_group * nodes_in_hexahedron, 0);
+  shapes_.resize(groups * cells_in_group * numbers_in_shape);
+  for (std::size_t cell = 0; cell < groups * cells_in_group; ++cell)
+    take_shape(mesh, cell);
+  take_diagonal(mesh);
+}
+
+/// Stores the numbers of a cell. Those that fill up the last group have a
+/// volume but no stiffness.
+template <class Number>
+void HexahedronOperator<Number>::take_shape(const HexahedronMesh& mesh,
+                                            std::size_t cell) {
+  const bool is_real = cell < mesh.nodes.size();
+  Number* const to = shapes_.data() +
+                     cell / cells_in_group * cells_in_group * numbers_in_shape +
+                     cell % cells_in_group;
+  const Shape shape = shape_of(mesh.vertices[is_real ? cell : 0]);
+  std::size_t number = 0;
+  for (const Vector3& coefficient : shape)
+    for (const double value : coefficient)
+      to[cells_in_group * number++] = static_cast<Number>(value);
+  const CellModuli moduli = is_real ? mesh.moduli[cell] : CellModuli{};
+  to[cells_in_group * number++] = static_cast<Number>(moduli.lame);
+  to[cells_in_group * number] = static_cast<Number>(moduli.shear);
+}
+
+template <class Number>
+void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
+  std::vector<double> sum(size_, 0.0);
+  CellDiagonal of_cell;
+  for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
+    const auto& own =
+        of_cell.of(shape_of(mesh.vertices[cell]), mesh.moduli[cell]);
+    for (std::size_t a = 0; a < nodes_in_hexahedron; ++a)
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[mesh.nodes[cell][a] + k] += own[3 * a + k];
+  }
+  const UnknownConstraints& own = mesh.constraints;
+  for (std::size_t row = 0; row < own.unknowns.size(); ++row) {
+    double& slave = sum[own.unknowns[row]];
+    for (std::size_t i = own.masters.start[row]; i < own.masters.start[row + 1];
+         ++i)
+      sum[own.masters.column[i]] +=
+          own.masters.weight[i] * own.masters.weight[i] * slave;
+    slave = 0.0;
+  }
+  diagonal_.assign(sum.begin(), sum.end());
+}
+
+template <class Number>
+void HexahedronOperator<Number>::apply(Number* displacement,
+                                       Number* force) const {
+  constraints_.distribute(displacement);
+  std::fill_n(force, size_, Number(0));
+  HexahedronProduct<Number> product;
+  product.from = displacement;
+  product.to = force;
+  product.groups = shapes_.size() / (cells_in_group * numbers_in_shape);
+  product.nodes = nodes_.data();
+  product.shapes = shapes_.data();
+  multiply_hexahedra(product);
+  constraints_.condense(force);
+}
+
+template <class Number>
+std::size_t HexahedronOperator<Number>::bytes() const {
+  return constraints_.bytes() + nodes_.size() * sizeof(std::uint32_t) +
+         (shapes_.size() + diagonal_.size()) * sizeof(Number);
+}
+
+template class HexahedronOperator<float>;
+template class HexahedronOperator<double>;
+
+} // namespace asperity::fem

@@ -1,0 +1,85 @@
+#pragma once
+
+// The stiffness of a mesh of second-order hexahedra of any shape without a
+// matrix, under linear constraints. This file does not depend on deal.II.
+
+#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/hexahedron_kernel.hpp"
+#include "fem/multigrid/sparse_rows.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Homogeneous linear constraints of unknowns by unconstrained ones: hanging
+/// nodes, images at periodic sides, and unknowns that are held (no entries).
+struct UnknownConstraints {
+  std::vector<std::size_t> unknowns; ///< which are constrained
+  SparseRows masters;                ///< a row per constrained unknown
+
+  /// Writes the constrained values of a displacement.
+  template <class Number>
+  void distribute(Number* displacement) const;
+
+  /// Moves the forces on constrained unknowns to their masters; zeros remain.
+  template <class Number>
+  void condense(Number* force) const;
+
+  std::size_t bytes() const {
+    return unknowns.size() * sizeof(std::size_t) + masters.bytes();
+  }
+};
+
+/// Second-order hexahedra; the three unknowns of a node are consecutive.
+struct HexahedronMesh {
+  /// The first unknown of each of the nodes of a cell, x fastest.
+  std::vector<std::array<std::uint32_t, nodes_in_hexahedron>> nodes;
+  /// The vertices of each cell [m], x fastest.
+  std::vector<std::array<std::array<double, 3>, 8>> vertices;
+  std::vector<CellModuli> moduli; ///< of each cell
+  std::size_t unknowns = 0;
+  UnknownConstraints constraints;
+};
+
+/// The mesh in units of its shortest edge along an axis and its largest shear
+/// modulus, so that its stiffness can be stored in single precision.
+/// @param unit  unit of the stiffness of the result [N/m]
+HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit);
+
+/// K on vectors of all unknowns, with isotropic linear elasticity and trilinear
+/// geometry.
+template <class Number>
+class HexahedronOperator {
+public:
+  explicit HexahedronOperator(const HexahedronMesh& mesh);
+
+  std::size_t size() const { return size_; }
+
+  /// Computes force = K displacement; zero at constrained unknowns.
+  /// @param displacement  [m]; constrained values are overwritten
+  void apply(Number* displacement, Number* force) const;
+
+  /// Diagonal of K without the terms that couple two masters of one unknown;
+  /// positive, and zero at constrained unknowns.
+  const std::vector<Number>& diagonal() const { return diagonal_; }
+
+  std::size_t bytes() const;
+
+private:
+  void take_shape(const HexahedronMesh& mesh, std::size_t cell);
+  void take_diagonal(const HexahedronMesh& mesh);
+
+  std::size_t size_;
+  UnknownConstraints constraints_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<Number> shapes_;
+  std::vector<Number> diagonal_;
+};
+
+extern template class HexahedronOperator<float>;
+extern template class HexahedronOperator<double>;
+
+} // namespace asperity::fem

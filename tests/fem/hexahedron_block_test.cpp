@@ -1,0 +1,209 @@
+// Claims about fem/block/hexahedron_block.hpp: the stiffness of second-order
+// hexahedra without a matrix and multigrid with first-order functions, compared
+// with deal.II's assembled matrix and the direct solver.
+#include "fem/block/block_solver.hpp"
+#include "fem/block/hexahedron_block.hpp"
+#include "meshes/hanging_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+
+namespace asperity::fem {
+namespace {
+
+using mechanics::BlockSides;
+using mechanics::FarBoundary;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+constexpr double length = 1e-6; // m
+
+struct HexahedronCase {
+  const char* name;
+  FarBoundary top;
+  BlockSides sides;
+  bool is_shaken = false;
+  mechanics::ContactPoints contact_at = mechanics::ContactPoints::nodes;
+};
+
+/// Two materials on cubes of two sizes with hanging nodes between them.
+BlockProblem problem_of(const HexahedronCase& own, int cells = 4) {
+  const Grid grid{2 * cells, 2 * cells, length, length};
+  BlockProblem problem{
+      grid,
+      meshes::hanging_mesh({cells, cells, length, length}, length, cells / 4),
+      2, ModuliField(moduli(mechanics::BodyModuli{soft_modulus, 0.2}))};
+  problem.moduli.add_layer(
+      0.3 * length, moduli(mechanics::BodyModuli{5.0 * soft_modulus, 0.4}));
+  problem.top = own.top;
+  problem.sides = own.sides;
+  problem.contact_at = own.contact_at;
+  if (own.is_shaken)
+    shake(problem.mesh, 0.6 * length / cells);
+  return problem;
+}
+
+const HexahedronCase shaken{"shaken", FarBoundary::clamped, BlockSides::free,
+                            true};
+
+std::vector<HexahedronCase> all_cases() {
+  return {
+      shaken,
+      {"shaken_sliding", FarBoundary::sliding, BlockSides::free, true},
+      {"periodic_sliding", FarBoundary::sliding, BlockSides::periodic},
+      {"periodic_pressure", FarBoundary::pressure, BlockSides::periodic},
+      {"gauss", FarBoundary::clamped, BlockSides::periodic, false,
+       mechanics::ContactPoints::gauss},
+  };
+}
+
+/// Random numbers at the unconstrained unknowns.
+Vector random_vector(const BlockSystem& system, unsigned int seed) {
+  Vector vector = system.space().make_vector();
+  const std::vector<double> numbers = random_field(system.n_unknowns(), seed);
+  for (unsigned int i = 0; i < system.n_unknowns(); ++i)
+    if (!system.space().constraints().is_constrained(i))
+      vector(i) = numbers[i] - 0.5;
+  vector.compress(dealii::VectorOperation::insert);
+  return vector;
+}
+
+double relative_difference(const Vector& found, const Vector& expected) {
+  Vector difference(found);
+  difference -= expected;
+  return difference.l2_norm() / expected.l2_norm();
+}
+
+class HexahedronCases : public ::testing::TestWithParam<HexahedronCase> {};
+
+// Claim: K u without a matrix is that of deal.II. Tolerance: rounding of a sum
+// over the unknowns of a cell.
+TEST_P(HexahedronCases, HaveTheStiffnessOfTheMatrix) {
+  const BlockProblem problem = problem_of(GetParam());
+  const BlockSystem system(problem);
+  ASSERT_TRUE(is_hexahedron_block(system));
+  ASSERT_FALSE(problem.mesh.refine_below.empty());
+  ASSERT_GT(system.space().constraints().n_constraints(), 0U);
+  const HexahedronBlock block(problem, system);
+  const Vector displacement = random_vector(system, 1);
+  Vector found(displacement), expected(displacement);
+
+  block.vmult(found, displacement);
+
+  system.stiffness().vmult(expected, displacement);
+  for (const auto& line : system.space().constraints().get_lines())
+    expected(line.index) = 0.0;
+  expected.compress(dealii::VectorOperation::insert);
+  EXPECT_LT(relative_difference(found, expected), 1e-13);
+}
+
+/// A contact state of the points in one half of the surface.
+struct HalfContact {
+  std::vector<double> springs;
+  std::vector<bool> held;
+  Vector force; ///< random, zero at held unknowns
+
+  HalfContact(const BlockSystem& system, double spring, bool is_held,
+              double share = 0.5)
+      : springs(system.contact().size(), 0.0),
+        held(springs.size(), false),
+        force(random_vector(system, 2)) {
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      if (system.contact()[i].place[0] > share * length)
+        continue;
+      springs[i] = spring;
+      held[i] = is_held;
+      if (is_held)
+        force(system.contact()[i].row.front().first) = 0.0;
+    }
+    force.compress(dealii::VectorOperation::insert);
+  }
+};
+
+// Claim: the solution is that of the direct solver, with pins, springs of any
+// stiffness and held nodes. Tolerance: the residual times the condition.
+TEST_P(HexahedronCases, HaveTheSolutionOfTheDirectSolver) {
+  const BlockProblem problem = problem_of(GetParam());
+  const BlockSystem system(problem);
+  HexahedronBlock block(problem, system);
+  BlockSolver direct(system, LinearSolver::direct);
+  for (const double spring : {0.0, 1e-2, 1e4, -1.0}) {
+    SCOPED_TRACE(spring);
+    const bool is_held = spring < 0.0;
+    if (is_held && !system.contact().is_nodal())
+      continue;
+    const HalfContact contact(
+        system, is_held ? 0.0 : spring * soft_modulus * length / 8.0, is_held);
+    Vector expected = system.space().make_vector();
+    Vector found(expected);
+    direct.set_contact(contact.springs, contact.held);
+    ASSERT_TRUE(direct.solve(expected, contact.force, 0.0));
+    block.prepare(contact.springs, contact.held);
+
+    const LatticeSolution solution =
+        block.solve(found, contact.force, 1e-12 * contact.force.l2_norm(), 60);
+
+    EXPECT_TRUE(solution.has_converged) << solution.last_residual;
+    EXPECT_LT(relative_difference(found, expected), 1e-9);
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<HexahedronCase>& tested) {
+  return tested.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HexahedronCases, ::testing::ValuesIn(all_cases()),
+                         name_of);
+
+/// Iterations to 1e-8 from zero.
+int iterations_with(HexahedronBlock& block, const HalfContact& contact) {
+  Vector found(contact.force);
+  found = 0.0;
+  block.prepare(contact.springs, contact.held);
+  const LatticeSolution solution =
+      block.solve(found, contact.force, 1e-8 * contact.force.l2_norm(), 100);
+  EXPECT_TRUE(solution.has_converged);
+  return solution.iterations;
+}
+
+// Claim: the iterations to 1e-8 are bounded for two sizes of the mesh, without
+// contact and with springs of any stiffness or held nodes.
+TEST(HexahedronBlockIterations, AreBounded) {
+  for (const int cells : {8, 16}) {
+    const BlockProblem problem = problem_of(shaken, cells);
+    const BlockSystem system(problem);
+    const double unit = soft_modulus * length / cells;
+    for (const double spring : {0.0, 1.0, 1e4, -1.0}) {
+      HexahedronBlock block(problem, system);
+      const bool is_held = spring < 0.0;
+
+      const int iterations = iterations_with(
+          block, {system, is_held ? 0.0 : spring * unit, is_held});
+
+      EXPECT_LE(iterations, 20) << cells << " cells, spring " << spring;
+    }
+  }
+}
+
+// Claim: a hierarchy is kept while nodes are held or released and renewed for
+// other springs.
+TEST(HexahedronBlockHierarchy, IsKeptForSimilarContact) {
+  const BlockProblem problem = problem_of(shaken, 8);
+  const BlockSystem system(problem);
+  HexahedronBlock block(problem, system);
+
+  static_cast<void>(iterations_with(block, {system, 0.0, true, 0.4}));
+  static_cast<void>(iterations_with(block, {system, 0.0, true, 0.45}));
+
+  EXPECT_EQ(block.setups(), 1);
+  static_cast<void>(
+      iterations_with(block, {system, soft_modulus * length, false}));
+  EXPECT_EQ(block.setups(), 2);
+}
+
+} // namespace
+} // namespace asperity::fem
