@@ -105,7 +105,7 @@ Cost by_own(const BlockProblem& problem, const BlockSystem& system,
   cost.set_up = setting_up.seconds();
   displacement = 0.0;
   const CpuClock solving; // with the hierarchy, which the first solve sets up
-  const LatticeSolution solution =
+  const LinearSolution solution =
       block.solve(displacement, patch.load, 1e-8 * patch.load.l2_norm(), 1000);
   cost.solve = solving.seconds();
   cost.memory = 1e-6 * static_cast<double>(block.bytes());

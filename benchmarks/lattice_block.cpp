@@ -108,7 +108,7 @@ Cost by_lattice(const BlockProblem& problem, const BlockSystem& system,
   cost.set_up = setting_up.seconds();
   displacement = 0.0;
   const CpuClock solving;
-  const LatticeSolution solution = lattice.solve(
+  const LinearSolution solution = lattice.solve(
       displacement, patch.load, 1e-8 * patch.load.l2_norm(), 1000);
   cost.solve = solving.seconds();
   cost.memory = 1e-6 * static_cast<double>(lattice.bytes());

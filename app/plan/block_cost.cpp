@@ -75,8 +75,8 @@ bool is_on_lattice(const cases::Case& contact_case,
 
 /// Whether the mesh consists of second-order hexahedra for which multigrid
 /// needs no matrix. The cells of a file are not known yet.
-bool has_free_hexahedra(const cases::Case& contact_case,
-                        const mechanics::FemSettings& settings) {
+bool has_matrix_free_hexahedra(const cases::Case& contact_case,
+                               const mechanics::FemSettings& settings) {
   const mechanics::MeshSpec& mesh = contact_case.mesh;
   return settings.full.bodies == 1 && settings.full.uses_case_mesh &&
          settings.block.element == mechanics::Element::q2 &&
@@ -95,7 +95,7 @@ LinearSolver solver_of(const cases::Case& contact_case,
   // tenths of a second.
   return unknowns <= fem::most_direct_unknowns &&
                  !is_on_lattice(contact_case, settings) &&
-                 !has_free_hexahedra(contact_case, settings)
+                 !has_matrix_free_hexahedra(contact_case, settings)
              ? LinearSolver::direct
              : LinearSolver::multigrid;
 }
@@ -150,7 +150,7 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
       unknown_time = lattice_time[order];
       unknown_setup = lattice_setup_time[order];
       unknown_memory = lattice_memory[order];
-    } else if (has_free_hexahedra(contact_case, settings)) {
+    } else if (has_matrix_free_hexahedra(contact_case, settings)) {
       unknown_time = hexahedron_time;
       unknown_setup = hexahedron_setup_time;
       unknown_memory = hexahedron_memory;

@@ -18,9 +18,6 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 namespace {
 
-/// Cost of a multigrid setup in CG iterations.
-constexpr double setup_steps = 20.0;
-
 /// Whether this process runs alone. MUMPS called through Amesos deadlocks at
 /// its second matrix on two ranks.
 bool is_alone() {
@@ -91,15 +88,16 @@ private:
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<BlockPreconditioner> own,
-                         std::unique_ptr<MatrixFreeBlock> free)
+                         std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
-      is_direct_(!free && (kind == LinearSolver::direct ||
-                           (kind == LinearSolver::automatic &&
-                            system.n_unknowns() <= most_direct_unknowns))),
+      is_direct_(!matrix_free &&
+                 (kind == LinearSolver::direct ||
+                  (kind == LinearSolver::automatic &&
+                   system.n_unknowns() <= most_direct_unknowns))),
       own_(std::move(own)),
-      free_(std::move(free)),
+      matrix_free_(std::move(matrix_free)),
       factors_(std::make_unique<Factors>()) {
-  if (free_)
+  if (matrix_free_)
     return;
   static_cast<void>(system.stiffness()); // is assembled here
   if (is_direct_ || own_)
@@ -116,14 +114,14 @@ BlockSolver::~BlockSolver() = default;
 std::string BlockSolver::name() const {
   if (is_direct_)
     return is_alone() ? "direct (MUMPS)" : "direct (KLU)";
-  if (free_)
-    return free_->name();
+  if (matrix_free_)
+    return matrix_free_->name();
   return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
 }
 
 void BlockSolver::multiply(Vector& to, const Vector& from) const {
-  if (free_)
-    free_->vmult(to, from);
+  if (matrix_free_)
+    matrix_free_->vmult(to, from);
   else
     system_.stiffness().vmult(to, from);
 }
@@ -134,8 +132,8 @@ std::string BlockSolver::failure() const {
 }
 
 double BlockSolver::memory() const {
-  if (free_)
-    return static_cast<double>(free_->bytes());
+  if (matrix_free_)
+    return static_cast<double>(matrix_free_->bytes());
   std::size_t bytes = system_.stiffness().memory_consumption();
   if (own_) {
     bytes += own_->bytes();
@@ -193,9 +191,9 @@ void BlockSolver::set_contact(std::span<const double> springs,
             false, is_alone() ? "Amesos_Mumps" : "Amesos_Klu"));
     factors_->direct->initialize(matrix_);
     ++setups_;
-  } else if (free_) {
-    free_->prepare(springs, held);
-    setups_ = free_->setups();
+  } else if (matrix_free_) {
+    matrix_free_->prepare(springs, held);
+    setups_ = matrix_free_->setups();
   } else if (own_) {
     own_->prepare(springs, held);
     ++setups_;
@@ -244,11 +242,11 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
   constexpr unsigned int most_steps = 1000;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
-  if (free_) {
-    const LatticeSolution solution =
-        free_->solve(unknowns, forces, tolerance, most_steps);
+  if (matrix_free_) {
+    const LinearSolution solution =
+        matrix_free_->solve(unknowns, forces, tolerance, most_steps);
     iterations_ += solution.iterations;
-    setups_ = free_->setups();
+    setups_ = matrix_free_->setups();
     return solution.has_converged;
   }
   if (own_)

@@ -42,9 +42,12 @@ public:
   virtual std::size_t bytes() const = 0; ///< memory on this rank [bytes]
 };
 
+/// Cost of a set-up of Trilinos ML in iterations of conjugate gradients.
+inline constexpr double setup_steps = 20.0;
+
 /// LinearSolver::automatic uses a MatrixFreeBlock up to this ratio of Lame's
 /// moduli, that of nu = 0.49; beyond, it may need too many iterations.
-inline constexpr double most_free_ratio = 49.0;
+inline constexpr double largest_lame_ratio = 49.0;
 
 /// The stiffness of the block and its inverse on one rank, without a matrix.
 class MatrixFreeBlock {
@@ -62,8 +65,8 @@ public:
 
   /// Solves with K and the contact of the last prepare(), starting from
   /// `unknowns`. Forces and unknowns are zero at held unknowns.
-  virtual LatticeSolution solve(Vector& unknowns, const Vector& forces,
-                                double tolerance, int most_iterations) = 0;
+  virtual LinearSolution solve(Vector& unknowns, const Vector& forces,
+                               double tolerance, int most_iterations) = 0;
 
   /// Factor on the relative tolerance of the systems of a Newton step, below 1
   /// if a smaller residual costs little.
@@ -99,12 +102,12 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// large penalty numbers.
 class BlockSolver {
 public:
-  /// @param system must outlive the solver
-  /// @param own      preconditioner used in place of multigrid; may be null
-  /// @param free     solves in place of all others; may be null
+  /// @param system       must outlive the solver
+  /// @param own          preconditioner used in place of multigrid; may be null
+  /// @param matrix_free  solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
               std::unique_ptr<BlockPreconditioner> own = {},
-              std::unique_ptr<MatrixFreeBlock> free = {});
+              std::unique_ptr<MatrixFreeBlock> matrix_free = {});
   ~BlockSolver();
 
   /// Computes to = K from, without the contact state. This call is collective.
@@ -131,7 +134,9 @@ public:
   bool is_direct() const { return is_direct_; }
 
   /// Factor on the relative tolerance of the systems of a Newton step.
-  double tightness() const { return free_ ? free_->tightness() : 1.0; }
+  double tightness() const {
+    return matrix_free_ ? matrix_free_->tightness() : 1.0;
+  }
 
   int iterations() const { return iterations_; } ///< total CG iterations
 
@@ -164,7 +169,7 @@ private:
   const BlockSystem& system_;
   bool is_direct_;
   std::unique_ptr<BlockPreconditioner> own_;
-  std::unique_ptr<MatrixFreeBlock> free_;
+  std::unique_ptr<MatrixFreeBlock> matrix_free_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
   dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_
                                                      ///< belong to

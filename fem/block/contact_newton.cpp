@@ -40,9 +40,9 @@ double larger_residual(double largest, double residual) {
 ContactNewton::ContactNewton(const BlockSystem& system,
                              LinearSolver linear_solver,
                              std::unique_ptr<BlockPreconditioner> own,
-                             std::unique_ptr<MatrixFreeBlock> free)
+                             std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
-      solver_(system, linear_solver, std::move(own), std::move(free)),
+      solver_(system, linear_solver, std::move(own), std::move(matrix_free)),
       stiffness_scale_(system.face_shear_modulus() / system.grid().spacing_x()),
       displacement_(system.space().make_vector()),
       multiplier_(system.contact().size(), 0.0),

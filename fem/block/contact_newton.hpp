@@ -31,7 +31,7 @@ public:
   /// @param system must outlive this object
   ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
                 std::unique_ptr<BlockPreconditioner> own = {},
-                std::unique_ptr<MatrixFreeBlock> free = {});
+                std::unique_ptr<MatrixFreeBlock> matrix_free = {});
 
   /// Solves, starting from the state at the end of the last call, and writes
   /// all results that are not fields into the answer.

@@ -76,7 +76,7 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
                                            const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_free_unknowns;
+                         system.n_unknowns() > most_direct_matrix_free_unknowns;
   if (!is_asked && !may_serve)
     return nullptr;
   const std::optional<BoxLattice> lattice = box_lattice(problem);
@@ -84,7 +84,7 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
     return nullptr;
   const bool is_compressible =
       std::ranges::all_of(lattice->moduli, [](const CellModuli& own) {
-        return own.lame <= most_free_ratio * own.shear;
+        return own.lame <= largest_lame_ratio * own.shear;
       });
   return is_asked || is_compressible
              ? std::make_unique<LatticeBlock>(system, *lattice)
@@ -95,14 +95,14 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
 /// requests or that is the fastest.
 ContactNewton newton_of(const BlockProblem& problem,
                         const BlockSystem& system) {
-  std::unique_ptr<MatrixFreeBlock> free = multigrid_of(problem, system);
+  std::unique_ptr<MatrixFreeBlock> matrix_free = multigrid_of(problem, system);
   std::unique_ptr<BlockPreconditioner> fourier;
-  if (!free)
+  if (!matrix_free)
     fourier = lattice_of(problem, system);
-  if (!free && !fourier)
-    free = hexahedron_block_of(problem, system);
+  if (!matrix_free && !fourier)
+    matrix_free = hexahedron_block_of(problem, system);
   return ContactNewton(system, problem.linear_solver, std::move(fourier),
-                       std::move(free));
+                       std::move(matrix_free));
 }
 
 class MeshedBlock final : public FullBlock {

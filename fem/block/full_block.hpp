@@ -25,7 +25,7 @@ inline constexpr unsigned int most_direct_unknowns = 12000;
 
 /// The same where multigrid needs no matrix: on a lattice of boxes and for
 /// second-order hexahedra, on one rank.
-inline constexpr unsigned int most_direct_free_unknowns = 2000;
+inline constexpr unsigned int most_direct_matrix_free_unknowns = 2000;
 
 /// The contact law, in SI units.
 struct BlockContact {

@@ -13,9 +13,6 @@
 namespace asperity::fem {
 namespace {
 
-/// Cost of a set-up of the hierarchy in iterations.
-constexpr double setup_steps = 20.0;
-
 UnknownConstraints constraints_of(const BlockSpace& space) {
   UnknownConstraints found;
   for (const auto& line : space.constraints().get_lines()) {
@@ -72,7 +69,7 @@ bool is_compressible(const BlockSystem& system) {
   for (const auto& cell :
        system.space().dof_handler().active_cell_iterators()) {
     const Moduli own = system.moduli_of(cell);
-    if (own.lame_modulus > most_free_ratio * own.shear_modulus)
+    if (own.lame_modulus > largest_lame_ratio * own.shear_modulus)
       return false;
   }
   return true;
@@ -285,14 +282,14 @@ void HexahedronBlock::prepare(std::span<const double> springs,
   correction_.prepare(springs, held);
 }
 
-LatticeSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
-                                       double tolerance, int most_iterations) {
+LinearSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
+                                      double tolerance, int most_iterations) {
   to_.assign(forces.begin(), forces.end());
   from_.assign(unknowns.begin(), unknowns.end());
   // A hierarchy of another contact state may be useless for this one.
   constexpr int most_with_old = 50;
   const bool is_old = !correction_.is_current();
-  LatticeSolution solution = multigrid_.solve(
+  LinearSolution solution = multigrid_.solve(
       to_, from_, tolerance,
       is_old ? std::min(most_with_old, most_iterations) : most_iterations);
   if (solution.has_converged || !is_old) {
@@ -327,7 +324,7 @@ std::unique_ptr<MatrixFreeBlock>
 hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_free_unknowns;
+                         system.n_unknowns() > most_direct_matrix_free_unknowns;
   if (!(is_asked || may_serve) || !is_hexahedron_block(system) ||
       !is_compressible(system))
     return nullptr;

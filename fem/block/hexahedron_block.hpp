@@ -83,8 +83,8 @@ public:
   void vmult(Vector& to, const Vector& from) const override;
   void prepare(std::span<const double> springs,
                const std::vector<bool>& held) override;
-  LatticeSolution solve(Vector& unknowns, const Vector& forces,
-                        double tolerance, int most_iterations) override;
+  LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
+                       int most_iterations) override;
 
   int setups() const override { return correction_.setups(); }
 

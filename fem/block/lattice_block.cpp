@@ -187,8 +187,8 @@ LatticeBlock::at_pins(const std::vector<double>& right_sides,
   return {found.begin(), found.end()};
 }
 
-LatticeSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
-                                    double tolerance, int most_iterations) {
+LinearSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
+                                   double tolerance, int most_iterations) {
   to_lattice(forces, to_);
   to_lattice(unknowns, from_);
   std::vector<double> sums(modes_.size(), 0.0);
@@ -200,7 +200,7 @@ LatticeSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
     for (std::size_t pin = 0; pin < loose_.size(); ++pin)
       to_[loose_[pin].place] += sums[pin];
   }
-  const LatticeSolution solution =
+  const LinearSolution solution =
       multigrid_.solve(to_, from_, tolerance, most_iterations);
   if (!modes_.empty()) {
     for (std::size_t pin = 0; pin < loose_.size(); ++pin)

@@ -28,8 +28,8 @@ public:
   void vmult(Vector& to, const Vector& from) const override;
   void prepare(std::span<const double> springs,
                const std::vector<bool>& held) override;
-  LatticeSolution solve(Vector& unknowns, const Vector& forces,
-                        double tolerance, int most_iterations) override;
+  LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
+                       int most_iterations) override;
 
   /// A decade costs one iteration. Under a pressure-loaded far boundary the
   /// response to the approach is a small difference, and without this factor it

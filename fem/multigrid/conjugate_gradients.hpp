@@ -11,7 +11,7 @@
 namespace asperity::fem {
 
 /// The outcome of a solution by conjugate gradients.
-struct LatticeSolution {
+struct LinearSolution {
   bool has_converged = false;
   int iterations = 0;
   double first_residual = 0.0, last_residual = 0.0; ///< l2 norms [N]
@@ -30,14 +30,14 @@ struct GradientVectors {
 ///                  and run_cycle(), which computes the second from the first
 /// @param tolerance  of the l2 norm of the residual
 template <class Problem>
-LatticeSolution
+LinearSolution
 conjugate_gradients(Problem& problem, const std::vector<double>& force,
                     std::vector<double>& displacement, double tolerance,
                     int most_iterations, GradientVectors& own) {
   const auto inner = [](const auto& a, const auto& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
   };
-  LatticeSolution solution;
+  LinearSolution solution;
   own.direction.assign(force.size(), 0.0);
   problem.apply_all(displacement, own.residual);
   for (std::size_t i = 0; i < force.size(); ++i)

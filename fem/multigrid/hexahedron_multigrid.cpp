@@ -106,10 +106,10 @@ void HexahedronMultigrid::run_cycle() {
   clear(own_.displacement);
 }
 
-LatticeSolution HexahedronMultigrid::solve(const std::vector<double>& force,
-                                           std::vector<double>& displacement,
-                                           double tolerance,
-                                           int most_iterations) {
+LinearSolution HexahedronMultigrid::solve(const std::vector<double>& force,
+                                          std::vector<double>& displacement,
+                                          double tolerance,
+                                          int most_iterations) {
   return conjugate_gradients(*this, force, displacement, tolerance,
                              most_iterations, gradients_);
 }

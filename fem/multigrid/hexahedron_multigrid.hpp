@@ -49,9 +49,9 @@ public:
   /// Solves (K + S) displacement = force, starting from `displacement`, which
   /// must be zero at held unknowns.
   /// @param tolerance  of the l2 norm of the residual [N]
-  LatticeSolution solve(const std::vector<double>& force,
-                        std::vector<double>& displacement, double tolerance,
-                        int most_iterations);
+  LinearSolution solve(const std::vector<double>& force,
+                       std::vector<double>& displacement, double tolerance,
+                       int most_iterations);
 
   std::size_t bytes() const;
 

@@ -54,9 +54,9 @@ void LatticeMultigrid::set_contact(FaceContact contact) {
   cycle_.set_contact(scaled);
 }
 
-LatticeSolution LatticeMultigrid::solve(const std::vector<double>& force,
-                                        std::vector<double>& displacement,
-                                        double tolerance, int most_iterations) {
+LinearSolution LatticeMultigrid::solve(const std::vector<double>& force,
+                                       std::vector<double>& displacement,
+                                       double tolerance, int most_iterations) {
   return conjugate_gradients(*this, force, displacement, tolerance,
                              most_iterations, gradients_);
 }

@@ -49,9 +49,9 @@ public:
   /// are in balance; the solution then contains any such motion.
   /// @param force      [N], zero at images
   /// @param tolerance  of the l2 norm of the residual [N]
-  LatticeSolution solve(const std::vector<double>& force,
-                        std::vector<double>& displacement, double tolerance,
-                        int most_iterations);
+  LinearSolution solve(const std::vector<double>& force,
+                       std::vector<double>& displacement, double tolerance,
+                       int most_iterations);
 
   std::size_t levels() const { return cycle_.levels(); }
 

@@ -144,7 +144,7 @@ TEST_P(HexahedronCases, HaveTheSolutionOfTheDirectSolver) {
     ASSERT_TRUE(direct.solve(expected, contact.force, 0.0));
     block.prepare(contact.springs, contact.held);
 
-    const LatticeSolution solution =
+    const LinearSolution solution =
         block.solve(found, contact.force, 1e-12 * contact.force.l2_norm(), 60);
 
     EXPECT_TRUE(solution.has_converged) << solution.last_residual;
@@ -164,7 +164,7 @@ int iterations_with(HexahedronBlock& block, const HalfContact& contact) {
   Vector found(contact.force);
   found = 0.0;
   block.prepare(contact.springs, contact.held);
-  const LatticeSolution solution =
+  const LinearSolution solution =
       block.solve(found, contact.force, 1e-8 * contact.force.l2_norm(), 100);
   EXPECT_TRUE(solution.has_converged);
   return solution.iterations;

@@ -129,7 +129,7 @@ void expect_direct_solution(const BlockProblem& problem,
   Vector found = system.space().make_vector();
   block.prepare(springs, held);
 
-  const LatticeSolution solution =
+  const LinearSolution solution =
       block.solve(found, force, 1e-13 * force.l2_norm(), 100);
 
   EXPECT_TRUE(solution.has_converged) << solution.last_residual;

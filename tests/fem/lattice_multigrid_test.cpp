@@ -92,7 +92,7 @@ int iterations(const BoxLattice& lattice, const FaceContact& contact,
   for (const double value : force)
     square += value * value;
   std::vector<double> displacement(force.size(), 0.0);
-  const LatticeSolution solution =
+  const LinearSolution solution =
       multigrid.solve(force, displacement, tolerance * std::sqrt(square), 300);
   return solution.has_converged ? solution.iterations : 1000;
 }
