@@ -226,13 +226,15 @@ TEST_F(FolderUse, WordsThatCannotBeWrittenAreAnError) {
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
+// With --foreground, timeout sends the signal once: a second one would end the
+// program at once.
 TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
   write("quick.toml",
         std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
   const Ended done =
       run("check quick.toml small.toml --no-cache --junit verdicts.xml "
           "--set surface.points=1024", // longer than the two seconds
-          "timeout --preserve-status -s INT 2");
+          "timeout --foreground --preserve-status -s INT 2");
 
   EXPECT_EQ(done.exit_code, 130) << done.output;
   const std::string xml = text_of(folder / "verdicts.xml");

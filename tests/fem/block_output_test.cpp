@@ -33,8 +33,8 @@ protected:
 
   void SetUp() override {
     start_mpi();
-    folder_ = files::path(::testing::TempDir()) /
-              fmt::format("asperity_block_files_of_{}_ranks", n_ranks());
+    // Each rank has a folder of its own; all use that of rank 0.
+    folder_ = mpi::broadcast(MPI_COMM_WORLD, ::testing::TempDir()) + "block";
     if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
       files::remove_all(folder_);
     MPI_Barrier(MPI_COMM_WORLD);
