@@ -11,17 +11,28 @@
 namespace asperity::contact {
 namespace {
 
-/// Calls change(begin, end) for each block, which changes the gaps of these
-/// nodes and returns the lowest of them, NaN if any is not finite.
-template <class Change>
-void change_gap(std::size_t nodes, int threads, std::vector<double>& lowest,
-                const Change& change) {
+/// Sets the gap of each node to new_gap(node) and finds the lowest one of each
+/// block, NaN if any is not finite.
+template <class NewGap>
+void change_gap(std::span<double> gap, int threads, std::vector<double>& lowest,
+                const NewGap& new_gap) {
+  double* const w = gap.data();
   double* const low = lowest.data();
-  chunked(nodes, threads, [&, low](std::size_t begin, std::size_t end) {
-    each_block(begin, end,
-               [&](std::size_t block, std::size_t first, std::size_t last) {
-                 low[block] = change(first, last);
-               });
+  const auto change_block = [=](std::size_t block, std::size_t begin,
+                                std::size_t end) {
+    double least = std::numeric_limits<double>::infinity();
+    double zero = 0.0;
+#pragma omp simd reduction(min : least) reduction(+ : zero)
+    for (std::size_t i = begin; i < end; ++i) {
+      const double own = new_gap(i);
+      w[i] = own;
+      least = own < least ? own : least;
+      zero += 0.0 * own;
+    }
+    low[block] = least + zero;
+  };
+  chunked(gap.size(), threads, [&](std::size_t begin, std::size_t end) {
+    each_block(begin, end, change_block);
   });
 }
 
@@ -66,41 +77,20 @@ void ContactState::compute_raw_gap() {
   elasticity.displacement(pressure, raw_gap);
   ++transforms;
   is_computed_ = true;
-  double* const w = raw_gap.data();
+  const double* const w = raw_gap.data();
   const double* const h = problem.heights.data();
-  change_gap(pressure.size(), threads, lowest_,
-             [=](std::size_t begin, std::size_t end) {
-               double lowest = std::numeric_limits<double>::infinity();
-               double zero = 0.0;
-#pragma omp simd reduction(min : lowest) reduction(+ : zero)
-               for (std::size_t i = begin; i < end; ++i) {
-                 const double gap = w[i] - h[i];
-                 w[i] = gap;
-                 lowest = gap < lowest ? gap : lowest;
-                 zero += 0.0 * gap;
-               }
-               return lowest + zero;
-             });
+  change_gap(raw_gap, threads, lowest_,
+             [=](std::size_t i) { return w[i] - h[i]; });
   contact_sums_ = contact_sums();
 }
 
 void ContactState::add_to_gap(float factor, std::span<const float> field) {
-  double* const w = raw_gap.data();
+  const double* const w = raw_gap.data();
   const float* const f = field.data();
   const double scale = static_cast<double>(factor);
-  change_gap(pressure.size(), threads, lowest_,
-             [=](std::size_t begin, std::size_t end) {
-               double lowest = std::numeric_limits<double>::infinity();
-               double zero = 0.0;
-#pragma omp simd reduction(min : lowest) reduction(+ : zero)
-               for (std::size_t i = begin; i < end; ++i) {
-                 const double gap = w[i] + scale * static_cast<double>(f[i]);
-                 w[i] = gap;
-                 lowest = gap < lowest ? gap : lowest;
-                 zero += 0.0 * gap;
-               }
-               return lowest + zero;
-             });
+  change_gap(raw_gap, threads, lowest_, [=](std::size_t i) {
+    return w[i] + scale * static_cast<double>(f[i]);
+  });
 }
 
 ContactState::ContactSums ContactState::contact_sums() const {
