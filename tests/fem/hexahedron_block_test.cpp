@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/fem/block_vectors.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
@@ -59,23 +60,6 @@ std::vector<HexahedronCase> all_cases() {
       {"gauss", FarBoundary::clamped, BlockSides::periodic, false,
        mechanics::ContactPoints::gauss},
   };
-}
-
-/// Random numbers at the unconstrained unknowns.
-Vector random_vector(const BlockSystem& system, unsigned int seed) {
-  Vector vector = system.space().make_vector();
-  const std::vector<double> numbers = random_field(system.n_unknowns(), seed);
-  for (unsigned int i = 0; i < system.n_unknowns(); ++i)
-    if (!system.space().constraints().is_constrained(i))
-      vector(i) = numbers[i] - 0.5;
-  vector.compress(dealii::VectorOperation::insert);
-  return vector;
-}
-
-double relative_difference(const Vector& found, const Vector& expected) {
-  Vector difference(found);
-  difference -= expected;
-  return difference.l2_norm() / expected.l2_norm();
 }
 
 class HexahedronCases : public ::testing::TestWithParam<HexahedronCase> {};

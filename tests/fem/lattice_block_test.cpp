@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/fem/block_vectors.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
@@ -64,23 +65,6 @@ std::vector<LatticeCase> all_cases() {
           if (top != FarBoundary::pressure || sides != BlockSides::free)
             found.push_back({degree, top, sides, material});
   return found;
-}
-
-/// Random numbers at the unconstrained unknowns.
-Vector random_vector(const BlockSystem& system, unsigned int seed) {
-  Vector vector = system.space().make_vector();
-  const std::vector<double> numbers = random_field(system.n_unknowns(), seed);
-  for (unsigned int i = 0; i < system.n_unknowns(); ++i)
-    if (!system.space().constraints().is_constrained(i))
-      vector(i) = numbers[i] - 0.5;
-  vector.compress(dealii::VectorOperation::insert);
-  return vector;
-}
-
-double relative_difference(const Vector& found, const Vector& expected) {
-  Vector difference(found);
-  difference -= expected;
-  return difference.l2_norm() / expected.l2_norm();
 }
 
 class LatticeCases : public ::testing::TestWithParam<LatticeCase> {};
