@@ -14,7 +14,6 @@
 #include "fem/block/hexahedron_block.hpp"
 
 #include "base/cpu_clock.hpp"
-#include "fem/block/block_solver.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/graded_layers.hpp"
@@ -27,10 +26,10 @@
 #include <cstring>
 #include <string>
 
+#include "benchmarks/matrix_free_block.hpp"
+
 namespace asperity::fem {
 namespace {
-
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double side = 1e-3; // m
 
@@ -56,62 +55,17 @@ BlockProblem problem_of(int points, const std::string& kind) {
   return problem;
 }
 
-/// The held nodes and the forces of pushing them in.
-struct Patch {
-  std::vector<bool> held;
-  std::vector<double> springs;
-  Vector load;
-
-  Patch(const BlockSystem& system, const MatrixFreeBlock& block)
-      : held(system.contact().size()),
-        springs(held.size(), 0.0),
-        load(system.space().make_vector()) {
-    Vector pushed(load);
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      const auto& place = system.contact()[i].place;
-      held[i] =
-          std::hypot(place[0] - 0.5 * side, place[1] - 0.5 * side) < 0.1 * side;
-      if (held[i])
-        pushed(system.contact()[i].row.front().first) = -1.0;
-    }
-    pushed.compress(dealii::VectorOperation::insert);
-    block.vmult(load, pushed);
-    for (std::size_t i = 0; i < held.size(); ++i)
-      if (held[i])
-        load(system.contact()[i].row.front().first) = 0.0;
-    load.compress(dealii::VectorOperation::insert);
-  }
-};
-
-struct Cost {
-  double set_up = 0.0, solve = 0.0; ///< [s CPU]
-  double memory = 0.0;              ///< [MB]
-
-  double total() const { return set_up + solve; }
-};
-
-void print(const std::string& name, const Cost& cost, int iterations) {
-  std::printf("%-10s %8.3f %8.3f %5d %8.1f\n", name.c_str(), cost.set_up,
-              cost.solve, iterations, cost.memory);
-  std::fflush(stdout);
+bool is_touched(const dealii::Point<2>& place) {
+  return std::hypot(place[0] - 0.5 * side, place[1] - 0.5 * side) < 0.1 * side;
 }
 
-Cost by_own(const BlockProblem& problem, const BlockSystem& system,
-            const Patch& patch, Vector& displacement) {
-  Cost cost;
+Cost own_cost(const BlockProblem& problem, const BlockSystem& system,
+              const Patch& patch, Patch::Vector& displacement) {
   const CpuClock setting_up;
   HexahedronBlock block(problem, system);
-  block.prepare(patch.springs, patch.held);
-  cost.set_up = setting_up.seconds();
-  displacement = 0.0;
-  const CpuClock solving; // with the hierarchy, which the first solve sets up
-  const LinearSolution solution =
-      block.solve(displacement, patch.load, 1e-8 * patch.load.l2_norm(), 1000);
-  cost.solve = solving.seconds();
-  cost.memory = 1e-6 * static_cast<double>(block.bytes());
-  print(solution.has_converged ? "own" : "failed", cost, solution.iterations);
+  const Cost cost = cost_of(block, setting_up, patch, displacement);
   constexpr int products = 20;
-  Vector image(displacement);
+  Patch::Vector image(displacement);
   const CpuClock multiplying;
   for (int i = 0; i < products; ++i)
     block.vmult(image, displacement);
@@ -123,49 +77,16 @@ Cost by_own(const BlockProblem& problem, const BlockSystem& system,
   return cost;
 }
 
-Cost by_algebra(const BlockProblem& problem, const Patch& patch,
-                Vector& displacement) {
-  const BlockSystem system(problem); // its matrix is assembled anew
-  Cost cost;
-  const CpuClock setting_up;
-  BlockSolver solver(system, LinearSolver::multigrid);
-  static_cast<void>(system.stiffness());
-  solver.set_contact(patch.springs, patch.held);
-  cost.set_up = setting_up.seconds();
-  displacement = 0.0;
-  const CpuClock solving; // with the hierarchy, which the first solve sets up
-  const bool converged =
-      solver.solve(displacement, patch.load, 1e-8 * patch.load.l2_norm());
-  cost.solve = solving.seconds();
-  cost.memory = 1e-6 * solver.memory();
-  print(converged ? "algebraic" : "failed", cost, solver.iterations());
-  return cost;
-}
-
 void run(int points, const std::string& kind, int pairs, bool with_both) {
   const BlockProblem problem = problem_of(points, kind);
   const CpuClock building;
   const BlockSystem system(problem);
   std::printf("%s%.2f s CPU for mesh and unknowns\n", system.report().c_str(),
               building.seconds());
-  const HexahedronBlock block(problem, system);
-  const Patch patch(system, block);
-  std::printf("             set-up    solve  iter   memory\n"
-              "            [s CPU]  [s CPU]          [MB]\n");
-  Vector found(patch.load), expected(patch.load);
-  for (int pair = 0; pair < pairs; ++pair) {
-    const Cost own = by_own(problem, system, patch, found);
-    if (!with_both)
-      continue;
-    const Cost other = by_algebra(problem, patch, expected);
-    const double size = expected.linfty_norm();
-    expected -= found;
-    std::printf("ratio of CPU %.1f, of the solve %.1f, of memory %.1f; answers "
-                "differ by %.1e\n",
-                other.total() / own.total(), other.solve / own.solve,
-                other.memory / own.memory, expected.linfty_norm() / size);
-    std::fflush(stdout);
-  }
+  const Patch patch(system, HexahedronBlock(problem, system), is_touched);
+  compare_in_pairs(problem, patch, pairs, with_both, [&](auto& displacement) {
+    return own_cost(problem, system, patch, displacement);
+  });
 }
 
 } // namespace
