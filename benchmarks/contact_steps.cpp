@@ -1,11 +1,13 @@
-// What a load step of the contact solver costs: iterations and transforms
+// The cost of a load step of the contact solver: iterations and transforms
 // (counts, the same on every machine), CPU and wall seconds, peak memory; over
-// loads from light to nearly full contact, from nothing and along a program.
+// loads from light to nearly full contact, without an initial guess and along a
+// loading path.
 //
 //     bench_contact_steps [points] [threads] [thickness] [steps]
 //
-// points a side (512), threads (1), thickness of a slab with a free back in
-// lengths (0: half-space), load steps of the program (16; 0: cold steps only).
+// Points per side (512), threads (1), thickness of a slab with a free far
+// boundary in lengths (0: half-space), load steps of the path (16; 0: only
+// steps without an initial guess).
 #include "base/freed_memory.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -19,7 +21,7 @@
 #include <memory>
 #include <sys/resource.h>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -45,7 +47,7 @@ double peak_gigabytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9;
 }
 
-struct Scene {
+struct RoughProblem {
   Grid grid;
   std::vector<double> heights;
   double gap_tolerance;
@@ -56,7 +58,7 @@ struct Scene {
   }
 };
 
-/// One step solved and printed; what it took is added up.
+/// Solves and prints one step; its cost is added to the total.
 struct Totals {
   int steps = 0, iterations = 0, most = 0, unconverged = 0;
   double cpu = 0.0, most_cpu = 0.0, wall = 0.0;
@@ -94,11 +96,11 @@ struct Totals {
 
 void run(int points, int threads, double thickness, int n_steps) {
   const Grid grid{points, points, 1.0, 1.0};
-  Scene scene{grid, scenes::rough_heights(grid, {}), 0.0, nullptr};
-  scene.gap_tolerance = 1e-8 * scenes::rms(scene.heights);
+  RoughProblem problem{grid, problems::rough_heights(grid, {}), 0.0, nullptr};
+  problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
   const double infinity = std::numeric_limits<double>::infinity();
   const Clock clock;
-  scene.elasticity = std::make_unique<FourierOperator>(
+  problem.elasticity = std::make_unique<FourierOperator>(
       halfspace_operator(grid,
                          {1.0, 0.3, thickness > 0.0 ? thickness : infinity,
                           mechanics::FarBoundary::pressure},
@@ -109,11 +111,11 @@ void run(int points, int threads, double thickness, int n_steps) {
               "iter", "pairs", "CPU [s]", "wall [s]");
   Totals cold;
   for (const double pressure : {.003, .01, .03, .1, .3, .6, 1.0, 1.3}) {
-    LoadSequence sequence = scene.sequence();
+    LoadSequence sequence = problem.sequence();
     cold.take("cold", sequence, pressure);
   }
   Totals program;
-  LoadSequence sequence = scene.sequence();
+  LoadSequence sequence = problem.sequence();
   for (int step = 0; step < n_steps; ++step)
     program.take("program", sequence,
                  3e-3 * std::pow(400.0, step / std::max(1.0, n_steps - 1.0)));

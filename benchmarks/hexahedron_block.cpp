@@ -1,16 +1,16 @@
-// What a block of second-order hexahedra of any shape costs by multigrid
+// The cost of a block of second-order hexahedra of any shape by multigrid
 // without its matrix (fem/block/hexahedron_block.hpp) and by algebraic
 // multigrid for the matrix of first-order cells on the same nodes, in pairs of
 // runs: set-up and one solve in CPU seconds, iterations, memory. The patch of
-// nodes that a sphere touches is held and pushed in by one length; residual to
-// 1e-8 of the load.
+// nodes in contact with a sphere is displaced by one length; residual to 1e-8
+// of the load.
 //
 //     bench_hexahedron_block [points] [indentation|hanging|lattice] [pairs]
 //                            [both|own]
 //
-// nodes a side (32); gmsh's mesh that is fine where the sphere touches, cubes
-// that double away from the surface, or equal boxes in graded layers; pairs of
-// runs (1); which solvers (both). Set-ups include the assembly of matrices.
+// Nodes per side (32); gmsh's mesh that is fine under the sphere, cubes that
+// double away from the surface, or equal boxes in graded layers; pairs of runs
+// (1); which solvers (both). The set-up time includes the assembly of matrices.
 #include "fem/block/hexahedron_block.hpp"
 
 #include "base/cpu_clock.hpp"

@@ -1,12 +1,12 @@
-// What a block on a lattice of boxes costs by geometric multigrid without a
+// The cost of a block on a grid of boxes by geometric multigrid without a
 // matrix (fem/multigrid) and by algebraic multigrid, in pairs of runs: set-up
 // and one solve in CPU seconds, iterations, memory. A rough patch of nodes is
-// held and pushed in by one length, layers grow by 1.2 from cubic cells to a
-// depth of one side; residual to 1e-8 of the load.
+// displaced by one length; layers grow by 1.2 from cubic cells to a depth of
+// one side; residual to 1e-8 of the load.
 //
 //     bench_lattice_block [degree] [points] [pairs] [both|lattice]
 //
-// degree (1), nodes a side (32), pairs of runs (1), which solvers (both). The
+// Degree (1), nodes per side (32), pairs of runs (1), which solvers (both). The
 // set-up of algebraic multigrid includes the assembly of its matrices.
 #include "fem/block/lattice_block.hpp"
 
@@ -39,7 +39,7 @@ BlockProblem problem_of(int degree, int points) {
           .moduli = ModuliField(moduli(mechanics::BodyModuli{2e9, 0.3}))};
 }
 
-/// Some fifth of the surface, in patches of several sizes.
+/// About a fifth of the surface, in patches of several sizes.
 bool is_touched(const dealii::Point<2>& place) {
   const double u = 2.0 * std::numbers::pi * place[0] / side;
   const double v = 2.0 * std::numbers::pi * place[1] / side;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the benchmarks of blocks without a matrix share: a patch of held nodes,
-// the cost of algebraic multigrid, and pairs of runs.
+// The common parts of the benchmarks of blocks without a matrix: a patch of
+// nodes in contact, the cost of algebraic multigrid, and pairs of runs.
 
 #include "base/cpu_clock.hpp"
 #include "fem/block/block_solver.hpp"
@@ -12,7 +12,7 @@
 
 namespace asperity::fem {
 
-/// The held nodes and the forces of pushing them in by 1 m.
+/// The nodes in contact and the forces of displacing them by 1 m.
 struct Patch {
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
   using IsTouched = std::function<bool(const dealii::Point<2>& place)>;
@@ -73,7 +73,7 @@ inline Cost cost_of(MatrixFreeBlock& block, const CpuClock& setting_up,
 
 inline Cost cost_of_algebra(const BlockProblem& problem, const Patch& patch,
                             Patch::Vector& displacement) {
-  const BlockSystem system(problem); // its matrix is assembled anew
+  const BlockSystem system(problem); // its matrix is assembled again
   Cost cost;
   const CpuClock setting_up;
   BlockSolver solver(system, LinearSolver::multigrid);

@@ -1,11 +1,11 @@
-// What it costs to look inside a rough block once it is solved: CPU seconds of
-// the solve, of the strongest stress and of the files for ParaView, which stay
-// for tools/render_block.py.
+// The cost of the stress inside a rough block after its solution: CPU seconds
+// of the solve, of the maximum stress and of the files for ParaView, which
+// remain for tools/render_block.py.
 //
 //     bench_rough_block [points] [folder_and_stem]
 //
-// nodes a side (64), files (out/rough_block). A self-affine surface, H = 0.8,
-// from 2 to points/6 (at least 4) waves a side, rms slope 0.1, on first-order
+// Nodes per side (64), files (out/rough_block). A self-affine surface, H = 0.8,
+// from 2 to points/6 (at least 4) waves per side, rms slope 0.1, on first-order
 // boxes growing by 1.2 to a depth of half a side, clamped; nominal pressure
 // 0.01 E*.
 #include "base/cpu_clock.hpp"

@@ -1,13 +1,13 @@
-// What multigrid costs as the preconditioner of a second-order block, set up
+// The cost of multigrid as the preconditioner of a second-order block, set up
 // for the block's own matrix and for that of first-order cells between the same
 // nodes (fem/block/block_assembly.hpp): entries, set-up and solve in CPU
-// seconds, iterations. The patch of nodes that a sphere touches is pushed in by
-// one length; residual to 1e-8 of the load; the answers are compared.
+// seconds, iterations. The patch of nodes in contact with a sphere is displaced
+// by one length; residual to 1e-8 of the load; the solutions are compared.
 //
 //     bench_second_order_block [points] [indentation|graded] [repeats]
 //
-// nodes a side (32); gmsh's mesh that is fine where the sphere touches, or
-// boxes whose layers grow by 1.5 to a depth of one side; pairs of runs (1).
+// Nodes per side (32); gmsh's mesh that is fine under the sphere, or boxes
+// whose layers grow by 1.5 to a depth of one side; pairs of runs (1).
 #include "base/cpu_clock.hpp"
 #include "fem/block/block_assembly.hpp"
 #include "fem/block/block_solver.hpp"
@@ -52,7 +52,8 @@ BlockProblem problem_of(int points, bool is_indentation) {
   return problem;
 }
 
-/// Springs that hold the patch as a wall would, and the load of pushing it.
+/// Springs that constrain the patch as hard contact would, and the load that
+/// displaces it.
 struct Patch {
   std::vector<double> springs; ///< [N/m]
   Vector load;                 ///< [N]
@@ -70,7 +71,7 @@ struct Patch {
   }
 };
 
-/// One set-up and solve, printed; the answer in `displacement`.
+/// One set-up and solve, printed; the solution is in `displacement`.
 double solve(const char* name, const Matrix& matrix, const Matrix& stands_for,
              const PreconditionAMG::AdditionalData& settings,
              const Vector& load, Vector& displacement) {

@@ -1,15 +1,17 @@
-// What a linear solve of a block of uneven cells costs, by algebraic multigrid
-// (settings of fem/block/block_solver.cpp) and by the uniform block's lateral
-// waves as preconditioners of conjugate gradients: set-up and solve in CPU
-// seconds, iterations, memory. Moduli of +-50 % a cell, layers growing by 1.2
-// from cubic cells to a depth of one length, clamped; loads on every node;
-// residual to 1e-12 of the load, as fem/block/block_solver.cpp.
+// The cost of a linear solve of a block of heterogeneous cells, by algebraic
+// multigrid (settings of fem/block/block_solver.cpp) and with the Fourier
+// solver of the uniform block as the preconditioner of conjugate gradients:
+// set-up and solve in CPU seconds, iterations, memory. Moduli of +-50 % per
+// cell, layers growing by 1.2 from cubic cells to a depth of one length,
+// clamped; loads on every node; residual to 1e-12 of the load, as in
+// fem/block/block_solver.cpp.
 //
 //     bench_uneven_block [degree] [points] [multigrid] [k h/E*]
 //
-// degree (1), nodes a side (32), whether multigrid is run too (1), stiffness of
-// springs under a fifth of the face (0 for none; otherwise none, 0.1, 10, 1e4).
-// Multigrid's memory is what the process grew by: true in its first row only.
+// Degree (1), nodes per side (32), whether multigrid is run too (1), stiffness
+// of springs under a fifth of the contact surface (0 for none; otherwise none,
+// 0.1, 10, 1e4). The memory of multigrid is the growth of the process, which is
+// meaningful in its first row only.
 #include "tests/fem/uneven_block.hpp"
 
 #include "base/cpu_clock.hpp"

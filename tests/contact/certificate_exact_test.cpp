@@ -1,5 +1,5 @@
-// Claims about contact/certificate/certificate.hpp on closed forms: Westergaard
-// and Hertz.
+// Tests of contact/certificate/certificate.hpp with closed forms: Westergaard's
+// and Hertz's.
 #include "contact/certificate/certificate.hpp"
 #include "theory/exact/westergaard.hpp"
 
@@ -11,25 +11,25 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
 
-/// The answer of the discrete problem, to 1e-11 h_rms.
+/// The solution of the discrete problem, to 1e-11 h_rms.
 double discrete_gap(FourierOperator& elasticity,
                     const std::vector<double>& heights, double load) {
   const ContactSolution exact = polonsky_keer(
-      elasticity, {heights, 0.0, 1e-11 * scenes::rms(heights), 50000},
+      elasticity, {heights, 0.0, 1e-11 * problems::rms(heights), 50000},
       {mechanics::Control::nominal_pressure, load});
   EXPECT_TRUE(exact.converged) << exact.note;
   return exact.mean_gap;
 }
 
-// Claim: Westergaard's pressure and mean gap, submitted on grids of 64 to 512
-// nodes in a wave, are certified to no less than their distance from the
-// discrete answer, and to no more than 1e-6 h_rms beyond it. The distance is at
-// most 4 D/n^2 on n nodes.
+// Verifies the bounds for Westergaard's pressure and mean gap on grids of 64 to
+// 512 nodes per wavelength: they are no less than the distance from the
+// discrete solution, and exceed it by no more than 1e-6 h_rms. The distance is
+// at most 4 D/n^2 on n nodes.
 TEST(ClosedForms, CertifyWestergaard) {
   constexpr double amplitude = 0.01;
   const theory::WestergaardContact wave(amplitude, 1.0, 1.0);
@@ -46,7 +46,7 @@ TEST(ClosedForms, CertifyWestergaard) {
       }
       FourierOperator elasticity = halfspace_operator(
           grid, {1.0, 0.0, std::numeric_limits<double>::infinity()});
-      const double rms = scenes::rms(heights);
+      const double rms = problems::rms(heights);
       const double error = std::abs(wave.mean_gap(load) -
                                     discrete_gap(elasticity, heights, load));
 
@@ -62,8 +62,9 @@ TEST(ClosedForms, CertifyWestergaard) {
   }
 }
 
-// Claim: Hertz' pressure under a paraboloid in a periodic cell, which is not
-// the answer because of the periodic images, has bounds that enclose the one.
+// Hertz's pressure under a paraboloid in a periodic cell is not the solution,
+// because of the periodic images. Verifies that the bounds enclose the
+// solution.
 TEST(ClosedForms, CertifyHertz) {
   const Grid grid{128, 128, 1.0, 1.0};
   constexpr double radius = 10.0;
@@ -81,7 +82,7 @@ TEST(ClosedForms, CertifyHertz) {
     }
     FourierOperator elasticity = halfspace_operator(
         grid, {1.0, 0.0, std::numeric_limits<double>::infinity()});
-    const double rms = scenes::rms(heights);
+    const double rms = problems::rms(heights);
     const double u = discrete_gap(elasticity, heights, load);
     const SubmittedField submitted{heights, 0.0, load, pressure};
 
@@ -89,7 +90,7 @@ TEST(ClosedForms, CertifyHertz) {
     const SeparationBounds bounds = bound_separation(elasticity, submitted);
 
     EXPECT_LT(std::abs(check.load_error), 0.02);
-    EXPECT_GT(check.duality_gap, 1e-6 * load * rms); // it is not the answer
+    EXPECT_GT(check.duality_gap, 1e-6 * load * rms); // not the solution
     EXPECT_LE(bounds.low, u + 1e-10 * rms);
     EXPECT_GE(bounds.high, u - 1e-10 * rms);
     EXPECT_LT(bounds.high - bounds.low, 1e-6 * rms);

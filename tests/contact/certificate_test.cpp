@@ -1,5 +1,5 @@
-// Claims about contact/certificate/certificate.hpp: the bounds hold for exact
-// and for damaged answers, and they are sharp.
+// Tests of contact/certificate/certificate.hpp: the bounds hold for exact and
+// for perturbed solutions, and they are sharp.
 #include "contact/certificate/certificate.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -36,7 +36,7 @@ class Certified : public testing::TestWithParam<Problem> {
 protected:
   Certified()
       : grid{GetParam().points, GetParam().points, 1.0, 1.0},
-        heights(scenes::rough_heights(grid, {.seed = GetParam().seed})),
+        heights(problems::rough_heights(grid, {.seed = GetParam().seed})),
         elasticity(halfspace_operator(
             grid, {1.0, 0.3,
                    GetParam().thickness > 0.0
@@ -46,12 +46,12 @@ protected:
   ContactSolution solved(double tolerance) {
     return polonsky_keer(
         elasticity,
-        {heights, GetParam().compliance, tolerance * scenes::rms(heights),
+        {heights, GetParam().compliance, tolerance * problems::rms(heights),
          20000},
         {mechanics::Control::nominal_pressure, GetParam().load});
   }
 
-  /// The penalty's separation counts the penetration: u of (C + c).
+  /// In penalty contact the separation includes the penetration: u of (C + c).
   double separation(const ContactSolution& answer) {
     return check_field(elasticity, submitted(answer.pressure)).mean_gap;
   }
@@ -60,7 +60,7 @@ protected:
     return {heights, GetParam().compliance, GetParam().load, pressure};
   }
 
-  /// The same noise in any amplitude, and tension at a node without contact.
+  /// The same noise at any amplitude, and tension at a node without contact.
   std::vector<double> with_noise(std::vector<double> pressure,
                                  double amplitude) const {
     std::mt19937_64 random(GetParam().seed);
@@ -82,7 +82,7 @@ protected:
     return 0.5 * mean_product(pressure, w) - mean_product(heights, pressure);
   }
 
-  /// |a - b|^2 in the energy norm.
+  /// a - b|^2 in the energy norm.
   double distance(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> difference(a.size()), w(a.size());
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -98,13 +98,13 @@ protected:
   FourierOperator elasticity;
 };
 
-// Claim: the separation of an answer that is exact to 1e-12 h_rms lies between
-// the bounds, which are closer than 1e-6 h_rms.
+// Verifies that the separation of a solution that is exact to 1e-12 h_rms lies
+// between the bounds, which differ by less than 1e-6 h_rms.
 TEST_P(Certified, EnclosesTheExactSeparation) {
   const ContactSolution exact = solved(1e-12);
   ASSERT_TRUE(exact.converged) << exact.note;
   const double u = separation(exact);
-  const double rms = scenes::rms(heights);
+  const double rms = problems::rms(heights);
 
   const SeparationBounds bounds =
       bound_separation(elasticity, submitted(exact.pressure));
@@ -115,11 +115,11 @@ TEST_P(Certified, EnclosesTheExactSeparation) {
   EXPECT_NEAR(u, exact.mean_gap, 1e-11 * rms);
 }
 
-// Claim: the mean gap does not depend on where heights are measured from.
+// Verifies that the mean gap does not depend on the origin of the heights.
 TEST_P(Certified, IgnoresTheMeanOfTheHeights) {
   const ContactSolution exact = solved(1e-9);
   const double u = separation(exact);
-  const double rms = scenes::rms(heights);
+  const double rms = problems::rms(heights);
   for (double& height : heights)
     height += 3.0 * rms;
   EXPECT_NEAR(separation(exact), u, 1e-11 * rms);
@@ -129,18 +129,18 @@ TEST_P(Certified, IgnoresTheMeanOfTheHeights) {
   EXPECT_GE(bounds.high, u - 1e-8 * rms);
 }
 
-// Claim: for an answer with noise of 1 % and tension, the energy is above the
-// least by no more than the duality gap and by no less than half the squared
-// error; the bounds still enclose the separation, and the error that they state
-// for the answer is not below the true one. The duality gap is proportional to
-// the noise (the difference of the energies to its square, so that no factor
-// between the two can be stated).
-TEST_P(Certified, BoundsADamagedAnswer) {
+// Verifies the bounds for a solution with noise of 1 % and tension: its energy
+// exceeds the minimum by no more than the duality gap and by no less than half
+// the squared error, the bounds still enclose the separation, and the stated
+// error of the solution is not below the actual one. The duality gap is
+// proportional to the noise (the difference of the energies to its square, so
+// that no factor between the two can be stated).
+TEST_P(Certified, BoundsAPerturbedSolution) {
   const ContactSolution exact = solved(1e-12);
   ASSERT_TRUE(exact.converged) << exact.note;
   const std::vector<double> damaged = with_noise(exact.pressure, 0.01);
   const double u = separation(exact);
-  const double rms = scenes::rms(heights);
+  const double rms = problems::rms(heights);
 
   const FieldCheck check = check_field(elasticity, submitted(damaged));
   const SeparationBounds bounds =
@@ -174,11 +174,11 @@ INSTANTIATE_TEST_SUITE_P(Problems, Certified,
                                          Problem{64, 0.0, 0.01, 0.05, 4},
                                          Problem{128, 0.5, 0.0, 0.1, 5}));
 
-// Claim: the bounds enclose the separation in random problems: grids of 16 and
-// 32 nodes, half-spaces and slabs, hard contact and penalties, from a few nodes
-// in contact to all of them, with damaged answers. The bound of one application
-// of the operator holds for any submitted mean gap, and in one of the problems
-// it is less than twice the error.
+// Verifies that the bounds enclose the separation in random problems: grids of
+// 16 and 32 nodes, half-spaces and slabs, hard contact and penalties, from a
+// few nodes in contact to all of them, with perturbed solutions. The bound from
+// one application of the operator holds for any submitted mean gap, and in one
+// of the problems it is less than twice the error.
 TEST(RandomCertificates, EncloseTheSeparation) {
   std::mt19937_64 random(7);
   const auto up_to = [&](double largest) {
@@ -191,15 +191,15 @@ TEST(RandomCertificates, EncloseTheSeparation) {
     const int points = up_to(1.0) < 0.5 ? 16 : 32;
     const Grid grid{points, points, 1.0, 1.0};
     const std::vector<double> heights =
-        scenes::rough_heights(grid, {.hurst = up_to(1.0),
-                                     .roll_off = 1.0 + up_to(3.0),
-                                     .shortest_wave = 2.0 + up_to(6.0),
-                                     .seed = unsigned(k)});
+        problems::rough_heights(grid, {.hurst = up_to(1.0),
+                                       .roll_off = 1.0 + up_to(3.0),
+                                       .shortest_wave = 2.0 + up_to(6.0),
+                                       .seed = unsigned(k)});
     FourierOperator elasticity = halfspace_operator(
         grid, {1.0, up_to(0.49),
                up_to(1.0) < 0.5 ? 0.1 + up_to(1.0)
                                 : std::numeric_limits<double>::infinity()});
-    const double rms = scenes::rms(heights);
+    const double rms = problems::rms(heights);
     const double compliance = up_to(1.0) < 0.3 ? up_to(0.1) : 0.0;
     const double load = std::pow(10.0, -3.0 + up_to(3.5));
     SCOPED_TRACE(k);
@@ -231,13 +231,13 @@ TEST(RandomCertificates, EncloseTheSeparation) {
 class FieldCheckOfFlaws : public testing::Test {
 protected:
   Grid grid{16, 16, 1.0, 1.0};
-  std::vector<double> heights = scenes::rough_heights(grid, {});
+  std::vector<double> heights = problems::rough_heights(grid, {});
   FourierOperator elasticity = halfspace_operator(
       grid, {1.0, 0.3, std::numeric_limits<double>::infinity()});
 };
 
-// Claim: a wrong load and tension are counted as submitted.
-TEST_F(FieldCheckOfFlaws, CountsWhatIsProjectedAway) {
+// Verifies that a wrong load and tension are reported as they were submitted.
+TEST_F(FieldCheckOfFlaws, ReportsWhatTheProjectionRemoves) {
   std::vector<double> pressure(grid.size(), 0.0);
   pressure[3] = 3.0 * 256.0;
   pressure[4] = -1.0 * 256.0;
@@ -250,15 +250,15 @@ TEST_F(FieldCheckOfFlaws, CountsWhatIsProjectedAway) {
   EXPECT_GT(check.pressure_error, 0.0);
 }
 
-// Claim: the bound of the mean gap is that of docs/numerics/certificate.md,
-// with |p|^2 = 2 W in hard contact: sqrt(G) |p| for a field near the answer and
-// G + |p|^2/4 for one far from it, over p_0, and the distance of the submitted
-// mean gap on top. Tolerance: roundoff. Random problems cannot show this,
-// because the bound is some orders above their errors.
+// The bound of the mean gap is that of docs/numerics/certificate.md, with |p|^2
+// = 2 W in hard contact: sqrt(G) |p| for a field near the answer and G +
+// |p|^2/4 for one far from it, over p_0, and the distance of the submitted mean
+// gap on top. Tolerance: roundoff. Random problems cannot show this, because
+// the bound is some orders above their errors.
 TEST_F(FieldCheckOfFlaws, BoundsTheMeanGapAsDocumented) {
   const double load = 0.2;
   const ContactSolution answer =
-      solve_contact(elasticity, {heights, 0.0, 1e-3 * scenes::rms(heights)},
+      solve_contact(elasticity, {heights, 0.0, 1e-3 * problems::rms(heights)},
                     {mechanics::Control::nominal_pressure, load});
   const FieldCheck near =
       check_field(elasticity, {heights, 0.0, load, answer.pressure});
@@ -284,7 +284,7 @@ TEST_F(FieldCheckOfFlaws, BoundsTheMeanGapAsDocumented) {
               1e-12 * far.mean_gap_error);
 }
 
-TEST_F(FieldCheckOfFlaws, RefusesWhatIsNoField) {
+TEST_F(FieldCheckOfFlaws, RefusesAnInvalidField) {
   const std::vector<double> none(grid.size(), 0.0);
   const std::vector<double> wrong(7, 1.0);
   std::vector<double> broken(grid.size(), 1.0);
@@ -292,10 +292,10 @@ TEST_F(FieldCheckOfFlaws, RefusesWhatIsNoField) {
   for (const std::vector<double>& pressure : {none, wrong, broken})
     EXPECT_THROW(check_field(elasticity, {heights, 0.0, 1.0, pressure}),
                  std::domain_error);
-  const std::vector<double> sound(grid.size(), 1.0);
-  EXPECT_THROW(check_field(elasticity, {heights, 0.0, 0.0, sound}),
+  const std::vector<double> pressure(grid.size(), 1.0);
+  EXPECT_THROW(check_field(elasticity, {heights, 0.0, 0.0, pressure}),
                std::domain_error);
-  EXPECT_THROW(check_field(elasticity, {heights, -1.0, 1.0, sound}),
+  EXPECT_THROW(check_field(elasticity, {heights, -1.0, 1.0, pressure}),
                std::domain_error);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// An elastic operator that answers with a number that is not finite, once or
-// from some call on: what a solver must not take for a solution.
+// An elastic operator that returns a number that is not finite, once or from
+// some call on. A solver must not accept it as a solution.
 
 #include "contact/operators/fourier_operator.hpp"
 
@@ -9,55 +9,55 @@
 #include <memory>
 #include <utility>
 
-namespace asperity::contact::scenes {
+namespace asperity::contact::problems {
 
-/// Which application fails, when, and with what.
+/// Which application fails, when, and with which value.
 struct Fault {
   enum class Call { displacement, change, estimate } call = Call::displacement;
-  int after = 0;         ///< good calls before it
+  int after = 0;         ///< correct calls before it
   int times = 1;         ///< calls that fail
-  bool is_whole = false; ///< the whole field, or its last node only
+  bool is_whole = false; ///< the whole field or its last node only
   double value = std::numeric_limits<double>::quiet_NaN();
 };
 
 class FaultyOperator final : public SurfaceOperator {
 public:
-  FaultyOperator(FourierOperator sound, const Fault& fault)
-      : sound_(std::move(sound)), fault_(fault) {}
+  FaultyOperator(FourierOperator exact, const Fault& fault)
+      : exact_(std::move(exact)), fault_(fault) {}
 
   std::unique_ptr<SurfaceOperator> clone() const override {
     return std::make_unique<FaultyOperator>(*this);
   }
 
-  const Grid& grid() const override { return sound_.grid(); }
+  const Grid& grid() const override { return exact_.grid(); }
 
   std::span<const double> nodal_weights() const override { return {}; }
 
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override {
-    sound_.displacement(pressure, displacement);
-    spoil(Fault::Call::displacement, displacement);
+    exact_.displacement(pressure, displacement);
+    inject(Fault::Call::displacement, displacement);
   }
 
   void displacement_change(std::span<const float> pressure_change,
                            std::span<float> displacement_change) override {
-    sound_.displacement_change(pressure_change, displacement_change);
-    spoil(Fault::Call::change, displacement_change);
+    exact_.displacement_change(pressure_change, displacement_change);
+    inject(Fault::Call::change, displacement_change);
   }
 
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override {
-    sound_.pressure_estimate(gap, local_compliance, pressure);
-    spoil(Fault::Call::estimate, pressure);
+    exact_.pressure_estimate(gap, local_compliance, pressure);
+    inject(Fault::Call::estimate, pressure);
   }
 
   double short_wave_compliance() const override {
-    return sound_.short_wave_compliance();
+    return exact_.short_wave_compliance();
   }
 
   /// Fails in the same way.
   std::unique_ptr<SurfaceOperator> coarsened() const override {
-    const std::unique_ptr<SurfaceOperator> coarse = sound_.coarsened();
+    const std::unique_ptr<SurfaceOperator> coarse = exact_.coarsened();
     if (!coarse)
       return nullptr;
     return std::make_unique<FaultyOperator>(
@@ -66,7 +66,7 @@ public:
 
 private:
   template <class Number>
-  void spoil(Fault::Call call, std::span<Number> field) {
+  void inject(Fault::Call call, std::span<Number> field) {
     if (call != fault_.call)
       return;
     const int so_far = calls_++;
@@ -77,9 +77,9 @@ private:
       field[i] = static_cast<Number>(fault_.value);
   }
 
-  FourierOperator sound_;
+  FourierOperator exact_;
   Fault fault_;
   int calls_ = 0;
 };
 
-} // namespace asperity::contact::scenes
+} // namespace asperity::contact::problems

@@ -1,5 +1,5 @@
-// Claims about contact/operators/free_halfspace.hpp: the displacement is the
-// sum over pressed cells, and Hertzian contacts have no periodic images.
+// Tests of contact/operators/free_halfspace.hpp: the displacement is the sum
+// over loaded cells, and Hertzian contacts have no periodic images.
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -56,10 +56,10 @@ TEST(RectangleDisplacement, HasItsKnownValues) {
   EXPECT_NEAR(rectangle_displacement(0.0, 0.0, 0.5, 0.5, modulus),
               4.0 * 0.5 * std::log(1.0 + std::sqrt(2.0)) / (pi * modulus),
               1e-15);
-  // Far away it is that of a point load.
+  // Far away it is the displacement under a point load.
   EXPECT_NEAR(rectangle_displacement(300.0, -400.0, 0.5, 0.2, modulus),
               0.1 / (pi * modulus * 500.0), 1e-9 * 0.1 / (pi * modulus));
-  // Four quarters make a rectangle.
+  // Four quarters sum to a rectangle.
   EXPECT_NEAR(rectangle_displacement(0.3, 0.1, 0.4, 0.2, modulus),
               rectangle_displacement(0.2, 0.05, 0.2, 0.1, modulus) +
                   rectangle_displacement(0.4, 0.05, 0.2, 0.1, modulus) +
@@ -93,8 +93,8 @@ TEST(FreeHalfspaceOperator, IsTheSumOverPressedCells) {
     }
 }
 
-// Claim: the preconditioner is positive, also for long pixels.
-TEST(FreeHalfspaceOperator, HasAPositiveEstimateOfThePressure) {
+// Verifies that the preconditioner is positive, also for elongated cells.
+TEST(FreeHalfspaceOperator, HasAPositivePreconditioner) {
   for (const double aspect : {1.0, 10.0}) {
     const Grid grid{40, 24, 1.0, aspect * 24.0 / 40.0};
     FreeHalfspace elasticity(grid, modulus);
@@ -168,11 +168,11 @@ TEST(FreeHertz, DoesNotDependOnThePlaceInTheMap) {
                   corner.pressure[grid.index(13 + x, 83 + y)], 1e-6 * peak);
 }
 
-TEST(FreeContact, IsSolvedAsByTheMethodWithoutPreconditioner) {
+TEST(FreeContact, AgreesWithTheUnpreconditionedMethod) {
   const Grid grid{64, 64, 1.0, 1.0};
-  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  const std::vector<double> heights = problems::rough_heights(grid, {});
   FreeHalfspace elasticity(grid, modulus);
-  // The last contact touches the whole border.
+  // In the last contact the whole border touches.
   for (const double compliance : {0.0, 0.01})
     for (const double load : {0.02, 0.2, 8.0}) {
       const ContactProblem problem{heights, compliance, 1e-9, 5000};
@@ -183,7 +183,8 @@ TEST(FreeContact, IsSolvedAsByTheMethodWithoutPreconditioner) {
       ASSERT_TRUE(fast.converged && slow.converged) << load;
       EXPECT_LE(fast.iterations, 25) << load;
       EXPECT_NEAR(fast.mean_gap, slow.mean_gap, 1e-8);
-      EXPECT_LE(scenes::complementarity_error(elasticity, problem, fast), 2e-9);
+      EXPECT_LE(problems::complementarity_error(elasticity, problem, fast),
+                2e-9);
     }
 }
 
@@ -198,7 +199,7 @@ TEST(FreeContact, RefusesAPrescribedMeanGap) {
 
 TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
   const Grid grid{48, 48, 1.0, 1.0};
-  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  const std::vector<double> heights = problems::rough_heights(grid, {});
   FreeHalfspace elasticity(grid, modulus);
   const mechanics::LoadTarget target{mechanics::Control::nominal_pressure, 0.1};
   const ContactSolution exact =
@@ -216,7 +217,7 @@ TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
     const SeparationBounds bounds = bound_separation(elasticity, field);
     EXPECT_LE(bounds.low, exact.mean_gap);
     EXPECT_GE(bounds.high, exact.mean_gap);
-    EXPECT_LE(bounds.high - bounds.low, 1e-4 * scenes::rms(heights));
+    EXPECT_LE(bounds.high - bounds.low, 1e-4 * problems::rms(heights));
   }
 }
 

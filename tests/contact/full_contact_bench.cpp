@@ -1,6 +1,7 @@
-// Near full contact, ours beside plain conjugate gradients (Polonsky and Keer)
-// on one surface, cold starts, to the same gap error: iterations and processor
-// time. Argument: points a side (1024). Some minutes; run by hand.
+// Compares our solver with plain conjugate gradients (Polonsky and Keer) near
+// full contact, on one surface, without an initial guess and to the same gap
+// error: iterations and processor time. Argument: points per side (1024). It
+// takes some minutes and is not part of the tests.
 #include "contact/solvers/solver.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include <ctime>
 #include <limits>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace {
 
@@ -51,10 +52,11 @@ std::string cells(const Answer& answer) {
 int main(int argc, char** argv) {
   const int points = argc > 1 ? std::atoi(argv[1]) : 1024;
   const Grid grid{points, points, 1.0, 1.0};
-  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  const std::vector<double> heights = problems::rough_heights(grid, {});
   FourierOperator elasticity = halfspace_operator(
       grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
-  const ContactProblem problem{heights, 0.0, 1e-8 * scenes::rms(heights), 5000};
+  const ContactProblem problem{heights, 0.0, 1e-8 * problems::rms(heights),
+                               5000};
   fmt::print("{0} x {0} nodes, to 1e-8 h_rms\n"
              "| p/(E* h') | in contact, % | iterations | s | plain: iterations "
              "| s |\n|---|---|---|---|---|---|\n",

@@ -1,4 +1,4 @@
-// Claims about contact/operators/halfspace.hpp and
+// Tests of contact/operators/halfspace.hpp and
 // contact/operators/fourier_operator.hpp.
 #include "base/maximum.hpp"
 #include "contact/operators/halfspace.hpp"
@@ -49,8 +49,8 @@ TEST(SlabFactor, HasThePublishedValuesForTheLongestWave) {
 }
 
 // A thin clamped layer is an oedometer, C = d (1+nu)(1-2nu)/(E (1-nu)); a thin
-// sliding one plane strain, d/E*; a thin free one a plate, 12/(E* d^3 q^4).
-// The next terms are of order x^2 = 1e-6 (clamped: times (1-nu)/(1-2nu)).
+// sliding one is in plane strain, d/E*; a thin free one is a plate, 12/(E* d^3
+// q^4). The next terms are of order x^2 = 1e-6 (clamped: times (1-nu)/(1-2nu)).
 TEST(SlabFactor, ThinLayersAreOedometerStripAndPlate) {
   const double x = 1e-3;
   const double nu = 0.3;
@@ -66,7 +66,8 @@ TEST(SlabFactor, ThinLayersAreOedometerStripAndPlate) {
               1.0, 5e-6);
 }
 
-// Both branches of the free slab's formula meet: 0.5 (series) and 20.
+// The branches of the formula for the free slab agree where they meet, at 0.5
+// (series) and at 20.
 TEST(SlabFactor, IsContinuousWhereItsFormulaChanges) {
   for (const double x : {0.5, 20.0}) {
     const double below = slab_compliance_factor(
@@ -86,7 +87,7 @@ TEST(SlabFactor, TendsToTheHalfspace) {
   }
 }
 
-TEST(SlabFactor, RefusesWhatIsNoSlab) {
+TEST(SlabFactor, RefusesAnInvalidSlab) {
   EXPECT_THROW(
       slab_compliance_factor(0.0, mechanics::FarBoundary::clamped, 0.3),
       std::domain_error);
@@ -95,9 +96,9 @@ TEST(SlabFactor, RefusesWhatIsNoSlab) {
       std::domain_error);
 }
 
-// Claim: cos(q x) of pressure gives 2/(E* q) cos(q x) of displacement, and a
-// uniform pressure none. Tolerance: rounding of sums over 128 nodes.
-TEST(HalfspaceOperator, AnswersAWaveWithAWave) {
+// A pressure cos(q x) gives the displacement 2/(E* q) cos(q x), and a uniform
+// pressure gives none. Tolerance: roundoff of sums over 128 nodes.
+TEST(HalfspaceOperator, RespondsToAWaveWithAWave) {
   const Grid grid{16, 8, 2.0, 1.0};
   const double contact_modulus = 3.0;
   FourierOperator elasticity =
@@ -118,9 +119,9 @@ TEST(HalfspaceOperator, AnswersAWaveWithAWave) {
     EXPECT_NEAR(displacement[i], expected * (pressure[i] - 5.0), 1e-14);
 }
 
-// Claim: pressure_estimate inverts displacement + c pressure, mean apart.
-// Tolerance: single precision, 6e-8, of gaps that differ by the ratio of the
-// compliances, up to 8 here.
+// Verifies that the preconditioner inverts displacement + c pressure except for
+// the mean. Tolerance: single precision, 6e-8, of gaps that differ by the ratio
+// of the compliances, up to 8 here.
 TEST(FourierOperator, EstimateInvertsTheCompliance) {
   const Grid grid{12, 10, 1.0, 1.5};
   FourierOperator elasticity = halfspace_operator(
@@ -145,8 +146,8 @@ TEST(FourierOperator, EstimateInvertsTheCompliance) {
     EXPECT_NEAR(static_cast<double>(back[i]), pressure[i] - mean, 1e-6);
 }
 
-// Claim: a change in single precision is the displacement, to the rounding of
-// a transform, some 6e-8 of the largest.
+// Verifies that a change computed in single precision is the displacement, to
+// the roundoff of a transform, some 6e-8 of the maximum.
 TEST(FourierOperator, ChangeIsTheDisplacementInSinglePrecision) {
   const Grid grid{12, 10, 1.0, 1.5};
   FourierOperator elasticity = halfspace_operator(
@@ -167,7 +168,7 @@ TEST(FourierOperator, ChangeIsTheDisplacementInSinglePrecision) {
     EXPECT_NEAR(static_cast<double>(found[i]), expected[i], 1e-6 * largest);
 }
 
-// Claim: on the coarse grid a long wave meets the same compliance.
+// Verifies that a long wave has the same compliance on the coarse grid.
 TEST(FourierOperator, CoarseFormKeepsTheLongWaves) {
   const Grid grid{64, 64, 1.0, 1.0};
   const FourierOperator fine =
@@ -190,7 +191,7 @@ TEST(FourierOperator, CoarseFormKeepsTheLongWaves) {
   EXPECT_EQ(coarse->coarsened(), nullptr);
 }
 
-TEST(FourierOperator, RefusesASymbolThatIsNone) {
+TEST(FourierOperator, RefusesAnInvalidSymbol) {
   const Grid grid{4, 4, 1.0, 1.0};
   EXPECT_THROW(FourierOperator(grid, {1.0, 2.0}), std::domain_error);
   std::vector<double> symbol(grid.half_spectrum_size(), 1.0);

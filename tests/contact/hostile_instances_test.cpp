@@ -1,9 +1,10 @@
-// Claim: every answer to a contact problem, however hostile, is converged and
-// verified apart from the solver, or says why it is not; only arguments that
-// are outside their range are refused. Units from picometres and millipascals
-// to megametres and terapascals, flat and spiked and huge heights, numbers that
-// are not finite, loads to 10 E*, from one node on, one to three threads.
-// ASPERITY_INSTANCES sets how many are tried.
+// Verifies that every solution of a contact problem, however extreme its
+// numbers, either is converged and passes an independent check, or is reported
+// as not converged with a reason. Only arguments outside their range are
+// refused. The instances have units from picometres and millipascals to
+// megametres and terapascals, flat, spiked and huge heights, numbers that are
+// not finite, loads up to 10 E*, grids from one node on, and one to three
+// threads. ASPERITY_INSTANCES sets their number.
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -18,7 +19,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -52,7 +53,7 @@ struct Instance {
   }
 };
 
-/// Draws the parts of an instance.
+/// Draws the parts of a problem instance at random.
 class Dice {
 public:
   explicit Dice(unsigned number) : random_(number) {}
@@ -85,13 +86,13 @@ std::vector<double> heights_of(const Grid& grid, Dice& dice) {
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix) {
       double& height = heights[grid.index(ix, iy)];
-      if (kind == 3) // many ties
+      if (kind == 3) // many equal heights
         height = (ix + iy) % 2;
       if (kind == 4) // a long wave
         height = std::cos(2.0 * std::numbers::pi * ix / grid.points_x);
       if (kind == 5)
         height = dice.uniform(-1.0, 1.0);
-      if (kind == 6) // heights far from 0
+      if (kind == 6) // a large offset from 0
         height = 1e5 + dice.uniform(-1.0, 1.0);
     }
   return heights;
@@ -111,8 +112,9 @@ mechanics::ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
   return block;
 }
 
-/// A number that is not finite or a scale that overflows, somewhere.
-void spoil(Instance& instance, Dice& dice) {
+/// Puts a number that is not finite, or a scale that overflows, at a random
+/// place.
+void make_invalid(Instance& instance, Dice& dice) {
   const double bad = std::array{nan, infinity, -infinity, 1e300, -1e300, 1e-310}
       [static_cast<std::size_t>(dice.pick(6))];
   std::vector<double>& field =
@@ -169,11 +171,11 @@ Instance instance_number(unsigned number) {
   if (dice.is_one_in(10))
     instance.max_iterations = 1 + dice.pick(5);
   if (dice.is_one_in(6))
-    spoil(instance, dice);
+    make_invalid(instance, dice);
   return instance;
 }
 
-/// What rounding leaves of a gap [m].
+/// Roundoff error of a gap [m].
 double gap_rounding(const Instance& instance, const FourierOperator& elasticity,
                     const ContactSolution& answer) {
   const std::span<const double> compliance = elasticity.compliance();
@@ -191,7 +193,7 @@ void expect_verified(const Instance& instance, FourierOperator& elasticity,
   if (instance.solve == solve_augmented)
     problem.local_compliance = 0.0;
   const double rounding = gap_rounding(instance, elasticity, answer);
-  EXPECT_LE(scenes::complementarity_error(elasticity, problem, answer),
+  EXPECT_LE(problems::complementarity_error(elasticity, problem, answer),
             1.01 * instance.gap_tolerance + rounding);
   EXPECT_LE(answer.gap_error, instance.gap_tolerance + rounding);
   if (instance.target.control == Kind::nominal_pressure)
@@ -201,7 +203,7 @@ void expect_verified(const Instance& instance, FourierOperator& elasticity,
                 instance.gap_tolerance + rounding);
 }
 
-/// Verifies the answer, and says what came of the instance.
+/// Verifies the solution and returns the outcome of the instance.
 std::string outcome_of(const Instance& instance) {
   FourierOperator elasticity =
       halfspace_operator(instance.grid, instance.block, instance.threads);

@@ -1,6 +1,6 @@
-// Claims about the number of iterations of contact/solvers/solver.hpp, and that
-// two threads give the bits of one. Counts, not times: the same on every
-// machine up to rounding.
+// Tests of the number of iterations of contact/solvers/solver.hpp and of
+// bitwise equality on one and two threads. Counts, unlike times, are the same
+// on every machine up to roundoff.
 #include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -17,10 +17,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ContactSolution step_on(int points, double pressure, int threads) {
   const Grid grid{points, points, 1.0, 1.0};
-  const std::vector<double> heights = scenes::rough_heights(grid, {});
+  const std::vector<double> heights = problems::rough_heights(grid, {});
   LoadSequence sequence(std::make_unique<FourierOperator>(halfspace_operator(
                             grid, {1.0, 0.0, infinity, {}}, threads)),
-                        heights, {}, 1e-8 * scenes::rms(heights), 2000);
+                        heights, {}, 1e-8 * problems::rms(heights), 2000);
   return sequence.solve({mechanics::Control::nominal_pressure, pressure});
 }
 
@@ -34,15 +34,17 @@ int most_iterations(int points) {
   return most;
 }
 
-// Claim: from light to nearly full contact (0.7 to 97 % of the nodes) a cold
-// step to 1e-8 h_rms stays under these counts. Margin: a fifth above what was
-// measured, because rounding moves a count by one or two.
+// Verifies that a load step without an initial guess, from light to nearly full
+// contact (0.7 to 97 % of the nodes), to 1e-8 h_rms, takes no more than these
+// iterations. Margin: a fifth above the measured counts, because roundoff
+// changes a count by one or two.
 TEST(Iterations, StayFewAtAnyLoad) {
   EXPECT_LE(most_iterations(128), 18);
   EXPECT_LE(most_iterations(256), 18);
 }
 
-// Claim: the partition of every sum is fixed, so threads change no bit.
+// The partition of every sum is fixed, so that the number of threads changes no
+// bit.
 TEST(Iterations, ThreadsChangeNoBit) {
   const ContactSolution one = step_on(128, 0.1, 1);
   for (const int threads : {2, 3}) {

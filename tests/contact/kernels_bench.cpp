@@ -1,7 +1,7 @@
-// The kernels of a contact step at N^2 nodes: transforms, rim, and one step of
-// the iteration. The other kernels have theirs beside the tests of their
-// modules: fem/condensed (block symbol), md/interface (forces), theory/persson
-// (quadrature).
+// The kernels of a contact step at N^2 nodes: transforms, extension beyond the
+// contact boundary, and one step of the iteration. The benchmarks of the other
+// kernels are beside the tests of their modules: fem/condensed (block symbol),
+// md/interface (forces), theory/persson (quadrature).
 #include "base/fourier.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/boundary_extension.hpp"
@@ -11,7 +11,7 @@
 
 #include <limits>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -52,12 +52,12 @@ void convolution_single(benchmark::State& state) {
     elasticity.displacement_change(pressure, answer);
 }
 
-/// A state near 20 % of contact.
+/// A state near a contact fraction of 20 %.
 ContactState partial_contact(FourierOperator& elasticity,
                              const std::vector<double>& heights) {
   std::vector<double> start(heights);
   for (double& value : start)
-    value = std::max(0.0, value - scenes::rms(heights));
+    value = std::max(0.0, value - problems::rms(heights));
   ContactState state(elasticity, {heights, 0.0, 1e-12, 1},
                      {mechanics::Control::nominal_pressure, 0.1}, start);
   state.update_residual();
@@ -67,7 +67,7 @@ ContactState partial_contact(FourierOperator& elasticity,
 void residual(benchmark::State& state) {
   FourierOperator elasticity = halfspace(grid_of(state));
   const std::vector<double> heights =
-      scenes::rough_heights(elasticity.grid(), {});
+      problems::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
   for (auto _ : state)
     contact.update_residual();
@@ -76,7 +76,7 @@ void residual(benchmark::State& state) {
 void projection(benchmark::State& state) {
   FourierOperator elasticity = halfspace(grid_of(state));
   const std::vector<double> heights =
-      scenes::rough_heights(elasticity.grid(), {});
+      problems::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
   const std::vector<float> direction(heights.size(), -1e-3F);
   std::vector<float> displaced(heights.size(), -1e-3F);
@@ -84,27 +84,27 @@ void projection(benchmark::State& state) {
     contact.advance(1e-6F, direction, displaced);
 }
 
-void rim_rings(benchmark::State& state) {
+void extension_layers(benchmark::State& state) {
   FourierOperator elasticity = halfspace(grid_of(state));
   const std::vector<double> heights =
-      scenes::rough_heights(elasticity.grid(), {});
+      problems::rough_heights(elasticity.grid(), {});
   const ContactState contact = partial_contact(elasticity, heights);
-  BoundaryExtension rim(elasticity.grid(), 1);
+  BoundaryExtension extension(elasticity.grid(), 1);
   for (auto _ : state)
-    rim.build(contact.freedom);
+    extension.build(contact.freedom);
 }
 
-void rim_extend_and_fold(benchmark::State& state) {
+void extension_extend_and_fold(benchmark::State& state) {
   FourierOperator elasticity = halfspace(grid_of(state));
   const std::vector<double> heights =
-      scenes::rough_heights(elasticity.grid(), {});
+      problems::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
-  BoundaryExtension rim(elasticity.grid(), 1);
-  rim.build(contact.freedom);
+  BoundaryExtension extension(elasticity.grid(), 1);
+  extension.build(contact.freedom);
   for (auto _ : state) {
-    rim.extend(0.5, contact.freedom, contact.residual);
-    rim.clear(contact.freedom, contact.residual);
-    rim.fold(0.5, contact.freedom, contact.residual);
+    extension.extend(0.5, contact.freedom, contact.residual);
+    extension.clear(contact.freedom, contact.residual);
+    extension.fold(0.5, contact.freedom, contact.residual);
   }
 }
 
@@ -116,8 +116,8 @@ KERNEL(convolution_double);
 KERNEL(convolution_single);
 KERNEL(residual);
 KERNEL(projection);
-KERNEL(rim_rings);
-KERNEL(rim_extend_and_fold);
+KERNEL(extension_layers);
+KERNEL(extension_extend_and_fold);
 
 } // namespace
 } // namespace asperity::contact

@@ -1,5 +1,6 @@
-// Claims about contact/operators/layered_compliance.hpp: closed forms of slabs
-// and of a coating in fifty digits, limits, and what stiffer layers must do.
+// Tests of contact/operators/layered_compliance.hpp against closed forms of
+// slabs and of a coating in fifty digits, against limits, and against the
+// monotonicity in the moduli of the layers.
 #include "contact/operators/layered_compliance.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -26,7 +27,7 @@ double plane_strain(double youngs_modulus, double poisson_ratio) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 }
 
-/// A block of one material, its upper part cut into layers.
+/// A block of one material whose upper part is cut into layers.
 mechanics::ElasticBlock cut_block(double modulus, double nu, double thickness,
                                   mechanics::FarBoundary far_boundary) {
   mechanics::ElasticBlock block{plane_strain(modulus, nu), nu, thickness,
@@ -47,7 +48,8 @@ mechanics::ElasticBlock coated_halfspace(double coating, double coating_nu,
           {{thickness, coating, coating_nu}}};
 }
 
-/// slab_compliance_factor's closed forms, where cancellation costs nothing.
+/// The closed forms of slab_compliance_factor in a precision in which
+/// cancellation does no harm.
 Digits50 slab_factor(Digits50 x, mechanics::FarBoundary far_boundary,
                      Digits50 nu) {
   const Digits50 twice = 2 * x;
@@ -63,9 +65,9 @@ Digits50 slab_factor(Digits50 x, mechanics::FarBoundary far_boundary,
   return (sinh(twice) + twice) / (cosh(twice) - 1 - 2 * x * x);
 }
 
-/// A coating bonded to a half-space, frictionless face, relative to 2/(E*_1 q);
-/// mu = mu_1/mu_2. See E. J. O'Sullivan and R. B. King, J. Tribol. 110, 235
-/// (1988).
+/// A coating bonded to a half-space, with a frictionless surface, relative to
+/// 2/(E*_1 q); mu = mu_1/mu_2. See E. J. O'Sullivan and R. B. King, J. Tribol.
+/// 110, 235 (1988).
 Digits50 coating_factor(Digits50 x, Digits50 mu, Digits50 nu_1, Digits50 nu_2) {
   const Digits50 lambda = 1 - 4 * (1 - nu_1) / (1 + mu * (3 - 4 * nu_2));
   const Digits50 kappa = (mu - 1) / (mu + 3 - 4 * nu_1);
@@ -79,9 +81,10 @@ constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
                                          1.3,  2.2,  4.5,  9.0,  12.5,
                                          30.0, 55.0, 90.0, 1e3,  1e4};
 
-// Claim: layers of one material are the block, for every far face and every
-// wave. Tolerance: some ten roundings in each of four crossings.
-TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
+// Verifies that layers of one material equal the homogeneous block, for every
+// far boundary and every wave. Tolerance: some ten roundings in each of four
+// layers.
+TEST(LayeredCompliance, OfEqualLayersEqualsTheSlab) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
     for (const mechanics::FarBoundary face : far_faces)
       for (const double x : reduced_wavevectors) {
@@ -100,7 +103,7 @@ TEST(LayeredCompliance, OfEqualLayersIsTheSlabs) {
       }
 }
 
-TEST(LayeredCompliance, OfEqualLayersIsTheHalfspaces) {
+TEST(LayeredCompliance, OfEqualLayersEqualsTheHalfspace) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.5})
     for (const double q : reduced_wavevectors) {
       const mechanics::ElasticBlock block =
@@ -111,9 +114,10 @@ TEST(LayeredCompliance, OfEqualLayersIsTheHalfspaces) {
     }
 }
 
-// Claim: a coating on a half-space is O'Sullivan and King's, a million times
-// softer to a million times stiffer. Tolerance: ten roundings in each of two
-// crossings, and more where the one bears a millionth of the other.
+// Verifies O'Sullivan and King's solution for a coating on a half-space, from a
+// million times softer to a million times stiffer. Tolerance: ten roundings in
+// each of two layers, and more where one carries a millionth of the load of the
+// other.
 TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
   for (const double ratio : {1e-6, 1e-3, 0.1, 1.0, 7.0, 1e3, 1e6})
     for (const double nu_1 : {0.0, 0.25, 0.4999})
@@ -136,9 +140,10 @@ TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
         }
 }
 
-// Claim: a short wave feels the coating, a long one the substrate. Tolerances:
-// the coating's bottom is felt by x^2 exp(-2x) = 1e-11; the substrate's coating
-// by x times the ratio of the moduli.
+// A short wave has the compliance of the coating, a long one that of the
+// substrate. Tolerances: the coating's lower boundary changes the former by x^2
+// exp(-2x) = 1e-11; the coating changes the latter by x times the ratio of the
+// moduli.
 TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
   const mechanics::ElasticBlock block =
       coated_halfspace(20e9, 0.2, 2e9, 0.4, 1e-6);
@@ -149,10 +154,10 @@ TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
               2.0, 3e-5);
 }
 
-// Claim: a thin free stack is a plate of the bending stiffness
-// D = int E* (z - z_0)^2 dz about the axis that bears no stretching: C = 1/(D
-// q^4). Tolerance: the next order is (q d)^2 = 1e-6.
-TEST(LayeredCompliance, OfAThinFreeStackIsAPlates) {
+// A thin free stack is a plate of the bending stiffness D = int E* (z - z_0)^2
+// dz about the neutral axis: C = 1/(D q^4). Tolerance: the next order is (q
+// d)^2 = 1e-6.
+TEST(LayeredCompliance, OfAThinFreeStackEqualsAPlate) {
   const std::array<mechanics::BondedLayer, 3> layers{
       {{0.2, 5.0, 0.3}, {0.1, 0.5, 0.1}, {0.4, 2.0, 0.45}}};
   const double q = 1e-3 / 0.7;
@@ -207,11 +212,11 @@ RandomStack any_stack() {
   return stack;
 }
 
-// Claim: the least energy of a stiffer solid is no smaller under the same
-// displacement, so that a layer made stiffer makes no wave softer; held by more
-// of its far face it is no softer either. Tolerance: rounding, 1e-11 for plates
-// of very unequal layers.
-RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
+// Under the same displacement the minimum energy of a stiffer solid is no
+// smaller, so that a stiffer layer increases the compliance of no wave, nor
+// does a constraint of more components at the far boundary. Tolerance:
+// roundoff, 1e-11 for plates of very unequal layers.
+RC_GTEST_PROP(LayeredCompliance, DecreasesWithEveryModulusAndConstraint, ()) {
   const RandomStack stack = any_stack();
   const double softer = layered_compliance(stack.wavevector, stack.block);
   RC_ASSERT(std::isfinite(softer) && softer > 0.0);
@@ -234,9 +239,8 @@ RC_GTEST_PROP(LayeredCompliance, FallsWithEveryModulusAndEveryHold, ()) {
   }
 }
 
-// Claim: a cut through a layer changes nothing, wherever it is. Tolerance as
-// above.
-RC_GTEST_PROP(LayeredCompliance, DoesNotKnowACut, ()) {
+// A cut through a layer changes nothing, wherever it is. Tolerance as above.
+RC_GTEST_PROP(LayeredCompliance, IsUnchangedByACut, ()) {
   const RandomStack stack = any_stack();
   mechanics::ElasticBlock cut = stack.block;
   const auto which =
@@ -253,7 +257,7 @@ RC_GTEST_PROP(LayeredCompliance, DoesNotKnowACut, ()) {
             1e-11);
 }
 
-// Claim: the operator's symbol is C(|q|), wave by wave.
+// Verifies that the symbol of the operator is C(|q|) for each wavevector.
 TEST(LayeredCompliance, IsTheSymbolOfALayeredBlock) {
   const Grid grid{8, 6, 1.0, 2.0};
   const mechanics::ElasticBlock block =
@@ -267,7 +271,7 @@ TEST(LayeredCompliance, IsTheSymbolOfALayeredBlock) {
                 std::hypot(wavevector(3, 1.0), wavevector(-2, 2.0)), block));
 }
 
-TEST(LayeredCompliance, RefusesWhatIsNoStack) {
+TEST(LayeredCompliance, RefusesAnInvalidStack) {
   const mechanics::ElasticBlock good =
       coated_halfspace(3.0, 0.2, 1.0, 0.4, 0.05);
   EXPECT_THROW(layered_compliance(0.0, good), std::domain_error);

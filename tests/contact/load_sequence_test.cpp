@@ -1,5 +1,6 @@
-// Claims about contact/solvers/load_sequence.hpp: starts change the way, not
-// the answer; the laws mean what they say.
+// Tests of contact/solvers/load_sequence.hpp: an initial guess changes the
+// number of iterations and not the solution, and each contact law has its
+// documented meaning.
 #include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -18,8 +19,8 @@ using Kind = mechanics::Control;
 class Sequence : public ::testing::Test {
 protected:
   static constexpr Grid grid{128, 128, 1.0, 1.0};
-  std::vector<double> heights = scenes::rough_heights(grid, {});
-  double rms_height = scenes::rms(heights);
+  std::vector<double> heights = problems::rough_heights(grid, {});
+  double rms_height = problems::rms(heights);
   double tolerance = 1e-9 * rms_height;
   FourierOperator elasticity = halfspace_operator(
       grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
@@ -35,8 +36,8 @@ protected:
   }
 };
 
-// Tolerance: both answers are good to `tolerance` in the gap.
-TEST_F(Sequence, AnswersAsAColdStartDoes) {
+// Tolerance: each solution is accurate to `tolerance` in the gap.
+TEST_F(Sequence, GivesTheSolutionOfAColdStart) {
   LoadSequence program = sequence(mechanics::ContactLaw::hard);
   int warm_iterations = 0;
   int cold_iterations = 0;
@@ -66,10 +67,10 @@ TEST_F(Sequence, CoarseStartSavesFineIterations) {
   EXPECT_LT(from_coarse.iterations, cold(0.02).iterations);
 }
 
-// Claim: the spring of an augmentation is no part of its answer, be it a
-// millionth of what a grid's wave resists with. Tolerance: both answers are
-// good to `tolerance` in the gap.
-TEST_F(Sequence, AugmentsAnySpring) {
+// Verifies that the solution does not depend on the penalty of the
+// augmentation, down to a millionth of the stiffness of the grid's waves.
+// Tolerance: each solution is accurate to `tolerance` in the gap.
+TEST_F(Sequence, AugmentsAnyPenalty) {
   const double wall = cold(0.05).mean_gap;
   for (const double penalty : {1e-6, 1.0, 1e15}) {
     LoadSequence program =
@@ -81,10 +82,10 @@ TEST_F(Sequence, AugmentsAnySpring) {
   }
 }
 
-// Claim: a spring far softer than the face carries a load that presses it in a
-// million times deeper than the heights are high: then all touch and the mean
-// gap is -p_0/k. Tolerance: (8 + N/8) eps of it, as promised.
-TEST_F(Sequence, ReachesTheEndOfASoftSpring) {
+// A penalty far softer than the elastic surface carries a load whose
+// penetration is a million times the heights: every node is in contact and the
+// mean gap is -p_0/k. Tolerance: (8 + N/8) eps of it, as documented.
+TEST_F(Sequence, SolvesWithAVerySoftPenalty) {
   const double penalty = 1e-6 / grid.spacing_x();
   LoadSequence program = sequence(mechanics::ContactLaw::penalty, penalty);
 
@@ -94,7 +95,7 @@ TEST_F(Sequence, ReachesTheEndOfASoftSpring) {
   EXPECT_NEAR(found.mean_gap * penalty / -100.0, 1.0, 2056.0 * 2.3e-16);
 }
 
-TEST_F(Sequence, FollowsAGapProgram) {
+TEST_F(Sequence, FollowsAGapHistory) {
   LoadSequence by_pressure = sequence(mechanics::ContactLaw::hard);
   LoadSequence by_gap = sequence(mechanics::ContactLaw::hard);
   for (const double pressure : {0.01, 0.03, 0.1, 0.3}) {
@@ -107,9 +108,9 @@ TEST_F(Sequence, FollowsAGapProgram) {
   }
 }
 
-// Claim: steps under gap control start from one another, and a step under the
-// other control does not, since an amount in Pa cannot be extrapolated from
-// amounts in m: it is that of a new sequence, bit for bit.
+// Steps under gap control start from one another. A step under the other
+// control does not, since an amount in Pa cannot be extrapolated from amounts
+// in m: it equals that of a new sequence, bit for bit.
 TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
   LoadSequence program = sequence(mechanics::ContactLaw::hard);
   int warm_iterations = 0;
@@ -127,9 +128,9 @@ TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
             sequence(mechanics::ContactLaw::hard).solve(changed).pressure);
 }
 
-// Claim: where a gap closes, the start of the next step has a pressure, which
-// saves iterations. Margin: between what was measured and what an extrapolation
-// of the pressures alone takes.
+// Verifies that the initial guess of the next step has a pressure where a gap
+// closes, which saves iterations. Margin: between the measured count and that
+// of an extrapolation of the pressures alone.
 TEST_F(Sequence, ExtrapolatesNewContacts) {
   tolerance = 1e-5 * rms_height;
   LoadSequence program = sequence(mechanics::ContactLaw::hard);
@@ -142,9 +143,9 @@ TEST_F(Sequence, ExtrapolatesNewContacts) {
   EXPECT_LE(iterations, 130);
 }
 
-// Claim: a sequence that recalls the memory of another continues as that one
-// does, bit for bit, under either control.
-TEST_F(Sequence, ContinuesFromTheMemoryOfAnother) {
+// Verifies that a sequence that restores the saved state of another continues
+// as that one does, bit for bit, under either control.
+TEST_F(Sequence, ContinuesFromTheSavedStateOfAnother) {
   for (const Kind kind : {Kind::nominal_pressure, Kind::mean_gap}) {
     const double unit = kind == Kind::mean_gap ? rms_height : 0.05;
     LoadSequence first = sequence(mechanics::ContactLaw::hard);
@@ -162,7 +163,7 @@ TEST_F(Sequence, ContinuesFromTheMemoryOfAnother) {
   }
 }
 
-// Claim: a penalty shows -p/k as its gap, and k -> inf is the hard wall.
+// The gap of a penalty contact is -p/k, and its limit k -> inf is hard contact.
 TEST_F(Sequence, PenaltyIsALocalSpring) {
   const double spacing = grid.spacing_x();
   LoadSequence soft = sequence(mechanics::ContactLaw::penalty, 100.0 / spacing);
@@ -182,9 +183,9 @@ TEST_F(Sequence, PenaltyIsALocalSpring) {
               2.0 * tolerance);
 }
 
-// Claim: augmentation removes the penetration of any penalty, under either
-// control, and shows the gap against the surface as it is.
-TEST_F(Sequence, AugmentedPenaltyEndsAtTheHardWall) {
+// Verifies that augmentation removes the penetration of any penalty, under
+// either control, and that the gap is measured to the given surface.
+TEST_F(Sequence, AugmentedPenaltyConvergesToHardContact) {
   for (const double reduced_penalty : {1.0, 100.0}) {
     LoadSequence augmented = sequence(mechanics::ContactLaw::augmented,
                                       reduced_penalty / grid.spacing_x());
@@ -204,14 +205,14 @@ TEST_F(Sequence, AugmentedPenaltyEndsAtTheHardWall) {
   }
 }
 
-// Claim: one deep node in a flat surface, which is the last to touch, makes the
-// multipliers converge too slowly; hard contact, which has the same answer,
-// finishes them and says so.
+// With one deep node in a flat surface, which is the last to touch, the
+// multipliers converge too slowly. The solver of hard contact, which has the
+// same solution, completes the step, and the note says so.
 TEST(AugmentedContact, IsFinishedByHardContact) {
   const Grid grid{32, 32, 1.0, 1.0};
   std::vector<double> heights(grid.size(), 1.0 / 1024.0);
   heights[grid.index(16, 16)] -= 1.0;
-  const double scale = scenes::rms(heights);
+  const double scale = problems::rms(heights);
   FourierOperator elasticity = halfspace_operator(
       grid, {.contact_modulus = 1.0,
              .thickness = std::numeric_limits<double>::infinity()});
@@ -226,7 +227,7 @@ TEST(AugmentedContact, IsFinishedByHardContact) {
   EXPECT_NE(answer.note.find("finished by the solver of hard contact"),
             std::string::npos)
       << answer.note;
-  EXPECT_LE(scenes::complementarity_error(
+  EXPECT_LE(problems::complementarity_error(
                 elasticity, {heights, 0.0, problem.gap_tolerance}, answer),
             1.1 * problem.gap_tolerance);
 }

@@ -1,4 +1,4 @@
-// Claims about contact/solvers/node_bits.hpp, judged node by node.
+// Tests of contact/solvers/node_bits.hpp against a loop over all nodes.
 #include "contact/solvers/node_bits.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::array<int, 2>, 8> steps = {
     {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
-/// Half of the flags 0, the others anything up to 255.
+/// Half of the flags are 0, the others anything up to 255.
 std::vector<std::uint8_t> flags_on(const Grid& grid) {
   std::mt19937 random(7);
   std::vector<std::uint8_t> flags(grid.size());
@@ -31,7 +31,7 @@ NodeBits bits_of(const Grid& grid, const std::vector<std::uint8_t>& flags) {
   return bits;
 }
 
-/// Widths of less than a word, of whole words and of a word and a rest.
+/// Widths of less than a word, of entire words, and of a word and a remainder.
 std::vector<Grid> grids() {
   std::vector<Grid> all;
   for (const int width : {1, 2, 7, 63, 64, 65, 96, 128, 130})

@@ -1,6 +1,6 @@
-// Claim: whatever number that is not finite turns up in a contact solver, its
-// answer is verified apart from it, or it is not converged and says why; no
-// solver ends by an exception.
+// Verifies that for any number that is not finite in a contact solver the
+// solution either passes an independent check or is not converged with a
+// reason, and that no solver ends by an exception.
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -14,13 +14,13 @@
 #include <stdexcept>
 
 #include "tests/contact/faulty_operator.hpp"
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
 
-using scenes::Fault;
-using scenes::FaultyOperator;
+using problems::Fault;
+using problems::FaultyOperator;
 using Kind = mechanics::Control;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -47,20 +47,22 @@ FourierOperator halfspace(const Grid& grid) {
 class FaultyContact : public ::testing::Test {
 protected:
   Grid grid{16, 16, 1.0, 1.0};
-  std::vector<double> heights = scenes::rough_heights(grid, {0.8, 2.0, 4.0, 3});
-  double tolerance = 1e-9 * scenes::rms(heights);
-  FourierOperator sound = halfspace(grid);
+  std::vector<double> heights =
+      problems::rough_heights(grid, {0.8, 2.0, 4.0, 3});
+  double tolerance = 1e-9 * problems::rms(heights);
+  FourierOperator exact = halfspace(grid);
 
-  /// Verified by the sound operator, or not converged with a reason.
-  void expect_honest(const ContactSolution& answer,
-                     const ContactProblem& problem,
-                     const mechanics::LoadTarget& target) {
+  /// Passes the check with the correct operator, or is not converged with a
+  /// reason.
+  void expect_verified_or_failed(const ContactSolution& answer,
+                                 const ContactProblem& problem,
+                                 const mechanics::LoadTarget& target) {
     if (!answer.converged) {
       EXPECT_FALSE(answer.note.empty());
       ++failed;
       return;
     }
-    EXPECT_LE(scenes::complementarity_error(sound, problem, answer),
+    EXPECT_LE(problems::complementarity_error(exact, problem, answer),
               1.01 * tolerance);
     EXPECT_NEAR(target.control == Kind::mean_gap ? answer.mean_gap
                                                  : answer.nominal_pressure,
@@ -91,10 +93,10 @@ TEST_F(FaultyContact, NoSolverConvergesOnANumberThatIsNotFinite) {
               ContactProblem given = problem;
               if (is_augmented)
                 given.local_compliance = 1e-3;
-              FaultyOperator faulty(sound, {call, after, 1, is_whole, value});
+              FaultyOperator faulty(exact, {call, after, 1, is_whole, value});
               ContactSolution answer;
               ASSERT_NO_THROW(answer = solver.solve(faulty, given, target, {}));
-              expect_honest(answer, problem, target);
+              expect_verified_or_failed(answer, problem, target);
             }
   RecordProperty("verified", verified);
   RecordProperty("not converged", failed);
@@ -102,36 +104,36 @@ TEST_F(FaultyContact, NoSolverConvergesOnANumberThatIsNotFinite) {
   EXPECT_GT(failed, 0);
 }
 
-// Claim: a fault of one load step, also on the coarse grid that it starts
-// from, leaves the next one nothing to suffer from.
+// Verifies that a fault in one load step, also on the coarse grid of its
+// initial guess, has no effect on the next one.
 TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
   grid = {64, 64, 1.0, 1.0};
-  heights = scenes::rough_heights(grid, {});
-  tolerance = 1e-9 * scenes::rms(heights);
-  sound = halfspace(grid);
+  heights = problems::rough_heights(grid, {});
+  tolerance = 1e-9 * problems::rms(heights);
+  exact = halfspace(grid);
   for (const mechanics::ContactLaw law :
        {mechanics::ContactLaw::hard, mechanics::ContactLaw::augmented})
     for (int after = 0; after < 30; after += 3) {
       SCOPED_TRACE(after);
       LoadSequence sequence(
           std::make_unique<FaultyOperator>(
-              sound, Fault{Fault::Call::displacement, after, 1, true, nan}),
+              exact, Fault{Fault::Call::displacement, after, 1, true, nan}),
           heights, {law, 1e3}, tolerance, 500);
       for (const double pressure : {0.02, 0.03, 0.05, 0.08}) {
         const mechanics::LoadTarget target{Kind::nominal_pressure, pressure};
-        expect_honest(sequence.solve(target), {heights, 0.0, tolerance, 500},
-                      target);
+        expect_verified_or_failed(sequence.solve(target),
+                                  {heights, 0.0, tolerance, 500}, target);
       }
     }
   EXPECT_GT(verified, 3 * failed);
   EXPECT_GT(failed, 0);
 }
 
-// A step so long that no node is left in contact: nothing carries the load.
+// A step so long that it leaves no node in contact to carry the load.
 TEST_F(FaultyContact, AStepThatCutsEveryPressureIsNoSolution) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
   const mechanics::LoadTarget target{Kind::nominal_pressure, 0.05};
-  ContactState state(sound, problem, target, {});
+  ContactState state(exact, problem, target, {});
   state.update_residual();
   std::vector<float> compliance_direction(heights.size(), 0.0F);
   state.advance(1e6F, std::vector<float>(heights.size(), 1.0F),
@@ -142,7 +144,7 @@ TEST_F(FaultyContact, AStepThatCutsEveryPressureIsNoSolution) {
   EXPECT_FALSE(answer.converged);
   EXPECT_NE(answer.note.find("not finite"), std::string::npos) << answer.note;
 
-  ProjectedState plain(sound, problem, target, {});
+  ProjectedState plain(exact, problem, target, {});
   plain.update_residual();
   plain.advance(1e6, std::vector<double>(heights.size(), 1.0), {});
   plain.update_residual();
@@ -153,14 +155,14 @@ TEST_F(FaultyContact, AStepThatCutsEveryPressureIsNoSolution) {
       << plain_answer.note;
 }
 
-// Claim: a tolerance below the rounding of the recurrence is not met by
-// rounding alone: the answer's own gap is what converges.
-TEST_F(FaultyContact, PolonskyAndKeerConvergeInTheGapTheyShow) {
+// A tolerance below the roundoff of the recurrence must not be met by roundoff
+// alone: convergence is measured in the gap of the returned solution.
+TEST_F(FaultyContact, PolonskyAndKeerConvergeInTheGapTheyReturn) {
   for (const double share : {1e-12, 1e-13, 1e-14, 3e-15, 1e-15}) {
-    const ContactProblem problem{heights, 0.0, share * scenes::rms(heights),
+    const ContactProblem problem{heights, 0.0, share * problems::rms(heights),
                                  3000};
     const ContactSolution answer =
-        polonsky_keer(sound, problem, {Kind::nominal_pressure, 0.3});
+        polonsky_keer(exact, problem, {Kind::nominal_pressure, 0.3});
     double shown = 0.0;
     for (std::size_t i = 0; i < heights.size(); ++i)
       if (answer.pressure[i] > 0.0 || answer.gap[i] < 0.0)
@@ -170,28 +172,28 @@ TEST_F(FaultyContact, PolonskyAndKeerConvergeInTheGapTheyShow) {
   }
 }
 
-TEST_F(FaultyContact, AMemoryThatIsNotFiniteIsRefused) {
-  LoadSequence sequence(sound.clone(), heights,
+TEST_F(FaultyContact, ASavedStateThatIsNotFiniteIsRefused) {
+  LoadSequence sequence(exact.clone(), heights,
                         {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
   sequence.solve({Kind::nominal_pressure, 0.05});
   for (const double bad : {nan, infinity, -infinity}) {
     std::vector<double> memory = sequence.memory();
     memory.back() = bad;
-    LoadSequence other(sound.clone(), heights,
+    LoadSequence other(exact.clone(), heights,
                        {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
     EXPECT_THROW(other.recall(memory), std::domain_error) << bad;
   }
 }
 
-// Claim: the check that all contact tests rest on is passed by no answer with
-// a number that is not finite, nor by fields of another size.
+// Verifies that the check used by all contact tests rejects solutions with a
+// number that is not finite and fields of another size.
 TEST_F(FaultyContact, TheCheckItselfSeesEachFault) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
   const ContactSolution good =
-      solve_contact(sound, problem, {Kind::nominal_pressure, 0.05});
+      solve_contact(exact, problem, {Kind::nominal_pressure, 0.05});
   const auto error_of = [&](const ContactProblem& asked,
                             const ContactSolution& answer) {
-    return scenes::complementarity_error(sound, asked, answer);
+    return problems::complementarity_error(exact, asked, answer);
   };
   ASSERT_LE(error_of(problem, good), 1.01 * tolerance);
   for (const double bad : {nan, infinity, -infinity})
@@ -212,7 +214,7 @@ TEST_F(FaultyContact, TheCheckItselfSeesEachFault) {
   EXPECT_FALSE(error_of(problem, {}) < 1e300);
 }
 
-// The smallest grids, and a needle: one node, or one node in contact.
+// The smallest grids, and a grid of one row: one node, or one node in contact.
 TEST(SmallestContacts, AreSolvedAndVerified) {
   for (const Grid& grid : {Grid{1, 1, 1.0, 1.0}, Grid{2, 1, 1.0, 0.5},
                            Grid{2, 2, 1.0, 1.0}, Grid{8, 8, 1.0, 1.0}}) {
@@ -238,7 +240,7 @@ TEST(SmallestContacts, AreSolvedAndVerified) {
             if (solver.solve == solve_augmented)
               problem.local_compliance = 0.0;
             EXPECT_LE(
-                scenes::complementarity_error(elasticity, problem, answer),
+                problems::complementarity_error(elasticity, problem, answer),
                 1.01 * problem.gap_tolerance);
             EXPECT_NEAR(answer.nominal_pressure / pressure, 1.0, 1e-12);
             const ContactSolution by_gap =
@@ -246,7 +248,7 @@ TEST(SmallestContacts, AreSolvedAndVerified) {
                              {Kind::mean_gap, 2.0}, {}); // out of contact
             if (by_gap.converged) {
               EXPECT_EQ(by_gap.nominal_pressure, 0.0);
-            } else { // C alone is singular where every node is free
+            } else { // C alone is singular where every node is active
               EXPECT_EQ(solver.solve, active_set);
               EXPECT_FALSE(by_gap.note.empty());
             }
@@ -254,8 +256,8 @@ TEST(SmallestContacts, AreSolvedAndVerified) {
   }
 }
 
-// Heights whose sums overflow are refused, or no answer to them converges; what
-// does converge is verified.
+// Heights whose sums overflow are refused, or the solution does not converge. A
+// converged solution must pass the check.
 TEST(HugeHeights, AreNoSolutionByOverflow) {
   const Grid grid{16, 16, 1.0, 1.0};
   FourierOperator elasticity = halfspace(grid);
@@ -263,7 +265,7 @@ TEST(HugeHeights, AreNoSolutionByOverflow) {
     for (const Solver& solver : solvers) {
       SCOPED_TRACE(::testing::Message() << solver.name << " " << scale);
       std::vector<double> heights =
-          scenes::rough_heights(grid, {0.8, 2.0, 4.0, 3});
+          problems::rough_heights(grid, {0.8, 2.0, 4.0, 3});
       for (double& height : heights)
         height *= scale;
       ContactProblem problem{heights, 0.0, 1e-9 * scale, 200};
@@ -278,7 +280,7 @@ TEST(HugeHeights, AreNoSolutionByOverflow) {
       }
       problem.local_compliance = 0.0;
       if (answer.converged)
-        EXPECT_LE(scenes::complementarity_error(elasticity, problem, answer),
+        EXPECT_LE(problems::complementarity_error(elasticity, problem, answer),
                   1.01 * problem.gap_tolerance);
       else
         EXPECT_FALSE(answer.note.empty());

@@ -1,5 +1,5 @@
-// Claims about contact/solvers/solver.hpp on problems whose answer is known
-// otherwise.
+// Tests of contact/solvers/solver.hpp with problems whose solution is known
+// independently.
 #include "contact/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -25,10 +25,10 @@ FourierOperator unit_halfspace(const Grid& grid) { // E* = 1 Pa
   return halfspace_operator(grid, {1.0, 0.0, infinity, {}});
 }
 
-// Claim: Westergaard's wave, mean gap D (1 - P + P ln P). Tolerance: 1.4e-5 D
-// at 512 points is what reference/contact.md measured with another program;
-// the discretisation error is of first order, so 2e-5 leaves no room for a
-// wrong constant.
+// Westergaard's wave has the mean gap D (1 - P + P ln P). Tolerance:
+// reference/contact.md measured 1.4e-5 D at 512 points with another program;
+// the discretisation error is of first order, so that 2e-5 excludes a wrong
+// constant.
 class Westergaard : public ::testing::TestWithParam<double> {};
 
 TEST_P(Westergaard, MeanGapAndContactFraction) {
@@ -55,7 +55,7 @@ TEST_P(Westergaard, MeanGapAndContactFraction) {
   double fraction = 0.0;
   for (const double pressure : solution.pressure)
     fraction += pressure > 0.0 ? 1.0 / static_cast<double>(grid.size()) : 0.0;
-  // Counting is good to one node at either end of the contact.
+  // The count of nodes is exact to one node at either end of the contact.
   EXPECT_NEAR(fraction, 2.0 / pi * std::asin(std::sqrt(reduced_pressure)),
               2.0 / 512.0);
 }
@@ -66,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(FromLightToFull, Westergaard,
 class RoughSurface : public ::testing::Test {
 protected:
   static constexpr Grid grid{64, 64, 1.0, 1.0};
-  std::vector<double> heights = scenes::rough_heights(grid, {});
-  double rms_height = scenes::rms(heights);
+  std::vector<double> heights = problems::rough_heights(grid, {});
+  double rms_height = problems::rms(heights);
   FourierOperator elasticity = unit_halfspace(grid);
 
   ContactProblem problem(double local_compliance = 0.0) const {
@@ -75,10 +75,11 @@ protected:
   }
 };
 
-// Claim: the plain method, written apart, finds the same pressures. Tolerance:
-// a gap error of 1e-9 h_rms moves a pressure by at most that times the
-// stiffness of the grid's own wave, pi E*/(2 h) = 100 E*/L.
-TEST_F(RoughSurface, AgreesWithThePlainMethod) {
+// Verifies that the unpreconditioned method, implemented independently, finds
+// the same pressures. Tolerance: a gap error of 1e-9 h_rms changes a pressure
+// by at most that times the stiffness of the shortest wave of the grid, pi
+// E*/(2 h) = 100 E*/L.
+TEST_F(RoughSurface, AgreesWithTheUnpreconditionedMethod) {
   for (const double pressure : {0.002, 0.05, 0.4, 1.0}) {
     for (const double compliance : {0.0, 1e-3}) {
       const mechanics::LoadTarget target{Kind::nominal_pressure, pressure};
@@ -98,11 +99,11 @@ TEST_F(RoughSurface, AgreesWithThePlainMethod) {
   }
 }
 
-// Claim: the plain method states the error of the pressure that it returns,
-// also after an iteration in which overlapping nodes entered the contact, where
-// the displacement cannot be updated by recurrence. Tolerance: the roundoff of
-// the recurrence over these iterations.
-TEST_F(RoughSurface, PlainMethodStatesItsError) {
+// Verifies that the unpreconditioned method states the error of the pressure
+// that it returns, also after an iteration in which overlapping nodes entered
+// the contact, where the displacement cannot be updated by recurrence.
+// Tolerance: the roundoff of the recurrence over these iterations.
+TEST_F(RoughSurface, UnpreconditionedMethodStatesItsError) {
   std::vector<double> start(heights.size(), 0.0);
   start[static_cast<std::size_t>(
       std::max_element(heights.begin(), heights.end()) - heights.begin())] =
@@ -116,7 +117,7 @@ TEST_F(RoughSurface, PlainMethodStatesItsError) {
 
     EXPECT_EQ(solution.iterations, iterations);
     EXPECT_NEAR(
-        scenes::complementarity_error(elasticity, unfinished, solution) /
+        problems::complementarity_error(elasticity, unfinished, solution) /
             solution.gap_error,
         1.0, 1e-10);
   }
@@ -128,13 +129,14 @@ TEST_F(RoughSurface, AnswerIsComplementaryAndBalancesTheLoad) {
         elasticity, problem(), {Kind::nominal_pressure, pressure});
 
     ASSERT_TRUE(solution.converged);
-    EXPECT_LE(scenes::complementarity_error(elasticity, problem(), solution),
+    EXPECT_LE(problems::complementarity_error(elasticity, problem(), solution),
               2e-9 * rms_height);
     EXPECT_NEAR(solution.nominal_pressure / pressure, 1.0, 1e-13);
   }
 }
 
-// Claim: prescribing the gap that a pressure gave finds that pressure again.
+// Verifies that the mean gap that follows from a pressure, once prescribed,
+// gives this pressure again.
 TEST_F(RoughSurface, GapControlInvertsPressureControl) {
   for (const double compliance : {0.0, 1e-3}) {
     for (const double pressure : {0.002, 0.05, 0.4, 1.0}) {
@@ -151,10 +153,11 @@ TEST_F(RoughSurface, GapControlInvertsPressureControl) {
   }
 }
 
-// Claim: -dU/du = p0 with U the energy in the block and in the penalty
+// Verifies -dU/du = p0, where U is the energy in the block and in the penalty
 // springs. Tolerance: central difference over 2 %, third derivative of the
-// exponential: (0.02)^2/6 relative = 7e-5, and active-set jumps of the same.
-TEST_F(RoughSurface, PressureIsTheSlopeOfTheEnergy) {
+// exponential: (0.02)^2/6 relative = 7e-5, and jumps of the active set of the
+// same size.
+TEST_F(RoughSurface, PressureIsTheDerivativeOfTheEnergy) {
   for (const double compliance : {0.0, 5e-3}) {
     const auto energy_and_gap = [&](double pressure) {
       const ContactSolution s = solve_contact(
@@ -176,8 +179,9 @@ TEST_F(RoughSurface, PressureIsTheSlopeOfTheEnergy) {
   }
 }
 
-// Claim: lengths and pressures scale out: the same contact in nanometres and
-// gigapascals. Powers of two, so to the last bit.
+// Verifies that the solution scales with the units: the same contact in
+// nanometres and gigapascals. The factors are powers of two, so that it holds
+// to the last bit.
 TEST_F(RoughSurface, NothingDependsOnUnits) {
   const double length = std::ldexp(1.0, -30);
   const double modulus = std::ldexp(1.0, 31);

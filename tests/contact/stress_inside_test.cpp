@@ -1,6 +1,6 @@
-// Claims about contact/operators/stress_inside.hpp: Hertz's stress comes out,
-// the field is in balance, meets the far face, and stores the work done on the
-// face.
+// Tests of contact/operators/stress_inside.hpp: the stress agrees with Hertz's,
+// is in balance, satisfies the conditions of the far boundary, and stores the
+// work done on the surface.
 #include "contact/operators/stress_inside.hpp"
 #include "theory/exact/hertz_stress.hpp"
 
@@ -50,11 +50,11 @@ std::vector<double> hertz_map(const Grid& grid,
   return pressure;
 }
 
-// Claim: under Hertz's pressure on a cell twelve radii wide the strongest von
-// Mises stress is 0.62 p_0 and lies 0.48 a deep on the axis (nu = 0.3;
-// Johnson, Sec. 4.2). Tolerance: a sixteenth of a spacing in the radius, and
-// the neighbours, whose pressure adds p_0 pi (2/3) a^2/L^2 = 1.5 % of p_0,
-// mostly as a pressure from all sides.
+// Under Hertz's pressure on a cell twelve radii wide the maximum von Mises
+// stress is 0.62 p_0 at the depth 0.48 a on the axis (nu = 0.3; Johnson, Sec.
+// 4.2). Tolerance: a sixteenth of a spacing in the radius, and the periodic
+// images, whose pressure adds p_0 pi (2/3) a^2/L^2 = 1.5 % of p_0, mostly as a
+// hydrostatic pressure.
 TEST(StressInside, IsStrongestWhereHertzSays) {
   const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
   const double a = contact.contact_radius;
@@ -70,8 +70,8 @@ TEST(StressInside, IsStrongestWhereHertzSays) {
   EXPECT_EQ(peak.node, grid.index(96, 96));
 }
 
-// Claim: off the axis too, each plane has Huber's field and its largest shear
-// stress. Tolerance as above.
+// Verifies Huber's field and its largest shear stress in each plane, also off
+// the axis. Tolerance as above.
 TEST(StressInside, IsHubersFieldInAPlane) {
   const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
   const double a = contact.contact_radius;
@@ -98,9 +98,9 @@ TEST(StressInside, IsHubersFieldInAPlane) {
   }
 }
 
-// Claim: forces balance along z at every node: d zx/dx + d yz/dy + d zz/dz =
-// 0. For one wave the derivatives along the plane are i q. Tolerance: central
-// differences over 1e-4, h^2/6 of a third derivative of (q = 14)^3.
+// Verifies the balance of forces along z at every node: d zx/dx + d yz/dy + d
+// zz/dz = 0. For one wave the derivatives along the plane are i q. Tolerance:
+// central differences over 1e-4, h^2/6 of a third derivative of (q = 14)^3.
 TEST(StressInside, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-4;
@@ -113,7 +113,7 @@ TEST(StressInside, IsInBalance) {
       const StressPlane here = inside.at_depth(z);
       const StressPlane below = inside.at_depth(z + h);
       const StressPlane above = inside.at_depth(z - h);
-      // A quarter wave along x shifts by an eighth of 32 points, so that
+      // A quarter wave along x is a shift by an eighth of 32 points, so that
       // d/dx f(x) = q_x f(x + pi/(2 q_x)) for a pure wave.
       for (const int ix : {0, 3, 7}) {
         const double along = 2.0 * pi * here.zx[grid.index(ix + 8, 5)] +
@@ -127,11 +127,11 @@ TEST(StressInside, IsInBalance) {
   }
 }
 
-// Claim: the strain energy in the block is the work done on its face, p w/2
-// with w from slab_compliance_factor; no far face takes any work. This ties
+// The strain energy in the block is the work done on its surface, p w/2 with w
+// from slab_compliance_factor; no far boundary takes up any work. This relates
 // the stress to the compliance that the solver uses. Tolerance: Simpson over
 // 400 intervals of a function of exp(-2 q z), q d < 6: 1e-8.
-TEST(StressInside, StoresTheWorkOfTheFace) {
+TEST(StressInside, StoresTheWorkDoneOnTheSurface) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double nu = 0.35;
   const double youngs = modulus * (1.0 - nu * nu);
@@ -166,9 +166,10 @@ TEST(StressInside, StoresTheWorkOfTheFace) {
     }
 }
 
-// Claim: a free far face bears nothing, a sliding one no shear. Tolerance:
-// rounding of a 4 x 4 solve whose condition is some 1e4 at q d = 0.4.
-TEST(StressInside, MeetsTheFarFace) {
+// Verifies that a free far boundary carries no traction and a sliding one no
+// shear. Tolerance: roundoff of a 4 x 4 solve whose condition number is some
+// 1e4 at q d = 0.4.
+TEST(StressInside, SatisfiesTheFarBoundary) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double thickness = 0.06;
   const StressPlane free_face =
@@ -188,8 +189,8 @@ TEST(StressInside, MeetsTheFarFace) {
   }
 }
 
-// Claim: a uniform pressure squeezes the block as in an oedometer.
-TEST(StressInside, OfAUniformPressureIsAnOedometers) {
+// A uniform pressure compresses the block as in an oedometer.
+TEST(StressInside, UnderUniformPressureIsThatOfAnOedometer) {
   const Grid grid{8, 8, 1.0, 1.0};
   const StressInside inside(
       grid, {modulus, 0.25, infinity, mechanics::FarBoundary::clamped},
@@ -201,7 +202,7 @@ TEST(StressInside, OfAUniformPressureIsAnOedometers) {
   EXPECT_NEAR(largest_shear(plane)[9], 1.0, 1e-14);
 }
 
-TEST(StressInside, RefusesWhatItCannotMean) {
+TEST(StressInside, RefusesInvalidArguments) {
   const Grid grid{8, 8, 1.0, 1.0};
   const mechanics::ElasticBlock slab{modulus, 0.3, 0.5,
                                      mechanics::FarBoundary::clamped};

@@ -1,6 +1,7 @@
-// Claims about contact/operators/stress_inside.hpp on layered blocks: equal
-// layers change nothing, the field is in balance and whole across interfaces,
-// stores the work of the face, and bends a stiff coating.
+// Tests of contact/operators/stress_inside.hpp with layered blocks: equal
+// layers change nothing, the field is in balance and its tractions are
+// continuous across interfaces, it stores the work done on the surface, and it
+// describes the bending of a stiff coating.
 #include "base/maximum.hpp"
 #include "contact/operators/stress_inside.hpp"
 
@@ -50,7 +51,7 @@ std::vector<double> wave(const Grid& grid, int jx, int jy) {
   return pressure;
 }
 
-/// A patch of pressure in the middle, 1 at most.
+/// A patch of pressure in the middle, at most 1.
 std::vector<double> patch(const Grid& grid, double radius) {
   std::vector<double> pressure(grid.size());
   for (int iy = 0; iy < grid.points_y; ++iy)
@@ -73,10 +74,10 @@ double largest_difference(const StressPlane& a, const StressPlane& b) {
   return largest;
 }
 
-// Claim: layers of the block's own moduli change no stress, on either side of
-// an interface. Tolerance: rounding of stresses of a few units; the free plate
-// bends with some (q d)^-2 = 10.
-TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
+// Verifies that layers with the moduli of the block change no stress on either
+// side of an interface. Tolerance: roundoff of stresses of a few units; the
+// free plate bends with some (q d)^-2 = 10.
+TEST(StressInLayers, OfEqualModuliEqualsTheBlock) {
   const Grid grid{16, 24, 1.0, 1.3};
   const std::vector<double> pressure = patch(grid, 0.3);
   for (const double thickness : {0.1, 0.7, infinity})
@@ -97,14 +98,14 @@ TEST(StressInLayers, OfEqualModuliIsTheBlocks) {
               << thickness << " " << static_cast<int>(face) << " " << depth;
 
       EXPECT_NEAR(layers.strongest().von_mises / whole.strongest().von_mises,
-                  1.0, 1e-3); // of the search, whose planes are not the same
+                  1.0, 1e-3); // of the search, which samples other planes
     }
 }
 
-// Claim: forces balance along x, y and z inside each layer. For one wave the
-// derivatives along the plane are those of a wave a quarter away. Tolerance:
-// central differences over 1e-5, h^2/6 of a third derivative of some (q = 14)^3
-// times stresses of up to 10.
+// Verifies the balance of forces along x, y and z inside each layer. For one
+// wave the derivatives along the plane are those of a wave that is shifted by a
+// quarter. Tolerance: central differences over 1e-5, h^2/6 of a third
+// derivative of some (q = 14)^3 times stresses of up to 10.
 TEST(StressInLayers, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-5;
@@ -137,10 +138,10 @@ TEST(StressInLayers, IsInBalance) {
   }
 }
 
-// Claim: across an interface the tractions and the strains along the plane have
-// one value, for waves, uniform pressure and all, and sigma_xx has two.
-// Tolerance: rounding.
-TEST(StressInLayers, IsWholeAcrossInterfaces) {
+// Across an interface the tractions and the in-plane strains are continuous,
+// for waves, for uniform pressure and for their sum, and sigma_xx is not.
+// Tolerance: roundoff.
+TEST(StressInLayers, IsContinuousAcrossInterfaces) {
   const Grid grid{16, 24, 1.0, 1.3};
   const StressInside inside(grid,
                             layered_block(0.3, mechanics::FarBoundary::clamped),
@@ -166,7 +167,7 @@ TEST(StressInLayers, IsWholeAcrossInterfaces) {
   EXPECT_EQ(largest_difference(upper, inside.at_depth(depth)), 0.0);
 }
 
-/// Mean strain energy of a layer a unit of its face, by Simpson's rule.
+/// Mean strain energy of a layer per unit area, by Simpson's rule.
 double energy_of(const StressInside& inside, double top, double bottom,
                  double modulus, double nu) {
   constexpr int n = 200;
@@ -190,10 +191,10 @@ double energy_of(const StressInside& inside, double top, double bottom,
   return energy;
 }
 
-// Claim: the strain energy of all layers is the work done on the face, C(q)/4 a
-// unit of its area for a pressure cos(q.x). Tolerance: Simpson over 200
-// intervals of functions of exp(-2 q z), q t < 2: 1e-8.
-TEST(StressInLayers, StoresTheWorkOfTheFace) {
+// The strain energy of all layers is the work done on the surface, C(q)/4 per
+// unit area for a pressure cos(q.x). Tolerance: Simpson over 200 intervals of
+// functions of exp(-2 q z), q t < 2: 1e-8.
+TEST(StressInLayers, StoresTheWorkDoneOnTheSurface) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.15, 0.3})
@@ -210,10 +211,11 @@ TEST(StressInLayers, StoresTheWorkOfTheFace) {
     }
 }
 
-// Claim: a very stiff coating bends as a plate, in tension at its bottom:
-// sigma_xx = E*_1 q^2 w t/2, w the face's displacement. Tolerance: a plate's
-// shear, (q t)^2 = 2.5e-3 times a number of order one, and the stretch that the
-// substrate's shear costs, 2 E_2/(E_1 (q t)^2) = 8e-5.
+// A very stiff coating bends as a plate, with tension at its lower boundary:
+// sigma_xx = E*_1 q^2 w t/2, where w is the displacement of the surface.
+// Tolerance: the shear of a plate, (q t)^2 = 2.5e-3 times a number of order
+// one, and the stretching by the shear of the substrate, 2 E_2/(E_1 (q t)^2) =
+// 8e-5.
 TEST(StressInLayers, BendsAStiffCoatingAsAPlate) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double thickness = 0.05 / (2.0 * pi);
@@ -233,9 +235,10 @@ TEST(StressInLayers, BendsAStiffCoatingAsAPlate) {
               1.0, 5e-3);
 }
 
-// Claim: under a patch of pressure the bottom of a coating ten times stiffer is
-// pulled, which a uniform block is not, and there, above the interface, the
-// stress is strongest when the patch is wider than the coating is thick.
+// Under a patch of pressure the lower boundary of a coating that is ten times
+// stiffer is in tension, in contrast to a uniform block. If the patch is wider
+// than the coating is thick, the maximum stress lies there, above the
+// interface.
 TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
   const Grid grid{64, 64, 1.0, 1.0};
   const double thickness = 0.04;
@@ -260,9 +263,9 @@ TEST(StressInLayers, PullsTheBottomOfAStiffCoating) {
   EXPECT_GT(peak.von_mises, 2.0 * uniform.strongest().von_mises);
 }
 
-// Claim: below an incompressible coating, in which the stress is nearly
-// hydrostatic, it is strongest just below the interface: in the map of that
-// side, and above all of the other side.
+// In an incompressible coating the stress is nearly hydrostatic, so that the
+// maximum lies just below the interface: in the map of that side, which exceeds
+// every value of the other side.
 TEST(StressInLayers, IsStrongestBelowASoftCoating) {
   const Grid grid{64, 64, 1.0, 1.0};
   const double thickness = 0.04;

@@ -1,5 +1,5 @@
-// Claims about contact/solvers/winkler.hpp: the answer satisfies the conditions
-// of the contact problem, and its area is the bearing area.
+// Tests of contact/solvers/winkler.hpp: the solution satisfies the conditions
+// of the contact problem, and its contact area is the bearing area.
 #include "contact/solvers/winkler.hpp"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@ namespace {
 constexpr auto by_pressure = mechanics::Control::nominal_pressure;
 constexpr auto by_gap = mechanics::Control::mean_gap;
 
-// By hand: springs of 2 Pa/m pressed to level 2 have 2 (5 - 2) = 6 Pa and
-// 2 (3 - 2) = 2 Pa under two of the four nodes.
-TEST(Winkler, IsWhatIsComputedByHand) {
+// Springs of 2 Pa/m compressed to level 2 carry 2 (5 - 2) = 6 Pa and 2 (3 - 2)
+// = 2 Pa at two of the four nodes.
+TEST(Winkler, HasTheClosedFormForFourNodes) {
   const std::vector<double> heights = {1.0, 5.0, 3.0, -9.0};
 
   const ContactSolution found =
@@ -33,8 +33,8 @@ TEST(Winkler, IsWhatIsComputedByHand) {
 
 class WinklerOnRoughness : public testing::TestWithParam<double> {
 protected:
-  /// The quantiles of the normal distribution of rms 1 m have mean 0; 4096 of
-  /// them stand for a Gaussian surface.
+  /// The quantiles of the normal distribution of rms 1 m, which have mean 0;
+  /// 4096 of them represent a Gaussian surface.
   static std::vector<double> gaussian() {
     std::vector<double> heights;
     for (int i = 0; i < 4096; ++i) {
@@ -51,8 +51,8 @@ protected:
   }
 };
 
-// Claim: gap = u + w - h with w = (p - p_0)/k of mean 0, p >= 0, gap >= 0 and
-// p gap = 0, for a load or the mean gap that it gives; and the counted area is
+// Verifies gap = u + w - h with w = (p - p_0)/k of mean 0, p >= 0, gap >= 0 and
+// p gap = 0, for a load or for the mean gap that it gives. The counted area is
 // the bearing area erfc(s/sqrt(2))/2 at the level s = u - p_0/k of the springs,
 // to one node of 4096.
 TEST_P(WinklerOnRoughness, SatisfiesTheConditions) {

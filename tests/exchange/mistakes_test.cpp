@@ -1,4 +1,4 @@
-// Claims about exchange/mistakes.hpp: each of 31 faults that are planted in a
+// Tests of exchange/mistakes.hpp: each of 31 faults that are introduced into a
 // correct answer is named, and a correct answer has none.
 #include "input/input_error.hpp"
 
@@ -214,8 +214,8 @@ TEST_F(Mistakes, AreNamed) {
   EXPECT_EQ(planted, 31U);
 }
 
-// Claim: answers with errors that a solver leaves have no mistake: tolerances
-// from 1e-3 to 1e-9 at each load, and noise of 1 % on the pressure.
+// Answers with the errors of a solver have no mistake: tolerances from 1e-3 to
+// 1e-9 at each load, and noise of 1 % on the pressure.
 TEST_F(Mistakes, AreNoneInAnAnswer) {
   for (std::size_t load = 0; load < problem.loads.size(); ++load)
     for (const double tolerance : {1e-3, 1e-5, 1e-9})
@@ -230,7 +230,7 @@ TEST_F(Mistakes, AreNoneInAnAnswer) {
   EXPECT_EQ(found(noisy), std::vector<std::string>{});
 }
 
-// Claim: symmetric problems have no orientation, and none is missed.
+// Symmetric problems have no orientation, and none is reported as missing.
 TEST_F(Mistakes, AreNoneInASymmetricAnswer) {
   for (std::size_t i = 0; i < side; ++i)
     for (std::size_t j = 0; j < side; ++j)

@@ -1,5 +1,5 @@
-// Claims about exchange/problem.hpp and exchange/problem_folder.hpp: what is
-// written is read again, and what is damaged is refused by name.
+// Tests of exchange/problem.hpp and exchange/problem_folder.hpp: what is
+// written is read back, and damaged files are refused by name.
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
 #include "input/input_error.hpp"
@@ -46,7 +46,7 @@ protected:
     write_problem(problem, answers, continuum, "schema = 1\n", folder);
   }
 
-  /// The message that reading gives after a text in problem.json was replaced.
+  /// The message of the reader after a text in problem.json was replaced.
   std::string message_with(const std::string& old_text,
                            const std::string& new_text) {
     write();
@@ -92,7 +92,7 @@ TEST_F(ProblemFolder, IsReadAsWritten) {
   EXPECT_TRUE(half_space.grid == problem.grid);
 }
 
-// Claim: all height files hold the same numbers, bit for bit, also the text.
+// All height files hold the same numbers, bit for bit, including the text file.
 TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
   for (const char* name : {"heights.npy", "heights.h5", "heights.txt"}) {
     const surfaces::Matrix matrix = read_pressure_file(folder / name);
@@ -106,8 +106,8 @@ TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
   EXPECT_NE(gwy.find(numbers), std::string::npos);
 }
 
-// Claim: the README says what the body is, also of a slab without layers.
-TEST_F(ProblemFolder, SaysWhatTheBodyIs) {
+// The README describes the body, also a slab without layers.
+TEST_F(ProblemFolder, DescribesTheBody) {
   EXPECT_NE(text_of(folder / "README.md")
                 .find("a block 3e-05 m thick, of which 1 bonded layer(s)"),
             std::string::npos);
@@ -121,7 +121,7 @@ TEST_F(ProblemFolder, SaysWhatTheBodyIs) {
             std::string::npos);
 }
 
-// Claim: SHA256SUMS names every other file with its hash.
+// SHA256SUMS names every other file with its hash.
 TEST_F(ProblemFolder, HasChecksumsOfAllFiles) {
   std::istringstream sums(text_of(folder / "SHA256SUMS"));
   std::size_t listed = 0;
@@ -132,8 +132,8 @@ TEST_F(ProblemFolder, HasChecksumsOfAllFiles) {
   EXPECT_EQ(listed + 1, static_cast<std::size_t>(files));
 }
 
-// Claim: the same problem has the same bytes a second later. HDF5 stores the
-// times of its objects unless it is asked not to.
+// The same problem has the same bytes a second later. By default HDF5 stores
+// the times of its objects.
 TEST_F(ProblemFolder, DoesNotDependOnTheTime) {
   const std::string before = text_of(folder / "SHA256SUMS");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
@@ -178,7 +178,7 @@ TEST_F(ProblemFolder, RefusesAWrongMember) {
   expect("\"format\"", "format", "problem.json:2: is not JSON");
 }
 
-// Claim: another surface under the same name is refused by its checksum.
+// Another surface under the same name is refused by its checksum.
 TEST_F(ProblemFolder, RefusesAnotherSurface) {
   problem.heights[7] += 1e-9;
   const std::string old_json = text_of(folder / "problem.json");
@@ -193,7 +193,7 @@ TEST_F(ProblemFolder, RefusesAnotherSurface) {
       input::InputError);
 }
 
-// Claim: no text of a few random bytes crashes the reader.
+// No text of a few random bytes crashes the reader.
 TEST_F(ProblemFolder, RefusesDamagedText) {
   const std::string json = text_of(folder / "problem.json");
   std::mt19937_64 random(3);

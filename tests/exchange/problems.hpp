@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "exchange/problem.hpp"
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/problems.hpp"
 
 namespace asperity::exchange::problems {
 
@@ -21,7 +21,7 @@ inline Problem rough_problem() {
   problem.name = "rough";
   problem.title = "A rough surface";
   problem.grid = {64, 64, 64e-6, 64e-6};
-  problem.heights = contact::scenes::rough_heights(
+  problem.heights = contact::problems::rough_heights(
       problem.grid, {.roll_off = 2.0, .seed = 5});
   for (double& height : problem.heights)
     height *= 0.1;

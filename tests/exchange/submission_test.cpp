@@ -1,5 +1,5 @@
-// Claims about exchange/submission.hpp and exchange/pressure_file.hpp: each key
-// is read, and each mistake is named with its line.
+// Tests of exchange/submission.hpp and exchange/pressure_file.hpp: each key is
+// read, and each mistake is named with its line.
 #include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
 
@@ -139,7 +139,7 @@ TEST_F(SubmissionFolder, NamesEveryMistake) {
   expect("code = [\n", "is not TOML");
 }
 
-// Claim: each kind of file is read, and others are refused.
+// Each kind of file is read, and others are refused.
 TEST_F(SubmissionFolder, ReadsTextAndRefusesWhatIsNoField) {
   const auto with_file = [&](const std::string& name) {
     return head + "[[load]]\nnominal_pressure = 2e6\npressure = \"" + name +

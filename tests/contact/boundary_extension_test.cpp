@@ -1,4 +1,4 @@
-// Claims about contact/solvers/boundary_extension.hpp.
+// Tests of contact/solvers/boundary_extension.hpp.
 #include "contact/solvers/boundary_extension.hpp"
 
 #include <gtest/gtest.h>
@@ -30,37 +30,37 @@ std::vector<float> random_field(std::size_t size, unsigned seed) {
   return field;
 }
 
-// Claim: (R.1) around a lone node: 0.6 on its eight neighbours, 0.36 on most
-// of the next ring, and clear() takes all of it away.
-TEST(BoundaryExtension, FallsOffRingByRing) {
+// Verifies (R.1) around a single node: 0.6 on its eight neighbours, 0.36 on
+// most of the next layer. clear() removes all of it.
+TEST(BoundaryExtension, FallsOffLayerByLayer) {
   const Grid grid{16, 16, 1.0, 1.0};
   std::vector<std::uint8_t> is_free(grid.size());
   std::vector<float> field(grid.size());
-  is_free[grid.index(0, 0)] = 2; // on the edge: the rings wrap
+  is_free[grid.index(0, 0)] = 2; // on the edge: the layers wrap around
   field[grid.index(0, 0)] = 1.0F;
-  BoundaryExtension rim(grid, 1);
-  rim.build(is_free);
+  BoundaryExtension extension(grid, 1);
+  extension.build(is_free);
 
-  rim.extend(reach, is_free, field);
+  extension.extend(reach, is_free, field);
 
   EXPECT_NEAR(static_cast<double>(field[grid.index(15, 15)]), 0.6, 1e-6);
   EXPECT_NEAR(static_cast<double>(field[grid.index(2, 14)]), 0.36, 1e-6);
   EXPECT_NEAR(static_cast<double>(field[grid.index(3, 0)]), 0.216, 1e-6);
   EXPECT_EQ(field[grid.index(4, 0)], 0.0F);
-  rim.clear(is_free, field);
+  extension.clear(is_free, field);
   field[grid.index(0, 0)] = 0.0F;
   EXPECT_EQ(field, std::vector<float>(grid.size()));
 }
 
-// Claim: fold is the transpose of extend, also after nodes have been freed,
-// on one thread and on two: (E r) . y = r . (E^T y). Tolerance: single
+// Verifies that fold is the transpose of extend, also after nodes have become
+// active, on one thread and on two: (E r) . y = r . (E^T y). Tolerance: single
 // precision of sums of some hundred terms.
 TEST(BoundaryExtension, FoldIsItsTranspose) {
   const Grid grid{24, 20, 1.0, 1.0};
   for (const int threads : {1, 2}) {
     std::vector<std::uint8_t> is_free = patches(grid);
-    BoundaryExtension rim(grid, threads);
-    rim.build(is_free);
+    BoundaryExtension extension(grid, threads);
+    extension.build(is_free);
     for (std::size_t i = 0; i < grid.size(); i += 7)
       is_free[i] = 1;
     std::vector<float> r = random_field(grid.size(), 1);
@@ -71,8 +71,8 @@ TEST(BoundaryExtension, FoldIsItsTranspose) {
     const std::vector<float> whole_y = y;
     std::vector<float> extended = r;
 
-    rim.extend(reach, is_free, extended);
-    rim.fold(reach, is_free, y);
+    extension.extend(reach, is_free, extended);
+    extension.fold(reach, is_free, y);
 
     double left = 0.0, right = 0.0;
     for (std::size_t i = 0; i < grid.size(); ++i) {

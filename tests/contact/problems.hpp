@@ -1,7 +1,7 @@
 #pragma once
 
-// Random rough obstacles for the contact tests, made without the module of
-// surfaces, and an independent check of complementarity.
+// Random rough obstacles for the contact tests, made without the module
+// `surfaces`, and an independent check of complementarity.
 
 #include "base/fourier.hpp"
 #include "base/maximum.hpp"
@@ -13,16 +13,17 @@
 #include <random>
 #include <vector>
 
-namespace asperity::contact::scenes {
+namespace asperity::contact::problems {
 
 struct Roughness {
   double hurst = 0.8;
-  double roll_off = 4.0;      ///< longest rough wave is length / roll_off
+  double roll_off = 4.0;      ///< longest wave is length / roll_off
   double shortest_wave = 8.0; ///< in grid points
   unsigned seed = 1;
 };
 
-/// Self-affine heights on a square grid, random phases, mean 0, rms slope 1.
+/// Self-affine heights on a square grid, with random phases, mean 0 and rms
+/// slope 1.
 inline std::vector<double> rough_heights(const Grid& grid,
                                          const Roughness& roughness) {
   const RealFourier fourier(grid);
@@ -64,9 +65,10 @@ inline double rms(const std::vector<double>& field) {
   return std::sqrt(sum / static_cast<double>(field.size()));
 }
 
-/// Largest violation of p >= 0, gap + c p >= 0, p (gap + c p) = 0 [m], from
-/// pressure, first gap and heights alone: displacement is computed anew. NaN
-/// where any number is not finite, infinity where fields are not of the grid.
+/// Largest violation of p >= 0, gap + c p >= 0, p (gap + c p) = 0 [m]. The
+/// displacement is computed again; of the solution only the pressure and the
+/// first gap are used. NaN where any number is not finite, infinity where the
+/// fields do not have the size of the grid.
 inline double complementarity_error(SurfaceOperator& elasticity,
                                     const ContactProblem& problem,
                                     const ContactSolution& solution) {
@@ -92,4 +94,4 @@ inline double complementarity_error(SurfaceOperator& elasticity,
   return error;
 }
 
-} // namespace asperity::contact::scenes
+} // namespace asperity::contact::problems
