@@ -1,7 +1,7 @@
 #pragma once
 
-// A block of two materials under a displacement that no load made, whose
-// stress is known everywhere: on boxes, with hanging nodes, on tetrahedra.
+// A block of two materials under a prescribed displacement, whose stress is
+// known everywhere: on boxes, with hanging nodes, on tetrahedra.
 
 #include "fem/block/block_stress.hpp"
 #include "meshes/layered_mesh.hpp"
@@ -17,7 +17,7 @@
 
 namespace asperity::fem {
 
-/// Over the owned unknowns of that space, u_z by place [m].
+/// Over the owned unknowns of that space: u_z at each place [m].
 inline dealii::TrilinosWrappers::MPI::Vector vertical_displacement(
     const BlockSpace& space,
     const std::function<double(const dealii::Point<3>&)>& of) {
@@ -44,14 +44,14 @@ struct Bent {
   bool hangs;
 };
 
-/// u_z = strain_ z (L - z) / L, which quadratic functions hold; its sides are
-/// free, so nothing but hanging nodes is constrained.
+/// u_z = strain_ z (L - z) / L, which quadratic functions represent exactly;
+/// the sides are free, so that only hanging nodes are constrained.
 class BentBlock : public ::testing::TestWithParam<Bent> {
 protected:
   static constexpr double depth_ = 1e-6; // m
   static constexpr double strain_ = 1e-3;
-  static constexpr double interface_ = 0.75 * depth_; ///< strained, like all
-                                                      ///< but the middle
+  static constexpr double interface_ =
+      0.75 * depth_; ///< not deformed: only the middle plane
   const Grid grid_{8, 8, depth_, depth_};
   const Moduli near_ = moduli({2.0 * soft_modulus, 0.3}); ///< to interface_
   const Moduli far_ = moduli({soft_modulus, 0.2});

@@ -1,5 +1,5 @@
-// Claims about the files of FullBlock::write, read back by another reader.
-// Runs on any number of ranks; each checks the files of all.
+// Tests of the files of FullBlock::write, which an independent reader reads.
+// They run on any number of ranks; each rank checks the files of all.
 #include "fem/block/block_output.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/layered_mesh.hpp"
@@ -33,7 +33,7 @@ protected:
 
   void SetUp() override {
     start_mpi();
-    // Each rank has a folder of its own; all use that of rank 0.
+    // All ranks use the folder of rank 0.
     folder_ = mpi::broadcast(MPI_COMM_WORLD, ::testing::TempDir()) + "block";
     if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
       files::remove_all(folder_);
@@ -63,16 +63,16 @@ protected:
             .linear_solver = LinearSolver::direct};
   }
 
-  /// Full contact with a flat wall: uniaxial strain.
-  void press(FullBlock& whole, double pressure) const {
-    const BlockSolution found = whole.solve(
+  /// Full contact with a flat surface: uniaxial strain.
+  void press(FullBlock& full, double pressure) const {
+    const BlockSolution found = full.solve(
         flat_, {Control::nominal_pressure, pressure},
         {ContactLaw::penalty, 10.0 * soft_modulus / length_, 1e-8, 50});
     ASSERT_TRUE(found.converged) << found.note;
   }
 
-  /// The parts of a step, all checked for what a squeezed block holds.
-  /// Tolerance: files have single precision, 6e-8.
+  /// The parts of a load step, each checked for the fields of uniaxial strain.
+  /// Tolerance: the files have single precision, 6e-8.
   void expect_squeezed(int step, double pressure, std::size_t n_points,
                        std::size_t n_cells) const {
     std::size_t points = 0, cells = 0;
@@ -127,42 +127,43 @@ protected:
   }
 };
 
-// Claim: a cell of either order is written with its corners' own values, one of
-// second order as eight, and the numbers are those of uniaxial strain.
+// Verifies that a cell of first order is written with the values at its own
+// corners, one of second order as eight cells, and that the values are those of
+// uniaxial strain.
 TEST_F(BlockFiles, HoldTheSqueezedBlock) {
   for (const int degree : {1, 2}) {
     const std::size_t n_cells = degree == 1 ? 64 : 8;
-    const auto whole = make_full_block(problem(degree));
-    press(*whole, 2e6);
+    const auto full = make_full_block(problem(degree));
+    press(*full, 2e6);
 
-    whole->write(stem());
+    full->write(stem());
 
     expect_squeezed(0, 2e6, n_cells * (degree == 1 ? 8 : 27),
                     n_cells * (degree == 1 ? 1 : 8));
   }
 }
 
-// Claim: tetrahedra of second order are written with their ten nodes.
+// Verifies that tetrahedra of second order are written with their ten nodes.
 TEST_F(BlockFiles, HoldTetrahedra) {
   BlockProblem block = problem(2);
   block.contact_at = mechanics::ContactPoints::gauss;
   block.mesh = tetrahedra_of(block.mesh);
   const std::size_t n_cells = block.mesh.cells.size();
-  const auto whole = make_full_block(block);
-  press(*whole, 2e6);
+  const auto full = make_full_block(block);
+  press(*full, 2e6);
 
-  whole->write(stem());
+  full->write(stem());
 
   expect_squeezed(0, 2e6, n_cells * 10, n_cells);
 }
 
-// Claim: the steps are listed by pressure while it grows, and by number once it
-// has fallen; every file a list names is there.
+// Verifies that load steps are listed by pressure while it increases and by
+// number after it has decreased, and that every listed file exists.
 TEST_F(BlockFiles, AreListedStepByStep) {
-  const auto whole = make_full_block(problem(1));
+  const auto full = make_full_block(problem(1));
   const auto write_at = [&](double pressure) {
-    press(*whole, pressure);
-    whole->write(stem());
+    press(*full, pressure);
+    full->write(stem());
   };
 
   write_at(1e6);
@@ -190,9 +191,9 @@ TEST_F(BlockFiles, AreListedStepByStep) {
   expect_squeezed(1, 3e6, 64 * 8, 64);
 }
 
-// Claim: a stress that changes within each cell stands at its own points, also
-// where the cell is written as eight: -sigma_zz of u_z = strain z (1 - z/L).
-// Tolerance: files have single precision, 6e-8.
+// Verifies that a stress that varies within each cell is written at its own
+// points, also where the cell is written as eight: -sigma_zz of u_z = strain z
+// (1 - z/L). Tolerance: the files have single precision, 6e-8.
 TEST_F(BlockFiles, HoldTheStressOfEachPoint) {
   const double strain = 1e-3;
   BlockProblem bent = problem(2);
@@ -217,19 +218,19 @@ TEST_F(BlockFiles, HoldTheStressOfEachPoint) {
   }
 }
 
-// Claim: each stem has steps of its own, and one that could not be written is
-// no step.
+// Verifies that each file stem has its own count of steps, and that a step that
+// could not be written is not counted.
 TEST_F(BlockFiles, CountTheStepsOfEachStem) {
-  const auto whole = make_full_block(problem(1));
+  const auto full = make_full_block(problem(1));
   const std::string other = (folder_ / "other").string();
-  press(*whole, 1e6);
-  whole->write(stem());
-  whole->write(other);
-  EXPECT_THROW(whole->write(stem() + ".pvd/block"), std::runtime_error);
+  press(*full, 1e6);
+  full->write(stem());
+  full->write(other);
+  EXPECT_THROW(full->write(stem() + ".pvd/block"), std::runtime_error);
   if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
     files::remove(stem() + ".pvd");
   MPI_Barrier(MPI_COMM_WORLD);
-  whole->write(stem() + ".pvd/block");
+  full->write(stem() + ".pvd/block");
 
   EXPECT_TRUE(files::exists(stem() + "_0000.pvtu"));
   EXPECT_TRUE(files::exists(other + "_0000.pvtu"));
@@ -238,22 +239,22 @@ TEST_F(BlockFiles, CountTheStepsOfEachStem) {
   EXPECT_FALSE(files::exists(stem() + ".pvd/block_0001.pvtu"));
 }
 
-// Claim: loads of which two are equal are listed by number.
+// Verifies that load steps are listed by number if two loads are equal.
 TEST(BlockTimes, AreNumbersUnlessTheLoadGrows) {
   EXPECT_EQ(times_of({1e6, 2e6}), (std::vector<double>{1e6, 2e6}));
   EXPECT_EQ(times_of({1e6, 1e6}), (std::vector<double>{0.0, 1.0}));
   EXPECT_EQ(times_of({2e6, 1e6}), (std::vector<double>{0.0, 1.0}));
 }
 
-// Claim: a folder that cannot be is said on every rank, earlier steps stay and
-// no half file is left.
-TEST_F(BlockFiles, AreWholeOrNotAtAll) {
-  const auto whole = make_full_block(problem(1));
-  press(*whole, 1e6);
-  whole->write(stem());
+// Verifies that every rank reports a folder that cannot be made, that earlier
+// steps remain, and that no incomplete file is left.
+TEST_F(BlockFiles, AreCompleteOrAbsent) {
+  const auto full = make_full_block(problem(1));
+  press(*full, 1e6);
+  full->write(stem());
   const std::string below_a_file = stem() + ".pvd/block";
 
-  EXPECT_THROW(whole->write(below_a_file), std::runtime_error);
+  EXPECT_THROW(full->write(below_a_file), std::runtime_error);
 
   EXPECT_EQ(steps().size(), 1U);
   std::size_t n_files = 0;

@@ -1,5 +1,5 @@
-// Claims about fem/block/block_section.hpp: the section of a block whose stress
-// is known, at places that are no vertices, on any number of ranks.
+// Tests of fem/block/block_section.hpp: the section of a block whose stress is
+// known, at points that are not vertices, on any number of ranks.
 #include "fem/block/block_section.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ protected:
     return von_mises_in(plane, system_.space(), stress);
   }
 
-  /// Of uniaxial strain: 2 mu |strain|.
+  /// The von Mises stress of uniaxial strain: 2 mu |strain|.
   double expected(double depth) const {
     const Moduli& material = depth <= interface_ ? near_ : far_;
     return 2.0 * material.shear_modulus * std::abs(strain_at(depth));
@@ -27,10 +27,11 @@ protected:
   BlockSystem system_;
 };
 
-// Claim: a stress linear in each material is that everywhere: inside of cells,
-// on their faces and edges, on the block's own sides; where the materials meet
-// it is that of the one nearer to the face. Tolerance: rounding of u times the
-// derivative, and of the place in the cell, 1e-16 times some 1e3.
+// Verifies that a stress that is linear in each material is reproduced inside
+// cells, on their faces and edges and on the sides of the block; on the
+// interface it is that of the material nearer to the contact surface.
+// Tolerance: roundoff of u times the derivative, and of the position in the
+// cell, 1e-16 times some 1e3.
 TEST_P(SectionOfBentBlock, IsTheStressWhateverTheCells) {
   SectionPlane plane;
   plane.x = {0.9e-6, 0.0, 0.37e-6, 0.5e-6, depth_, 0.123e-6};
@@ -47,7 +48,7 @@ TEST_P(SectionOfBentBlock, IsTheStressWhateverTheCells) {
   }
 }
 
-TEST_P(SectionOfBentBlock, IsNoNumberOutsideOfTheMesh) {
+TEST_P(SectionOfBentBlock, IsNaNOutsideOfTheMesh) {
   const std::vector<double> found =
       section({0.3e-6, false, {-0.1e-6, 0.3e-6, 1.1e-6}, {0.2e-6, 1.2e-6}});
   const std::vector<double> beside =
@@ -65,27 +66,27 @@ TEST_P(SectionOfBentBlock, IsNoNumberOutsideOfTheMesh) {
 INSTANTIATE_TEST_SUITE_P(Cells, SectionOfBentBlock, all_bent_blocks(),
                          name_of_bent);
 
-// Claim: each body has its own section, (1 - 2 nu)/(1 - nu) p under a uniform
-// pressure, the face included. Tolerance: rounding of a direct solve, 1e-16
-// times a condition of some 1e5.
-TEST(SectionOfTwoBodies, IsThatOfTheBodyAskedFor) {
+// Each body has its own section: (1 - 2 nu)/(1 - nu) p under a uniform
+// pressure, including the contact surface. Tolerance: roundoff of a direct
+// solve, 1e-16 times a condition number of some 1e5.
+TEST(SectionOfTwoBodies, IsThatOfTheRequestedBody) {
   const Grid grid{4, 4, 1e-6, 1e-6};
   const double p = 1e6;
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.4}, 1e-6);
   problem.counter = mechanics::BodyModuli{soft_modulus, 0.1};
-  const auto whole = make_full_block(problem);
+  const auto full = make_full_block(problem);
 
   const BlockSolution found =
-      whole->solve(std::vector<double>(grid.size(), 0.0),
-                   {mechanics::Control::nominal_pressure, p},
-                   {mechanics::ContactLaw::penalty,
-                    10.0 * soft_modulus / grid.spacing_x(), 1e-8, 50});
+      full->solve(std::vector<double>(grid.size(), 0.0),
+                  {mechanics::Control::nominal_pressure, p},
+                  {mechanics::ContactLaw::penalty,
+                   10.0 * soft_modulus / grid.spacing_x(), 1e-8, 50});
 
   ASSERT_TRUE(found.converged) << found.note;
   for (const double depth : {0.0, 0.3e-6, 1e-6}) {
-    EXPECT_NEAR(whole->section({0.4e-6, false, {0.7e-6}, {depth}})[0] / p,
+    EXPECT_NEAR(full->section({0.4e-6, false, {0.7e-6}, {depth}})[0] / p,
                 0.2 / 0.6, 1e-10);
-    EXPECT_NEAR(whole->section({0.4e-6, true, {0.7e-6}, {depth}})[0] / p,
+    EXPECT_NEAR(full->section({0.4e-6, true, {0.7e-6}, {depth}})[0] / p,
                 0.8 / 0.9, 1e-10);
   }
 }

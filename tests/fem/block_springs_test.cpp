@@ -1,8 +1,8 @@
-// Claims about fem/block/full_block.hpp at the ends of what a penalty can be:
-// its own springs stay within reach of Newton's method, and the answer is the
-// one that was asked for. The judge is the condensed block under the contact
-// module's solver, to which a penalty is a compliance and any stiffness is
-// alike.
+// Tests of fem/block/full_block.hpp with very soft and very stiff penalties:
+// the springs that the block uses stay in the range of Newton's method, and the
+// solution is that of the given penalty. The reference is the condensed block
+// with the solver of the module contact, to which a penalty is a compliance of
+// any size.
 #include "contact/operators/fourier_operator.hpp"
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"
@@ -32,11 +32,11 @@ struct Spring {
   double penalty; ///< in E/h
 };
 
-class AnySpring : public ::testing::TestWithParam<Spring> {};
+class AnyPenalty : public ::testing::TestWithParam<Spring> {};
 
-// Tolerance: the block ends at 1e-9 of the rms height, some 6 nm, and the judge
-// at 1e-10 of it.
-TEST_P(AnySpring, GivesTheAnswerOfTheCondensedBlock) {
+// Tolerance: the full model converges to 1e-9 of the rms height, which is some
+// 6 nm, and the reference to 1e-10 of it.
+TEST_P(AnyPenalty, GivesTheAnswerOfTheCondensedBlock) {
   const double penalty = GetParam().penalty * soft_modulus / grid.spacing_x();
   const bool is_penalty = GetParam().law == ContactLaw::penalty;
   const double load = 2e6;
@@ -61,7 +61,7 @@ TEST_P(AnySpring, GivesTheAnswerOfTheCondensedBlock) {
             1e-8 * largest_magnitude(expected.pressure));
 }
 
-INSTANTIATE_TEST_SUITE_P(Extremes, AnySpring,
+INSTANTIATE_TEST_SUITE_P(Extremes, AnyPenalty,
                          ::testing::Values(Spring{ContactLaw::penalty, 1e5},
                                            Spring{ContactLaw::penalty, 1e7},
                                            Spring{ContactLaw::penalty, 1e15},
@@ -69,10 +69,10 @@ INSTANTIATE_TEST_SUITE_P(Extremes, AnySpring,
                                            Spring{ContactLaw::augmented, 1e15},
                                            Spring{ContactLaw::hard, 1e15}));
 
-// Claim: a load so small that it moves the face by less than the heights'
-// rounding is balanced too: the plateau of a step bears it. The other half is a
-// step below and touches nothing.
-TEST(SmallLoad, IsBornByAPlateau) {
+// A load so small that it moves the surface by less than the roundoff of the
+// heights must be balanced too: the upper half of a stepped surface carries it.
+// The lower half touches nothing.
+TEST(SmallLoad, IsCarriedByAPlateau) {
   std::vector<double> heights(grid.size(), -0.7e-6);
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x / 2; ++ix)
@@ -92,15 +92,15 @@ TEST(SmallLoad, IsBornByAPlateau) {
       EXPECT_EQ(found.pressure[grid.index(ix, iy)], 0.0);
 }
 
-// Claim: a flat surface has a tolerance of its own, in its own lengths: by
-// augmentation it bears its load evenly at a metre and at a picometre.
-TEST(FlatSurface, HasNoUnitOfItsOwn) {
+// A flat surface has a tolerance in terms of its own lengths: with augmentation
+// it carries its load uniformly at the scale of a metre and of a picometre.
+TEST(FlatSurface, DoesNotDependOnUnits) {
   for (const double length : {1.0, 1e-12}) {
     const Grid flat{8, 8, length, length};
-    const auto whole = make_full_block(
+    const auto full = make_full_block(
         flat, 1, layered_block(flat.spacing_x(), length, FarBoundary::clamped));
 
-    const BlockSolution found = whole->solve(
+    const BlockSolution found = full->solve(
         std::vector<double>(flat.size(), 0.0),
         {Control::nominal_pressure, 1e-3 * soft_modulus},
         {ContactLaw::augmented, soft_modulus / flat.spacing_x(), 1e-9, 100});

@@ -1,5 +1,5 @@
-// Claims about the stress inside the whole block: fem/block/block_stress.hpp
-// and FullBlock::strongest_stress.
+// Tests of the stress inside the full model: fem/block/block_stress.hpp and
+// FullBlock::strongest_stress.
 #include "fem/block/block_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,9 @@ using mechanics::ContactLaw;
 using mechanics::Control;
 using mechanics::FarBoundary;
 
-// Claims of the definition: the axial stress itself, sqrt(3) times a shear,
-// nothing of a pressure. Tolerance: rounding of a few operations.
+// The von Mises stress is the axial stress in uniaxial tension, sqrt(3) times
+// the shear stress in shear, and zero under hydrostatic pressure. Tolerance:
+// roundoff of a few operations.
 TEST(VonMises, IsThatOfUniaxialStressShearAndPressure) {
   StressTensor uniaxial, shear;
   uniaxial[2][2] = -3e6;
@@ -27,11 +28,12 @@ TEST(VonMises, IsThatOfUniaxialStressShearAndPressure) {
   EXPECT_NEAR(largest_shear(shear) / 2e6, 1.0, 1e-14);
 }
 
-// Claim: under a uniform pressure between sides that do not move, von Mises is
-// |sigma_zz - sigma_xx| = (1 - 2 nu)/(1 - nu) p, the largest in the layer of
-// the smallest nu, and the shear half of it. Tolerance: rounding of a direct
-// solve, 1e-16 times a condition of some 1e5; two principal stresses are alike,
-// which the closed form of their cubic knows to the root of rounding.
+// Under a uniform pressure with fixed sides the von Mises stress is |sigma_zz -
+// sigma_xx| = (1 - 2 nu)/(1 - nu) p, the largest in the layer with the smallest
+// nu, and the maximum shear stress is half of it. Tolerance: roundoff of a
+// direct solve, 1e-16 times a condition number of some 1e5. Two principal
+// stresses are equal, and the closed form of the cubic determines them to the
+// square root of roundoff only.
 TEST(StrongestStress, IsThatOfUniaxialStrain) {
   const Grid grid{6, 4, 1e-6, 0.7e-6};
   const double p = 1e6;
@@ -41,15 +43,15 @@ TEST(StrongestStress, IsThatOfUniaxialStrain) {
                             elastic_layer(3e-7, soft_modulus, 0.3)},
                            FarBoundary::sliding};
   for (const int degree : {1, 2}) {
-    const auto whole =
+    const auto full =
         make_full_block(grid, degree, block, LinearSolver::direct);
-    EXPECT_EQ(whole->strongest_stress().von_mises, 0.0);
+    EXPECT_EQ(full->strongest_stress().von_mises, 0.0);
 
-    const BlockSolution found = whole->solve(
+    const BlockSolution found = full->solve(
         std::vector<double>(grid.size(), 0.0), {Control::nominal_pressure, p},
         {ContactLaw::penalty, 10.0 * soft_modulus / grid.spacing_x(), 1e-8,
          50});
-    const StressPeak peak = whole->strongest_stress();
+    const StressPeak peak = full->strongest_stress();
 
     ASSERT_TRUE(found.converged) << found.note;
     EXPECT_NEAR(peak.von_mises / (0.8 / 0.9 * p), 1.0, 1e-11);
@@ -60,9 +62,10 @@ TEST(StrongestStress, IsThatOfUniaxialStrain) {
   }
 }
 
-// Claim: a stress that is linear in each material is that at every vertex of
-// every cell, each side of the interface its own, hanging nodes or not.
-// Tolerance: rounding of u times the derivative, 1e-16 times some 1e2.
+// Verifies that a stress that is linear in each material is exact at every
+// vertex of every cell, on either side of the interface, with and without
+// hanging nodes. Tolerance: roundoff of u times the derivative, 1e-16 times
+// some 1e2.
 TEST_P(BentBlock, HasALinearStressExactlyAtItsVertices) {
   const BlockSystem system(problem());
   BlockStress stress(system, displacement_of(system.space()));
@@ -88,9 +91,9 @@ TEST_P(BentBlock, HasALinearStressExactlyAtItsVertices) {
   EXPECT_GT(n_checked, 100U);
 }
 
-// Claim: the peak of 2 mu |strain| is at the Gauss points nearest to the face
-// of the stiffer layer, and of these at the first. Tolerance: as above.
-TEST_P(BentBlock, FindsThePeakAtTheGaussPointNextToTheFace) {
+// The maximum of 2 mu |strain| is at the Gauss points nearest to the surface of
+// the stiffer layer, and the first of these is returned. Tolerance: as above.
+TEST_P(BentBlock, FindsThePeakAtTheGaussPointNextToTheSurface) {
   if (GetParam().shape == meshes::CellShape::tetrahedron)
     GTEST_SKIP() << "of boxes only";
   const BlockSystem system(problem());
@@ -108,11 +111,11 @@ TEST_P(BentBlock, FindsThePeakAtTheGaussPointNextToTheFace) {
 
 INSTANTIATE_TEST_SUITE_P(Cells, BentBlock, all_bent_blocks(), name_of_bent);
 
-// Claim: where the strain has a kink, a vertex on it has the mean of both sides
-// weighed by the volumes of their cells, whichever rank these are on: a quarter
-// of 1 and three of -1/3 across z = L/4, where u_z has its ridge, and halves of
-// -1 and 1 across the kinks at x = L/2 and y = L/2. Tolerance: rounding of u
-// times the derivative, 1e-16 times some 1e2.
+// At a vertex on a kink of the strain the stress is the mean of both sides,
+// weighted by the volumes of their cells, whichever rank owns these: a quarter
+// of 1 and three quarters of -1/3 across z = L/4, where u_z has its ridge, and
+// halves of -1 and 1 across the kinks at x = L/2 and y = L/2. Tolerance:
+// roundoff of u times the derivative, 1e-16 times some 1e2.
 TEST(VertexStress, IsWeighedByVolume) {
   constexpr double length = 1e-6, kink = 0.25e-6, strain = 1e-3;
   const Grid grid{8, 8, length, length};
@@ -161,20 +164,21 @@ TEST(VertexStress, IsWeighedByVolume) {
   });
 }
 
-// Claim: a peak in the second body, the softer one of the smaller ratio and so
-// the one with more shear, has its place below the face and its depth above 0.
-// Tolerance: as for uniaxial strain, its value in front of the rounding.
+// Verifies the place of a maximum in the second body, which is softer, has the
+// smaller Poisson's ratio and thus the larger shear: below the contact surface,
+// with a depth above 0. Tolerance: as for uniaxial strain, with the value
+// itself in front of the roundoff.
 TEST(StrongestStress, IsFoundInTheSecondBody) {
   const Grid grid{4, 4, 1e-6, 1e-6};
   const double p = 1e6;
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.4}, 1e-6);
   problem.counter = mechanics::BodyModuli{soft_modulus, 0.1};
-  const auto whole = make_full_block(problem);
+  const auto full = make_full_block(problem);
 
-  const BlockSolution found = whole->solve(
+  const BlockSolution found = full->solve(
       std::vector<double>(grid.size(), 0.0), {Control::nominal_pressure, p},
       {ContactLaw::penalty, 10.0 * soft_modulus / grid.spacing_x(), 1e-8, 50});
-  const StressPeak peak = whole->strongest_stress();
+  const StressPeak peak = full->strongest_stress();
 
   ASSERT_TRUE(found.converged) << found.note;
   EXPECT_NEAR(peak.von_mises / (0.8 / 0.9 * p), 1.0, 1e-10);

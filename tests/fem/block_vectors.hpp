@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors of all unknowns of a block, for tests of its linear solvers.
+// Vectors of all unknowns of a block for the tests of its linear solvers.
 
 #include "fem/block/block_system.hpp"
 

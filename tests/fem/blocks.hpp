@@ -1,6 +1,6 @@
 #pragma once
 
-// Blocks and pressures that several tests of the module press.
+// Blocks and pressures that several tests of the module use.
 
 #include "fem/waves/elastic_layers.hpp"
 #include "meshes/graded_layers.hpp"
@@ -30,7 +30,7 @@ inline LayeredBlock layered_block(double surface_thickness, double depth,
   return block;
 }
 
-/// Independent uniform numbers in 0..1.
+/// Independent uniformly distributed numbers in 0..1.
 inline std::vector<double> random_field(std::size_t size, unsigned int seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -39,8 +39,8 @@ inline std::vector<double> random_field(std::size_t size, unsigned int seed) {
   return field;
 }
 
-/// NaN for no numbers or one that is not finite, so that every comparison with
-/// it fails.
+/// The largest magnitude. NaN for an empty field or for a number that is not
+/// finite, so that every comparison with it fails.
 inline double largest_magnitude(std::span<const double> field) {
   double largest = field.empty() ? std::nan("") : 0.0;
   for (const double value : field) {
@@ -51,7 +51,7 @@ inline double largest_magnitude(std::span<const double> field) {
   return largest;
 }
 
-/// The same, and NaN for fields of two sizes.
+/// The largest difference. NaN as above, and for fields of two sizes.
 inline double largest_difference(std::span<const double> a,
                                  std::span<const double> b) {
   if (a.size() != b.size())

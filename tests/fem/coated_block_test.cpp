@@ -1,5 +1,6 @@
-// Claims about second-order blocks under a coating ten times stiffer, on a
-// wall: a force on one node may lift another there, and the active set cycles.
+// Tests of second-order blocks under a coating ten times stiffer, in hard
+// contact. A force at one node may increase the gap at another there, so that
+// the active set cycles.
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q2.hpp"
@@ -65,18 +66,19 @@ double rms(const std::vector<double>& heights) {
   return std::sqrt(square / static_cast<double>(heights.size()));
 }
 
-// Claim: the wall is solved to the case's tolerance at every load, and the
-// answer is the condensed block's, which another solver finds. Tolerances: both
-// gaps are exact to 1e-8 h_rms, and the coating's stiffness makes of that a
-// ten-millionth of the largest pressure; a hundred times as much is allowed.
-// Without the augmented law to fall back to, the second step ends after its 200
-// iterations with an overlap of tenths of h_rms.
+// Verifies that hard contact is solved to the tolerance of the case at every
+// load, and that the solution is that of the condensed block, which another
+// solver finds. Tolerances: both gaps are exact to 1e-8 h_rms, which with the
+// stiffness of the coating is a ten-millionth of the largest pressure; a
+// hundred times as much is allowed. Without the augmented-Lagrangian method as
+// fallback, the second step ends after its 200 iterations with an overlap of
+// tenths of h_rms.
 TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
   const LayeredBlock block = coated_block();
   const std::vector<double> heights = rough_heights(1);
   const double scale = rms(heights);
   Q2Operator condensed(condensed_compliance_q2(grid, block));
-  const auto whole = make_full_block(grid, 2, block, LinearSolver::fourier);
+  const auto full = make_full_block(grid, 2, block, LinearSolver::fourier);
   const double spring = 100.0 * contact_modulus / grid.spacing_x();
   std::string notes;
   for (const double load : {0.02, 0.05, 0.08}) {
@@ -86,8 +88,8 @@ TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
         {mechanics::Control::nominal_pressure, pressure});
 
     const BlockSolution found =
-        whole->solve(heights, {Control::nominal_pressure, pressure},
-                     {ContactLaw::hard, spring, 1e-8, 200});
+        full->solve(heights, {Control::nominal_pressure, pressure},
+                    {ContactLaw::hard, spring, 1e-8, 200});
 
     ASSERT_TRUE(expected.converged) << expected.note;
     ASSERT_TRUE(found.converged) << found.note;
@@ -106,7 +108,7 @@ TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
               1e-5 * largest_magnitude(expected.pressure));
   }
   EXPECT_NE(notes.find("solved by the augmented Lagrangian"), std::string::npos)
-      << "no active set cycled: the scene does not show what it is here for";
+      << "no active set cycled: the problem does not test the fallback";
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// Set-up of the condensed block: default layers (cubic surface cells, growth
-// 1.2, depth = length) on N^2 nodes.
+// Set-up time of the condensed block with default layers (cubic surface cells,
+// grading ratio 1.2, depth = length) on N^2 nodes.
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/condensed_q2.hpp"
 #include "meshes/graded_layers.hpp"

@@ -1,5 +1,5 @@
-// Claims about fem/waves/condensed_q1.hpp. The judges are the whole deal.II
-// block with a direct solver, and the exact elastic layer.
+// Tests of fem/waves/condensed_q1.hpp. The references are deal.II's assembled
+// block with a direct solver and the exact elastic layer.
 #include "base/fourier.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q1.hpp"
@@ -34,12 +34,13 @@ std::vector<double> apply(const Grid& grid,
   return displacement;
 }
 
-class Q1AgainstTheWholeBlock
+class Q1AgainstTheFullBlock
     : public ::testing::TestWithParam<std::tuple<Grid, FarBoundary>> {};
 
-// Claim: road 2 is road 1 for every wavevector at once: a random pressure holds
-// them all. Tolerance: both solves lose some 1e-13 to rounding.
-TEST_P(Q1AgainstTheWholeBlock, GivesTheSameDisplacement) {
+// Verifies the condensed operator against the assembled block for every
+// wavevector at once: a random pressure contains them all. Tolerance: roundoff
+// of both solves, some 1e-13.
+TEST_P(Q1AgainstTheFullBlock, GivesTheSameDisplacement) {
   const auto [grid, top] = GetParam();
   const LayeredBlock block =
       layered_block(1.5 * grid.spacing_x(), 0.8 * grid.length_x, top);
@@ -48,35 +49,37 @@ TEST_P(Q1AgainstTheWholeBlock, GivesTheSameDisplacement) {
   const std::vector<double> condensed =
       apply(grid, condensed_compliance_q1(grid, block), pressure);
 
-  const std::vector<double> whole =
+  const std::vector<double> full =
       make_full_block(grid, 1, block, LinearSolver::direct)
           ->displacement(pressure);
-  ASSERT_EQ(whole.size(), grid.size());
-  EXPECT_LT(largest_difference(condensed, whole),
-            1e-12 * largest_magnitude(whole));
+  ASSERT_EQ(full.size(), grid.size());
+  EXPECT_LT(largest_difference(condensed, full),
+            1e-12 * largest_magnitude(full));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    GridsAndTops, Q1AgainstTheWholeBlock,
+    GridsAndTops, Q1AgainstTheFullBlock,
     ::testing::Combine(
         ::testing::Values(Grid{8, 8, 1e-6, 1e-6}, Grid{16, 16, 1e-6, 1e-6},
                           Grid{12, 6, 1e-6, 0.7e-6}, Grid{7, 9, 1e-6, 1e-6}),
         ::testing::Values(FarBoundary::clamped, FarBoundary::sliding,
                           FarBoundary::pressure)));
 
-// The same at 32^2, the largest block whose direct solve takes but seconds.
-INSTANTIATE_TEST_SUITE_P(AtThirtyTwo, Q1AgainstTheWholeBlock,
+// The same on 32^2 nodes, the largest block whose direct solve takes only
+// seconds.
+INSTANTIATE_TEST_SUITE_P(AtThirtyTwo, Q1AgainstTheFullBlock,
                          ::testing::Values(std::tuple{Grid{32, 32, 1e-6, 1e-6},
                                                       FarBoundary::clamped}));
 
 class Q1AgainstTheLayer : public ::testing::TestWithParam<FarBoundary> {};
 
-// Claim: second order towards the exact layer of finite depth. Cubic cells to
-// the top; the longest wave of a block half as deep as it is long, where the
-// three tops differ by 20 %. Tolerances: the fourth-order term parts the ratio
-// of errors from 4 by 12 b/a h^2, measured 0.19 between 32 and 64 points for
-// the worst top, hence 0.05 between 64 and 128; and Richardson then leaves
-// 0.05/12 of the fine error, which is below 1e-3.
+// Verifies second-order convergence to the exact layer of finite depth, with
+// cubic cells down to the far boundary: the longest wave of a block half as
+// deep as it is long, where the three far boundaries differ by 20 %.
+// Tolerances: the fourth-order term changes the ratio of errors from 4 by 12
+// b/a h^2, measured as 0.19 between 32 and 64 points for the worst far
+// boundary, hence 0.05 between 64 and 128; Richardson extrapolation then leaves
+// 0.05/12 of the error on the fine grid, which is below 1e-3.
 TEST_P(Q1AgainstTheLayer, ConvergesAtSecondOrder) {
   const double poisson_ratio = 0.35;
   const double length = 1.0e-6;
@@ -104,11 +107,12 @@ INSTANTIATE_TEST_SUITE_P(Tops, Q1AgainstTheLayer,
                                            FarBoundary::sliding,
                                            FarBoundary::pressure));
 
-// Claim: what grading costs the long waves is second order in the logarithm of
-// the growth: the same wave, layers growing by 1.2 and by its square root. Each
-// depth is a sum of whole layers. Tolerance: the next order is (ln 1.2)^2 = 3 %
-// of the ratio with a coefficient of order one, and counts three times.
-TEST(Q1, PaysForGradingAtSecondOrder) {
+// Verifies that the error of graded layers for long waves is of second order in
+// the logarithm of the grading ratio, with the same wave and layers that grow
+// by 1.2 and by its square root. Each depth is a sum of complete layers.
+// Tolerance: the next order is (ln 1.2)^2 = 3 % of the ratio with a coefficient
+// of order one, and counts three times.
+TEST(Q1, LosesSecondOrderInTheGradingRatio) {
   const auto error = [](double growth) {
     const Grid grid{512, 4, 1e-5, 4 * 1e-5 / 512};
     std::vector<double> thickness{grid.spacing_x()};
@@ -128,9 +132,10 @@ TEST(Q1, PaysForGradingAtSecondOrder) {
   EXPECT_NEAR(error(1.2) / error(std::sqrt(1.2)), 4.0, 0.36);
 }
 
-// Claim: the square's symmetry is used, not assumed: a grid that differs from
-// the square by nothing but the last bit of a length takes the other road.
-TEST(Q1, TakesTheSameValuesWithAndWithoutTheMirror) {
+// Verifies that the symmetry of the square is detected: a grid that differs
+// from the square only in the last bit of a length uses the general algorithm
+// and gives the same values.
+TEST(Q1, GivesTheSameValuesWithAndWithoutSymmetry) {
   const Grid square{16, 16, 1e-6, 1e-6};
   const Grid rectangle{16, 16, 1e-6, std::nextafter(1e-6, 1.0)};
   const LayeredBlock block =

@@ -1,5 +1,5 @@
-// Claims about fem/waves/condensed_q2.hpp and fem/waves/q2_operator.hpp. The
-// judges are the whole deal.II block with a direct solver, and the exact
+// Tests of fem/waves/condensed_q2.hpp and fem/waves/q2_operator.hpp. The
+// references are deal.II's assembled block with a direct solver and the exact
 // elastic layer.
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q2.hpp"
@@ -37,13 +37,14 @@ std::vector<double> displacement(Q2Operator& block,
   return result;
 }
 
-class Q2AgainstTheWholeBlock
+class Q2AgainstTheFullBlock
     : public ::testing::TestWithParam<std::tuple<Grid, FarBoundary>> {};
 
-// Claim: road 2 is road 1 for every wavevector and node kind at once. 12 nodes
-// are an even, 14 an odd number of cells: one has a middle column of modes that
-// is its own partner. Tolerance: rounding of both solves, some 1e-13.
-TEST_P(Q2AgainstTheWholeBlock, GivesTheSameDisplacement) {
+// Verifies the condensed operator against the assembled block for every
+// wavevector and node class at once. 12 nodes are an even and 14 an odd number
+// of cells; one of them has a middle column of modes that is conjugate to
+// itself. Tolerance: roundoff of both solves, some 1e-13.
+TEST_P(Q2AgainstTheFullBlock, GivesTheSameDisplacement) {
   const auto [grid, top] = GetParam();
   const LayeredBlock block =
       layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, top);
@@ -52,18 +53,18 @@ TEST_P(Q2AgainstTheWholeBlock, GivesTheSameDisplacement) {
 
   const std::vector<double> by_condensed = displacement(condensed, pressure);
 
-  const auto whole = make_full_block(grid, 2, block, LinearSolver::direct);
-  const std::vector<double> by_whole = whole->displacement(pressure);
-  ASSERT_EQ(by_whole.size(), grid.size());
-  EXPECT_LT(largest_difference(by_condensed, by_whole),
-            1e-12 * largest_magnitude(by_whole));
+  const auto full = make_full_block(grid, 2, block, LinearSolver::direct);
+  const std::vector<double> by_full = full->displacement(pressure);
+  ASSERT_EQ(by_full.size(), grid.size());
+  EXPECT_LT(largest_difference(by_condensed, by_full),
+            1e-12 * largest_magnitude(by_full));
   EXPECT_LT(
-      largest_difference(condensed.nodal_weights(), whole->nodal_weights()),
+      largest_difference(condensed.nodal_weights(), full->nodal_weights()),
       1e-13);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    GridsAndTops, Q2AgainstTheWholeBlock,
+    GridsAndTops, Q2AgainstTheFullBlock,
     ::testing::Combine(::testing::Values(Grid{8, 8, 1e-6, 1e-6},
                                          Grid{12, 8, 1e-6, 0.7e-6},
                                          Grid{14, 6, 1e-6, 0.5e-6}),
@@ -71,14 +72,15 @@ INSTANTIATE_TEST_SUITE_P(
                                          FarBoundary::sliding,
                                          FarBoundary::pressure)));
 
-class Q2AgainstWholeLayers
+class Q2AgainstUnsplitLayers
     : public ::testing::TestWithParam<std::tuple<bool, FarBoundary>> {};
 
-// Claim: split layers of shared symbols give what whole layers of their own
-// cell matrices do, with many layers, one material or several. Tolerance: long
-// waves are small differences of a thick layer's terms, whose rounding grows
-// with the square of the thickest layer in cells (here below 10): some 1e-13.
-TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
+// Verifies that split layers with shared symbols equal complete layers with
+// their own cell matrices, for many layers of one or several materials.
+// Tolerance: long waves are small differences of the terms of a thick layer,
+// whose roundoff grows with the square of the thickest layer in cells (here
+// below 10): some 1e-13.
+TEST_P(Q2AgainstUnsplitLayers, GivesTheSameBlocks) {
   const auto [is_layered, top] = GetParam();
   const Grid grid{64, 48, 1e-6, 0.8e-6};
   LayeredBlock block =
@@ -107,15 +109,15 @@ TEST_P(Q2AgainstWholeLayers, GivesTheSameBlocks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    MaterialsAndTops, Q2AgainstWholeLayers,
+    MaterialsAndTops, Q2AgainstUnsplitLayers,
     ::testing::Combine(::testing::Bool(),
                        ::testing::Values(FarBoundary::clamped,
                                          FarBoundary::sliding,
                                          FarBoundary::pressure)));
 
-// Claim: nothing depends on units: a compliance and its inverse in lengths and
-// moduli larger by powers of two are the same bits, an odd power of two in E L
-// included, whose root is not a binary number.
+// Verifies independence of units: a compliance and its inverse in lengths and
+// moduli that are larger by powers of two have the same bits, including an odd
+// power of two in E L, whose square root is not a binary number.
 TEST(Q2, HasTheSameBitsInBinaryUnits) {
   const Grid small{12, 12, 0.7e-6, 0.7e-6};
   const Grid large{12, 12, 0.7e-6 * 0x1p+20, 0.7e-6 * 0x1p+20};
@@ -145,11 +147,11 @@ TEST(Q2, HasTheSameBitsInBinaryUnits) {
   }
 }
 
-// Claim: the interface's promises: weighted symmetry, no weighted mean, and an
-// estimate that inverts C + c but for the mean. Tolerances: rounding of two
-// transforms, and for the inverse single precision times its condition, some
-// 100.
-TEST(Q2, KeepsTheOperatorsPromises) {
+// Verifies the conditions of the operator's interface: symmetry in the weighted
+// product, zero weighted mean, and a preconditioner that inverts C + c except
+// for the mean. Tolerances: roundoff of two transforms, and for the inverse
+// single precision times its condition number, some 100.
+TEST(Q2, SatisfiesTheConditionsOfAnOperator) {
   const Grid grid{20, 12, 1e-6, 1e-6};
   Q2Operator block(
       condensed_compliance_q2(grid, layered_block(2.0 * grid.spacing_x(), 1e-6,
@@ -183,9 +185,9 @@ TEST(Q2, KeepsTheOperatorsPromises) {
   }
 }
 
-// Claim: the patch test: a uniform pressure on consistent nodal areas gives a
-// uniform displacement, which the gauge removes whole. Tolerance: rounding
-// against the displacement of a random pressure of the same size.
+// The patch test: a uniform pressure with consistent nodal areas gives a
+// uniform displacement, which the gauge removes entirely. Tolerance: roundoff
+// relative to the displacement of a random pressure of the same size.
 TEST(Q2, PassesThePatchTest) {
   const Grid grid{16, 16, 1e-6, 1e-6};
   const Q2Compliance compliance = condensed_compliance_q2(
@@ -203,8 +205,9 @@ TEST(Q2, PassesThePatchTest) {
 class Q2AgainstTheLayer
     : public ::testing::TestWithParam<std::tuple<FarBoundary, double>> {
 protected:
-  /// Relative error of the longest wave's compliance, by virtual work, on
-  /// cubic cells to the top of a block half as deep as it is long.
+  /// Relative error of the compliance of the longest wave, by virtual work,
+  /// with cubic cells down to the far boundary of a block half as deep as it is
+  /// long.
   static double error(int points) {
     const auto [top, poisson_ratio] = GetParam();
     const Grid grid{points, 4, 1e-6, 4e-6 / points};
@@ -227,11 +230,11 @@ protected:
   }
 };
 
-// Claim: fourth order in energy, nearly incompressible or not: no locking.
-// Tolerances: the sixth-order term parts the ratio of errors from 16; measured
-// between 32 and 64 nodes in the wave by up to 1.8, hence by a fourth of that
-// here. The size: 1e-5 (2e-4 at nu = 0.49), about the error Q1 has with four
-// times as many nodes in each direction.
+// Verifies fourth-order convergence in energy, near incompressibility too: no
+// locking. Tolerances: the sixth-order term changes the ratio of errors from 16
+// by up to 1.8, measured between 32 and 64 nodes per wavelength, hence by a
+// fourth of that here. The magnitude: 1e-5 (2e-4 at nu = 0.49), about the error
+// of Q1 with four times as many nodes in each direction.
 TEST_P(Q2AgainstTheLayer, ConvergesAtFourthOrderWithoutLocking) {
   const double poisson_ratio = std::get<1>(GetParam());
 

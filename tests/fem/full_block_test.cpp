@@ -1,6 +1,6 @@
-// Claims about fem/block/full_block.hpp. The judge is the other road: condensed
-// compliance and the projected solver of contact/, which share with the whole
-// block nothing but deal.II's cell matrices.
+// Tests of fem/block/full_block.hpp. The reference is the condensed compliance
+// with the projected solver of contact/, which shares nothing with the full
+// model but deal.II's cell matrices.
 #include "contact/operators/fourier_operator.hpp"
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"
@@ -22,7 +22,7 @@ using mechanics::ContactLaw;
 using mechanics::Control;
 using mechanics::FarBoundary;
 
-/// Waves of up to three periods a side, rms about 1 nm on a micrometre.
+/// Waves of up to three periods per side, rms about 1 nm on a micrometre.
 std::vector<double> rough_heights(const Grid& grid) {
   const std::vector<double> phases = random_field(16, 3);
   std::vector<double> heights(grid.size(), 0.0);
@@ -46,17 +46,17 @@ condensed_block(const Grid& grid, int degree, const LayeredBlock& block) {
   return std::make_unique<Q2Operator>(condensed_compliance_q2(grid, block));
 }
 
-struct Scene {
+struct ContactCase {
   int degree;
   FarBoundary top;
   ContactLaw law;
   double penalty; ///< in E/h
   Control control;
   std::vector<double> loads; ///< [Pa] or [m]
-  int points = 10;           ///< nodes a side
+  int points = 10;           ///< nodes per side
 };
 
-class TwoRoads : public ::testing::TestWithParam<Scene> {
+class CondensedAndFullBlock : public ::testing::TestWithParam<ContactCase> {
 protected:
   const Grid grid_{GetParam().points, GetParam().points, 1e-6, 1e-6};
   const double penalty_ = GetParam().penalty * soft_modulus / grid_.spacing_x();
@@ -76,19 +76,19 @@ protected:
   }
 };
 
-// Claim: the whole contact curve of road 1 is that of road 2. Tolerance: the
-// issue's 1e-7; the projected solver is asked for 1e-10 of the rms height and
-// the augmentation for the same, and a load parts them by no more than that
-// times the stiffness. Up to 16 points the systems are solved directly, at 32
-// by multigrid.
-TEST_P(TwoRoads, GiveTheSameContactCurve) {
-  const auto whole = make_full_block(grid_, GetParam().degree, block_);
+// Verifies that the full model gives the contact curve of the condensed one.
+// Tolerance: the required 1e-7; the projected solver converges to 1e-10 of the
+// rms height and the augmentation to the same, and the loads differ by no more
+// than that times the stiffness. Up to 16 points the systems are solved
+// directly, at 32 by multigrid.
+TEST_P(CondensedAndFullBlock, GiveTheSameContactCurve) {
+  const auto full = make_full_block(grid_, GetParam().degree, block_);
   for (const double load : GetParam().loads) {
     const contact::ContactSolution expected = condensed(load);
 
     const BlockSolution found =
-        whole->solve(heights_, {GetParam().control, load},
-                     {GetParam().law, penalty_, 1e-9, 200});
+        full->solve(heights_, {GetParam().control, load},
+                    {GetParam().law, penalty_, 1e-9, 200});
 
     ASSERT_TRUE(expected.converged) << expected.note;
     ASSERT_TRUE(found.converged) << found.note;
@@ -101,68 +101,70 @@ TEST_P(TwoRoads, GiveTheSameContactCurve) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, TwoRoads,
-                         ::testing::Values(Scene{1,
-                                                 FarBoundary::clamped,
-                                                 ContactLaw::penalty,
-                                                 100.0,
-                                                 Control::nominal_pressure,
-                                                 {1e5, 1e6, 4e6, 3e7}},
-                                           Scene{1,
-                                                 FarBoundary::clamped,
-                                                 ContactLaw::penalty,
-                                                 100.0,
-                                                 Control::nominal_pressure,
-                                                 {1e6, 1e7},
-                                                 16},
-                                           Scene{1,
-                                                 FarBoundary::sliding,
-                                                 ContactLaw::penalty,
-                                                 100.0,
-                                                 Control::nominal_pressure,
-                                                 {4e6},
-                                                 32},
-                                           Scene{1,
-                                                 FarBoundary::sliding,
-                                                 ContactLaw::penalty,
-                                                 1.0,
-                                                 Control::nominal_pressure,
-                                                 {1e6, 1e7}},
-                                           Scene{1,
-                                                 FarBoundary::pressure,
-                                                 ContactLaw::penalty,
-                                                 1e6,
-                                                 Control::nominal_pressure,
-                                                 {1e6, 1e7}},
-                                           Scene{1,
-                                                 FarBoundary::pressure,
-                                                 ContactLaw::penalty,
-                                                 10.0,
-                                                 Control::mean_gap,
-                                                 {1e-9, 2e-10}},
-                                           Scene{1,
-                                                 FarBoundary::clamped,
-                                                 ContactLaw::hard,
-                                                 100.0,
-                                                 Control::nominal_pressure,
-                                                 {1e6, 1e7}},
-                                           Scene{2,
-                                                 FarBoundary::clamped,
-                                                 ContactLaw::penalty,
-                                                 100.0,
-                                                 Control::nominal_pressure,
-                                                 {1e6, 1e7}},
-                                           Scene{2,
-                                                 FarBoundary::pressure,
-                                                 ContactLaw::augmented,
-                                                 30.0,
-                                                 Control::mean_gap,
-                                                 {1e-9}}));
+INSTANTIATE_TEST_SUITE_P(
+    Cases, CondensedAndFullBlock,
+    ::testing::Values(ContactCase{1,
+                                  FarBoundary::clamped,
+                                  ContactLaw::penalty,
+                                  100.0,
+                                  Control::nominal_pressure,
+                                  {1e5, 1e6, 4e6, 3e7}},
+                      ContactCase{1,
+                                  FarBoundary::clamped,
+                                  ContactLaw::penalty,
+                                  100.0,
+                                  Control::nominal_pressure,
+                                  {1e6, 1e7},
+                                  16},
+                      ContactCase{1,
+                                  FarBoundary::sliding,
+                                  ContactLaw::penalty,
+                                  100.0,
+                                  Control::nominal_pressure,
+                                  {4e6},
+                                  32},
+                      ContactCase{1,
+                                  FarBoundary::sliding,
+                                  ContactLaw::penalty,
+                                  1.0,
+                                  Control::nominal_pressure,
+                                  {1e6, 1e7}},
+                      ContactCase{1,
+                                  FarBoundary::pressure,
+                                  ContactLaw::penalty,
+                                  1e6,
+                                  Control::nominal_pressure,
+                                  {1e6, 1e7}},
+                      ContactCase{1,
+                                  FarBoundary::pressure,
+                                  ContactLaw::penalty,
+                                  10.0,
+                                  Control::mean_gap,
+                                  {1e-9, 2e-10}},
+                      ContactCase{1,
+                                  FarBoundary::clamped,
+                                  ContactLaw::hard,
+                                  100.0,
+                                  Control::nominal_pressure,
+                                  {1e6, 1e7}},
+                      ContactCase{2,
+                                  FarBoundary::clamped,
+                                  ContactLaw::penalty,
+                                  100.0,
+                                  Control::nominal_pressure,
+                                  {1e6, 1e7}},
+                      ContactCase{2,
+                                  FarBoundary::pressure,
+                                  ContactLaw::augmented,
+                                  30.0,
+                                  Control::mean_gap,
+                                  {1e-9}}));
 
-// Claim: multigrid solves the same problem as the direct solver, first order
-// and second, by springs and by the wall. Tolerance: forces are balanced to
-// 1e-11 of the largest, times the condition of the contact face, some 1e2.
-TEST(WholeBlock, IsTheSameByMultigrid) {
+// Verifies that multigrid and the direct solver give the same solution, for
+// first and second order, in penalty and hard contact. Tolerance: forces are
+// balanced to 1e-11 of the largest, times the condition number of the contact
+// surface, some 1e2.
+TEST(FullBlockTest, IsTheSameByMultigrid) {
   const Grid grid{10, 10, 1e-6, 1e-6};
   const std::vector<double> heights = rough_heights(grid);
   for (const int degree : {1, 2})
@@ -186,18 +188,19 @@ TEST(WholeBlock, IsTheSameByMultigrid) {
     }
 }
 
-// Claim: an answer obeys the law and bears the load, whatever road led there:
-// p = k (-gap)+ node by node, and the weighted mean of p is p_0.
-TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
+// Verifies that a solution satisfies its contact law and balances the load, for
+// every linear solver: p = k (-gap)+ at each node, and the weighted mean of p
+// is p_0.
+TEST(FullBlockTest, SatisfiesItsLawAndBalancesTheLoad) {
   const Grid grid{12, 8, 1e-6, 0.7e-6};
   const double penalty = 20.0 * soft_modulus / grid.spacing_x();
-  const auto whole = make_full_block(
+  const auto full = make_full_block(
       grid, 2,
       layered_block(2.0 * grid.spacing_x(), 1e-6, FarBoundary::clamped));
 
   const BlockSolution found =
-      whole->solve(rough_heights(grid), {Control::nominal_pressure, 3e6},
-                   {ContactLaw::penalty, penalty, 1e-8, 50});
+      full->solve(rough_heights(grid), {Control::nominal_pressure, 3e6},
+                  {ContactLaw::penalty, penalty, 1e-8, 50});
 
   ASSERT_TRUE(found.converged) << found.note;
   double borne = 0.0;
@@ -205,7 +208,7 @@ TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
   for (std::size_t i = 0; i < grid.size(); ++i) {
     EXPECT_NEAR(found.pressure[i], std::max(0.0, -penalty * found.gap[i]),
                 1e-9 * 3e6);
-    borne += whole->nodal_weights()[i] * found.pressure[i];
+    borne += full->nodal_weights()[i] * found.pressure[i];
     touching += found.pressure[i] > 0.0;
   }
   EXPECT_NEAR(borne / static_cast<double>(grid.size()) / 3e6, 1.0, 1e-12);
@@ -213,13 +216,13 @@ TEST(WholeBlock, ObeysItsLawAndBearsTheLoad) {
   EXPECT_LT(touching, grid.size() * 9 / 10);
 }
 
-// Claim: Newton's contact set comes to rest over ten decades of penalty and
-// from grazing to full contact, warm from another scene, on white-noise
-// heights. At 1e8 E/h the rounding of the gap alone is 1e-8 of the pressure,
-// and it is said.
-TEST(WholeBlock, ConvergesInRandomScenes) {
+// Verifies that the active set of Newton's method converges over ten decades of
+// penalty and from first touch to full contact, with the solution of another
+// problem as initial guess, on white-noise heights. At 1e8 E/h the roundoff of
+// the gap alone is 1e-8 of the pressure, and the note says so.
+TEST(FullBlockTest, ConvergesForRandomProblems) {
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const auto whole = make_full_block(
+  const auto full = make_full_block(
       grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
   for (unsigned int seed = 0; seed < 40; ++seed) {
     const std::vector<double> dice = random_field(2, 1000 + seed);
@@ -231,8 +234,8 @@ TEST(WholeBlock, ConvergesInRandomScenes) {
     const double load = std::pow(10.0, 5.0 * dice[1] + 4.0);
 
     const BlockSolution found =
-        whole->solve(heights, {Control::nominal_pressure, load},
-                     {ContactLaw::penalty, penalty, 1e-8, 40});
+        full->solve(heights, {Control::nominal_pressure, load},
+                    {ContactLaw::penalty, penalty, 1e-8, 40});
 
     EXPECT_TRUE(found.converged)
         << "seed " << seed << ", k " << penalty << ", p " << load << ": "
@@ -241,11 +244,11 @@ TEST(WholeBlock, ConvergesInRandomScenes) {
   }
 }
 
-// Claim: heights that all lie a thousand times their rms height higher are the
-// same surface: a gap's tolerance is a share of the rms height about the mean,
-// so as many steps lead to the same pressures. Tolerance: 1e-13 of a gap of
-// 1 um are lost to rounding, times the stiffness of a cell.
-TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
+// Verifies that an offset of all heights by a thousand times their rms height
+// changes nothing: the tolerance of the gap is a fraction of the rms height
+// about the mean, so that as many steps lead to the same pressures. Tolerance:
+// 1e-13 of a gap of 1 um is lost to roundoff, times the stiffness of a cell.
+TEST(FullBlockTest, IsTheSameForHeightsWithAMean) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   const std::vector<double> heights = rough_heights(grid);
   std::vector<double> raised = heights;
@@ -269,37 +272,37 @@ TEST(WholeBlock, IsTheSameForHeightsWithAMean) {
             1e-8 * largest_magnitude(plain.pressure));
 }
 
-TEST(WholeBlock, WithoutContactBearsNothing) {
+TEST(FullBlockTest, WithoutContactCarriesNothing) {
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const auto whole = make_full_block(
+  const auto full = make_full_block(
       grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
 
   const BlockSolution found =
-      whole->solve(rough_heights(grid), {Control::mean_gap, 1e-7},
-                   {ContactLaw::penalty, 1e17, 1e-8, 50});
+      full->solve(rough_heights(grid), {Control::mean_gap, 1e-7},
+                  {ContactLaw::penalty, 1e17, 1e-8, 50});
 
   EXPECT_TRUE(found.converged);
   EXPECT_EQ(found.nominal_pressure, 0.0);
   EXPECT_NEAR(found.mean_gap, 1e-7, 1e-20);
 }
 
-TEST(WholeBlock, SaysWhenItGaveUpAndRefusesNonsense) {
+TEST(FullBlockTest, ReportsNonConvergenceAndRefusesBadArguments) {
   const Grid grid{8, 8, 1e-6, 1e-6};
-  const auto whole = make_full_block(
+  const auto full = make_full_block(
       grid, 1, layered_block(grid.spacing_x(), 1e-6, FarBoundary::clamped));
   const std::vector<double> heights = rough_heights(grid);
 
   const BlockSolution found =
-      whole->solve(heights, {Control::nominal_pressure, 3e6},
-                   {ContactLaw::penalty, 1e17, 1e-8, 1});
+      full->solve(heights, {Control::nominal_pressure, 3e6},
+                  {ContactLaw::penalty, 1e17, 1e-8, 1});
 
   EXPECT_FALSE(found.converged);
   EXPECT_NE(found.note.find("contact set"), std::string::npos);
-  EXPECT_THROW(whole->solve(heights, {Control::nominal_pressure, -1.0},
-                            {ContactLaw::penalty, 1e17, 1e-8, 50}),
+  EXPECT_THROW(full->solve(heights, {Control::nominal_pressure, -1.0},
+                           {ContactLaw::penalty, 1e17, 1e-8, 50}),
                std::domain_error);
-  EXPECT_THROW(whole->solve({}, {Control::nominal_pressure, 1.0},
-                            {ContactLaw::penalty, 1e17, 1e-8, 50}),
+  EXPECT_THROW(full->solve({}, {Control::nominal_pressure, 1.0},
+                           {ContactLaw::penalty, 1e17, 1e-8, 50}),
                std::domain_error);
 }
 

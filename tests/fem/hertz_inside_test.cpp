@@ -1,5 +1,5 @@
-// Claims about the stress inside a whole block under a sphere: Hertz's
-// strongest point comes out of its cells, at the order that was measured.
+// Tests of the stress inside the full model under a sphere: the maximum stress
+// converges to Hertz's at the measured order.
 #include "contact/operators/stress_inside.hpp"
 #include "fem/block/full_block.hpp"
 #include "theory/exact/hertz.hpp"
@@ -15,17 +15,17 @@ namespace asperity::fem {
 namespace {
 
 constexpr double poisson = 0.3;
-constexpr double length = 1e-3;           // m, of a side and of the depth
+constexpr double length = 1e-3;           // m, side and depth
 constexpr double sphere = 10.0 * length;  // m, its radius
 constexpr double radius = 0.125 * length; // m, of the contact
-constexpr double growth = 1.2;            // of the layers, from h
+constexpr double growth = 1.2; // grading ratio of the layers, starting from h
 const double modulus = soft_modulus / (1.0 - poisson * poisson);
 const double load = 4.0 / 3.0 * modulus * std::pow(radius, 3) / sphere;
 const theory::HertzContact hertz = theory::hertz_contact(load, sphere, modulus);
 const mechanics::ElasticBlock slab{modulus, poisson, length,
                                    mechanics::FarBoundary::clamped};
 
-/// A function of the distance from the middle, on the nodes.
+/// A function of the distance from the middle, at the nodes.
 template <class Function>
 std::vector<double> around_middle(const Grid& grid, const Function& of) {
   std::vector<double> field(grid.size());
@@ -37,8 +37,8 @@ std::vector<double> around_middle(const Grid& grid, const Function& of) {
   return field;
 }
 
-/// Of Hertz's own pressure on such a block, with its periodic images: by waves,
-/// 32 nodes a radius.
+/// Under Hertz's own pressure on such a block with its periodic images, by the
+/// Fourier solution with 32 nodes per contact radius.
 contact::StressPeak expected_peak() {
   const Grid grid{256, 256, length, length};
   return contact::StressInside(
@@ -69,10 +69,11 @@ Pressed pressed_block(const Grid& grid) {
   return {std::move(solution), block->strongest_stress()};
 }
 
-// Claim: the waves' peak, which judges the block below, is 0.620 p_0 at 0.481 a
-// but for the images and the far face: less than the mean pressure, which is
-// 2 pi/3 (a/L)^2 p_0, and less than a tenth of a (Johnson, Sec. 4.2).
-TEST(HertzInside, IsJudgedByHertz) {
+// The maximum stress of the Fourier solution, which is the reference of the
+// block below, is 0.620 p_0 at 0.481 a except for the images and the far
+// boundary: the deviation is less than the mean pressure, which is 2 pi/3
+// (a/L)^2 p_0, and less than a tenth of a (Johnson, Sec. 4.2).
+TEST(HertzInside, HasTheFourierReferenceOfHertz) {
   const contact::StressPeak peak = expected_peak();
 
   EXPECT_NEAR(peak.von_mises, 0.620 * hertz.peak_pressure,
@@ -80,12 +81,12 @@ TEST(HertzInside, IsJudgedByHertz) {
   EXPECT_NEAR(peak.depth, 0.481 * radius, 0.1 * radius);
 }
 
-// Claim: the block's strongest stress tends to Hertz's with h/a. Tolerance:
-// 0.1 h/a, of which first-order cells took 0.091, 0.002, 0.057, 0.072 and 0.020
-// at 2, 3, 4, 6 and 8 nodes a radius: it wavers with where Gauss points and the
-// rim's nodes lie. The largest shear is half of it; the place is on the axis
-// and at the depth to within its cell, which is growth - 1 of its depth higher
-// than h.
+// The maximum stress of the block converges to Hertz's with h/a. Tolerance: 0.1
+// h/a; first-order cells measured 0.091, 0.002, 0.057, 0.072 and 0.020 at 2, 3,
+// 4, 6 and 8 nodes per radius, which vary with the positions of the Gauss
+// points and of the nodes at the contact boundary. The maximum shear stress is
+// half of it; its place is on the axis and at that depth to within its cell,
+// which is higher than h by (grading ratio - 1) of its depth.
 TEST(HertzInside, TendsToHertzsStrongestPoint) {
   const contact::StressPeak expected = expected_peak();
   double coarse_error = std::numeric_limits<double>::infinity();
@@ -113,9 +114,10 @@ TEST(HertzInside, TendsToHertzsStrongestPoint) {
   }
 }
 
-// Claim: so does what the continuum makes of the block's own pressure, and the
-// two are one within 0.15 h/a, measured 0.13, 0.03 and 0.05 at 2, 4 and 8.
-TEST(HertzInside, IsThatOfItsOwnPressure) {
+// The continuum stress under the computed pressure of the block converges too,
+// and the two differ by less than 0.15 h/a, measured 0.13, 0.03 and 0.05 at 2,
+// 4 and 8.
+TEST(HertzInside, IsTheContinuumStressOfItsPressure) {
   for (const int points : {16, 32}) {
     const Grid grid{points, points, length, length};
 

@@ -1,6 +1,6 @@
-// Claims about fem/block/hexahedron_block.hpp: the stiffness of second-order
-// hexahedra without a matrix and multigrid with first-order functions, compared
-// with deal.II's assembled matrix and the direct solver.
+// Tests of fem/block/hexahedron_block.hpp: the stiffness of second-order
+// hexahedra without a matrix, and multigrid with first-order functions,
+// compared with deal.II's assembled matrix and the direct solver.
 #include "fem/block/block_solver.hpp"
 #include "fem/block/hexahedron_block.hpp"
 #include "meshes/hanging_mesh.hpp"
@@ -64,8 +64,8 @@ std::vector<HexahedronCase> all_cases() {
 
 class HexahedronCases : public ::testing::TestWithParam<HexahedronCase> {};
 
-// Claim: K u without a matrix is that of deal.II. Tolerance: rounding of a sum
-// over the unknowns of a cell.
+// Verifies K u without a matrix against deal.II's matrix. Tolerance: roundoff
+// of a sum over the unknowns of a cell.
 TEST_P(HexahedronCases, HaveTheStiffnessOfTheMatrix) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
@@ -89,7 +89,7 @@ TEST_P(HexahedronCases, HaveTheStiffnessOfTheMatrix) {
 struct HalfContact {
   std::vector<double> springs;
   std::vector<bool> held;
-  Vector force; ///< random, zero at held unknowns
+  Vector force; ///< random, zero at constrained unknowns
 
   HalfContact(const BlockSystem& system, double spring, bool is_held,
               double share = 0.5)
@@ -108,8 +108,9 @@ struct HalfContact {
   }
 };
 
-// Claim: the solution is that of the direct solver, with pins, springs of any
-// stiffness and held nodes. Tolerance: the residual times the condition.
+// Verifies the solution against the direct solver, with pinned nodes, springs
+// of any stiffness and nodes in hard contact. Tolerance: the residual times the
+// condition number.
 TEST_P(HexahedronCases, HaveTheSolutionOfTheDirectSolver) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
@@ -154,8 +155,8 @@ int iterations_with(HexahedronBlock& block, const HalfContact& contact) {
   return solution.iterations;
 }
 
-// Claim: the iterations to 1e-8 are bounded for two sizes of the mesh, without
-// contact and with springs of any stiffness or held nodes.
+// Verifies that the iterations to 1e-8 are bounded for two sizes of the mesh,
+// without contact and with springs of any stiffness or nodes in hard contact.
 TEST(HexahedronBlockIterations, AreBounded) {
   for (const int cells : {8, 16}) {
     const BlockProblem problem = problem_of(shaken, cells);
@@ -173,8 +174,8 @@ TEST(HexahedronBlockIterations, AreBounded) {
   }
 }
 
-// Claim: a hierarchy is kept while nodes are held or released and renewed for
-// other springs.
+// Verifies that a hierarchy is reused while only the set of nodes in hard
+// contact changes, and built again for other springs.
 TEST(HexahedronBlockHierarchy, IsKeptForSimilarContact) {
   const BlockProblem problem = problem_of(shaken, 8);
   const BlockSystem system(problem);

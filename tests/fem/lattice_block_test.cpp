@@ -1,4 +1,4 @@
-// Claims about fem/block/lattice_block.hpp: the stiffness without a matrix and
+// Tests of fem/block/lattice_block.hpp: the stiffness without a matrix and
 // geometric multigrid, compared with deal.II's assembled matrix and the direct
 // solver.
 #include "fem/block/block_solver.hpp"
@@ -29,7 +29,8 @@ struct LatticeCase {
   Material material;
 };
 
-/// Oblong columns, 8 by 6 nodes a plane, in layers of any thickness.
+/// Boxes with unequal sides, 8 by 6 nodes per plane, in layers of any
+/// thickness.
 BlockProblem problem_of(const LatticeCase& own) {
   const Grid cells{8 / own.degree, 6 / own.degree, length, 0.6 * length};
   const Grid grid{8, 6, length, 0.6 * length};
@@ -69,8 +70,8 @@ std::vector<LatticeCase> all_cases() {
 
 class LatticeCases : public ::testing::TestWithParam<LatticeCase> {};
 
-// Claim: K u without a matrix is that of deal.II. Tolerance: rounding of a sum
-// over the unknowns of a cell.
+// Verifies K u without a matrix against deal.II's matrix. Tolerance: roundoff
+// of a sum over the unknowns of a cell.
 TEST_P(LatticeCases, HaveTheStiffnessOfTheMatrix) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
@@ -86,7 +87,7 @@ TEST_P(LatticeCases, HaveTheStiffnessOfTheMatrix) {
   EXPECT_LT(relative_difference(found, expected), 1e-13);
 }
 
-/// What holds the contact surface.
+/// The support of the contact surface.
 struct Support {
   double spring = 0.0; ///< under the first half of the points [N/m]
   bool is_held = false;
@@ -120,8 +121,9 @@ void expect_direct_solution(const BlockProblem& problem,
   EXPECT_LT(relative_difference(found, expected), 1e-9);
 }
 
-// Claim: the solution is that of the direct solver, with pins, springs of any
-// stiffness and held nodes. Tolerance: the residual times the condition.
+// Verifies the solution against the direct solver, with pinned nodes, springs
+// of any stiffness and nodes in hard contact. Tolerance: the residual times the
+// condition number.
 TEST_P(LatticeCases, HaveTheSolutionOfTheDirectSolver) {
   const BlockProblem problem = problem_of(GetParam());
   const double stiffness = soft_modulus * length / 8.0;
@@ -145,9 +147,9 @@ std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
 INSTANTIATE_TEST_SUITE_P(All, LatticeCases, ::testing::ValuesIn(all_cases()),
                          name_of);
 
-// Claim: springs at Gauss points, which couple nodes, are those of the direct
+// Verifies springs at Gauss points, which couple nodes, against the direct
 // solver.
-TEST(LatticeBlockSprings, MayBeAtGaussPoints) {
+TEST(LatticeBlockSprings, AreAllowedAtGaussPoints) {
   for (const int degree : {1, 2}) {
     BlockProblem problem = problem_of(
         {degree, FarBoundary::clamped, BlockSides::periodic, Material::layers});
@@ -157,7 +159,7 @@ TEST(LatticeBlockSprings, MayBeAtGaussPoints) {
   }
 }
 
-// Claim: other meshes are not taken for a lattice.
+// Verifies that a mesh that is not a grid of boxes is not treated as one.
 TEST(BoxLatticeOfAMesh, IsNoneForOtherMeshes) {
   BlockProblem problem = problem_of(
       {1, FarBoundary::clamped, BlockSides::periodic, Material::layers});

@@ -1,6 +1,6 @@
-// Claims about fem/multigrid: how fast conjugate gradients converge, whatever
-// the lattice, the moduli and the contact. The stiffness itself is compared
-// with deal.II's in lattice_block_test.cpp.
+// Tests of the convergence rate of conjugate gradients with the multigrid of
+// fem/multigrid, for any grid of boxes, moduli and contact. The stiffness
+// itself is compared with deal.II's in lattice_block_test.cpp.
 #include "fem/multigrid/lattice_levels.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 
@@ -13,7 +13,7 @@
 namespace asperity::fem {
 namespace {
 
-/// A graded block of cubes at the surface, as deep as wide.
+/// A graded block with cubes at the surface, as deep as it is wide.
 BoxLattice graded_lattice(int degree, int cells, double growth) {
   BoxLattice lattice;
   lattice.degree = degree;
@@ -24,7 +24,7 @@ BoxLattice graded_lattice(int degree, int cells, double growth) {
   return lattice;
 }
 
-/// Moduli 10^-decades..10^decades, evenly in the exponent.
+/// Moduli from 10^-decades to 10^decades, evenly distributed in the exponent.
 void make_uneven(BoxLattice& lattice, double decades) {
   const std::size_t cells = lattice.thickness.size() *
                             static_cast<std::size_t>(lattice.cells_x) *
@@ -36,7 +36,7 @@ void make_uneven(BoxLattice& lattice, double decades) {
   }
 }
 
-/// The nodes that the highest fifth of a wavy surface touches.
+/// The nodes in contact with the highest fifth of a wavy surface.
 std::vector<bool> touched(const NodeLayout& layout) {
   std::vector<bool> nodes;
   const double turn = 2.0 * std::numbers::pi;
@@ -82,7 +82,8 @@ std::vector<double> random_forces(const NodeLayout& layout) {
   return force;
 }
 
-/// Iterations to a residual relative to the force; 1000 without convergence.
+/// Iterations to a given residual relative to the force; 1000 if it is not
+/// reached.
 int iterations(const BoxLattice& lattice, const FaceContact& contact,
                double tolerance = 1e-8) {
   LatticeMultigrid multigrid(lattice);
@@ -101,8 +102,8 @@ class LatticeDegrees : public ::testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(Both, LatticeDegrees, ::testing::Values(1, 2));
 
-// Claim: the number of iterations does not depend on the number of cells, on
-// how layers are graded or on the sides.
+// Verifies that the number of iterations does not depend on the number of
+// cells, the grading ratio or the conditions at the sides.
 TEST_P(LatticeDegrees, NeedAsManyIterationsAtEverySize) {
   for (const int cells : {6, 12, 24})
     for (const double growth : {1.0, 1.2, 1.5})
@@ -116,7 +117,8 @@ TEST_P(LatticeDegrees, NeedAsManyIterationsAtEverySize) {
       }
 }
 
-// Claim: neither do cells that are not cubes, or columns whose number is odd.
+// Verifies that cells with unequal sides and an odd number of cells need no
+// more iterations.
 TEST_P(LatticeDegrees, NeedFewIterationsOnAnyLattice) {
   BoxLattice odd = graded_lattice(GetParam(), 13, 1.3);
   BoxLattice oblong = graded_lattice(GetParam(), 12, 1.3);
@@ -135,8 +137,8 @@ TEST_P(LatticeDegrees, NeedFewIterationsOnAnyLattice) {
   EXPECT_LE(iterations(single, {}), 2);
 }
 
-// Claim: held nodes and springs of any stiffness are transferred to the coarse
-// lattices well enough.
+// Verifies that nodes in hard contact and springs of any stiffness are
+// represented well enough on the coarse grids.
 TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
   const BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
   const NodeLayout layout(lattice);
@@ -148,8 +150,8 @@ TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
   }
 }
 
-// Claim: uneven moduli cost a few iterations, contrasts of six decades between
-// neighbours some tens.
+// Verifies that heterogeneous moduli need a few more iterations, and contrasts
+// of six decades between neighbours some tens.
 TEST_P(LatticeDegrees, NeedMoreIterationsForUnevenModuli) {
   BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
   const NodeLayout layout(lattice);
@@ -162,8 +164,9 @@ TEST_P(LatticeDegrees, NeedMoreIterationsForUnevenModuli) {
   EXPECT_LE(iterations(lattice, held_nodes(layout)), 100);
 }
 
-// Claim: the limit of the method near incompressibility, where a smoother of
-// single nodes is a poor one: the iterations grow as 1 / (1 - 2 nu)^0.5 or so.
+// States the limit of the method near incompressibility, where a smoother of
+// single nodes is a poor one: the iterations grow approximately as 1 / (1 - 2
+// nu)^0.5.
 TEST_P(LatticeDegrees, NeedManyIterationsNearIncompressibility) {
   BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
   const auto at = [&](double poisson_ratio) {
@@ -177,7 +180,8 @@ TEST_P(LatticeDegrees, NeedManyIterationsNearIncompressibility) {
   EXPECT_LE(at(0.499), 140);
 }
 
-// Claim: units do not matter, although the cycle works in single precision.
+// Verifies that the units do not change the iterations, although the cycle
+// works in single precision.
 TEST_P(LatticeDegrees, NeedAsManyIterationsInAnyUnit) {
   BoxLattice lattice = graded_lattice(GetParam(), 8, 1.2);
   const int expected = iterations(lattice, {});
@@ -190,7 +194,7 @@ TEST_P(LatticeDegrees, NeedAsManyIterationsInAnyUnit) {
   EXPECT_EQ(iterations(lattice, {}), expected);
 }
 
-// Claim: the cycle is symmetric and positive, as conjugate gradients require.
+// The cycle is symmetric and positive, as conjugate gradients require.
 // Tolerance: single precision.
 TEST_P(LatticeDegrees, HaveASymmetricCycle) {
   const BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
@@ -223,8 +227,9 @@ TEST_P(LatticeDegrees, HaveASymmetricCycle) {
               1e-5 * std::sqrt(a_a * b_b));
 }
 
-// Claim: merged layers stay below three times the smallest side of a cell while
-// there are any to merge, and moduli are means over the volume.
+// Verifies that merged layers stay below three times the smallest side of a
+// cell while there are layers to merge, and that moduli are averaged over the
+// volume.
 TEST(LatticeLevels, MergeShortCellsOnly) {
   BoxLattice lattice = graded_lattice(1, 16, 1.5);
   lattice.moduli.front() = {4.0, 3.0};
@@ -238,7 +243,7 @@ TEST(LatticeLevels, MergeShortCellsOnly) {
   EXPECT_NEAR(next.moduli[0].shear, 1.0 + 2.0 * share, 1e-12);
 }
 
-// Claim: impossible lattices are refused.
+// Verifies that invalid grids are refused.
 TEST(BoxLattice, IsRefusedOutsideOfItsRange) {
   BoxLattice lattice = graded_lattice(1, 4, 1.2);
   lattice.moduli.pop_back();

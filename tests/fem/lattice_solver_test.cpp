@@ -1,4 +1,4 @@
-// Claims about fem/waves/lattice_solver.hpp. The judge is deal.II's assembled
+// Tests of fem/waves/lattice_solver.hpp. The reference is deal.II's assembled
 // matrix with a direct solver.
 #include "fem/waves/lattice_solver.hpp"
 
@@ -26,7 +26,7 @@ bool is_shift_free(FarBoundary top, std::size_t component) {
          (top == FarBoundary::sliding && component < 2);
 }
 
-/// Takes the mean out of the components that the top leaves free.
+/// Subtracts the mean of the components that the far boundary leaves free.
 void remove_shifts(const NodeLattice& lattice, FarBoundary top, bool is_z_held,
                    std::vector<double>& field) {
   for (std::size_t component = 0; component < 3; ++component) {
@@ -44,8 +44,8 @@ void remove_shifts(const NodeLattice& lattice, FarBoundary top, bool is_z_held,
   }
 }
 
-/// Independent loads on all nodes, -1/2..1/2, zero at held unknowns and
-/// balanced where nothing holds the block.
+/// Independent loads on all nodes, -1/2..1/2, zero at constrained unknowns, and
+/// balanced where nothing supports the block.
 std::vector<double> loads(const NodeLattice& lattice, FarBoundary top,
                           bool is_z_held, unsigned int seed) {
   std::vector<double> force = random_field(lattice.size(), seed);
@@ -67,8 +67,8 @@ LayeredBlock block_on(const Grid& grid, int degree, FarBoundary top) {
 class LatticeAgainstDealii
     : public ::testing::TestWithParam<std::tuple<int, Grid, FarBoundary>> {};
 
-// Claim: K^-1 of every wavevector and node kind at once, for layers of
-// different moduli and sides that differ. Tolerance: rounding of both solves.
+// Verifies K^-1 for every wavevector and node class at once, with layers of
+// different moduli and unequal sides. Tolerance: roundoff of both solves.
 TEST_P(LatticeAgainstDealii, InvertsTheSameMatrix) {
   const auto [degree, grid, top] = GetParam();
   const LayeredBlock block = block_on(grid, degree, top);
@@ -106,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
 class LatticeWithSprings
     : public ::testing::TestWithParam<std::tuple<int, FarBoundary, double>> {};
 
-/// k a_i on about a third of the nodes, of areas that differ by 3.
+/// Springs k a_i at about a third of the nodes, with areas that differ by a
+/// factor of 3.
 std::vector<double> springs_of(const Grid& grid, double stiffness) {
   std::vector<double> springs(grid.size(), 0.0);
   const std::vector<double> chance = random_field(grid.size(), 11);
@@ -116,10 +117,10 @@ std::vector<double> springs_of(const Grid& grid, double stiffness) {
   return springs;
 }
 
-// Claim: with springs of any stiffness, held nodes included, the matrix plus
-// its springs is inverted. Tolerance: the inner iterations' 1e-13 of the free
-// displacement and the rounding of the judge, whose matrix with springs of
-// 1e6 E h has a condition 1e6 times as large.
+// Verifies the inverse of the matrix with springs of any stiffness, including
+// nodes in hard contact. Tolerance: 1e-13 of the free displacement from the
+// inner iterations, and the roundoff of the reference, whose matrix with
+// springs of 1e6 E h has a condition number that is 1e6 times as large.
 TEST_P(LatticeWithSprings, InvertsTheMatrixWithItsSprings) {
   const auto [degree, top, stiffness] = GetParam();
   const Grid grid{8, 6, 1e-6, 0.8e-6};
@@ -154,10 +155,11 @@ double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Claim: both inverses are symmetric and positive on any grid, with any springs
-// (held nodes among them), as conjugate gradients ask. Tolerance: rounding of
-// an inverse whose waves differ by the square of the number of points, below
-// 1e3; with springs 1e-12 of inner iterations times that.
+// Verifies that both inverses are symmetric and positive on any grid with any
+// springs (including nodes in hard contact), as conjugate gradients require.
+// Tolerance: roundoff of an inverse whose waves differ by the square of the
+// number of points, below 1e3; with springs 1e-12 of the inner iterations times
+// that.
 RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
   const int degree = *rc::gen::inRange(1, 3);
   const Grid grid{degree * *rc::gen::inRange(2, 9),
@@ -193,7 +195,7 @@ RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
   }
 }
 
-// Claim: the number of threads changes no bit.
+// Verifies that the number of threads changes no bit.
 TEST(LatticeSolver, HasTheSameBitsOnAnyNumberOfThreads) {
   const Grid grid{48, 48, 1e-6, 1e-6};
   const LayeredBlock block = block_on(grid, 2, FarBoundary::pressure);

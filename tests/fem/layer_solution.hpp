@@ -1,7 +1,8 @@
 #pragma once
 
 // The exact surface compliance of a homogeneous elastic layer of depth d under
-// a normal pressure cos(q x), no shear traction: the truth of the long waves.
+// a normal pressure cos(q x) without shear traction: the reference solution for
+// long waves.
 
 #include "mechanics/far_boundary.hpp"
 
@@ -10,15 +11,16 @@
 namespace asperity::fem {
 
 /// C(q) [m/Pa], plane strain, a = q d (e.g. Johnson, Contact Mechanics, 1985,
-/// sec. 5.8 for the two held tops); all tend to 2/(E* q):
+/// sec. 5.8 for the sliding and clamped far boundaries); all tend to 2/(E* q):
 ///
 ///     sliding   2/(E* q) (cosh 2a - 1)/(sinh 2a + 2a)
 ///     clamped   2/(E* q) (2 k sinh 2a - 4a)/(2 k cosh 2a + 4a^2 + 1 + k^2)
 ///     pressure  1/(E* q) [(cosh a - 1)/(sinh a + a)
 ///                         + (cosh a + 1)/(sinh a - a)],      k = 3 - 4 nu
 ///
-/// The last is half the sum of the layers of depth d/2 whose middle plane
-/// slides (both faces pressed alike) and bends (pressed oppositely).
+/// The last is half the sum of two layers of depth d/2: one whose middle plane
+/// slides (equal pressures on both surfaces) and one that bends (opposite
+/// pressures).
 inline double layer_compliance(double wavevector, double depth,
                                double youngs_modulus, double poisson_ratio,
                                mechanics::FarBoundary top) {

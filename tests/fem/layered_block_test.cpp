@@ -1,4 +1,4 @@
-// Claims about the condensed block with layers: it converges to the exact
+// Tests of the condensed block with layers: it converges to the exact
 // compliance of bonded layers (contact/operators/layered_compliance.hpp) at its
 // order.
 #include "contact/operators/layered_compliance.hpp"
@@ -21,8 +21,8 @@ struct Held {
   mechanics::FarBoundary far_boundary;
 };
 
-/// A coating L/8 thick, ten times stiffer than the substrate, which has another
-/// Poisson's ratio and goes down to L/2.
+/// A coating of thickness L/8, ten times stiffer than the substrate, which has
+/// another Poisson's ratio and extends down to L/2.
 constexpr double length = 1e-6;
 constexpr double coating = length / 8;
 constexpr double depth = length / 2;
@@ -37,7 +37,7 @@ mechanics::ElasticBlock exact_block(const Held& held) {
           {{coating, stiff, stiff_nu}}};
 }
 
-/// The same in cells of this thickness.
+/// The same layers, divided into cells of this thickness.
 LayeredBlock cells(double thickness, const Held& held) {
   LayeredBlock block;
   block.top = held.top;
@@ -52,7 +52,7 @@ LayeredBlock cells(double thickness, const Held& held) {
 
 class LayeredBlockOfElements : public ::testing::TestWithParam<Held> {
 protected:
-  /// Relative errors of the longest wave's compliance on cubic cells.
+  /// Relative errors of the compliance of the longest wave with cubic cells.
   static double error_q1(int points) {
     const Grid grid{points, 4, length, 4 * length / points};
     const double found =
@@ -60,7 +60,7 @@ protected:
     return found / exact() - 1.0;
   }
 
-  /// By virtual work.
+  /// The compliance by virtual work.
   static double error_q2(int points) {
     const Grid grid{points, 4, length, 4 * length / points};
     Q2Operator block(condensed_compliance_q2(
@@ -85,9 +85,9 @@ protected:
   }
 };
 
-// Claim: second order. Tolerances: the fourth-order term parts the ratio of
-// errors from 4 by 0.019 here, measured; Richardson then leaves 0.02/3 of the
-// fine error, which is 7e-4.
+// Verifies second-order convergence. Tolerances: the fourth-order term changes
+// the ratio of errors from 4 by 0.019 here, measured; Richardson extrapolation
+// then leaves 0.02/3 of the error on the fine grid, which is 7e-4.
 TEST_P(LayeredBlockOfElements, OfFirstOrderConvergesAtSecond) {
   const double coarse = error_q1(64);
   const double fine = error_q1(128);
@@ -96,8 +96,9 @@ TEST_P(LayeredBlockOfElements, OfFirstOrderConvergesAtSecond) {
   EXPECT_NEAR((4.0 * fine - coarse) / 3.0, 0.0, 1e-5);
 }
 
-// Claim: fourth order in energy. Tolerances: the sixth-order term parts the
-// ratio from 16 by 0.11, measured. The size: a three-hundredth of Q1's.
+// Verifies fourth-order convergence in energy. Tolerances: the sixth-order term
+// changes the ratio from 16 by 0.11, measured. The magnitude is a
+// three-hundredth of Q1's.
 TEST_P(LayeredBlockOfElements, OfSecondOrderConvergesAtFourth) {
   const double coarse = error_q2(64);
   const double fine = error_q2(128);

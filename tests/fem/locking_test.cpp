@@ -1,5 +1,6 @@
-// Claims about cases/reader/locking.hpp: from the ratios at which it warns,
-// elements are too stiff by more than the warning says, and below them by less.
+// Tests of cases/reader/locking.hpp: above the Poisson's ratios at which it
+// warns, elements are too stiff by more than the warning states, and below them
+// by less.
 #include "cases/reader/locking.hpp"
 #include "contact/operators/layered_compliance.hpp"
 #include "fem/waves/condensed_q1.hpp"
@@ -18,8 +19,8 @@ namespace {
 const Grid grid{32, 32, 1e-5, 1e-5};
 constexpr int nodes_a_wave = 8;
 
-/// The compliance of a wave of eight nodes over the exact one of the same
-/// block, less 1.
+/// The compliance of a wave of eight nodes relative to the exact one of the
+/// same block, minus 1.
 double error(int degree, double poisson_ratio) {
   LayeredBlock block;
   for (const double thickness :
@@ -48,8 +49,9 @@ double error(int degree, double poisson_ratio) {
   return work / square / exact - 1.0;
 }
 
-// Claim: from the ratios that warn, a wave of eight nodes is more than a tenth
-// too stiff with Q1 and more than a twentieth with Q2; less at 0.005 below.
+// Verifies that at the ratios of the warning a wave of eight nodes is more than
+// a tenth too stiff with Q1 and more than a twentieth with Q2, and less at
+// ratios that are 0.005 smaller.
 TEST(Locking, IsWarnedOfWhereElementsAreTooStiff) {
   const double q1 = cases::locking_ratio(mechanics::Element::q1);
   const double q2 = cases::locking_ratio(mechanics::Element::q2);

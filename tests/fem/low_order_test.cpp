@@ -1,6 +1,7 @@
-// Claims about fem/block/block_assembly.hpp: the matrix of first-order cells
-// that stands for a second-order block. The judges are a mesh of those small
-// cells and the condition of one matrix by the other.
+// Tests of fem/block/block_assembly.hpp: the matrix of first-order cells that
+// replaces that of a second-order block in the preconditioner. The references
+// are a mesh of these small cells and the condition number of one matrix
+// relative to the other.
 #include "fem/block/block_assembly.hpp"
 #include "meshes/hanging_mesh.hpp"
 
@@ -24,7 +25,7 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 constexpr double length = 1e-6; // m
 const mechanics::BodyModuli body{soft_modulus, 0.3};
 
-/// A displacement that is periodic in x and y and rests at the far face.
+/// A displacement that is periodic in x and y and zero at the far boundary.
 Vector smooth_displacement(const BlockSystem& system) {
   const BlockSpace& space = system.space();
   std::vector<dealii::Point<3>> places(system.n_unknowns());
@@ -53,8 +54,8 @@ double twice_energy(const Matrix& matrix, const Vector& displacement) {
   return forces * displacement;
 }
 
-// Claim: on boxes K_1 is the stiffness of the block meshed with first-order
-// boxes between the same nodes. Tolerance: rounding of a sum over the cells.
+// On boxes K_1 is the stiffness of the block that is meshed with first-order
+// boxes between the same nodes. Tolerance: roundoff of a sum over the cells.
 TEST(LowOrderMatrix, IsTheStiffnessOfTheSmallBoxes) {
   const Grid grid{8, 12, length, length};
   const BlockProblem coarse = boxes_problem(grid, 2, body, length);
@@ -95,7 +96,8 @@ private:
   mutable dealii::TrilinosWrappers::SolverDirect direct_;
 };
 
-/// CG's steps to 1e-10 of a random load, preconditioned by the inverse of K_1.
+/// Iterations of conjugate gradients to 1e-10 of a random load, preconditioned
+/// by the inverse of K_1.
 unsigned int steps_of(const BlockProblem& problem) {
   const BlockSystem system(problem);
   Matrix low_order;
@@ -114,10 +116,11 @@ unsigned int steps_of(const BlockProblem& problem) {
   return control.last_step();
 }
 
-// Claim (F.4): the condition of K by K_1 is of order one on any cells. CG's
-// steps to 1e-10 are below sqrt(condition) / 2 * ln(2e10): 36 for the bound of
-// 9 that is claimed; uncoupled or misnumbered cells need hundreds.
-TEST(LowOrderMatrix, StandsForTheSecondOrderOne) {
+// Verifies (F.4): the condition number of K relative to K_1 is of order one on
+// any cells. The iterations to 1e-10 are below sqrt(condition) / 2 * ln(2e10):
+// 36 for the stated bound of 9. Uncoupled or wrongly numbered cells need
+// hundreds.
+TEST(LowOrderMatrix, IsEquivalentToTheSecondOrderOne) {
   for (const int points : {8, 16}) {
     const BlockProblem boxes =
         boxes_problem({points, points, length, length}, 2, body, length);

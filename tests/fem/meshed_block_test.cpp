@@ -1,6 +1,6 @@
-// Claims about blocks that are no uniform box: hanging nodes, moduli by place,
-// Gauss points, the active set, two bodies. Their judges are the condensed
-// block, the uniform one, symmetry and each other.
+// Tests of blocks that are not uniform boxes: hanging nodes, moduli by
+// position, Gauss points, the active set, two bodies. The references are the
+// condensed block, the uniform block, symmetry, and one another.
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "meshes/hanging_mesh.hpp"
@@ -29,11 +29,11 @@ BlockSolution pressed(const BlockProblem& problem,
   return block->solve(heights, {Control::nominal_pressure, load}, contact);
 }
 
-// Claim: a hanging mesh tends to the uniform one as its levels grow thicker,
-// which the condensed block judges: at 2, 4, 8 cells a level the worst of the
-// waves loses at most 5, 1.2 and 0.3 % of its compliance, always on the stiff
-// side; of white noise, the work that four cells a level lose is below the
-// 0.45 % of DESIGN section 8.
+// Verifies that a mesh with hanging nodes converges to the uniform one as its
+// levels become thicker. The condensed block is the reference: with 2, 4, 8
+// cells per level the worst wave loses at most 5, 1.2 and 0.3 % of its
+// compliance, always towards a stiffer block; under white noise the loss of
+// work with four cells per level is below the 0.45 % of DESIGN section 8.
 TEST(HangingNodes, CostLittleCompliance) {
   const Grid grid{32, 32, length, length};
   contact::FourierOperator uniform(
@@ -74,8 +74,8 @@ TEST(HangingNodes, CostLittleCompliance) {
   }
 }
 
-// Claim: moduli that depend on z alone, by an expression, are layers. They
-// differ by the rounding of a product.
+// Moduli that an expression makes depend on z alone are layers. They differ by
+// the roundoff of a product.
 TEST(ModuliByPlace, OfDepthAloneAreLayers) {
   const Grid grid{8, 8, length, length};
   BlockProblem problem = boxes_problem(grid, 1, body, length);
@@ -100,10 +100,11 @@ TEST(ModuliByPlace, OfDepthAloneAreLayers) {
             1e-12 * largest_magnitude(by_layers));
 }
 
-// Claim: the law at Gauss points and at nodes is one law: what parts their mean
-// gaps under one load falls as h^2 or faster when h is halved. Measured ratios
-// are asserted with a margin of a quarter of an order.
-TEST(GaussPoints, MeetTheNodesUnderRefinement) {
+// The contact laws at Gauss points and at nodes converge to one law: the
+// difference of the mean gaps under one load decreases as h^2 or faster when h
+// is halved. Measured ratios are asserted with a margin of a quarter of an
+// order.
+TEST(GaussPoints, ConvergeToTheNodesUnderRefinement) {
   std::vector<double> differences;
   for (const int points : {8, 16, 32}) {
     const Grid grid{points, 4, length, 4 * length / points};
@@ -125,9 +126,10 @@ TEST(GaussPoints, MeetTheNodesUnderRefinement) {
   EXPECT_LT(differences[2], differences[1] / 3.4);
 }
 
-// Claim: the active set and the augmentation end at the same wall, for first
-// and second order and both controls. Tolerance: the 1e-7.
-TEST(ActiveSet, IsTheAugmentedWall) {
+// Verifies that the active set and the augmentation converge to the same hard
+// contact, for first and second order and both controls. Tolerance: the
+// required 1e-7.
+TEST(ActiveSet, AgreesWithAugmentation) {
   for (const int degree : {1, 2}) {
     const Grid grid{12, 8, length, 0.7 * length};
     std::vector<double> heights = random_field(grid.size(), 11);
@@ -156,7 +158,7 @@ TEST(ActiveSet, IsTheAugmentedWall) {
   }
 }
 
-TEST(ActiveSet, RefusesGaussPointsInWords) {
+TEST(ActiveSet, RefusesGaussPoints) {
   BlockProblem problem = boxes_problem({4, 4, length, length}, 1, body, length);
   problem.contact_at = mechanics::ContactPoints::gauss;
   try {
@@ -168,7 +170,7 @@ TEST(ActiveSet, RefusesGaussPointsInWords) {
   }
 }
 
-/// A flat block pressed on a wave, or with the second body meshed.
+/// A flat block pressed on a wave, or with a meshed second body.
 BlockSolution on_a_wave(const mechanics::BodyModuli& first,
                         const std::optional<mechanics::BodyModuli>& second,
                         FarBoundary top, mechanics::ContactPoints contact_at) {
@@ -181,10 +183,10 @@ BlockSolution on_a_wave(const mechanics::BodyModuli& first,
                  {ContactLaw::penalty, 1e17, 1e-9, 200});
 }
 
-// Claim: two meshed bodies of one Poisson's ratio, mirror images of each other,
-// are one body whose compliance is the sum of both: exactly, for what each
-// gives way goes as 1/E. Tolerance: 1e-9 of the largest, the solves' residual
-// times a condition of 1e3.
+// Two meshed bodies of one Poisson's ratio, mirror images of each other, equal
+// one body whose compliance is the sum of both. This is exact because each
+// compliance is proportional to 1/E. Tolerance: 1e-9 of the largest value, the
+// residual of the solves times a condition number of 1e3.
 TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
   for (const auto points :
        {mechanics::ContactPoints::nodes, mechanics::ContactPoints::gauss})
@@ -205,9 +207,10 @@ TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
       }
 }
 
-// Claim: with unlike ratios and sliding far faces, where a layer's compliance
-// knows E* only, two bodies are one of their combined modulus, but for what the
-// cells add: some (h/lambda)^2 of the difference, measured 1e-3.
+// With unequal ratios and sliding far boundaries the compliance of a layer
+// depends on E* only, so that two bodies equal one of their combined modulus
+// except for the discretisation error: some (h/lambda)^2 of the difference,
+// measured 1e-3.
 TEST(TwoBodies, ReduceToTheCombinedModulus) {
   const mechanics::BodyModuli other{2.0 * soft_modulus, 0.1};
   const auto compliance = [](const mechanics::BodyModuli& one) {
@@ -227,8 +230,8 @@ TEST(TwoBodies, ReduceToTheCombinedModulus) {
   EXPECT_NEAR(two.mean_gap / one.mean_gap, 1.0, 1e-2);
 }
 
-// Claim: the answer says what it cost and what it was found on.
-TEST(WholeBlockCosts, AreReported) {
+// Verifies that the solution reports its cost and the size of its mesh.
+TEST(FullBlockCosts, AreReported) {
   BlockProblem problem = boxes_problem({8, 8, length, length}, 1, body, length);
   problem.quality = "smallest scaled Jacobian 1\n";
   problem.linear_solver = LinearSolver::multigrid;
@@ -249,8 +252,9 @@ TEST(WholeBlockCosts, AreReported) {
   EXPECT_NE(block->report().find("scaled Jacobian 1"), std::string::npos);
 }
 
-// Claim: a contact set that the last load ended with is not factorised again.
-TEST(WholeBlockCosts, AreNoneForAContactThatStands) {
+// Verifies that the active set with which the last load ended is not factorised
+// again.
+TEST(FullBlockCosts, AreNoneForAnUnchangedContact) {
   BlockProblem problem = boxes_problem({8, 8, length, length}, 1, body, length);
   problem.linear_solver = LinearSolver::direct;
   const auto block = make_full_block(problem);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Problems that several tests of the whole block solve, and meshes that no
+// Problems that several tests of the full model solve, and meshes that no
 // generator of meshes/ makes.
 
 #include "fem/block/block_problem.hpp"
@@ -16,7 +16,7 @@
 
 namespace asperity::fem {
 
-/// A cosine along x, `waves` to the side, on all of the grid [m].
+/// A cosine along x with `waves` periods per side, on all of the grid [m].
 inline std::vector<double> wave_heights(const Grid& grid, double amplitude,
                                         int waves = 1) {
   std::vector<double> heights(grid.size());
@@ -28,7 +28,8 @@ inline std::vector<double> wave_heights(const Grid& grid, double amplitude,
   return heights;
 }
 
-/// A homogeneous block of boxes on the grid's nodes, layers growing by 1.4.
+/// A homogeneous block of boxes on the nodes of the grid; each layer is 1.4
+/// times as thick as the one above.
 inline BlockProblem boxes_problem(const Grid& grid, int degree,
                                   const mechanics::BodyModuli& body,
                                   double depth) {
@@ -43,8 +44,8 @@ inline BlockProblem boxes_problem(const Grid& grid, int degree,
           .moduli = ModuliField(moduli(body))};
 }
 
-/// Each box cut into six tetrahedra around its diagonal (Kuhn, Freudenthal):
-/// opposite sides of the block still match.
+/// Each box divided into six tetrahedra around its diagonal (Kuhn,
+/// Freudenthal): opposite sides of the block still match.
 inline meshes::BlockMesh tetrahedra_of(const meshes::BlockMesh& boxes) {
   constexpr std::array<std::array<unsigned int, 4>, 6> corners{{{0, 1, 3, 7},
                                                                 {0, 3, 2, 7},
@@ -71,8 +72,8 @@ inline meshes::BlockMesh tetrahedra_of(const meshes::BlockMesh& boxes) {
   return mesh;
 }
 
-/// Moves the vertices inside the block by up to a share of the shortest edge,
-/// and those of its contact face within it.
+/// Moves the vertices inside the block by up to a fraction of the shortest
+/// edge, and those of its contact surface within the surface.
 inline void shake(meshes::BlockMesh& mesh, double distance) {
   unsigned int turn = 1;
   for (meshes::Place& place : mesh.vertices) {

@@ -1,4 +1,4 @@
-// Claims about fem/waves/moduli_field.hpp.
+// Tests of fem/waves/moduli_field.hpp.
 #include "fem/waves/moduli_field.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(ModuliField, LaysLayersOnEachOther) {
   EXPECT_EQ(field.at({0.0, 0.0, 1.6e-6}), moduli({young, 0.3}));
 }
 
-// Claim: a factor is one of E and leaves nu. Tolerance: rounding.
+// A factor multiplies E and leaves nu unchanged. Tolerance: roundoff.
 TEST(ModuliField, MultipliesBothModuli) {
   ModuliField field(moduli({young, 0.3}));
   field.set_factor([](const meshes::Place&) { return 1.7; });
@@ -91,9 +91,9 @@ TEST(ModuliField, QuotesTheParserAndTheColumn) {
   EXPECT_THROW(field.at({0.5e-6, 0.0, 0.0}), std::domain_error);
 }
 
-// Claim: factors of cells fill 1 -+ spread evenly, whatever the order they are
-// asked in. Tolerance: 4 sigma of the mean of n uniform numbers and of their
-// mean square.
+// The random factors of cells are uniformly distributed in 1 -+ spread,
+// independent of the order in which they are requested. Tolerance: 4 sigma of
+// the mean of n uniform numbers and of their mean square.
 TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
   const ModulusFactor factor = random_factor(0.5, 7, 0.5e-6);
   const ModulusFactor other = random_factor(0.5, 8, 0.5e-6);
@@ -124,8 +124,8 @@ TEST(ModuliField, DrawsFactorsOfPlacesAlone) {
               4.0 * 0.25 * std::sqrt(4.0 / 45.0 / count));
 }
 
-// Claim: x runs fastest, then y, then z; a box is found by its own count along
-// each axis.
+// x runs fastest, then y, then z; the index of a box follows from the counts
+// along each axis.
 TEST(ModuliField, FindsABoxByXThenYThenZ) {
   FactorTable table{{2, 3, 4}, {}, {2e-6, 3e-6, 4e-6}};
   for (int i = 0; i < 24; ++i)
@@ -139,7 +139,7 @@ TEST(ModuliField, FindsABoxByXThenYThenZ) {
               1.0 + i);
 }
 
-/// The factor of E at a place of a field of that variation.
+/// The factor of E at a position in a field with that variation.
 double factor_at(const mechanics::MaterialVariation& variation,
                  const meshes::Place& place) {
   mechanics::MaterialSpec material;
@@ -150,8 +150,9 @@ double factor_at(const mechanics::MaterialVariation& variation,
          moduli({young, 0.3}).shear_modulus;
 }
 
-// Claim: a case's table covers the block down to its depth, which is not its
-// length, and its chance knows the surface's spacing. Tolerance: rounding.
+// Verifies that the table of a case covers the block down to its depth, which
+// is not its length, and that its random factors use the spacing of the
+// surface. Tolerance: roundoff.
 TEST(ModuliField, LaysACasesVariationOverTheBlock) {
   const std::string path =
       (std::filesystem::temp_directory_path() / "asperity_case_factors.txt")

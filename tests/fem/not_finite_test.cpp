@@ -1,6 +1,6 @@
-// Claims about numbers that are not finite: a whole block refuses them by name,
-// none of its answers passes with one, and the tests' own comparisons fail on
-// them.
+// Tests of numbers that are not finite: the full model refuses them by name, no
+// solution with one is accepted, and the comparisons of the tests themselves
+// fail with them.
 #include "fem/block/contact_newton.hpp"
 #include "fem/block/full_block.hpp"
 
@@ -70,7 +70,7 @@ TEST(ComparisonsOfFields, FindTheLargest) {
             4.0);
 }
 
-TEST(WholeBlock, RefusesHeightsThatAreNotFinite) {
+TEST(FullBlockTest, RefusesHeightsThatAreNotFinite) {
   for (const double bad : {not_a_number, infinity, -infinity})
     for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::hard})
       for (const Control control :
@@ -85,7 +85,7 @@ TEST(WholeBlock, RefusesHeightsThatAreNotFinite) {
       }
 }
 
-TEST(WholeBlock, RefusesSettingsThatAreNotFinite) {
+TEST(FullBlockTest, RefusesSettingsThatAreNotFinite) {
   const std::vector<double> heights(grid.size(), 0.0);
   const BlockContact good = contact_of(ContactLaw::penalty);
   for (const double bad : {not_a_number, infinity}) {
@@ -107,7 +107,7 @@ TEST(WholeBlock, RefusesSettingsThatAreNotFinite) {
   }
 }
 
-TEST(WholeBlock, RefusesPressuresThatAreNotFinite) {
+TEST(FullBlockTest, RefusesPressuresThatAreNotFinite) {
   std::vector<double> pressure(grid.size(), 1e6);
   pressure[3] = not_a_number;
   const auto block = small_block();
@@ -119,9 +119,8 @@ TEST(WholeBlock, RefusesPressuresThatAreNotFinite) {
                std::domain_error);
 }
 
-// Claim: a state that is not finite has not converged, whatever the law and the
-// control. A maximum of residuals drops NaN, and a pressure of max(0, NaN) is
-// 0.
+// A state that is not finite has not converged, for any law and control. A
+// maximum of residuals drops NaN, and a pressure of max(0, NaN) is 0.
 TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
   const BlockSystem system(boxes_problem(grid, 1, {soft_modulus, 0.3}, 1e-6));
   for (const double bad : {not_a_number, infinity, -infinity})
@@ -145,7 +144,7 @@ TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
       }
 }
 
-/// Answers with what is not a number, and knows of it.
+/// A preconditioner that returns NaN and reports it.
 class BrokenPreconditioner final : public BlockPreconditioner {
 public:
   void prepare(std::span<const double>, const std::vector<bool>&) override {}
@@ -163,9 +162,9 @@ public:
   std::size_t bytes() const override { return 0; }
 };
 
-// Claim: a preconditioner that fails ends the solve, and its words are the
-// note's.
-TEST(ContactNewton, SaysWhatWentWrongInThePreconditioner) {
+// Verifies that a failure of the preconditioner ends the solve, and that its
+// message is in the note.
+TEST(ContactNewton, ReportsAFailureOfThePreconditioner) {
   const BlockSystem system(boxes_problem(grid, 1, {soft_modulus, 0.3}, 1e-6));
   ContactNewton newton(system, LinearSolver::multigrid,
                        std::make_unique<BrokenPreconditioner>());

@@ -1,6 +1,6 @@
-// Claims about the whole block's unknowns on any mesh: the patch test. A
-// homogeneous block under uniform pressure strains uniformly, which linear and
-// quadratic shape functions hold on any cells.
+// Tests of the unknowns of the full model on any mesh: the patch test. A
+// homogeneous block under uniform pressure has uniform strain, which linear and
+// quadratic shape functions represent exactly on any cells.
 #include "fem/block/contact_newton.hpp"
 
 #include <gtest/gtest.h>
@@ -48,9 +48,9 @@ protected:
   }
 };
 
-// Claim: u_z and, on free sides, u_x and u_y are those of uniaxial stress; on
-// periodic ones those of uniaxial strain. Tolerance: rounding of a direct
-// solve, 1e-16 times a condition of some 1e5.
+// u_z and, with free sides, u_x and u_y are those of uniaxial stress; with
+// periodic sides they are those of uniaxial strain. Tolerance: roundoff of a
+// direct solve, 1e-16 times a condition number of some 1e5.
 TEST_P(UniformPressure, StrainsUniformly) {
   const BlockProblem block = problem();
   const BlockSystem system(block);
@@ -110,8 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
               FarBoundary::pressure}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-// Claim: what cannot be is refused in words.
-TEST(UniformPressureRefusals, SayWhatIsWrong) {
+// Verifies the messages that refuse invalid blocks.
+TEST(UniformPressureRefusals, NameTheMistake) {
   BlockProblem block =
       boxes_problem({4, 4, 1e-6, 1e-6}, 1, {soft_modulus, poisson}, 1e-6);
   const auto words = [](const BlockProblem& problem) -> std::string {

@@ -23,12 +23,12 @@ using dealii::QGauss;
 using dealii::types::boundary_id;
 using dealii::types::global_dof_index;
 
-// GridGenerator's colours of the faces of a box.
+// GridGenerator's boundary indicators of a box.
 constexpr boundary_id left_face = 0, right_face = 1;
 constexpr boundary_id front_face = 2, back_face = 3;
 constexpr boundary_id contact_face = 4, top_face = 5;
 
-/// deal.II's cell matrix for Lame's moduli at the cell `values` stands on.
+/// deal.II's cell matrix for Lame's moduli and the current cell of `values`.
 FullMatrix<double> cell_matrix(const dealii::FEValues<3>& values,
                                const ElasticLayer& layer) {
   const dealii::FEValuesExtractors::Vector displacement(0);
@@ -104,7 +104,8 @@ void PlainBlock::constrain(mechanics::FarBoundary top) {
   constraints_.close();
 }
 
-// The node nearest to the middle of the top, which is nobody's image.
+// The node nearest to the middle of the far boundary, which is not a periodic
+// image.
 void PlainBlock::pin_one_top_node(const ComponentMask& components) {
   const Point<2> middle(grid_.length_x / 2.0, grid_.length_y / 2.0);
   double nearest = grid_.length_x + grid_.length_y;

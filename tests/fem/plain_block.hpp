@@ -1,8 +1,8 @@
 #pragma once
 
-// The uniform periodic block as a deal.II user would write it on one process:
-// the plain version that judges the distributed one and the lattice solver.
-// For tests.
+// The uniform periodic block as a deal.II user would write it for one process:
+// the plain version, which is the reference of the distributed one and of the
+// lattice solver. For tests.
 
 #include "fem/waves/elastic_layers.hpp"
 
@@ -18,12 +18,13 @@
 
 namespace asperity::fem {
 
-/// K u = f of the block above the contact face z = 0, on one process.
+/// K u = f of the block above the contact surface z = 0, on one process.
 ///
-/// Vectors hold zeros at constrained unknowns (periodic images, the held top
-/// and the pins); the images follow from AffineConstraints where needed. A
-/// sliding top is pinned laterally, a pressed top in all directions, at one
-/// node of the top: under balanced loads the pin carries nothing.
+/// Vectors hold zeros at constrained unknowns (periodic images, the clamped far
+/// boundary and the pins); the images follow from AffineConstraints where
+/// needed. A sliding far boundary is pinned laterally at one of its nodes, a
+/// pressure-loaded one in all directions: under balanced loads the pin carries
+/// nothing.
 class PlainBlock {
 public:
   /// @param grid   nodes of the contact face: cells are `degree` spacings wide
@@ -43,16 +44,16 @@ public:
 
   const dealii::SparseMatrix<double>& stiffness() const { return stiffness_; }
 
-  /// The unknown u_z of each grid node, in the grid's order.
+  /// The unknown u_z of each grid node, in the order of the grid.
   const std::vector<dealii::types::global_dof_index>& face_unknowns() const {
     return face_unknowns_;
   }
 
-  /// Row sums of the mass matrix of the contact face [m^2].
+  /// Row sums of the mass matrix of the contact surface [m^2].
   const std::vector<double>& nodal_areas() const { return nodal_areas_; }
 
-  /// Force on the unknowns of a unit tension on the top [m^2]: consistent, and
-  /// zero where the top is held.
+  /// Force on the unknowns under a unit tension on the far boundary [m^2]:
+  /// consistent, and zero where it is clamped.
   const dealii::Vector<double>& top_load() const { return top_load_; }
 
 private:

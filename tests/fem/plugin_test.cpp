@@ -1,5 +1,5 @@
-// Claims about fem/plugin.hpp: this program does not link deal.II, the module
-// does, and what it gives is the block the case asks for.
+// Tests of fem/plugin.hpp: this program does not link deal.II, the loaded
+// module does, and its block is that of the case.
 #include "base/fourier.hpp"
 #include "contact/operators/layered_compliance.hpp"
 #include "fem/plugin.hpp"
@@ -35,29 +35,30 @@ std::vector<double> longest_wave(const Grid& grid) {
   return wave;
 }
 
-class LoadedRoom : public ::testing::TestWithParam<mechanics::Element> {};
+class LoadedModule : public ::testing::TestWithParam<mechanics::Element> {};
 
-// Claim: both roads through the loaded module are one block. Tolerance: the
-// rounding of both, as in the tests of the roads themselves.
-TEST_P(LoadedRoom, GivesBothRoadsOfOneBlock) {
+// Verifies that the condensed and the full model of the loaded module agree.
+// Tolerance: the roundoff of both, as in their own tests.
+TEST_P(LoadedModule, GivesOneCondensedAndFullBlock) {
   const BlockRequest block = request(GetParam(), 8);
   const std::vector<double> wave = longest_wave(block.grid);
   std::vector<double> condensed(wave.size());
 
   load_fem_module().condensed(block)->displacement(wave, condensed);
-  const std::vector<double> whole =
+  const std::vector<double> full =
       load_fem_module().uncondensed(block)->displacement(wave);
 
   for (std::size_t i = 0; i < wave.size(); ++i)
-    EXPECT_NEAR(condensed[i] / condensed[0], whole[i] / condensed[0], 1e-12);
+    EXPECT_NEAR(condensed[i] / condensed[0], full[i] / condensed[0], 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Elements, LoadedRoom,
+INSTANTIATE_TEST_SUITE_P(Elements, LoadedModule,
                          ::testing::Values(mechanics::Element::q1,
                                            mechanics::Element::q2));
 
-// Claim: the program and the module plan their transforms under one lock. With
-// a lock each, FFTW's one planner is torn apart and the process dies.
+// Verifies that the program and the module plan their transforms under one
+// lock. With a lock each, the single planner of FFTW is corrupted and the
+// process crashes.
 TEST(FemModule, SharesThePlannerWithTheProgram) {
   const auto block =
       load_fem_module().condensed(request(mechanics::Element::q1, 64));
@@ -71,9 +72,10 @@ TEST(FemModule, SharesThePlannerWithTheProgram) {
     ASSERT_NE(block->coarsened(), nullptr);
 }
 
-// Claim: modulus, depth and top arrive: a slab half as deep as its wave on a
-// sliding top gives 0.9734 of the half-space's 2/(E* q); Q2 with 16 nodes in
-// the wave and growth 1.2 is within 1 % of that.
+// Verifies that modulus, depth and far boundary reach the module: a slab half
+// as deep as its wave with a sliding far boundary gives 0.9734 of the
+// half-space's 2/(E* q); Q2 with 16 nodes per wavelength and grading ratio 1.2
+// is within 1 % of that.
 TEST(FemModule, BuildsTheBlockOfTheCase) {
   const BlockRequest block = request(mechanics::Element::q2, 16);
   const std::vector<double> wave = longest_wave(block.grid);
@@ -85,10 +87,10 @@ TEST(FemModule, BuildsTheBlockOfTheCase) {
   EXPECT_NEAR(displacement[0] / half_space, 0.9734, 0.01);
 }
 
-// Claim: the case's layers arrive, at their depths and with their moduli: a
-// coating a tenth of the wave thick and ten times stiffer, no whole number of
-// cells. Q2 with 32 nodes in the wave and growth 1.2 is within 0.3 % of the
-// exact layers.
+// Verifies that the layers of the case reach the module with their depths and
+// moduli: a coating a tenth of the wavelength thick and ten times stiffer,
+// which is not an integer number of cells. Q2 with 32 nodes per wavelength and
+// grading ratio 1.2 is within 0.3 % of the exact layers.
 TEST(FemModule, BuildsTheLayersOfTheCase) {
   BlockRequest block = request(mechanics::Element::q2, 32);
   block.layers = {{{0.06, mechanics::ReferenceUnit::length}, {18e9, 0.2}},
@@ -106,14 +108,15 @@ TEST(FemModule, BuildsTheLayersOfTheCase) {
   EXPECT_NEAR(displacement[0] / exact, 1.0, 0.003);
 }
 
-TEST(FemModule, NamesItsLibrariesAndRefusesInWords) {
+TEST(FemModule, NamesItsLibrariesAndRefusesBadBlocks) {
   EXPECT_NE(load_fem_module().versions().find("deal.II 9."), std::string::npos);
   BlockRequest block = request(mechanics::Element::q1, 8);
   block.settings.depth = {0.01, mechanics::ReferenceUnit::length};
   try {
     load_fem_module().condensed(block);
     FAIL() << "a block thinner than its first layer was accepted";
-  } catch (const std::domain_error& error) { // across the module's border
+  } catch (
+      const std::domain_error& error) { // across the boundary of the module
     EXPECT_NE(std::string(error.what()).find("depth"), std::string::npos);
   }
 }

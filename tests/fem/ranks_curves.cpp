@@ -1,6 +1,6 @@
-// Contact curves of small blocks of every kind, printed by the first rank: what
-// ranks_test.py runs once alone and then under mpirun. With the word "waves"
-// only those that are solved by the waves of a lattice.
+// Contact curves of small blocks of every type, printed by the first rank:
+// ranks_test.py runs this program alone and under mpirun. With the argument
+// "waves", only the blocks that the Fourier solver preconditions.
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 
@@ -44,7 +44,8 @@ void print_curve(const char* name, const BlockProblem& problem,
     std::printf("# %s", report.c_str());
 }
 
-/// Cells of random moduli, solved by the waves of the block without them.
+/// Cells of random moduli, preconditioned by the Fourier solver of the
+/// homogeneous block.
 BlockProblem by_waves(int degree, mechanics::FarBoundary top) {
   BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
   problem.top = top;

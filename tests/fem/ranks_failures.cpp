@@ -1,6 +1,7 @@
-// A whole block of a case that all ranks solve, with a failure injected on one
-// rank or on all: what ranks_failures_test.py runs under mpirun. Ends as the
-// program does: the failure's words on standard error and its exit code.
+// A full model of a case that all ranks solve, with a failure injected on one
+// rank or on all; ranks_failures_test.py runs it under mpirun. It ends as the
+// program does, with the message of the failure on standard error and its exit
+// code.
 //
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
@@ -21,7 +22,7 @@ namespace {
 using namespace asperity;
 using namespace asperity::fem;
 
-/// Where to fail, and whether before or after the others are needed.
+/// Where to fail, and whether before or after the collective part.
 struct Injection {
   std::string stage = "none", when = "before", rank = "all";
 

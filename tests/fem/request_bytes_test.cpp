@@ -1,4 +1,4 @@
-// Claims about the bytes with which rank 0 lets the other ranks build a block.
+// Tests of the bytes with which rank 0 lets the other ranks build a block.
 #include "fem/request_bytes.hpp"
 #include "meshes/layered_mesh.hpp"
 
@@ -9,7 +9,8 @@ namespace {
 
 using mechanics::ReferenceUnit;
 
-/// Every member differs from its default, and no number is short in binary.
+/// Every member differs from its default, and no number has a short binary
+/// form.
 FullRequest unusual_request() {
   FullRequest request;
   request.grid = {4, 6, 1.1e-6, 1.7e-6};
@@ -47,7 +48,7 @@ meshes::BlockMesh small_mesh() {
                               std::vector<double>{3e-7, 7e-7});
 }
 
-// Claim: every member comes back, to the last bit.
+// Verifies that every member is restored to the last bit.
 TEST(RequestBytes, RestoreTheRequest) {
   const FullRequest sent = unusual_request();
   const FullRequest got =
@@ -81,7 +82,7 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(bytes_of(got, small_mesh()), bytes_of(sent, small_mesh()));
 }
 
-// Claim: what a request does not have it does not have afterwards either.
+// Verifies that what is absent in a request is absent in the restored one.
 TEST(RequestBytes, RestoreWhatIsAbsent) {
   const FullRequest got = request_of_bytes(bytes_of({}, small_mesh())).request;
   EXPECT_FALSE(got.material.poisson_ratio);
@@ -91,7 +92,7 @@ TEST(RequestBytes, RestoreWhatIsAbsent) {
   EXPECT_FALSE(got.material.variation);
 }
 
-// Claim: so does the mesh.
+// Verifies that the mesh is restored.
 TEST(RequestBytes, RestoreTheMesh) {
   const meshes::BlockMesh sent = small_mesh();
   const meshes::BlockMesh got = request_of_bytes(bytes_of({}, sent)).mesh;

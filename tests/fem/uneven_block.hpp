@@ -1,7 +1,8 @@
 #pragma once
 
-// A block whose cells differ: deal.II's cell matrices times a factor a cell,
-// assembled by the lattice's numbering. What the lattice solver preconditions.
+// A block with different cells: deal.II's cell matrices times one factor per
+// cell, assembled in the numbering of the lattice solver, which is its
+// preconditioner.
 
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/lattice_solver.hpp"
@@ -18,8 +19,8 @@
 
 namespace asperity::fem {
 
-/// Cells of a clamped block in turn: calls do_cell(layer, unknowns), unknowns
-/// by row of the layer's cell matrix.
+/// The cells of a clamped block in turn: calls do_cell(layer, unknowns), with
+/// the unknowns by row of the layer's cell matrix.
 template <class DoCell>
 void each_cell(const NodeLattice& lattice, std::size_t layers,
                const DoCell& do_cell) {
@@ -44,7 +45,7 @@ void each_cell(const NodeLattice& lattice, std::size_t layers,
       }
 }
 
-/// Stiffness plus springs; the clamped top has unit rows.
+/// Stiffness plus springs; the clamped far boundary has unit rows.
 class UnevenBlock {
 public:
   /// @param spread  cell moduli lie evenly in 1 -+ spread times their layer's
@@ -94,7 +95,7 @@ public:
 
   const dealii::SparseMatrix<double>& matrix() const { return matrix_; }
 
-  /// Independent loads on all nodes but the clamped ones.
+  /// Independent loads on all nodes except the clamped ones.
   dealii::Vector<double> loads(unsigned int seed) const {
     const std::vector<double> chance = random_field(lattice_.size(), seed);
     dealii::Vector<double> force(static_cast<unsigned int>(lattice_.size()));
@@ -109,7 +110,7 @@ private:
   dealii::SparseMatrix<double> matrix_;
 };
 
-/// The lattice solver as deal.II's solvers take a preconditioner.
+/// The lattice solver as a preconditioner of deal.II's solvers.
 class LatticePreconditioner {
 public:
   LatticePreconditioner(LatticeSolver& solver, double tolerance)
@@ -132,7 +133,7 @@ private:
   mutable int inner_iterations_ = 0;
 };
 
-/// Contact of the highest parts of a landscape of some waves.
+/// Contact of the highest parts of a surface of some waves.
 inline std::vector<double>
 springs_under_peaks(const Grid& grid, double fraction, double stiffness) {
   const std::vector<double> phases = random_field(49, 21);

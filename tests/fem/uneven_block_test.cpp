@@ -1,5 +1,5 @@
-// Claims about fem/waves/lattice_solver.hpp as a preconditioner of blocks whose
-// cells are not alike: how many iterations conjugate gradients take.
+// Tests of fem/waves/lattice_solver.hpp as a preconditioner of heterogeneous
+// blocks: the number of iterations of conjugate gradients.
 #include "fem/waves/lattice_solver.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 namespace asperity::fem {
 namespace {
 
-/// Steps of conjugate gradients to 1e-10 of the load, cells +-50 %.
+/// Iterations of conjugate gradients to 1e-10 of the load, with cells that vary
+/// by 50 %.
 unsigned int iterations(int degree, int points, double stiffness) {
   const Grid grid{points, points, 1e-6, 1e-6};
   const LayeredBlock uniform = homogeneous_block(
@@ -39,13 +40,14 @@ unsigned int iterations(int degree, int points, double stiffness) {
 
 class UnevenCells : public ::testing::TestWithParam<double> {};
 
-// Claim: neither the grid nor the springs count. The preconditioned spectrum
-// lies within 0.5..1.5, the ends of the cells' factors (K is between 0.5 and
-// 1.5 times the uniform K; springs draw both towards 1), so the condition is at
-// most 3 and the error falls by (sqrt 3 - 1)/(sqrt 3 + 1) a step in energy:
-// 2 (0.268)^n, 19 steps to 1e-10 and three more for the square root of the
-// condition between energy and residual, about 1e2. The two grids may differ by
-// the one step at which the same residual crosses the tolerance.
+// Verifies that neither the grid nor the springs change the number of
+// iterations. The preconditioned spectrum lies within 0.5..1.5, the range of
+// the factors of the cells (K is between 0.5 and 1.5 times the uniform K;
+// springs draw both towards 1), so that the condition number is at most 3 and
+// the error in energy decreases by (sqrt 3 - 1)/(sqrt 3 + 1) per step: 2
+// (0.268)^n, 19 steps to 1e-10 and three more for the square root of the
+// condition number between energy and residual, about 1e2. The two grids may
+// differ by the one step at which the same residual crosses the tolerance.
 TEST_P(UnevenCells, TakeTheSameIterationsOnAnyGrid) {
   const unsigned int coarse = iterations(1, 16, GetParam());
   const unsigned int fine = iterations(1, 32, GetParam());

@@ -1,7 +1,8 @@
 #pragma once
 
-// deal.II's assembled stiffness of a uniform block by the lattice's numbering,
-// with springs and a direct solver: the judge of the lattice solver.
+// deal.II's assembled stiffness of a uniform block in the numbering of the
+// lattice solver, with springs and a direct solver: the reference of the
+// lattice solver.
 
 #include "fem/waves/lattice_solver.hpp"
 
@@ -33,8 +34,9 @@ public:
       find_places(component, height);
   }
 
-  /// (K + springs)^-1 force; an infinite spring holds its node. Under a top
-  /// that is free in z, springs find the height at which the pin bears nothing.
+  /// (K + springs)^-1 force; an infinite spring constrains its node. With a far
+  /// boundary that is free in z, the springs determine its height, for which
+  /// the pin carries nothing.
   std::vector<double> solve(const std::vector<double>& force,
                             const std::vector<double>& springs) const {
     dealii::Vector<double> loads(system_.n_unknowns());
@@ -61,7 +63,7 @@ public:
   }
 
 private:
-  // Constrained unknowns (images, held, pinned) have a diagonal only.
+  // Constrained unknowns (images, clamped, pinned) have only a diagonal entry.
   void find_places(unsigned int component, const std::vector<double>& height) {
     std::map<dealii::types::global_dof_index, dealii::Point<3>> points;
     dealii::ComponentMask mask(3, false);
@@ -85,7 +87,8 @@ private:
     }
   }
 
-  /// Springs added to the diagonal; a held unknown's row says its value.
+  /// Adds springs to the diagonal; the row of a constrained unknown states its
+  /// value.
   dealii::Vector<double> solve_pinned(dealii::Vector<double> loads,
                                       const std::vector<double>& springs,
                                       double held_value) const {
@@ -109,7 +112,8 @@ private:
     return loads;
   }
 
-  /// Sum of the forces on springs, each its node's load less K u.
+  /// Sum of the forces of the springs, each being the load of its node minus K
+  /// u.
   double borne(const dealii::Vector<double>& loads,
                const dealii::Vector<double>& displacement,
                const std::vector<double>& springs) const {

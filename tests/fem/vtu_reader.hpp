@@ -1,7 +1,7 @@
 #pragma once
 
-// A VTU file as numbers, read back the way ParaView would: XML with zlib blocks
-// in base64.
+// The numbers of a VTU file, read as ParaView would read them: XML with zlib
+// blocks in base64.
 
 #include <deal.II/base/utilities.h>
 
