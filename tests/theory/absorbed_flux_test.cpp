@@ -1,5 +1,5 @@
-// Claims about theory/persson/absorbed_flux.hpp against the walls whose
-// absorption has a closed form, and the order at which it is reached.
+// Tests of theory/persson/absorbed_flux.hpp against absorbing boundaries with a
+// closed form, and of the order of convergence.
 #include "theory/persson/absorbed_flux.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace asperity::theory {
 namespace {
 
-// Times that crowd towards 0 as those of a spectrum do, up to tau = 1.
+// Times that are dense towards 0, as those of a spectrum are, up to tau = 1.
 MovingBoundary wall_of(int n_steps, auto distance, auto rate) {
   MovingBoundary wall;
   for (int i = 0; i <= n_steps; ++i) {
@@ -27,10 +27,10 @@ double lost_at_end(const MovingBoundary& wall) {
   return 1.0 - absorbed_flux(wall).survival.back();
 }
 
-// Claim: a wall at rest leaves P = erf(b/(2 sqrt tau)), by a mirror image; f
-// is then exact at every node. Tolerance: the trapezoidal rule of its
-// integral, second order: 4 per halving.
-TEST(AbsorbedFlux, OfAWallAtRestIsTheMirrorImage) {
+// A boundary at rest leaves P = erf(b/(2 sqrt tau)), by the method of images; f
+// is then exact at every node. Tolerance: the trapezoidal rule of its integral,
+// of second order: 4 per halving.
+TEST(AbsorbedFlux, OfABoundaryAtRestIsTheMirrorImage) {
   const double distance = 0.8;
   const auto error = [&](int n) {
     const MovingBoundary wall = wall_of(
@@ -48,10 +48,14 @@ TEST(AbsorbedFlux, OfAWallAtRestIsTheMirrorImage) {
   EXPECT_NEAR(error(100) / error(200), 4.0, 0.1);
 }
 
-// Claim: a wall that moves steadily, b + v tau: the inverse Gaussian,
-//   1 - P = [erfc((b + v tau)/2 sqrt tau) + e^{-v b} erfc((b - v tau)/2 sqrt
-//   tau)]/2. The kernel vanishes again and f is exact.
-TEST(AbsorbedFlux, OfASteadyWallIsTheInverseGaussian) {
+// A boundary with constant velocity, b + v tau, has the inverse Gaussian
+// distribution
+//
+//   1 - P = [erfc((b + v tau)/2 sqrt tau)
+//            + e^{-v b} erfc((b - v tau)/2 sqrt tau)]/2.
+//
+// The kernel vanishes again and f is exact.
+TEST(AbsorbedFlux, OfASteadyBoundaryIsTheInverseGaussian) {
   for (const double speed : {-0.5, 0.7, 3.0}) {
     const double distance = 1.0;
     const MovingBoundary wall = wall_of(
@@ -65,12 +69,15 @@ TEST(AbsorbedFlux, OfASteadyWallIsTheInverseGaussian) {
   }
 }
 
-// Claim: a curved wall (Daniels): where a unit source at 0 and two image sinks
-// at d and 2d cancel,
+// A curved boundary (Daniels): where a unit source at 0 and two image sinks at
+// d and 2d cancel,
+//
 //   e^{-b^2/4t} = k_1 e^{-(b - d)^2/4t} + k_2 e^{-(b - 2d)^2/4t},
-// a quadratic in e^{b d/2t}, what is left is the images' sum below b. Here the
-// kernel does not vanish. Tolerance: the order, above 1.4 as claimed.
-TEST(AbsorbedFlux, OfDanielsWallIsASumOfImages) {
+//
+// a quadratic equation in e^{b d/2t}, the result is the sum of the images below
+// b. Here the kernel does not vanish. Tolerance: the order, above 1.4 as
+// documented.
+TEST(AbsorbedFlux, OfDanielsBoundaryIsASumOfImages) {
   const double d = 1.0, k1 = 0.5, k2 = 0.2;
   const auto wall_at = [&](double t) {
     if (t == 0.0)
@@ -98,7 +105,7 @@ TEST(AbsorbedFlux, OfDanielsWallIsASumOfImages) {
   EXPECT_GT(order, 1.4);
 }
 
-TEST(AbsorbedFlux, RefusesWallsThatAreNone) {
+TEST(AbsorbedFlux, RefusesInvalidBoundaries) {
   EXPECT_THROW(absorbed_flux({{0.0}, {1.0}, {0.0}}), std::domain_error);
   EXPECT_THROW(absorbed_flux({{0.0, 1.0}, {1.0}, {0.0, 0.0}}),
                std::domain_error);

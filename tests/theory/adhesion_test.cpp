@@ -1,5 +1,5 @@
-// Claims about theory/persson/adhesion.hpp: the numbers of Sec. 9's surface,
-// the order in the discretisation, similarity, and the limits of both branches.
+// Tests of theory/persson/adhesion.hpp: the numbers of the surface in Sec. 9,
+// the order of the discretisation, similarity, and the limits of both branches.
 #include "theory/persson/adhesion.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Sec. 9's rubber on surface 7 as far as the text gives it: h_0 = 0.2 um,
+// The rubber on surface 7 of Sec. 9 as far as the text states it: h_0 = 0.2 um,
 // E = 5 MPa, nu = 0.5, Dgamma = 0.1 J/m^2; no roll-off.
 constexpr AdhesivePair rubber{5e6 / 0.75, 0.1, 0.42, 2.0 / pi};
 
@@ -31,8 +31,8 @@ RoughAdhesion adhesion(int n_steps) {
   return RoughAdhesion(surface_7().spectrum(), rubber, n_steps);
 }
 
-// Claim: the area factor is the mean of sqrt(1 + s^2) over an exponential
-// distribution of s^2. Tolerance: the quadrature's; 1/xi = 20 changes formula.
+// The area factor is the mean of sqrt(1 + s^2) over an exponential distribution
+// of s^2. Tolerance: the quadrature's; at 1/xi = 20 the formula changes.
 TEST(TrueArea, IsTheMeanOverGaussianSlopes) {
   boost::math::quadrature::exp_sinh<double> quadrature;
   for (const double square : {1e-6, 1.0 / 401.0, 1.0 / 399.0, 0.1, 1.0, 30.0}) {
@@ -48,9 +48,9 @@ TEST(TrueArea, IsTheMeanOverGaussianSlopes) {
   EXPECT_EQ(true_area_factor(0.0), 1.0);
 }
 
-// Claim: complete contact in closed form, Dgamma a(xi^2) - E* (pi/2) int q^2 C,
-// with no error of the steps; at h_0 it is -0.1 Dgamma (printed digit).
-TEST(RoughAdhesion, CompleteContactIsClosed) {
+// Complete contact has the closed form Dgamma a(xi^2) - E* (pi/2) int q^2 C,
+// without an error from the steps; at h_0 it is -0.1 Dgamma (printed digit).
+TEST(RoughAdhesion, CompleteContactHasAClosedForm) {
   const SelfAffine shape = surface_7();
   for (const double ratio : {0.3, 1.0, 1.5}) {
     const double square = ratio * ratio;
@@ -69,7 +69,7 @@ TEST(RoughAdhesion, CompleteContactIsClosed) {
               5e-4);
 }
 
-// Claim: partial contact converges at second order in the steps.
+// Verifies that partial contact converges at second order in the steps.
 TEST(RoughAdhesion, ConvergesAtSecondOrder) {
   const auto at = [&](int n) { return adhesion(n).partial_contact(0.9); };
   const AdhesiveState coarse = at(40), middle = at(80), fine = at(160);
@@ -83,8 +83,8 @@ TEST(RoughAdhesion, ConvergesAtSecondOrder) {
               2.0, 0.25);
 }
 
-// Claim: the state flips at h/h_0 = 0.871, where partial contact has A/A_0 =
-// 0.499 (printed digits), extrapolated from two discretisations.
+// The state changes at h/h_0 = 0.871, where partial contact has A/A_0 = 0.499
+// (printed digits), extrapolated from two discretisations.
 TEST(RoughAdhesion, FlipsWhereSectionNineDoes) {
   const RoughAdhesion coarse = adhesion(50), fine = adhesion(100);
   const double flip_coarse = coarse.flip(0.8, 1.0);
@@ -98,9 +98,10 @@ TEST(RoughAdhesion, FlipsWhereSectionNineDoes) {
   EXPECT_LT(fine.equilibrium(1.001 * flip_fine).area_fraction, 0.5);
 }
 
-// Claim: along the roughness sweep the binding only falls, partial contact
-// still binds at h_0 where complete does not, and rough enough faces part.
-TEST(RoughAdhesion, SweepFallsAndEndsParted) {
+// With increasing roughness the binding energy only decreases, partial contact
+// still has one at h_0 where complete contact has none, and sufficiently rough
+// surfaces separate.
+TEST(RoughAdhesion, SweepDecreasesAndEndsSeparated) {
   const RoughAdhesion contact = adhesion(60);
   double last = rubber.work_of_adhesion * 1.01;
   for (const double ratio : {0.2, 0.5, 0.8, 0.87, 0.9, 1.0, 1.1}) {
@@ -115,9 +116,9 @@ TEST(RoughAdhesion, SweepFallsAndEndsParted) {
   EXPECT_TRUE(contact.equilibrium(1.5).converged);
 }
 
-// Claim: gamma_eff(q) is Dgamma at q_1, the stress distribution begins whole at
-// q_L and only loses. Exact.
-TEST(RoughAdhesion, StateRunsFromWholeToTheTrueContact) {
+// gamma_eff(q) is Dgamma at q_1; the stress distribution has unit mass at q_L
+// and only loses mass. Both are exact.
+TEST(RoughAdhesion, StateGoesFromCompleteToTrueContact) {
   const AdhesiveState state = adhesion(60).partial_contact(0.9);
 
   EXPECT_EQ(state.area_fractions.front(), 1.0);
@@ -131,8 +132,8 @@ TEST(RoughAdhesion, StateRunsFromWholeToTheTrueContact) {
   EXPECT_EQ(state.wavevectors.size(), state.area_fractions.size());
 }
 
-// Claim: only Dgamma q_0/E* matters beside shape: lengths and stresses scale.
-// Tolerance: rounding through the iteration's 1e-10.
+// Only Dgamma q_0/E* matters besides the shape of the spectrum: lengths and
+// stresses scale. Tolerance: roundoff through the iteration's 1e-10.
 TEST(RoughAdhesion, ScalesWithLengthAndModulus) {
   SelfAffine larger = surface_7();
   larger.low *= 0.01;
@@ -151,9 +152,9 @@ TEST(RoughAdhesion, ScalesWithLengthAndModulus) {
   EXPECT_NEAR(scaled.area_fraction / state.area_fraction, 1.0, 1e-8);
 }
 
-// Claim: faces that cannot be torn apart (c -> inf) or are hardly rough stay
-// complete: both branches are one.
-TEST(RoughAdhesion, IsCompleteWhereNothingTears) {
+// Surfaces that cannot detach (c -> inf) or that are hardly rough stay in
+// complete contact: both branches agree.
+TEST(RoughAdhesion, IsCompleteWhereNothingDetaches) {
   AdhesivePair strong = rubber;
   strong.detachment_factor = 100.0;
   const RoughAdhesion contact(surface_7().spectrum(), strong, 40);
@@ -165,7 +166,8 @@ TEST(RoughAdhesion, IsCompleteWhereNothingTears) {
   EXPECT_NEAR(adhesion(40).partial_contact(0.1).area_fraction, 1.0, 1e-12);
 }
 
-// Claim: JKR's (3 pi/2) R gamma_eff, nothing where nothing binds, refusals.
+// Verifies JKR's (3 pi/2) R gamma_eff, zero without a binding energy, and the
+// refusal of invalid arguments.
 TEST(RoughAdhesion, PullsOffAsJkrAndRefuses) {
   EXPECT_NEAR(rough_pull_off_force(0.01, 0.04), 1.5 * pi * 4e-4, 1e-18);
   EXPECT_EQ(rough_pull_off_force(0.01, -0.04), 0.0);

@@ -1,5 +1,5 @@
-// Claims about theory/exact/adhesive_sphere.hpp: energy balance, the pressure
-// behind each solution, pull-off forces, and the limits between the three.
+// Tests of theory/exact/adhesive_sphere.hpp: energy balance, the pressure of
+// each solution, pull-off forces, and the limits between the three.
 #include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/hertz.hpp"
 
@@ -35,8 +35,8 @@ double radius_of(double reduced) {
                    sphere.sphere_radius / (4.0 / 3.0 * sphere.contact_modulus));
 }
 
-// Claim: JKR is Griffith's balance. The elastic energy of a paraboloid pressed
-// to delta with a radius a imposed is U = E* (a delta^2 - 2 a^3 delta/(3 R) +
+// JKR is Griffith's balance. The elastic energy of a paraboloid at approach
+// delta with a prescribed radius a is U = E* (a delta^2 - 2 a^3 delta/(3 R) +
 // a^5/(5 R^2)); dU/da = 2 pi a w and dU/ddelta = F, by central differences.
 // Tolerance: their second order with steps of 1e-5.
 TEST(JkrContact, BalancesElasticAndSurfaceEnergy) {
@@ -62,9 +62,9 @@ TEST(JkrContact, BalancesElasticAndSurfaceEnergy) {
   }
 }
 
-// Claim: JKR's pressure bends the face to the sphere and carries the load.
-// Tolerance: the quadrature next to the edge's singularity, sqrt(eps).
-TEST(JkrContact, PressureBendsTheFaceToTheSphere) {
+// JKR's pressure deforms the surface to the shape of the sphere and carries the
+// load. Tolerance: the quadrature next to the edge's singularity, sqrt(eps).
+TEST(JkrContact, PressureDeformsTheSurfaceToTheSphere) {
   const double a = 4e-4;
   const AdhesiveContact contact = jkr_contact(sphere, a);
   const auto pressure = [&](double s) {
@@ -79,9 +79,9 @@ TEST(JkrContact, PressureBendsTheFaceToTheSphere) {
         contact.approach, 1e-7 * a * a / sphere.sphere_radius);
 }
 
-// Claim: (3/2) pi w R is the least load, at a^3 = 9 pi w R^2/(8 E*); under a
-// load the contact is the one of the two that grows with it.
-TEST(JkrContact, PullsOffAtItsLeastLoad) {
+// (3/2) pi w R is the minimum load, at a^3 = 9 pi w R^2/(8 E*); of the two
+// contacts under a load, the returned one is that which grows with it.
+TEST(JkrContact, PullsOffAtItsMinimumLoad) {
   const double radius = std::cbrt(9.0 * pi * sphere.work_of_adhesion *
                                   std::pow(sphere.sphere_radius, 2) /
                                   (8.0 * sphere.contact_modulus));
@@ -100,8 +100,8 @@ TEST(JkrContact, PullsOffAtItsLeastLoad) {
   EXPECT_THROW(jkr_contact_at_load(sphere, 1.001 * least), std::domain_error);
 }
 
-// Claim: DMT is Hertz under F + 2 pi w R; both are Hertz far above pi w R, but
-// for the terms they add, sqrt(6 pi w R/F) and 2 pi w R/F.
+// DMT is Hertz under F + 2 pi w R; far above pi w R both JKR and DMT tend to
+// Hertz with the relative corrections sqrt(6 pi w R/F) and 2 pi w R/F.
 TEST(DmtContact, IsHertzUnderMoreLoad) {
   const AdhesiveContact contact = dmt_contact(sphere, 3e-4);
   const HertzContact hertz =
@@ -119,10 +119,10 @@ TEST(DmtContact, IsHertzUnderMoreLoad) {
   }
 }
 
-// Claim: Maugis' equations are solved by their own pressure: it bends the face
-// to the sphere, carries the load, and opens w/sigma_0 at r = c. Tolerance:
-// the quadrature's.
-TEST(MaugisSphere, PressureIsBehindItsEquations) {
+// Maugis' equations are verified with the pressure of the solution: it deforms
+// the surface to the shape of the sphere, carries the load, and the gap is
+// w/sigma_0 at r = c. Tolerance: the quadrature's.
+TEST(MaugisSphere, PressureSatisfiesItsEquations) {
   for (const double lambda : {0.1, 1.0, 4.0})
     for (const double reduced : {0.3, 1.0, 2.0}) {
       const MaugisSphere sticky = maugis(lambda);
@@ -150,8 +150,8 @@ TEST(MaugisSphere, PressureIsBehindItsEquations) {
     }
 }
 
-// Claim: lambda -> infinity is JKR as lambda^-2, lambda -> 0 is DMT, for each
-// of load, approach and pull-off, which runs from 2 to 3/2.
+// lambda -> infinity tends to JKR as lambda^-2 and lambda -> 0 tends to DMT,
+// for each of load, approach and pull-off, whose factor goes from 2 to 3/2.
 TEST(MaugisSphere, TendsToJkrAndToDmt) {
   const double a = radius_of(1.5);
   const AdhesiveContact jkr = jkr_contact(sphere, a),
@@ -178,7 +178,8 @@ TEST(MaugisSphere, TendsToJkrAndToDmt) {
   }
 }
 
-// Claim: under a load the stable contact, down to the pull-off and no further.
+// Verifies that the stable contact is found for a load, down to the pull-off
+// and no further.
 TEST(MaugisSphere, FindsTheContactOfALoad) {
   const MaugisSphere sticky = maugis(1.0);
   const double pull = sticky.pull_off_force();

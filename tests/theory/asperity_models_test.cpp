@@ -1,5 +1,5 @@
-// Claims about theory/exact/asperity_models.hpp: the summits' statistics by
-// their own integrals, printed numbers, and the limits the paper quotes.
+// Tests of theory/exact/asperity_models.hpp: the statistics of summits by their
+// own integrals, printed numbers, and the limits that the paper states.
 #include "theory/exact/asperity_models.hpp"
 #include "theory/persson/persson.hpp"
 
@@ -22,8 +22,8 @@ ProfileMoments moments_of_the_paper() {
   return surface_of_the_paper().spectrum().profile_moments();
 }
 
-// Claim: density, mean height and height variance of summits are integrals of
-// Nayak's distribution: with y = t/sqrt(2 m_4/3) and the half difference of the
+// Density, mean height and height variance of summits are integrals of Nayak's
+// distribution: with y = t/sqrt(2 m_4/3) and the half difference of the
 // curvatures integrated, summits at y go as (y^2 - 1 + e^{-y^2}) e^{-y^2/2},
 // and z given y is normal about m_2 y/sqrt(2 m_4/3). Tolerance: quadrature; the
 // variance's 0.8968 is printed to four digits.
@@ -53,8 +53,8 @@ TEST(SummitStatistics, AreIntegralsOfNayaksDistribution) {
   EXPECT_NEAR(summits.nayak, 3.8694, 1e-3);
 }
 
-// Claim: the radius is one over the mean curvature of summits, (8/3)
-// sqrt(m_4/pi), another integral of the distribution.
+// The radius is one over the mean curvature of summits, (8/3) sqrt(m_4/pi),
+// another integral of the distribution.
 TEST(SummitStatistics, RadiusIsOneOverTheMeanCurvature) {
   const ProfileMoments moments = moments_of_the_paper();
   const auto mean = [&](int power) {
@@ -71,7 +71,7 @@ TEST(SummitStatistics, RadiusIsOneOverTheMeanCurvature) {
   EXPECT_NEAR(summit_statistics(moments).radius * curvature, 1.0, 1e-10);
 }
 
-// Claim: p/E* on the paper's surface, worked out in another program, beside
+// p/E* on the paper's surface, computed by another program, together with
 // Persson's (14). Tolerance: half a unit of the fourth digit.
 TEST(AsperityModels, HaveTheirPrintedNumbers) {
   const ProfileMoments moments = moments_of_the_paper();
@@ -96,11 +96,11 @@ TEST(AsperityModels, HaveTheirPrintedNumbers) {
   }
 }
 
-// Claim: the exponents the paper quotes, a = 5/2 and 1, as the local slope of
-// ln(p e^{x^2/2}) against ln x, x = d/s and u/sqrt(m_0). Tolerance: the next
-// term of both is of relative order 1/x^2: 35/4 of it for the first; for the
-// second 2 from erfc and twice the distance to the asymptote of the next test.
-TEST(AsperityModels, FallFarOutWithTheirExponents) {
+// The exponents stated in the paper, a = 5/2 and 1, are the local slope of ln(p
+// e^{x^2/2}) against ln x, x = d/s and u/sqrt(m_0). Tolerance: the next term of
+// both is of relative order 1/x^2: 35/4 of it for the first; for the second 2
+// from erfc and twice the distance to the asymptote of the next test.
+TEST(AsperityModels, DecreaseFarOutWithTheirExponents) {
   const ProfileMoments moments = moments_of_the_paper();
   const SummitStatistics summits = summit_statistics(moments);
   const auto exponent = [](double x, auto pressure) {
@@ -127,9 +127,9 @@ TEST(AsperityModels, FallFarOutWithTheirExponents) {
   }
 }
 
-// Claim: the full model tends to its asymptote as 1 - O(m_0/u^2), in pressure
-// and in area; extrapolated from 20 and 30 sqrt(m_0) the limit itself.
-// Tolerance: the order x^-4 that is left, 10/20^4.
+// The full model tends to its asymptote as 1 - O(m_0/u^2), in pressure and in
+// area; the limit is extrapolated from 20 and 30 sqrt(m_0). Tolerance: the
+// remaining order x^-4, 10/20^4.
 TEST(BushGibsonThomas, TendsToItsAsymptote) {
   const ProfileMoments moments = moments_of_the_paper();
   const auto ratio = [&](double x, auto member) {
@@ -150,10 +150,10 @@ TEST(BushGibsonThomas, TendsToItsAsymptote) {
               1.0, 1e-14);
 }
 
-// Claim: every summit in reach gives area alike, dA/du = -pi eta R times the
-// share of summits above u, by a central difference. Tolerance: its second
-// order, step 1e-4.
-TEST(GreenwoodWilliamson, AreaFallsWithTheSummitsInReach) {
+// Every summit above the separation contributes area at the same rate, dA/du =
+// -pi eta R times the fraction of summits above u, by a central difference.
+// Tolerance: its second order, step 1e-4.
+TEST(GreenwoodWilliamson, AreaDecreasesWithTheSummitsInReach) {
   const ProfileMoments moments = moments_of_the_paper();
   const SummitStatistics summits = summit_statistics(moments);
   for (const double at : {-3.0, 0.5, 4.0}) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The displacement of an elastic half-space under any pressure of revolution,
-// by quadrature: the second road to every solution with a round contact.
+// The displacement of an elastic half-space under any axisymmetric pressure, by
+// quadrature: an independent check of every solution with a circular contact.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -16,7 +16,7 @@ namespace asperity::theory {
 /// u(r) = (4/(pi E*)) int p(s) s K(k) ds/(r + s), k = 2 sqrt(r s)/(r + s).
 ///
 /// @param edges  radii between which p is smooth, ascending from 0; tanh-sinh
-///               takes ends with integrable singularities
+///               accepts ends with integrable singularities
 template <class Pressure>
 double displacement_under(const Pressure& pressure, std::vector<double> edges,
                           double contact_modulus, double radius) {
@@ -25,7 +25,8 @@ double displacement_under(const Pressure& pressure, std::vector<double> edges,
   std::sort(edges.begin(), edges.end());
   boost::math::quadrature::tanh_sinh<double> quadrature;
   const auto integrand = [&](double s) {
-    // ellint_1 of 1 - tiny: the logarithm at s = r is left to the nodes' ends
+    // ellint_1 of 1 - tiny: the logarithmic singularity at s = r is at an end
+    // of the interval
     const double k = 2.0 * std::sqrt(radius * s) / (radius + s);
     return pressure(s) * s / (radius + s) *
            boost::math::ellint_1(std::min(k, 1.0 - 1e-16));

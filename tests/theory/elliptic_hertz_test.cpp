@@ -1,5 +1,5 @@
-// Claims about theory/exact/elliptic_hertz.hpp: a sphere is Hertz's, and the
-// pressure bends the face into the body's own shape.
+// Tests of theory/exact/elliptic_hertz.hpp: a sphere is Hertz's, and the
+// pressure deforms the surface to the shape of the body.
 #include "theory/exact/elliptic_hertz.hpp"
 #include "theory/exact/hertz.hpp"
 
@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 constexpr double modulus = 3e9, approach = 2e-7;
 
-// Claim: equal curvatures are Hertz's sphere; nearly equal ones are near it.
+// Equal curvatures give Hertz's sphere; nearly equal ones are close to it.
 TEST(EllipticHertz, OfEqualCurvaturesIsASphere) {
   for (const double contrast : {0.0, 1e-9, 1e-6}) {
     const EllipticContact spot = elliptic_contact(
@@ -34,11 +34,11 @@ TEST(EllipticHertz, OfEqualCurvaturesIsASphere) {
   }
 }
 
-// Claim: int p/(pi E* r) = delta - (k_1 x^2 + k_2 y^2)/2 all over the spot, by
-// polar quadrature about (x, y): along a ray p^2 is a quadratic, and the
-// integral of its root up to the rim is elementary. Tolerance: 4 x 40 Gauss
-// points in the angle.
-TEST(EllipticHertz, PressureBendsTheFaceToTheBody) {
+// Verifies int p/(pi E* r) = delta - (k_1 x^2 + k_2 y^2)/2 in the entire
+// contact, by polar quadrature about (x, y): along a ray p^2 is a quadratic,
+// and the integral of its root up to the contact boundary is elementary.
+// Tolerance: 4 x 40 Gauss points in the angle.
+TEST(EllipticHertz, PressureDeformsTheSurfaceToTheBody) {
   for (const double ratio : {1.0, 3.0, 40.0}) {
     const double flat = 100.0, steep = ratio * flat;
     const EllipticContact spot =
@@ -50,7 +50,8 @@ TEST(EllipticHertz, PressureBendsTheFaceToTheBody) {
       const double half = (ex * x / a + ey * y / b) / square;
       const double depth = 1.0 - x * x / a / a - y * y / b / b;
       const double reach = std::sqrt(depth / square + half * half);
-      // int_0 sqrt(square (reach^2 - (s + half)^2)) ds up to the rim
+      // int_0 sqrt(square (reach^2 - (s + half)^2)) ds up to the contact
+      // boundary
       return 0.5 * std::sqrt(square) *
              (reach * reach * std::acos(half / reach) -
               half * std::sqrt(reach * reach - half * half));
@@ -73,9 +74,9 @@ TEST(EllipticHertz, PressureBendsTheFaceToTheBody) {
   }
 }
 
-// Claim: the load is the pressure's volume, and the order of the curvatures
-// does not matter. Tolerance: rounding.
-TEST(EllipticHertz, LoadIsThePressuresVolume) {
+// The load is the integral of the pressure, and the order of the curvatures
+// does not matter. Tolerance: roundoff.
+TEST(EllipticHertz, LoadIsTheIntegralOfThePressure) {
   const EllipticContact spot = elliptic_contact(approach, 30.0, 900.0, modulus);
   const EllipticContact same = elliptic_contact(approach, 900.0, 30.0, modulus);
 

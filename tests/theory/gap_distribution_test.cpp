@@ -1,4 +1,4 @@
-// Claims about theory/persson/gap_distribution.hpp, and the monotone fall of
+// Tests of theory/persson/gap_distribution.hpp, and of the monotone decrease of
 // u(zeta) and u_1(zeta) that makes it a distribution.
 #include "theory/persson/gap_distribution.hpp"
 
@@ -34,8 +34,9 @@ MagnifiedContact any_contact() {
   return MagnifiedContact(contact, load, shape.low * log_between(0.1, 10.0));
 }
 
-// Claim: h_rms, A, u and u_1 fall when more is seen, u_1 lies above u, and the
-// pressure in the apparent contact grows. No tolerance but rounding.
+// With increasing magnification h_rms, A, u and u_1 decrease, u_1 lies above u,
+// and the pressure in the apparent contact increases. No tolerance but
+// roundoff.
 RC_GTEST_PROP(GapDistributionProperty, EverythingFallsWithMagnification, ()) {
   const MagnifiedContact contact = any_contact();
   const double low = contact.lowest_magnification();
@@ -60,10 +61,10 @@ GapDistribution of_the_paper(double load) {
       shape.roll_off));
 }
 
-// Claim: P_u is the derivative of Psi. The other road: what Psi grows by over
-// a step of ln u, of fourth order after one extrapolation. Tolerance: the
-// fourth order itself, up to 3e-4 at this step; halving it must take a factor
-// near 16 off.
+// P_u is the derivative of Psi. The reference is the increase of Psi over a
+// step of ln u, of fourth order after one extrapolation. Tolerance: the fourth
+// order itself, up to 3e-4 at this step; halving it must reduce it by a factor
+// near 16.
 TEST(GapDistribution, DensityIsTheDerivativeOfTheCumulative) {
   for (const double load : {0.1e9, 1.3e9, 10e9}) {
     const GapDistribution gaps = of_the_paper(load);
@@ -85,8 +86,9 @@ TEST(GapDistribution, DensityIsTheDerivativeOfTheCumulative) {
   }
 }
 
-// Claim: the limits of Psi are the delta's weight at u = 0 and 1 at infinity;
-// the rest of 1 far out falls as 1/(u ln^2 u) within its slow corrections.
+// The limits of Psi are the weight of the delta function at u = 0 and 1 at
+// infinity; far out 1 - Psi decreases as 1/(u ln^2 u) within its slow
+// corrections.
 TEST(GapDistribution, RunsFromTheContactWeightToOne) {
   const GapDistribution gaps = of_the_paper(1.3e9);
 

@@ -1,5 +1,5 @@
-// Claims about theory/persson/gap_kernel.hpp, each against an integral taken
-// directly.
+// Tests of theory/persson/gap_kernel.hpp, each against an integral that is
+// evaluated directly.
 #include "theory/persson/gap_kernel.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -23,9 +23,9 @@ double slope_cubic(double t) {
   return 3.0 * std::erf(t) * std::erf(t) * std::exp(-t * t);
 }
 
-// int_x^inf f dt/t for f = g(t) e^{-t^2}, ended where the Gaussian has fallen
-// by e^{-44} = 1e-19. Over ln t up to 1; beyond, t = x + s with e^{-x^2} apart,
-// so that the digits of x^2 do not enter.
+// int_x^inf f dt/t for f = g(t) e^{-t^2}, truncated where the Gaussian has
+// decreased by e^{-44} = 1e-19. Up to 1 over ln t; beyond, t = x + s with
+// e^{-x^2} as a factor, so that the digits of x^2 do not enter.
 template <class Function>
 double tail_integral(Function g, double x) {
   Quadrature quadrature;
@@ -55,8 +55,9 @@ double cubic_factor(double t) {
 
 class GapKernel : public ::testing::TestWithParam<double> {};
 
-// Claim: both parts are their defining integral, over the whole range and on
-// both sides of every seam. Tolerance: the accuracy the header claims.
+// Verifies both parts against their defining integral, over the whole range and
+// on both sides of every change of formula. Tolerance: the accuracy that the
+// header states.
 TEST_P(GapKernel, IsTheIntegralThatDefinesIt) {
   const double x = GetParam();
 
@@ -67,8 +68,8 @@ TEST_P(GapKernel, IsTheIntegralThatDefinesIt) {
   EXPECT_NEAR(kernel.cubic / tail_integral(cubic_factor, x), 1.0, tolerance);
 }
 
-// Claim: at gamma = 1 it is half the exponential integral E_1(x^2), as Boost
-// has it. Tolerance as above.
+// At gamma = 1 it is half the exponential integral E_1(x^2) of Boost. Tolerance
+// as above.
 TEST_P(GapKernel, IsHalfAnExponentialIntegralAtGammaOne) {
   const double x = GetParam();
 
@@ -83,10 +84,10 @@ INSTANTIATE_TEST_SUITE_P(Sweep, GapKernel,
                                            2.0, 2.83, 3.9, 5.65, 5.66, 8.0,
                                            11.31, 11.32, 15.0, 25.0));
 
-// Claim: gap_kernel_slope is minus the derivative in ln x: its integral from
-// x to 2x is the kernel's fall. Tolerance: the two differences round at
-// eps * J, J < 40.
-TEST(GapKernelSlope, IntegratesToTheFallOfTheKernel) {
+// gap_kernel_slope is minus the derivative in ln x: its integral from x to 2x
+// is the decrease of the kernel. Tolerance: the two differences round at eps *
+// J, J < 40.
+TEST(GapKernelSlope, IntegratesToTheDecreaseOfTheKernel) {
   Quadrature quadrature;
   for (const double x : {1e-9, 0.02, 0.5, 0.69, 1.1, 3.0}) {
     const double fall = gap_kernel(x).at(0.42) - gap_kernel(2.0 * x).at(0.42);
@@ -99,7 +100,7 @@ TEST(GapKernelSlope, IntegratesToTheFallOfTheKernel) {
   }
 }
 
-// Claim: the slope's rate integrates to what the slope changes by, over a
+// The derivative of the slope integrates to the change of the slope over a
 // factor of two in x. Tolerance: the quadrature's.
 TEST(GapKernelSlopeRate, IntegratesToTheChangeOfTheSlope) {
   for (const double x : {1e-3, 0.1, 0.6, 1.0, 2.5}) {
@@ -118,8 +119,8 @@ TEST(GapKernelSlopeRate, IntegratesToTheChangeOfTheSlope) {
   }
 }
 
-// Claim: the slope's series is the slope. Tolerance: 26 terms of an
-// alternating series whose largest term is of order one.
+// Verifies the series of the slope. Tolerance: 26 terms of an alternating
+// series whose largest term is of order one.
 TEST(SmallPressureSeriesTest, SumsToTheSlope) {
   const SmallPressureSeries& series = small_pressure_series();
   for (const double x : {0.0, 0.1, 0.5, SmallPressureSeries::limit}) {
@@ -134,8 +135,8 @@ TEST(SmallPressureSeriesTest, SumsToTheSlope) {
   }
 }
 
-// Claim: K of (16) is 3 int_0^inf erf^2 e^{-x^2} dx/x, which the closed form
-// on 0..asinh 1 replaces. The integrand begins as x and ends at e^{-44}.
+// K of (16) is 3 int_0^inf erf^2 e^{-x^2} dx/x, which the closed form on
+// 0..asinh 1 replaces. The integrand begins as x and ends at e^{-44}.
 TEST(CubicEnergyConstant, IsTheIntegralItReplaces) {
   Quadrature quadrature;
 

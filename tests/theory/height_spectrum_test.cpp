@@ -1,5 +1,4 @@
-// Claims about theory/persson/height_spectrum.hpp: moments, nodes, cuts,
-// refusals.
+// Tests of theory/persson/height_spectrum.hpp: moments, nodes, cuts, refusals.
 #include "theory/persson/height_spectrum.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -27,7 +26,7 @@ double node_sum(const HeightSpectrum& spectrum, auto function) {
   return sum;
 }
 
-// Claim: the moments of a self-affine formula are its antiderivatives.
+// Verifies the moments of a self-affine formula against its antiderivatives.
 // Tolerance: some 50 eps for a thousand positive terms.
 TEST(FormulaSpectrum, HasTheMomentsOfItsAntiderivatives) {
   const SelfAffine shape = surface_of_the_paper();
@@ -45,9 +44,9 @@ TEST(FormulaSpectrum, HasTheMomentsOfItsAntiderivatives) {
   EXPECT_NEAR(spectrum.rms_slope(), std::sqrt(2.0 * moments.slope), 1e-15);
 }
 
-// Claim: the nodes integrate over q what they say they do, for functions as
-// varied as the theory's: a power, a logarithm, an essential singularity.
-// The other road: tanh-sinh over q with M in closed form. Tolerance: its own.
+// Verifies that the nodes integrate over q for functions as different as those
+// of the theory: a power, a logarithm, an essential singularity. Reference:
+// tanh-sinh over q with M in closed form. Tolerance: its own.
 TEST(FormulaSpectrum, NodesIntegrateSmoothFunctionsOfTheSlope) {
   const SelfAffine shape = surface_of_the_paper();
   const HeightSpectrum spectrum = shape.spectrum();
@@ -75,10 +74,10 @@ TEST(FormulaSpectrum, NodesIntegrateSmoothFunctionsOfTheSlope) {
   agree([](double m) { return std::log(m); });
 }
 
-// Claim: the steps of 1/q add up to its whole fall, over a hole in the spectrum
-// too, and the density is the formula inside q_L..q_1 and 0 outside.
-// Tolerance: rounding of some thousand positive terms.
-TEST(FormulaSpectrum, StepsOfInverseWavevectorsAddUp) {
+// The steps of 1/q sum to its total decrease, over a gap in the spectrum too,
+// and the density is the formula inside q_L..q_1 and 0 outside. Tolerance:
+// roundoff of some thousand positive terms.
+TEST(FormulaSpectrum, StepsOfInverseWavevectorsSumUp) {
   const HeightSpectrum spectrum(
       SpectrumFormula{[](double q) { return q < 2e7 || q > 5e7 ? 1e-40 : 0.0; },
                       {1e7, 2e7, 5e7, 9e7}});
@@ -95,8 +94,8 @@ TEST(FormulaSpectrum, StepsOfInverseWavevectorsAddUp) {
   EXPECT_TRUE(spectrum.shells().empty());
 }
 
-// Claim: shells have no density, and are kept in ascending order without the
-// empty ones.
+// Shells have no density; they are stored in ascending order without the empty
+// ones.
 TEST(ShellSpectrum, KeepsItsShellsAndHasNoDensity) {
   const HeightSpectrum spectrum(
       std::vector<SpectrumShell>{{3e7, 1e-18}, {2e7, 0.0}, {1e7, 2e-18}});
@@ -109,12 +108,12 @@ TEST(ShellSpectrum, KeepsItsShellsAndHasNoDensity) {
   EXPECT_EQ(spectrum.shells()[1].mean_square_height, 1e-18);
 }
 
-// Claim: for shells the nodes integrate the staircase exactly: powers of m by
-// hand, step by step. Tolerance: cancellation of 20 Legendre moments, measured
-// below 5e-15.
+// For shells the nodes integrate the staircase exactly: powers of m are summed
+// step by step. Tolerance: cancellation of 20 Legendre moments, measured below
+// 5e-15.
 TEST(ShellSpectrum, NodesIntegrateTheStaircaseItself) {
   std::vector<SpectrumShell> shells;
-  for (int i = 0; i < 300; ++i) // unordered, uneven, some without roughness
+  for (int i = 0; i < 300; ++i) // unordered, irregular, some without roughness
     shells.push_back({1e6 * (1.0 + (i * 37) % 300),
                       i % 7 == 0 ? 0.0 : 1e-18 / (1.0 + (i * 11) % 23)});
   const HeightSpectrum spectrum(shells);
@@ -150,8 +149,8 @@ TEST(ShellSpectrum, NodesIntegrateTheStaircaseItself) {
   }
 }
 
-// Claim: the roughness below and above a magnification add up to the whole,
-// for a formula and for shells alike.
+// The roughness below and above a magnification sums to the total, for a
+// formula and for shells.
 TEST(SpectrumCut, LosesNoRoughness) {
   const SelfAffine shape = surface_of_the_paper();
   const std::vector<SpectrumShell> shells = {
@@ -170,22 +169,22 @@ TEST(SpectrumCut, LosesNoRoughness) {
     }
 }
 
-// Claim: a formula that is zero up to a break begins there.
-TEST(FormulaSpectrum, MayBeginEmpty) {
+// A formula that is zero up to a break begins there.
+TEST(FormulaSpectrum, MayBeginWithoutRoughness) {
   const auto step = [](double q) { return q < 2.0 ? 0.0 : 1.0; };
 
   const HeightSpectrum spectrum(SpectrumFormula{step, {1.0, 2.0, 3.0}});
 
   EXPECT_EQ(spectrum.wavevector_low(), 2.0);
-  // int_2^3 q^2 C dq by its antiderivative, and again through the nodes.
+  // int_2^3 q^2 C dq by its antiderivative, and by the nodes.
   EXPECT_NEAR(spectrum.full_contact_moment(), 19.0 / 3.0, 1e-13);
   EXPECT_NEAR(node_sum(spectrum, [](double m) { return m; }), 19.0 / 3.0,
               1e-13);
 }
 
-// Claim: a table joined by straight lines in ln q, ln C, with a break at each
-// of its rows, is the power law it was taken from. Tolerance: rounding of a
-// thousand panels.
+// A table that is interpolated linearly in ln q and ln C, with a break at each
+// of its rows, reproduces the power law that it samples. Tolerance: roundoff of
+// a thousand panels.
 TEST(FormulaSpectrum, MayBeATableOfManyRows) {
   const SelfAffine shape{0.7, 1e6, 1e6, 1e8, 1e-30};
   const int n_rows = 500;

@@ -1,6 +1,6 @@
-// Claims about hertz_displacement_field() of theory/exact/hertz_stress.hpp: by
-// Hooke's law it is the displacement of that stress, on the face it is Hertz's,
-// far away Boussinesq's.
+// Tests of hertz_displacement_field() of theory/exact/hertz_stress.hpp: Hooke's
+// law gives the stress field, the surface displacement is Hertz's, and the far
+// field is Boussinesq's.
 #include "theory/exact/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ AxisymmetricStress stress_of_strain(double r, double z, double poisson) {
           all + 2.0 * mu * axial, mu * shear};
 }
 
-// Claim: the strain of this displacement has the stress of Huber. Tolerance:
-// central differences over h = 1e-4 a, h^2 of third derivatives of some 100
-// scale/a^3, times lambda = 8.2 E* (1 - nu)/2 at nu = 0.45.
+// The strain of this displacement has the stress of Huber. Tolerance: central
+// differences over h = 1e-4 a, h^2 of third derivatives of some 100 scale/a^3,
+// times lambda = 8.2 E* (1 - nu)/2 at nu = 0.45.
 TEST(HertzDisplacement, HasHubersStress) {
   for (const double poisson : {-0.3, 0.0, 0.3, 0.45})
     for (const double r : {0.02 * a, 0.3 * a, 0.9 * a, 1.2 * a, 3.0 * a})
@@ -60,9 +60,9 @@ TEST(HertzDisplacement, HasHubersStress) {
       }
 }
 
-// Claim: an incompressible body keeps its volume, the limit in which Hooke's
-// law has no lambda. Tolerance: as above without it.
-TEST(HertzDisplacement, KeepsTheVolumeOfAnIncompressibleBody) {
+// The displacement of an incompressible body has no divergence, the limit in
+// which Hooke's law has no lambda. Tolerance: as above without lambda.
+TEST(HertzDisplacement, ConservesTheVolumeOfAnIncompressibleBody) {
   const double h = 1e-4 * a;
   for (const double r : {0.3 * a, 1.2 * a})
     for (const double z : {0.2 * a, 1.0 * a}) {
@@ -78,12 +78,12 @@ TEST(HertzDisplacement, KeepsTheVolumeOfAnIncompressibleBody) {
     }
 }
 
-// Claim: on the face u_z is Hertz's displacement whatever nu, and u_r, towards
-// the axis, is that of a uniform radial strain's sum of the pressure within r,
-// -(1 - 2 nu)/(4 pi mu) F(r)/r with F(r) = (2/3) pi a^2 p_0 [1 - (1 -
-// r^2/a^2)^{3/2}]. Tolerance: rounding, which r^2/a^2 multiplies where
-// hertz_displacement() subtracts, and a/r where 1 - (1 - r^2/a^2)^{3/2} does.
-TEST(HertzDisplacement, IsHertzsOnTheFace) {
+// At the surface u_z is Hertz's displacement for any nu, and u_r, towards the
+// axis, follows from the load within r: -(1 - 2 nu)/(4 pi mu) F(r)/r with F(r)
+// = (2/3) pi a^2 p_0 [1 - (1 - r^2/a^2)^{3/2}]. Tolerance: roundoff, amplified
+// by r^2/a^2 where hertz_displacement() subtracts, and by a/r where 1 - (1 -
+// r^2/a^2)^{3/2} does.
+TEST(HertzDisplacement, IsHertzsAtTheSurface) {
   for (const double poisson : {0.0, 0.3, 0.5})
     for (const double ratio : {0.0, 1e-3, 0.5, 0.99, 1.0, 1.01, 4.0, 500.0}) {
       const double r = ratio * a;
@@ -104,9 +104,9 @@ TEST(HertzDisplacement, IsHertzsOnTheFace) {
     }
 }
 
-// Claim: far away the load is a point, with Boussinesq's displacement.
-// Tolerance: the pressure's second moment, 2 a^2/5, with a curvature of a few
-// 1/rho^2: (a/rho)^2 of it.
+// Far away the displacement is Boussinesq's of a point load. Tolerance: the
+// second moment of the pressure, 2 a^2/5, with a curvature of a few 1/rho^2:
+// (a/rho)^2 of it.
 TEST(HertzDisplacement, IsBoussinesqsFarAway) {
   for (const double poisson : {0.0, 0.3, 0.5})
     for (const double distance : {1e3, 1e6})
@@ -131,7 +131,7 @@ TEST(HertzDisplacement, IsBoussinesqsFarAway) {
       }
 }
 
-TEST(HertzDisplacement, RefusesWhatIsNoPlaceAndNoBody) {
+TEST(HertzDisplacement, RefusesInvalidPositionsAndBodies) {
   EXPECT_THROW(hertz_displacement_field(contact, -1e-6, 0.0, 0.3),
                std::domain_error);
   EXPECT_THROW(hertz_displacement_field(contact, 0.0, 0.0, 0.6),

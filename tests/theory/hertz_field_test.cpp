@@ -1,5 +1,6 @@
-// Claims about theory/exact/hertz_stress.hpp: the stress is in balance, bears
-// the contact's pressure, and is what the axis is known to have.
+// Tests of theory/exact/hertz_stress.hpp: the stress is in balance, its
+// boundary values are the contact pressure, and it has the known values on the
+// axis.
 #include "theory/exact/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -15,9 +16,9 @@ const HertzContact contact = hertz_contact(2.0, 5e-3, 70e9);
 const double a = contact.contact_radius;
 const double peak = contact.peak_pressure;
 
-// Claim: d sigma_r/dr + d tau/dz + (sigma_r - sigma_theta)/r = 0 and
-// d tau/dr + d sigma_z/dz + tau/r = 0. Tolerance: central differences over
-// h = 1e-4 a, h^2 of a third derivative of some 100 p_0/a^3.
+// Verifies d sigma_r/dr + d tau/dz + (sigma_r - sigma_theta)/r = 0 and d tau/dr
+// + d sigma_z/dz + tau/r = 0. Tolerance: central differences over h = 1e-4 a,
+// h^2 of a third derivative of some 100 p_0/a^3.
 TEST(HertzStress, IsInBalance) {
   const double h = 1e-4 * a;
   const double nu = 0.3;
@@ -39,10 +40,10 @@ TEST(HertzStress, IsInBalance) {
     }
 }
 
-// Claim: the face bears the pressure and no shear; outside, where nothing
-// presses, sigma_r = -sigma_theta = (1 - 2 nu)/3 p_0 a^2/r^2, the tension that
-// cracks glass. Tolerance: rounding.
-TEST(HertzStress, MeetsTheFace) {
+// At the surface the normal stress is the pressure and the shear is zero;
+// outside the contact sigma_r = -sigma_theta = (1 - 2 nu)/3 p_0 a^2/r^2, the
+// tension that cracks glass. Tolerance: roundoff.
+TEST(HertzStress, SatisfiesTheSurfaceConditions) {
   for (const double r : {0.01, 0.5, 0.99, 1.0, 1.5, 4.0}) {
     const AxisymmetricStress face = hertz_stress(contact, r * a, 0.0, 0.25);
 
@@ -57,9 +58,9 @@ TEST(HertzStress, MeetsTheFace) {
   }
 }
 
-// Claim: on the axis it is hertz_axis_stress, which has another formula, near
-// and far; nothing is lost close to it. Tolerance: rounding; the field is even
-// in r, so (r/a)^2 of a curvature of some units adds nothing.
+// On the axis the field is hertz_axis_stress, which has another formula, at any
+// depth. Tolerance: roundoff; the field is even in r, so that (r/a)^2 of a
+// curvature of some units adds nothing.
 TEST(HertzStress, IsThatOfTheAxis) {
   for (const double nu : {-1.0, 0.0, 0.3, 0.5})
     for (const double z : {0.0, 0.05 * a, 0.48 * a, 3.0 * a, 5e4 * a})
@@ -74,7 +75,7 @@ TEST(HertzStress, IsThatOfTheAxis) {
       }
 }
 
-// Claim: towards the axis it tends to hertz_axis_stress. Tolerance: the field
+// Towards the axis the field tends to hertz_axis_stress. Tolerance: the field
 // is even in r, so (r/a)^2 of a curvature of some units.
 TEST(HertzStress, TendsToTheAxis) {
   for (const double nu : {0.0, 0.3, 0.5})
@@ -88,8 +89,8 @@ TEST(HertzStress, TendsToTheAxis) {
     }
 }
 
-// Claim: each plane z = const carries the whole load: int -sigma_z 2 pi r dr =
-// F. Tolerance: the midpoint rule in ln r, and the tail 3 F z^3/(2 pi r^5).
+// Each plane z = const carries the entire load: int -sigma_z 2 pi r dr = F.
+// Tolerance: the midpoint rule in ln r, and the tail 3 F z^3/(2 pi r^5).
 TEST(HertzStress, CarriesTheLoadAtEveryDepth) {
   for (const double z : {0.2 * a, 1.0 * a}) {
     double load = 0.0;
@@ -106,7 +107,7 @@ TEST(HertzStress, CarriesTheLoadAtEveryDepth) {
   }
 }
 
-TEST(HertzStress, RefusesWhatIsNoPlaceAndNoBody) {
+TEST(HertzStress, RefusesInvalidPositionsAndBodies) {
   EXPECT_THROW(hertz_stress(contact, -1e-6, 0.0, 0.3), std::domain_error);
   EXPECT_THROW(hertz_stress(contact, 0.0, -1e-6, 0.3), std::domain_error);
   EXPECT_THROW(hertz_stress(contact, 0.0, 0.0, 0.6), std::domain_error);

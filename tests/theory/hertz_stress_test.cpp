@@ -1,5 +1,6 @@
-// Claims about hertz_axis_stress() of theory/exact/hertz.hpp: it is what
-// Boussinesq's point loads add up to, and where the largest shear lies.
+// Tests of hertz_axis_stress() of theory/exact/hertz.hpp: it is the integral of
+// Boussinesq's point loads, and the largest shear has the known value and
+// depth.
 #include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -14,10 +15,13 @@ namespace {
 
 const HertzContact contact = hertz_contact(2.0, 5e-3, 70e9);
 
-// Claim: with rho^2 = r^2 + z^2, point loads p 2 pi r dr give on the axis
+// With rho^2 = r^2 + z^2, point loads p 2 pi r dr give on the axis
+//
 //   sigma_z = -int 3 z^3 p/rho^5 r dr,
 //   sigma_r = int p [(1 - 2 nu) z/rho^3 - 3 z r^2/rho^5]/2 r dr.
-// Tolerance: the quadrature's, next to the surface its pole at depth z.
+//
+// Tolerance: the quadrature's, whose integrand near the surface has a pole at
+// depth z.
 TEST(HertzAxisStress, IsTheSumOfBoussinesqsPointLoads) {
   const double a = contact.contact_radius;
   for (const double poisson : {0.0, 0.3, 0.5})
@@ -47,8 +51,9 @@ TEST(HertzAxisStress, IsTheSumOfBoussinesqsPointLoads) {
     }
 }
 
-// Claim: the largest shear is 0.310 p_0, 0.48 a deep, at nu = 0.3 (Johnson's
-// printed digits), and the surface is under -p_0 and -(1/2 + nu) p_0.
+// The largest shear is 0.310 p_0 at a depth of 0.48 a for nu = 0.3 (Johnson's
+// printed digits), and the stresses at the surface are -p_0 and -(1/2 + nu)
+// p_0.
 TEST(HertzAxisStress, HasItsLargestShearBelowTheSurface) {
   const double a = contact.contact_radius, peak = contact.peak_pressure;
   const auto deepest = boost::math::tools::brent_find_minima(

@@ -1,5 +1,5 @@
-// Claims about theory/exact/hertz.hpp: the closed forms against elasticity
-// itself, and the square array against plain lattice sums.
+// Tests of theory/exact/hertz.hpp: the closed forms against elasticity itself,
+// and the square array against lattice sums.
 #include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -23,7 +23,7 @@ const HertzContact contact = hertz_contact(2.0, 0.01, 3.0e9);
 
 using Quadrature = boost::math::quadrature::tanh_sinh<double>;
 
-// Claim: the pressure carries the load, and a^3 = 3 F R/(4 E*) is one with
+// The pressure carries the load, and a^3 = 3 F R/(4 E*) is consistent with
 // hertz_load. Tolerance: the quadrature's.
 TEST(Hertz, PressureCarriesTheLoad) {
   Quadrature quadrature;
@@ -39,8 +39,10 @@ TEST(Hertz, PressureCarriesTheLoad) {
               1.0, 1e-15);
 }
 
-// Claim: the displacement at any r is Boussinesq's of the pressure,
+// The displacement at any r is Boussinesq's for the pressure,
+//
 //   u(r) = (4/(pi E*)) int p(s) K(2 sqrt(r s)/(r + s)) s ds/(r + s).
+//
 // Tolerance: tanh-sinh on the logarithm at s = r, 1e-9.
 TEST(Hertz, DisplacementIsThatOfThePressure) {
   Quadrature quadrature;
@@ -65,9 +67,10 @@ TEST(Hertz, DisplacementIsThatOfThePressure) {
   }
 }
 
-// Claim: inside, the face follows the sphere (u = delta - r^2/2R), outside the
-// gap opens smoothly from 0 as (r - a)^{3/2}; the centre gives the approach.
-TEST(Hertz, FaceFollowsTheSphereAndLeavesItSmoothly) {
+// Inside the contact the surface follows the sphere (u = delta - r^2/2R),
+// outside the gap grows smoothly from 0 as (r - a)^{3/2}; the displacement of
+// the centre is the approach.
+TEST(Hertz, SurfaceFollowsTheSphereAndSeparatesSmoothly) {
   const double a = contact.contact_radius;
   for (const double r : {0.0, 0.5 * a, 0.999 * a})
     EXPECT_NEAR(
@@ -81,8 +84,8 @@ TEST(Hertz, FaceFollowsTheSphereAndLeavesItSmoothly) {
   EXPECT_NEAR(opening(4e-4) / opening(1e-4), 8.0, 0.01); // 4^{3/2}
 }
 
-// Claim: the energy is the work of the load, dU = F d(delta), and 2F/3 delta
-// would be wrong. Route: quadrature of F over delta.
+// The energy is the work of the load, dU = F d(delta), and 2F/3 delta would be
+// wrong. Reference: quadrature of F over delta.
 TEST(Hertz, EnergyIsTheWorkOfTheLoad) {
   Quadrature quadrature;
 
@@ -106,10 +109,10 @@ double square_sum(int reach) {
   return sum - 8.0 * (reach + 0.5) * std::asinh(1.0);
 }
 
-// Claim: the constant is the plain lattice sum's limit. The sum over squares
-// of half side M misses powers M^-1, M^-3, ...: four sizes remove three.
+// The constant is the limit of the lattice sum. The sum over squares of half
+// side M has errors of powers M^-1, M^-3, ...: four sizes remove three.
 // Tolerance: M^-7 at M = 20.
-TEST(SquareArray, ConstantIsThePlainLatticeSum) {
+TEST(SquareArray, ConstantIsTheLatticeSum) {
   std::array<double, 4> limit{}, side{};
   for (std::size_t k = 0; k < limit.size(); ++k) {
     const int reach = 20 << k;
@@ -129,9 +132,9 @@ TEST(SquareArray, ConstantIsThePlainLatticeSum) {
   EXPECT_NEAR(square_array_constant(), 3.9002649200019564, 1e-14);
 }
 
-// u(0) of a periodic array of Hertz pressures without the uniform part:
-// sum over q of 2/(E* q) p(q), p(q) = 3 F (sin qa - qa cos qa)/(qa)^3 / L^2,
-// tapered where only the oscillation at r = a is left.
+// u(0) of a periodic array of Hertz pressures without the uniform part: sum
+// over q of 2/(E* q) p(q), p(q) = 3 F (sin qa - qa cos qa)/(qa)^3 / L^2,
+// tapered where only the oscillation from the edge r = a remains.
 double periodic_displacement(double contact_radius) { // F = E* = L = 1
   const int reach = static_cast<int>(60.0 / contact_radius);
   double sum = 0.0;
@@ -150,11 +153,11 @@ double periodic_displacement(double contact_radius) { // F = E* = L = 1
   return sum;
 }
 
-// Claim: square_array_approach is what the neighbours take off, up to the
-// (a/L)^2 of it from the load's spread: -(1/4)(2/5) sum' n^-3 (a/L)^2, with
-// the lattice sum T. Tolerance: the next order,
-// (a/L)^4, and what the taper leaves of 1/(qa)^2.
-TEST(SquareArray, ApproachIsWhatTheNeighboursTakeOff) {
+// square_array_approach is the reduction by the neighbours, up to a relative
+// (a/L)^2 because their load is distributed: -(1/4)(2/5) sum' n^-3 (a/L)^2,
+// with the lattice sum T. Tolerance: the next order, (a/L)^4, and what the
+// taper leaves of 1/(qa)^2.
+TEST(SquareArray, ApproachIsReducedByTheNeighbours) {
   for (const double radius : {0.05, 0.1}) {
     const double isolated = 0.75 / radius; // a^2/R with R = 4 E* a^3/(3 F)
 
@@ -167,9 +170,9 @@ TEST(SquareArray, ApproachIsWhatTheNeighboursTakeOff) {
   }
 }
 
-// Claim: T is the plain lattice sum; outside a square of half side M it is
-// int r^-3 = 4 sqrt2/M, the next order M^-3.
-TEST(SquareArray, CurvatureConstantIsThePlainLatticeSum) {
+// T is the lattice sum; outside a square of half side M it is int r^-3 = 4
+// sqrt2/M, the next order M^-3.
+TEST(SquareArray, CurvatureConstantIsTheLatticeSum) {
   const int reach = 200;
   double sum = 0.0;
   for (int i = 0; i <= reach; ++i)
@@ -180,12 +183,12 @@ TEST(SquareArray, CurvatureConstantIsThePlainLatticeSum) {
   EXPECT_NEAR(square_array_curvature_constant(), sum + rest, 1e-6);
 }
 
-// Claim: approach and contact area of spheres that crowd each other, against a
-// numerical solution. Tolerance of the approach: the next order, measured as
-// 1.1 (a/L)^5 of it from a/L = 0.1 to 0.3, and the 1e-5 by which 128 and 256
-// points differ. (Without the bend it would be off by 1 to 6 per cent at the
-// two larger.) Area: counted, 0.1 perimeter times spacing, doubled.
-TEST(SquareArray, CrowdedSpheresAgreeWithANumericalSolution) {
+// Verifies approach and contact area of close spheres against a numerical
+// solution. Tolerance of the approach: the next order, measured as a relative
+// 1.1 (a/L)^5 from a/L = 0.1 to 0.3, and the 1e-5 by which 128 and 256 points
+// differ. (Without the curvature term it would be wrong by 1 to 6 per cent at
+// the two larger radii.) Area: counted, 0.1 perimeter times spacing, doubled.
+TEST(SquareArray, CloseSpheresAgreeWithANumericalSolution) {
   const int points = 128;
   const Grid grid{points, points, 1.0, 1.0};
   const double sphere_radius = 2.0;

@@ -1,5 +1,5 @@
-// Claims about theory/persson/highest_peak.hpp: it is how high random fields
-// reach, and grows as extreme values do.
+// Tests of theory/persson/highest_peak.hpp against random fields, and in the
+// limit of extreme-value theory.
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "theory/persson/highest_peak.hpp"
@@ -16,7 +16,7 @@ namespace asperity::theory {
 namespace {
 
 constexpr double side = 104e-9;
-// Roughness begins at the longest wave of the cell.
+// The roughness begins at the longest wave of the cell.
 const SelfAffine surface{.low = 2.0 * std::numbers::pi / side};
 const ProfileMoments moments =
     surface.with_rms_height(1e-9).spectrum().profile_moments();
@@ -36,7 +36,7 @@ mechanics::SurfaceSpec spec_of(double length, int points) {
 }
 
 // Euler's characteristic of the nodes above a height, with the edges and faces
-// of the periodic grid between them: patches less holes.
+// of the periodic grid between them: patches minus holes.
 int patches_less_holes(const surfaces::HeightMap& map, double height) {
   const int n = map.grid.points_x;
   const auto above = [&](int ix, int iy) {
@@ -54,8 +54,8 @@ int patches_less_holes(const surfaces::HeightMap& map, double height) {
   return count;
 }
 
-// Claim: n(x) is the mean of what can be counted on random surfaces.
-// Tolerance: three standard errors, the grid's corners 5 %.
+// n(x) is the mean of the counts on random surfaces. Tolerance: three standard
+// errors, and 5 % for the corners of the grid.
 TEST(PeaksAbove, ArePatchesLessHolesOfRandomSurfaces) {
   const int n = 64;
   const mechanics::SurfaceSpec spec = spec_of(side, 128);
@@ -77,9 +77,9 @@ TEST(PeaksAbove, ArePatchesLessHolesOfRandomSurfaces) {
   }
 }
 
-// Claim: the mean over random surfaces, of three and six roll-off lengths a
-// side. Tolerance: three standard errors of the sample; the grid's ten nodes in
-// the shortest wave miss less than 1 % of a peak.
+// Verifies the mean over random surfaces of three and six roll-off lengths per
+// side. Tolerance: three standard errors of the sample; with ten nodes in the
+// shortest wave the grid misses less than 1 % of a peak.
 TEST(ExpectedHighest, IsThatOfRandomSurfaces) {
   for (const int sides : {1, 2}) {
     const int n = sides == 1 ? 128 : 32;
@@ -103,9 +103,9 @@ TEST(ExpectedHighest, IsThatOfRandomSurfaces) {
   }
 }
 
-// Claim: for a vast area it is Gumbel's: about the height x of which one peak
-// is expected, plus Euler's gamma over the fall of ln n there, x - 1/x.
-// Tolerance: the curvature of ln n, -1 - 1/x^2, over that fall cubed, with
+// For a very large area it is Gumbel's: the height x above which one peak is
+// expected, plus Euler's gamma over the decrease of ln n there, x - 1/x.
+// Tolerance: the curvature of ln n, -1 - 1/x^2, over that decrease cubed, with
 // gamma^2 + pi^2/6 = 2 for the mean square.
 TEST(ExpectedHighest, TendsToGumbels) {
   const double area = 1e12 * moments.height / moments.slope;
@@ -120,7 +120,7 @@ TEST(ExpectedHighest, TendsToGumbels) {
               1.1 * std::pow(fall, -3.0));
 }
 
-// Claim: only m_0/m_2 and the area count, and a larger surface is higher.
+// Only m_0/m_2 and the area matter, and the peak of a larger surface is higher.
 TEST(ExpectedHighest, GrowsWithTheSide) {
   const double here = expected_highest(moments, side * side);
 

@@ -1,5 +1,5 @@
-// Claims about theory/persson/leakage.hpp: the pore is where the area is
-// critical, the flow is Poiseuille's, and a tight seal does not leak.
+// Tests of theory/persson/leakage.hpp: the critical constriction is where the
+// area percolates, the flow is Poiseuille's, and a tight seal does not leak.
 #include "theory/persson/leakage.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,9 @@ MagnifiedContact seal(const HeightSpectrum& spectrum, double load) {
                           reference);
 }
 
-// Claim: at zeta* the seen moment is that of the critical area, by the closed
-// antiderivative; the flow is rho u_1^3 Dp/(12 eta). Tolerance: the root's.
+// At zeta* the resolved moment is that of the critical area, by the closed
+// antiderivative; the flow is rho u_1^3 Dp/(12 eta). Tolerance: that of the
+// root finder.
 TEST(Leakage, PoreIsWhereTheAreaIsCritical) {
   const SelfAffine shape = rough_steel();
   const MagnifiedContact contact = seal(shape.spectrum(), 0.3e6);
@@ -46,9 +47,9 @@ TEST(Leakage, PoreIsWhereTheAreaIsCritical) {
               1.0, 1e-14);
 }
 
-// Claim: a seal that is pressed harder opens later, in a narrower pore, and
-// at last not at all.
-TEST(Leakage, FallsWithTheLoadAndEnds) {
+// Under a larger load the critical constriction is at a larger magnification
+// and narrower, and finally there is none.
+TEST(Leakage, DecreasesWithTheLoadToZero) {
   Leak last = leakage(seal(rough_steel().spectrum(), 0.1e6), water, 1e5);
   for (const double load : {0.2e6, 0.4e6, 0.8e6}) {
     const Leak leak = leakage(seal(rough_steel().spectrum(), load), water, 1e5);
@@ -61,8 +62,9 @@ TEST(Leakage, FallsWithTheLoadAndEnds) {
       leakage(seal(rough_steel().spectrum(), 50e6), water, 1e5).percolates);
 }
 
-// Claim: a formula chopped into fine shells leaks alike. Tolerance: the steps
-// are 2 % in q; u_1 is a mean over one, first order at its upper end.
+// A formula that is divided into fine shells gives the same leakage. Tolerance:
+// the steps are 2 % in q; u_1 is a mean over one step, of first order at its
+// upper end.
 TEST(Leakage, OfFineShellsIsThatOfTheFormula) {
   const SelfAffine shape = rough_steel();
   std::vector<SpectrumShell> shells;
@@ -81,8 +83,8 @@ TEST(Leakage, OfFineShellsIsThatOfTheFormula) {
   EXPECT_NEAR(steps.pore_gap / smooth.pore_gap, 1.0, 0.05);
 }
 
-// Claim: a fluid whose viscosity is not set has none that could be used by
-// mistake, so it is refused like a viscosity of zero.
+// A fluid whose viscosity is not set has no value that could be used by
+// mistake; it is refused like a viscosity of zero.
 TEST(Leakage, RefusesWhatIsOutsideItsRange) {
   const MagnifiedContact contact = seal(rough_steel().spectrum(), 0.3e6);
   EXPECT_THROW(leakage(contact, {1e3, 0.0}, 1e5), std::domain_error);

@@ -1,6 +1,6 @@
-// Claims about theory/persson/magnification.hpp: what is hidden is the same
-// theory again, volume is conserved when the surfaces open, and what is
-// refused.
+// Tests of theory/persson/magnification.hpp: the unresolved roughness obeys the
+// same theory, volume is conserved as the surfaces separate, and invalid
+// arguments are refused.
 #include "theory/persson/magnification.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The paper's Fig. 15: 1.3 GPa, magnifications counted from the roll-off.
+// The paper's Fig. 15: 1.3 GPa, magnifications relative to the roll-off.
 constexpr double pressure = 1.3e9;
 
 MagnifiedContact surface_under(double nominal_pressure) {
@@ -28,8 +28,8 @@ MagnifiedContact surface_under(double nominal_pressure) {
       nominal_pressure, shape.roll_off);
 }
 
-// Claim: A and h_rms by the closed moments of the self-affine formula.
-// Tolerance: rounding of some thousand positive terms.
+// Verifies A and h_rms by the closed moments of the self-affine formula.
+// Tolerance: roundoff of some thousand positive terms.
 TEST(Magnification, AreaAndHeightAreMomentsAboveAndBelow) {
   const SelfAffine shape = surface_of_the_paper();
   const MagnifiedContact contact = surface_under(pressure);
@@ -50,9 +50,9 @@ TEST(Magnification, AreaAndHeightAreMomentsAboveAndBelow) {
   }
 }
 
-// Claim: outside zeta_0..zeta_1 there is nothing more to see: at zeta_0 the
-// whole contact of (4) and (14), from zeta_1 on no gap. q_ref shifts zeta_0.
-TEST(Magnification, EndsAreTheWholeContactAndNoGap) {
+// Outside zeta_0..zeta_1 nothing changes: at zeta_0 there is the complete
+// contact of (4) and (14), from zeta_1 on no gap. q_ref shifts zeta_0.
+TEST(Magnification, EndsAreCompleteContactAndNoGap) {
   const MagnifiedContact contact = surface_under(pressure);
   const double lowest = contact.lowest_magnification();
   const double highest = contact.highest_magnification();
@@ -77,8 +77,8 @@ TEST(Magnification, EndsAreTheWholeContactAndNoGap) {
   }
 }
 
-// Claim: (23) as an integral over wavevectors, with w(q, zeta) inside and
-// either w outside. Tolerance: tanh-sinh's and q - q_L's lost digits.
+// Verifies (23) as an integral over wavevectors, with w(q, zeta) inside and
+// either w outside. Tolerance: tanh-sinh's and the lost digits of q - q_L.
 TEST(Magnification, GapIsThePapersIntegralInEitherReading) {
   const SelfAffine shape = surface_of_the_paper();
   const MagnifiedContact contact = surface_under(pressure);
@@ -109,9 +109,9 @@ TEST(Magnification, GapIsThePapersIntegralInEitherReading) {
   EXPECT_LT(contact.mean_gap_as_printed(zeta), contact.mean_gap(zeta));
 }
 
-// Claim: (25) is the limit of its own finite step, to second order in the
-// step: halving it quarters the distance.
-TEST(Magnification, OpeningGapIsTheLimitOfASmallStep) {
+// (25) is the limit of its own finite step, to second order in the step:
+// halving it reduces the difference to a quarter.
+TEST(Magnification, SeparationGapIsTheLimitOfASmallStep) {
   const MagnifiedContact contact = surface_under(pressure);
   for (const double zeta : {0.5, 0.8, 1.5, 3.0}) {
     const double limit = contact.opening_gap(zeta);
@@ -129,9 +129,9 @@ TEST(Magnification, OpeningGapIsTheLimitOfASmallStep) {
   }
 }
 
-// Claim: all that opens between zeta_0 and zeta_1 is 1 - A(zeta_1) of area and
-// u(zeta_0) of volume, the two moments of P_u. Tolerance: the quadrature's.
-TEST(Magnification, OpeningRatesAddUpToAreaAndMeanGap) {
+// The total that separates between zeta_0 and zeta_1 is 1 - A(zeta_1) of area
+// and u(zeta_0) of volume, the two moments of P_u. Tolerance: the quadrature's.
+TEST(Magnification, SeparationRatesSumToAreaAndMeanGap) {
   for (const double load : {0.1e9, pressure}) {
     const MagnifiedContact contact = surface_under(load);
     boost::math::quadrature::tanh_sinh<double> quadrature(8);
@@ -154,9 +154,9 @@ TEST(Magnification, OpeningRatesAddUpToAreaAndMeanGap) {
   }
 }
 
-// Claim: with a single shell seen or not, all opens in one step, at the mean
-// gap over the area that opens; (25) itself has no meaning there.
-TEST(Magnification, ShellsOpenInSteps) {
+// With a single shell the whole area separates in one step, at the mean gap
+// divided by that area; (25) itself has no meaning there.
+TEST(Magnification, ShellsSeparateInSteps) {
   const PerssonContact rough(
       HeightSpectrum(std::vector<SpectrumShell>{{1e7, 1e-17}, {4e7, 1e-18}}),
       2e9, 0.4);
@@ -173,9 +173,9 @@ TEST(Magnification, ShellsOpenInSteps) {
   EXPECT_THROW(contact.opening_gap(1.5, 2.5), std::domain_error);
 }
 
-// Claim: the inverse of A(zeta); no value when the area stays larger.
-// Tolerance: rounding of A over dA/dln zeta, and of q - q_L.
-TEST(Magnification, OfAnAreaUndoesTheArea) {
+// Verifies the inverse of A(zeta), which has no value when the area stays
+// larger. Tolerance: roundoff of A over dA/dln zeta, and of q - q_L.
+TEST(Magnification, OfAnAreaInvertsTheArea) {
   const MagnifiedContact contact = surface_under(pressure);
   for (const double zeta : {0.35, 1.0, 3.99}) {
     const auto found =
@@ -187,8 +187,8 @@ TEST(Magnification, OfAnAreaUndoesTheArea) {
   EXPECT_FALSE(contact.magnification_of_area(0.01).has_value());
 }
 
-// Claim: the polymer surrogate of Sec. 8 at 10 MPa and E* = 2 GPa, worked out
-// in another program. Tolerance: half a unit of the last printed digit.
+// Verifies the polymer surrogate of Sec. 8 at 10 MPa and E* = 2 GPa, computed
+// by another program. Tolerance: half a unit of the last printed digit.
 TEST(Magnification, PolymerSurrogateHasItsPrintedNumbers) {
   const double reference = 2.0 * pi / 10e-6;
   const SelfAffine polymer =

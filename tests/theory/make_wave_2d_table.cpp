@@ -3,8 +3,8 @@
 //
 //     make_wave_2d_table > theory/exact/wave_2d_table.cpp
 //
-// With the argument "check" it solves between the rows instead and prints how
-// far Wave2dContact is from that.
+// With the argument "check" it solves between the rows instead and prints the
+// difference of Wave2dContact from these solutions.
 #include "theory/exact/wave_2d.hpp"
 #include "theory/exact/wave_2d_table.hpp"
 
@@ -28,8 +28,8 @@ std::vector<Wave2dSolution> limits(const std::vector<double>& pressures) {
   return means;
 }
 
-// Even steps of (p/p*)^{2/3}, and finer ones where neighbouring spots of
-// contact merge and the area has a steep, singular slope.
+// Equal steps of (p/p*)^{2/3}, and finer ones where neighbouring contact spots
+// merge and the area has a steep, singular slope.
 std::vector<double> loads_of_rows() {
   std::vector<double> loads;
   for (int k = 1; k < 40; ++k)

@@ -1,4 +1,4 @@
-// What a curve of Persson's theory costs.
+// The computing time of a curve of Persson's theory.
 #include "theory/persson/persson.hpp"
 
 #include <benchmark/benchmark.h>

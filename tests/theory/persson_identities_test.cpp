@@ -1,5 +1,5 @@
-// Exact identities of Persson's theory, for spectra, loads and gammas drawn at
-// random: each ties one formula of the theory to another.
+// Exact identities of Persson's theory, for random spectra, loads and gammas:
+// each relates one formula of the theory to another.
 #include "theory/persson/persson.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -48,7 +48,7 @@ double relative(double found, double expected) {
   return std::abs(found / expected - 1.0);
 }
 
-// Claim: (14) as the paper writes it, an integral over q with w(q) in closed
+// Verifies (14) as the paper writes it, an integral over q with w(q) in closed
 // form. Tolerance: tanh-sinh's own, 1e-12.
 RC_GTEST_PROP(PerssonIdentity, GapIsThePapersIntegralOverWavevectors, ()) {
   const SelfAffine shape = any_shape();
@@ -79,8 +79,8 @@ RC_GTEST_PROP(PerssonIdentity, GapIsThePapersIntegralOverWavevectors, ()) {
   RC_ASSERT(relative(contact.mean_gap(pressure), gap) < 1e-12);
 }
 
-// Claim: (6), the work of the load is the elastic energy:
-// int_u^inf p du' = int_0^p D dp' = U_el(p)/A_0. Tolerance: the quadrature's.
+// Verifies (6), the work of the load is the elastic energy: int_u^inf p du' =
+// int_0^p D dp' = U_el(p)/A_0. Tolerance: the quadrature's.
 RC_GTEST_PROP(PerssonIdentity, WorkOfTheLoadIsTheElasticEnergy, ()) {
   const PerssonContact contact = any_contact(any_shape());
   const double pressure = any_pressure(contact);
@@ -93,8 +93,9 @@ RC_GTEST_PROP(PerssonIdentity, WorkOfTheLoadIsTheElasticEnergy, ()) {
   RC_ASSERT(relative(contact.elastic_energy(pressure), work) < 1e-12);
 }
 
-// Claim: D is the derivative of (14): int D dln p' over a factor of two is the
-// gap's fall. Tolerance: rounding of the difference, eps u/D, with u/D < 20.
+// D is the derivative of (14): int D dln p' over a factor of two is the
+// decrease of the gap. Tolerance: roundoff of the difference, eps u/D, with u/D
+// < 20.
 RC_GTEST_PROP(PerssonIdentity, SlopeIntegratesToTheFallOfTheGap, ()) {
   const PerssonContact contact = any_contact(any_shape());
   const double pressure = any_pressure(contact);
@@ -112,9 +113,9 @@ RC_GTEST_PROP(PerssonIdentity, SlopeIntegratesToTheFallOfTheGap, ()) {
                      pressure) < 1e-15);
 }
 
-// Claim: p(u) undoes u(p) over the whole range of doubles, near full contact
-// and at separations where only the asymptote is left. Tolerance: p carries
-// the error of u times u/D, and u rounds to some 1e-14.
+// p(u) inverts u(p) over the whole range of doubles, near full contact and at
+// separations where only the asymptote remains. Tolerance: p carries the error
+// of u times u/D, and u rounds to some 1e-14.
 RC_GTEST_PROP(PerssonIdentity, PressureOfTheGapUndoesTheGap, ()) {
   const PerssonContact contact = any_contact(any_shape());
   const double gap =
@@ -127,7 +128,7 @@ RC_GTEST_PROP(PerssonIdentity, PressureOfTheGapUndoesTheGap, ()) {
   RC_ASSERT(relative(contact.mean_gap(pressure), gap) < 3e-14 * condition);
 }
 
-// Claim: full contact's energy is E* (pi/2) int q^2 C dq, in closed form.
+// The energy of full contact is E* (pi/2) int q^2 C dq, in closed form.
 RC_GTEST_PROP(PerssonIdentity, EnergySaturatesInFullContact, ()) {
   const SelfAffine shape = any_shape();
   const PerssonContact contact = any_contact(shape);
@@ -141,9 +142,9 @@ RC_GTEST_PROP(PerssonIdentity, EnergySaturatesInFullContact, ()) {
   RC_ASSERT(contact.mean_gap(crushing) == 0.0);
 }
 
-// Claim: (14) tends to (17), u -> u_0 ln(beta E*/p). Tolerance: the first
-// correction, c p/E* with c = 2 Lambda/(sqrt(pi) q_L) of the next test, where
-// abs(Lambda) < 3, doubled; and rounding.
+// (14) tends to (17), u -> u_0 ln(beta E*/p). Tolerance: the first correction,
+// c p/E* with c = 2 Lambda/(sqrt(pi) q_L) of the next test, where abs(Lambda) <
+// 3, doubled; and roundoff.
 RC_GTEST_PROP(PerssonIdentity, GapTendsToTheAsymptote, ()) {
   const SelfAffine shape = any_shape();
   const PerssonContact contact = any_contact(shape);
@@ -160,9 +161,9 @@ RC_GTEST_PROP(PerssonIdentity, GapTendsToTheAsymptote, ()) {
   RC_ASSERT(relative(contact.asymptotic_pressure(asymptote), pressure) < 1e-12);
 }
 
-// Claim: p -> 0: D - u_0 = c p/E*, c = 2 Lambda/(sqrt(pi) q_L), Lambda = -gamma
-// sqrt(pi) + 3 (1 - gamma) int erf^2 e^{-x^2} dx/x^2. The slope extrapolated
-// from p and 2p; what is left is second order, measured 1e-6.
+// For p -> 0 D - u_0 = c p/E*, c = 2 Lambda/(sqrt(pi) q_L), Lambda = -gamma
+// sqrt(pi) + 3 (1 - gamma) int erf^2 e^{-x^2} dx/x^2. The slope is extrapolated
+// from p and 2p; the remainder is of second order, measured 1e-6.
 TEST(PerssonSmallPressure, SlopeHasItsFirstCorrection) {
   const SelfAffine shape = surface_of_the_paper();
   boost::math::quadrature::tanh_sinh<double> quadrature;
@@ -189,8 +190,8 @@ TEST(PerssonSmallPressure, SlopeHasItsFirstCorrection) {
   }
 }
 
-// Claim: a narrow band has u_0 = sqrt(2/pi) gamma h_rms; one shell is the
-// limit itself, a formula of relative width 1e-6 is that near to it.
+// A narrow band has u_0 = sqrt(2/pi) gamma h_rms; one shell is the limit
+// itself, and a formula of relative width 1e-6 differs from it by as much.
 TEST(PerssonNarrowBand, DecaysOverSqrtTwoOverPiOfItsHeight) {
   const double gamma = 0.42, height = 3e-9, q = 2e8;
   const HeightSpectrum shell(std::vector<SpectrumShell>{{q, height * height}});
@@ -205,7 +206,7 @@ TEST(PerssonNarrowBand, DecaysOverSqrtTwoOverPiOfItsHeight) {
   EXPECT_NEAR(of_band.mean_gap(1e7) / of_shell.mean_gap(1e7), 1.0, 1e-6);
 }
 
-// Claim: (16) as the paper writes it, with its logarithm under the integral.
+// Verifies (16) as the paper writes it, with its logarithm under the integral.
 TEST(PerssonEpsilon, IsThePapersIntegral) {
   boost::math::quadrature::tanh_sinh<double> quadrature;
   for (const double gamma : {0.2, 0.42, 0.9}) {

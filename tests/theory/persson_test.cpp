@@ -1,5 +1,5 @@
-// Claims about theory/persson/persson.hpp held against numbers that were worked
-// out in another program and with 25-digit arithmetic, and against the limits.
+// Tests of theory/persson/persson.hpp against numbers that were computed by
+// another program and with 25-digit arithmetic, and against the limits.
 #include "theory/persson/persson.hpp"
 
 #include <gtest/gtest.h>
@@ -110,9 +110,10 @@ TEST(PerssonEpsilon, MatchesTheTable) {
   EXPECT_NEAR(persson_epsilon(1.0), 0.749306001288, 5e-13);
 }
 
-// Claim: every reference digit above also holds for a spectrum of shells that
-// sample the formula; two resolutions give the order of the sampling, midpoint
-// in ln q, which is two away from the kink. Richardson's rest is order four.
+// Every reference digit above also holds for a spectrum of shells that sample
+// the formula; two resolutions give the order of the sampling, midpoint in ln
+// q, which is two away from the kink. The remainder of Richardson's
+// extrapolation is of order four.
 TEST(PerssonShells, ConvergeToTheFormula) {
   const SelfAffine shape = surface_of_the_paper();
   const auto gap_with = [&](int n_half) { // shells on each branch
@@ -139,8 +140,9 @@ TEST(PerssonShells, ConvergeToTheFormula) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.1);
 }
 
-// Claim: p(u) needs no asymptote to start from: below gamma = 1.7e-3 eps is
-// infinite, and u(p) nearly all cubic. Tolerance as in the identities' test.
+// p(u) needs no asymptote as initial guess: below gamma = 1.7e-3 eps is
+// infinite, and u(p) nearly all cubic. Tolerance as in the test of the
+// identities.
 TEST(PerssonExtremes, PressureOfTheGapAtTinyGamma) {
   const PerssonContact contact = contact_of_the_paper().with_gamma(1e-4);
   for (const double gap : {1e-12, 1e-10, 5e-10}) {
@@ -150,15 +152,16 @@ TEST(PerssonExtremes, PressureOfTheGapAtTinyGamma) {
   }
 }
 
-// Claim: fit_gamma finds the gamma that made the points, and with a constant
-// error of the gap added it shifts by the least squares of that error.
+// fit_gamma finds the gamma from which the points were computed; with a
+// constant error of the gap added it changes by the least squares of that
+// error.
 TEST(FitGamma, RecoversTheGammaOfACurve) {
   const PerssonContact& contact = contact_of_the_paper();
-  const PerssonContact truth = contact.with_gamma(0.37);
+  const PerssonContact exact = contact.with_gamma(0.37);
   std::vector<GapPoint> points;
   for (const double ratio : {1e-3, 3e-3, 1e-2, 3e-2, 1e-1})
     points.push_back({ratio * contact.contact_modulus(),
-                      truth.mean_gap(ratio * contact.contact_modulus())});
+                      exact.mean_gap(ratio * contact.contact_modulus())});
 
   EXPECT_NEAR(fit_gamma(contact, points), 0.37, 1e-13);
 

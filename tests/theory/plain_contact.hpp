@@ -1,7 +1,8 @@
 #pragma once
 
-// The plainest numerical contact there is (Polonsky and Keer's conjugate
-// gradients, hard wall, continuum half-space): an independent judge of limits.
+// The simplest numerical contact solver (Polonsky and Keer's conjugate
+// gradients, hard contact, continuum half-space): an independent reference for
+// limits.
 
 #include "base/fourier.hpp"
 #include "base/grid.hpp"
@@ -14,7 +15,7 @@
 
 namespace asperity::theory {
 
-/// What a numerical solution is asked for.
+/// The problem of a numerical solution.
 struct PlainContact {
   double area_fraction = 0.0;
   double mean_gap = 0.0;
@@ -43,7 +44,7 @@ surface_displacement(const RealFourier& fourier,
   return displacement;
 }
 
-/// Presses on heights of mean 0 until the steps of the pressure are rounding.
+/// Solves for heights of mean 0 until the steps of the pressure are roundoff.
 inline PlainContact press(const Grid& grid, std::span<const double> heights,
                           double contact_modulus, double nominal_pressure,
                           int iterations) {

@@ -1,4 +1,4 @@
-// Claims about theory/persson/pressure_distribution.hpp: closed forms against
+// Tests of theory/persson/pressure_distribution.hpp: closed forms against
 // integrals.
 #include "theory/persson/pressure_distribution.hpp"
 
@@ -35,8 +35,8 @@ double moment_by_quadrature(double nominal_pressure, int power) {
                                nominal_pressure + reach, 12, 1e-14);
 }
 
-// Claim: the three moments of (1) are the area (4), the load, and the closed
-// second moment, at any load. Tolerance: the quadrature's.
+// The three moments of (1) are the area (4), the load, and the closed second
+// moment, at any load. Tolerance: the quadrature's.
 RC_GTEST_PROP(PressureDensity, HasTheMomentsItShould, ()) {
   const int decade = *rc::gen::inRange(-300, 150);
   const double pressure = std::sqrt(variance) * std::pow(10.0, decade / 100.0);
@@ -52,8 +52,8 @@ RC_GTEST_PROP(PressureDensity, HasTheMomentsItShould, ()) {
   agree(moments.mean_square_pressure, 2);
 }
 
-// Claim: the share between two pressures is the integral of the density, all of
-// it is (4). Tolerance: rounding of four erf, absolute.
+// The fraction between two pressures is the integral of the density, and the
+// total is (4). Tolerance: roundoff of four erf, absolute.
 TEST(PressureShare, IsTheIntegralOfTheDensity) {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double load : {1e6, 1e8, 1e9})
@@ -71,9 +71,10 @@ TEST(PressureShare, IsTheIntegralOfTheDensity) {
     }
 }
 
-// Claim: (1) solves dP/dG = d^2P/dsigma^2, the diffusion it comes from, with
-// P = 0 at sigma = 0. Tolerance: central differences of step d have the error
-// d^2/12 of a fourth derivative of order one, rounding eps/d^2: 1e-7 at 1e-4.
+// (1) solves the diffusion equation dP/dG = d^2P/dsigma^2 from which it is
+// derived, with P = 0 at sigma = 0. Tolerance: central differences of step d
+// have the error d^2/12 of a fourth derivative of order one, roundoff eps/d^2:
+// 1e-7 at 1e-4.
 TEST(PressureDensity, DiffusesWithMagnification) {
   const double load = 0.7, step = 1e-4;
   const auto density = [&](double stress, double spread) {
@@ -93,10 +94,10 @@ TEST(PressureDensity, DiffusesWithMagnification) {
   EXPECT_EQ(pressure_density(0.0, load, 1.0), 0.0);
 }
 
-// Claim: at small load the density is p sigma/(2 sqrt(pi) G^{3/2}) *
-// e^{-sigma^2/4G}: its digits survive the difference of two near equals.
+// At small load the density is p sigma/(2 sqrt(pi) G^{3/2}) * e^{-sigma^2/4G}:
+// its digits are not lost in the difference of two nearly equal numbers.
 // Tolerance: the next term is (p/sqrt G)^2 = 1e-18.
-TEST(PressureDensity, KeepsItsDigitsAtSmallLoad) {
+TEST(PressureDensity, LosesNoDigitsAtSmallLoad) {
   const double load = 1e-9 * std::sqrt(variance);
   const double stress = 0.8 * std::sqrt(variance);
 
@@ -105,7 +106,7 @@ TEST(PressureDensity, KeepsItsDigitsAtSmallLoad) {
   EXPECT_NEAR(pressure_density(stress, load, variance) / expected, 1.0, 1e-14);
 }
 
-// Claim: (5) at small load; erf's next term is x^3/3, x = p/2 sqrt(G) = 1e-5.
+// (5) at small load; erf's next term is x^3/3, x = p/2 sqrt(G) = 1e-5.
 TEST(AreaFraction, IsProportionalToSmallLoads) {
   const double load = 2e-5 * std::sqrt(variance);
 
@@ -114,8 +115,8 @@ TEST(AreaFraction, IsProportionalToSmallLoads) {
   EXPECT_NEAR(area_fraction(load, variance) / linear, 1.0, 4e-11);
 }
 
-// Claim: (2) with (4) is erf(sqrt2 p/(E* h')), the other way to write it.
-TEST(StressVariance, MakesTheSlopeFormOfTheArea) {
+// (2) with (4) is erf(sqrt2 p/(E* h')), the other form of it.
+TEST(StressVariance, GivesTheSlopeFormOfTheArea) {
   const double modulus = 2e9, slope = 0.1, load = 3e7;
 
   const double area = area_fraction(load, stress_variance(modulus, slope));

@@ -1,4 +1,4 @@
-// Claims about theory/exact/punches.hpp: the stated pressure makes the stated
+// Tests of theory/exact/punches.hpp: the stated pressure causes the stated
 // displacement, inside and outside, and carries the stated load.
 #include "theory/exact/punches.hpp"
 
@@ -15,10 +15,10 @@ namespace {
 
 constexpr double modulus = 2e9, load = 3.0;
 
-// Claim: both punches' displacement is that of their pressure. Tolerance: the
-// quadrature of root and logarithmic singularities at its ends, which sees
+// The displacement of both punches is that of their pressure. Tolerance: the
+// quadrature of root and logarithmic singularities at its ends, which resolves
 // distances to a no finer than eps a: sqrt(eps).
-TEST(Punches, PressureMakesTheDisplacement) {
+TEST(Punches, PressureCausesTheDisplacement) {
   const FlatPunch punch(1e-3, modulus);
   const Cone cone(0.1, modulus);
   const double a = cone.contact(load).contact_radius;
@@ -37,7 +37,7 @@ TEST(Punches, PressureMakesTheDisplacement) {
   }
 }
 
-// Claim: the load is the pressure's volume and the rigid depth is u(0).
+// The load is the integral of the pressure and the rigid depth is u(0).
 TEST(Punches, CarryTheirLoad) {
   const FlatPunch punch(1e-3, modulus);
   const Cone cone(0.1, modulus);
@@ -55,7 +55,7 @@ TEST(Punches, CarryTheirLoad) {
   EXPECT_NEAR(punch.contact(load).approach * 2.0 * modulus * 1e-3, load, 1e-14);
 }
 
-// Claim: far away both are point loads, F/(pi E* r), to second order in a/r.
+// Far away both are point loads, F/(pi E* r), to second order in a/r.
 TEST(Punches, ArePointLoadsFarAway) {
   const FlatPunch punch(1e-3, modulus);
   const Cone cone(0.1, modulus);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The spectra the theory's tests are made with, and the moment of the
-// self-affine one in closed form: a second road around the quadrature.
+// The spectra of the tests of the theory, and the moment of the self-affine one
+// in closed form, which verifies the quadrature.
 
 #include "theory/persson/height_spectrum.hpp"
 
@@ -56,12 +56,12 @@ struct SelfAffine {
   }
 };
 
-/// The paper's molecular-dynamics surface, h_rms = 1 nm, cut at zeta = 4.
+/// The paper's molecular-dynamics surface, h_rms = 1 nm, cut off at zeta = 4.
 inline SelfAffine surface_of_the_paper() {
   return SelfAffine{}.with_rms_height(1e-9);
 }
 
-/// Its block: E = 77.2 GPa, nu = 0.42 [Pa].
+/// The contact modulus of its block: E = 77.2 GPa, nu = 0.42 [Pa].
 inline constexpr double modulus_of_the_paper = 77.2e9 / (1.0 - 0.42 * 0.42);
 
 } // namespace asperity::theory

@@ -1,4 +1,4 @@
-// Claims about theory/exact/two_bodies.hpp: compliances add, and so do the mean
+// Tests of theory/exact/two_bodies.hpp: compliances add, and so do the mean
 // squares of heights and slopes.
 #include "theory/exact/two_bodies.hpp"
 #include "theory/persson/persson.hpp"
@@ -14,7 +14,8 @@
 namespace asperity::theory {
 namespace {
 
-// Claim: equal bodies halve E*, a rigid one leaves the other's. Rounding.
+// Equal bodies halve E*; with a rigid body it is that of the other. Tolerance:
+// roundoff.
 TEST(TwoBodies, CompliancesAdd) {
   const ElasticBody gold{77.2e9, 0.42}, rigid{1e40, 0.3};
 
@@ -28,8 +29,8 @@ TEST(TwoBodies, CompliancesAdd) {
   EXPECT_THROW(contact_modulus({1.0, -1.0}), std::domain_error);
 }
 
-// Claim: two different formulas with different ends: every moment is the sum
-// of the two closed ones. Tolerance: rounding of the quadrature.
+// For two different formulas over different ranges every moment is the sum of
+// the two closed ones. Tolerance: roundoff of the quadrature.
 TEST(TwoBodies, MomentsOfFormulasAdd) {
   const SelfAffine fine = surface_of_the_paper();
   SelfAffine coarse{0.6, 2e7, 1e8, 3e8, 1.0};
@@ -50,9 +51,10 @@ TEST(TwoBodies, MomentsOfFormulasAdd) {
   EXPECT_EQ(both.wavevector_high(), fine.high);
 }
 
-// Claim: two faces of one kind are one face sqrt2 as rough: the gap of twice
-// the spectrum under one load, as two patches of the polymer film.
-TEST(TwoBodies, TwoAlikeAreOneRougherByRootTwo) {
+// Two statistically equal surfaces are one surface that is sqrt2 times as
+// rough: the gap of twice the spectrum under one load, as two patches of the
+// polymer film.
+TEST(TwoBodies, TwoEqualSurfacesAreOneRougherByRootTwo) {
   const SelfAffine shape = surface_of_the_paper();
   const HeightSpectrum twice =
       shape.with_rms_height(std::sqrt(2.0) * 1e-9).spectrum();
@@ -65,7 +67,7 @@ TEST(TwoBodies, TwoAlikeAreOneRougherByRootTwo) {
               1.0, 1e-13);
 }
 
-// Claim: shells join, at one wavevector too; a formula and shells do not.
+// Shells are joined, also at one wavevector; a formula and shells are not.
 TEST(TwoBodies, ShellsJoin) {
   const HeightSpectrum first(
       std::vector<SpectrumShell>{{1e7, 1e-18}, {3e7, 2e-18}});

@@ -1,7 +1,7 @@
 #pragma once
 
 // The egg-box contact by boundary elements in real space and a direct solution
-// of every active set: shares neither operator nor iteration with contact/.
+// of every active set. It shares neither operator nor iteration with contact/.
 
 #include <Eigen/Dense>
 
@@ -21,7 +21,7 @@ namespace asperity::theory {
 /// of the cell map onto each other share one unknown.
 class Wave2dElements {
 public:
-  /// @param points        elements a side, even, >= 4
+  /// @param points        elements per side, even, >= 4
   /// @param crest_offset  of the crest from an element's centre, 0 or 1/2
   Wave2dElements(int points, double crest_offset)
       : points_(points), offset_(crest_offset) {
@@ -40,10 +40,10 @@ public:
   struct Answer {
     double area_fraction = 0.0; ///< counted elements
     double mean_gap = 0.0;
-    bool is_solved = false; ///< no pull in contact, no overlap outside
+    bool is_solved = false; ///< no tension in contact, no overlap outside
   };
 
-  /// Presses with p/p*, starting from contact everywhere.
+  /// Solves under p/p*, starting from contact everywhere.
   Answer press(double reduced_pressure) const {
     std::vector<Eigen::Index> contact;
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -82,7 +82,7 @@ private:
     return unknown_[index(ix, iy)];
   }
 
-  /// Mirrors at the crest, and the diagonal.
+  /// Mirror symmetry at the crest and about the diagonal.
   void number_elements() {
     const int twice = static_cast<int>(2.0 * offset_); // 0 or 1
     std::map<std::pair<int, int>, Eigen::Index> numbers;
@@ -110,8 +110,8 @@ private:
     }
   }
 
-  /// int 1/r over the rectangle between two corners that the origin sees
-  /// (A. E. H. Love, Phil. Trans. R. Soc. A 228, 377 (1929)).
+  /// int 1/r over the rectangle between two corners relative to the origin (A.
+  /// E. H. Love, Phil. Trans. R. Soc. A 228, 377 (1929)).
   static double rectangle(double x0, double x1, double y0, double y1) {
     const auto corner = [](double x, double y) {
       const double r = std::hypot(x, y);
@@ -122,9 +122,9 @@ private:
   }
 
   /// Displacement at each offset by a loaded element and its images, under a
-  /// uniform pull of the same force; of mean zero.
+  /// uniform tension of the same force; of mean zero.
   std::vector<double> influences() const {
-    constexpr int images = 12; // what is left falls with their cube
+    constexpr int images = 12; // the remainder decreases with their cube
     const double half = 0.5 / points_;
     const double edge = images + 0.5;
     std::vector<double> values(index(0, points_));
@@ -175,7 +175,7 @@ private:
   double offset_;
   std::vector<Eigen::Index> unknown_;      ///< of every element
   std::vector<std::pair<int, int>> first_; ///< element of every unknown
-  std::vector<double> weights_;            ///< share of the cell
+  std::vector<double> weights_;            ///< fraction of the cell
   Eigen::VectorXd heights_;
   Eigen::MatrixXd matrix_; ///< displacement by unit pressures
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 // The egg-box contact by the project's own solver, on the square cell of one
-// crest: what the table of theory/exact/wave_2d_table.hpp is made of. A
+// crest, from which the table of theory/exact/wave_2d_table.hpp is computed. A
 // different method verifies it: wave_2d_elements.hpp.
 
 #include "contact/operators/halfspace.hpp"
@@ -17,13 +17,15 @@ namespace asperity::theory {
 
 /// Means over the cell, in units of the amplitude D and of p*.
 struct Wave2dSolution {
-  double area_fraction = 0.0; ///< counted nodes: high by 0.1 perimeter/points
-  double mean_gap = 0.0;      ///< over D
-  double energy = 0.0;        ///< over D p*
+  double area_fraction =
+      0.0;               ///< counted nodes: too large by 0.1 perimeter/points
+  double mean_gap = 0.0; ///< over D
+  double energy = 0.0;   ///< over D p*
 };
 
-/// Solves at ascending p/p*, on several grids that differ in where the crest
-/// lies between the nodes (offsets of low discrepancy), and takes the mean.
+/// Solves at ascending p/p*, on several grids that differ in the position of
+/// the crest between the nodes (offsets of low discrepancy), and takes the
+/// mean.
 inline std::vector<Wave2dSolution>
 solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
               int n_offsets) {
@@ -63,8 +65,9 @@ solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
   return means;
 }
 
-/// The limit of vanishing spacing from two grids, the second twice as fine: a
-/// counted area is off in the first order; the gap of the finer grid is taken.
+/// The limit of vanishing spacing from two grids, the second twice as fine: the
+/// error of a counted area is of first order; the gap is that of the finer
+/// grid.
 inline Wave2dSolution extrapolated(const Wave2dSolution& coarse,
                                    const Wave2dSolution& fine) {
   return {2.0 * fine.area_fraction - coarse.area_fraction, fine.mean_gap,

@@ -1,6 +1,6 @@
-// Claims about the members of theory/exact/wave_2d.hpp that hold at every load:
-// they agree with a different method, do the work of full contact and end where
-// the closed forms do.
+// Tests of the members of theory/exact/wave_2d.hpp that hold at every load:
+// they agree with a different method, their work is that of full contact, and
+// they tend to the closed forms.
 #include "theory/exact/wave_2d.hpp"
 #include "theory/exact/wave_2d_table.hpp"
 
@@ -21,12 +21,12 @@ namespace {
 const Wave2dContact wave(1.0, 1.0,
                          1.0 / (std::numbers::sqrt2 * std::numbers::pi));
 
-// Claim: it is the answer of boundary elements in real space with a direct
-// solution of each active set, which share nothing with the table's solver.
-// Tolerance: the gap is of second order, h^2 as measured between 32 and 64
-// elements a side; counting the elements in contact errs by at most a quarter
-// of those along the rim, here of round spots or holes.
-TEST(Wave2dBetween, IsTheAnswerOfBoundaryElements) {
+// Verifies the table against boundary elements in real space with a direct
+// solution of each active set, which share nothing with the solver of the
+// table. Tolerance: the gap is of second order, h^2 as measured between 32 and
+// 64 elements per side; counting the elements in contact errs by at most a
+// quarter of those along the contact boundary, here of round spots or holes.
+TEST(Wave2dBetween, AgreesWithBoundaryElements) {
   const int points = 64;
   const double spacing = 1.0 / points;
   for (const double crest_offset : {0.0, 0.5}) {
@@ -34,22 +34,23 @@ TEST(Wave2dBetween, IsTheAnswerOfBoundaryElements) {
     for (const double ratio : {0.01, 0.06, 0.15, 0.3, 0.5, 0.75, 0.93}) {
       const Wave2dElements::Answer found = elements.press(ratio);
       const double area = wave.area_fraction(ratio);
-      const double rim =
+      const double boundary =
           2.0 * std::sqrt(std::numbers::pi * std::min(area, 1.0 - area));
 
       ASSERT_TRUE(found.is_solved) << ratio;
       EXPECT_NEAR(wave.mean_gap(ratio), found.mean_gap, spacing * spacing)
           << ratio;
-      EXPECT_NEAR(area, found.area_fraction, 0.25 * rim * spacing) << ratio;
+      EXPECT_NEAR(area, found.area_fraction, 0.25 * boundary * spacing)
+          << ratio;
     }
   }
 }
 
-// Claim: between the table's rows it is a fresh solution on coarser grids: the
-// interpolation adds nothing.
-// Tolerance: what such grids leave. Counting n nodes errs at random by some
-// sqrt(nodes on the rim)/points^2, here 5e-4, and more by the extrapolation;
-// gap and energy are smooth and of second order, 2e-6.
+// Between the rows of the table it agrees with a new solution on coarser grids:
+// the interpolation adds nothing. Tolerance: the error of such grids. Counting
+// n nodes errs at random by some sqrt(nodes on the contact boundary)/points^2,
+// here 5e-4, and more by the extrapolation; gap and energy are smooth and of
+// second order, 2e-6.
 TEST(Wave2dBetween, InterpolatesTheSolution) {
   const std::vector<double> pressures{0.01, 0.06, 0.15, 0.3, 0.5, 0.75, 0.93};
   const auto coarse = solve_wave_2d(pressures, 96, 4);
@@ -63,16 +64,16 @@ TEST(Wave2dBetween, InterpolatesTheSolution) {
   }
 }
 
-// Claim: the work of the load is the elastic energy, of which full contact has
-// D p*/8 in closed form: the gap's integral over the whole table, to 3e-7.
-TEST(Wave2dBetween, DoesTheWorkOfFullContact) {
+// The work of the load is the elastic energy, which in full contact is D p*/8
+// in closed form: the integral of the gap over the entire table, to 3e-7.
+TEST(Wave2dBetween, HasTheEnergyOfFullContact) {
   EXPECT_NEAR(wave.elastic_energy(1.0), wave.full_contact_energy(), 3e-7);
   EXPECT_EQ(wave.elastic_energy(0.0), 0.0);
 }
 
-// Claim: both ends are the closed forms, approached at the rates their doc
+// Both ends tend to the closed forms at the rates that their documentation
 // states.
-TEST(Wave2dBetween, EndsAsTheClosedForms) {
+TEST(Wave2dBetween, TendsToTheClosedForms) {
   for (const double ratio : {1e-6, 1e-4, 1e-3}) {
     const double order = std::pow(ratio, 2.0 / 3.0);
     EXPECT_NEAR(wave.area_fraction(ratio) / wave.light_area_fraction(ratio),
@@ -95,10 +96,10 @@ TEST(Wave2dBetween, EndsAsTheClosedForms) {
   EXPECT_THROW(wave.area_fraction(-1.0), std::domain_error);
 }
 
-// Claim: away from where the spots merge each row follows from the cubic
-// through its four neighbours. Tolerance: for the area twice the table's own
-// 1e-4; for the gap what the light end's terms t^{3/2} leave of a cubic, 1e-4
-// at first.
+// Except where the spots merge each row follows from the cubic through its four
+// neighbours. Tolerance: for the area twice the table's own 1e-4; for the gap
+// the remainder of the terms t^{3/2} of the light end after a cubic, 1e-4 at
+// first.
 TEST(Wave2dBetween, RowsFollowFromTheirNeighbours) {
   const auto rest_of_gap = [](const Wave2dRow& row) {
     return row.reduced_mean_gap - wave.light_mean_gap(std::pow(row.load, 1.5));
@@ -123,8 +124,8 @@ TEST(Wave2dBetween, RowsFollowFromTheirNeighbours) {
   }
 }
 
-// Claim: area grows and gap falls with load, through the seam of the two
-// interpolants too.
+// The area increases and the gap decreases with the load, also where the two
+// interpolants meet.
 TEST(Wave2dBetween, IsMonotone) {
   double last_area = 0.0, last_gap = 1.0;
   for (int k = 1; k <= 2000; ++k) {
@@ -136,7 +137,8 @@ TEST(Wave2dBetween, IsMonotone) {
   }
 }
 
-// Claim: dimensions: gap scales with D, energy with D p*, the load with p*.
+// Verifies the dimensions: gap scales with D, energy with D p*, the load with
+// p*.
 TEST(Wave2dBetween, ScalesWithTheWave) {
   const Wave2dContact other(2e-6, 3e-5, 7e9);
   const double full = other.full_contact_pressure();

@@ -1,5 +1,5 @@
-// Claims about theory/exact/wave_2d.hpp: each limit against a numerical
-// solution by the plainest solver, within the range its header states.
+// Tests of theory/exact/wave_2d.hpp: each limit against a numerical solution by
+// the simplest solver, within the range that its header states.
 #include "theory/exact/wave_2d.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ using std::numbers::pi;
 constexpr double amplitude = 0.5, modulus = 3.0; // lambda = 1
 const Wave2dContact wave(amplitude, 1.0, modulus);
 
-// The crests lie between nodes so that no symmetry of the grid helps.
+// The crests lie between nodes so that the symmetry of the grid does not reduce
+// the error.
 PlainContact numerical(double ratio, int points) {
   const Grid grid{points, points, 1.0, 1.0};
   std::vector<double> heights(grid.size());
@@ -32,16 +33,16 @@ PlainContact numerical(double ratio, int points) {
                120);
 }
 
-// A counted area is off by about 0.1 contact perimeter times spacing; this is
-// for n round spots or holes of radius r in the unit cell, doubled.
+// The error of a counted area is about 0.1 contact perimeter times spacing;
+// this is for n round spots or holes of radius r in the unit cell, doubled.
 double counting_error(int n_spots, double area, int points) {
   const double radius = std::sqrt(area / (n_spots * pi));
   return 2.0 * 0.1 * n_spots * 2.0 * pi * radius / points;
 }
 
-// Claim: light_mean_gap is off by 0.6 to 0.7 D P^{4/3}, the fourth order of the
-// crest. (Without the neighbours' share it would be off by D P.)
-TEST(Wave2dLight, MeanGapIsAsNearAsStated) {
+// The error of light_mean_gap is 0.6 to 0.7 D P^{4/3}, the fourth order of the
+// crest. (Without the contribution of the neighbours it would be D P.)
+TEST(Wave2dLight, MeanGapHasTheStatedError) {
   for (const double ratio : {0.003, 0.01, 0.03}) {
     const double pressure = ratio * wave.full_contact_pressure();
 
@@ -54,8 +55,8 @@ TEST(Wave2dLight, MeanGapIsAsNearAsStated) {
   }
 }
 
-// Claim: light_area_fraction is low by at most 0.8 P^{2/3} of itself.
-TEST(Wave2dLight, AreaIsAsNearAsStated) {
+// light_area_fraction is too small by at most a relative 0.8 P^{2/3}.
+TEST(Wave2dLight, AreaHasTheStatedError) {
   const int points = 128;
   for (const double ratio : {0.01, 0.03, 0.1}) {
     const double limit =
@@ -69,9 +70,9 @@ TEST(Wave2dLight, AreaIsAsNearAsStated) {
   }
 }
 
-// Claim: heavy_mean_gap is low by 0.3 to 0.5 times (1 - P) of itself. At 128
-// points the numerical gap is right to 0.002 of itself.
-TEST(Wave2dHeavy, MeanGapIsAsNearAsStated) {
+// heavy_mean_gap is too small by a relative 0.3 to 0.5 times (1 - P). At 128
+// points the numerical gap has a relative error of 0.002.
+TEST(Wave2dHeavy, MeanGapHasTheStatedError) {
   for (const double ratio : {0.7, 0.8, 0.9, 0.95}) {
     const double limit =
         wave.heavy_mean_gap(ratio * wave.full_contact_pressure());
@@ -85,8 +86,8 @@ TEST(Wave2dHeavy, MeanGapIsAsNearAsStated) {
   }
 }
 
-// Claim: 1 - heavy_area_fraction is low by at most 0.5 (1 - P) of itself.
-TEST(Wave2dHeavy, AreaIsAsNearAsStated) {
+// 1 - heavy_area_fraction is too small by at most a relative 0.5 (1 - P).
+TEST(Wave2dHeavy, AreaHasTheStatedError) {
   const int points = 128;
   for (const double ratio : {0.7, 0.9}) {
     const double limit =
@@ -100,8 +101,9 @@ TEST(Wave2dHeavy, AreaIsAsNearAsStated) {
   }
 }
 
-// Claim: full contact begins at p* and its energy is (1/2) mean of p u over the
-// cell. Route: the mean of products of the fields on a grid, exact for them.
+// Full contact begins at p* and its energy is (1/2) mean of p u over the cell.
+// Reference: the mean of products of the fields on a grid, which is exact for
+// them.
 TEST(Wave2dFull, HasTheEnergyOfItsFields) {
   const double full = wave.full_contact_pressure();
   const int points = 16;

@@ -1,4 +1,4 @@
-// Claims about theory/exact/westergaard.hpp: pressure and gap must solve the
+// Tests of theory/exact/westergaard.hpp: pressure and gap must solve the
 // contact problem, and every mean must be the mean of one of them.
 #include "theory/exact/westergaard.hpp"
 
@@ -20,7 +20,7 @@ constexpr double amplitude = 2e-6, wavelength = 3e-4, modulus = 1.5e9;
 const WestergaardContact wave(amplitude, wavelength, modulus);
 
 // Mean over a period of f(x) cos(2 pi n x/lambda), on either side of the
-// contact edge; x = end sin(angle) takes the edge's square root away.
+// contact edge; x = end sin(angle) removes the square root at the edge.
 template <class Function>
 double mode(Function f, int n, double nominal_pressure) {
   const double half = 0.5 * wavelength;
@@ -52,10 +52,10 @@ protected:
   }
 };
 
-// Claim: pressure and gap solve the elastic problem: gap = const + u - h, and
-// the half-space gives u_n = 2 p_n/(E* q_n) to each mode. With p >= 0, gap >= 0
-// and p gap = 0 that is the whole contact problem. Tolerance: quadrature, 1e-10
-// of the amplitude (square roots at the edge).
+// Pressure and gap solve the elastic problem: gap = const + u - h, and for the
+// half-space u_n = 2 p_n/(E* q_n) in each mode. With p >= 0, gap >= 0 and p gap
+// = 0 this is the entire contact problem. Tolerance: quadrature, 1e-10 of the
+// amplitude (square roots at the edge).
 TEST_P(WestergaardLoad, PressureAndGapSolveTheElasticProblem) {
   for (int n = 1; n <= 6; ++n) {
     const double q = 2.0 * pi * n / wavelength;
@@ -75,16 +75,16 @@ TEST_P(WestergaardLoad, PressureAndGapSolveTheElasticProblem) {
   }
 }
 
-// Claim: the closed means are the means of the profiles.
+// The closed means are the means of the profiles.
 TEST_P(WestergaardLoad, MeansAreThoseOfTheProfiles) {
   EXPECT_NEAR(pressure_mode(0) / pressure(), 1.0, 1e-10);
   EXPECT_NEAR(gap_mode(0), wave.mean_gap(pressure()), 1e-10 * amplitude);
 }
 
-// Claim: the energy is (1/2) sum p_n u_n, that is sum over n >= 1 of
-// 2 p_n^2/(E* q_n) with p_n the mean against cos. The edge's square root makes
-// terms fall as n^-4, so that the rest falls as n^-3: measured 4e-5 after 60 at
-// P = 0.02, where the contact is 1/11 of the period.
+// The energy is (1/2) sum p_n u_n, that is sum over n >= 1 of 2 p_n^2/(E* q_n)
+// with p_n the mean against cos. Because of the square root at the edge the
+// terms decrease as n^-4 and the remainder as n^-3: measured 4e-5 after 60 at P
+// = 0.02, where the contact is 1/11 of the period.
 TEST_P(WestergaardLoad, EnergyIsTheSumOverItsModes) {
   double energy = 0.0;
   for (int n = 1; n <= 60; ++n) {
@@ -95,8 +95,8 @@ TEST_P(WestergaardLoad, EnergyIsTheSumOverItsModes) {
   EXPECT_NEAR(wave.elastic_energy(pressure()) / energy, 1.0, 6e-5);
 }
 
-// Claim: -dU/dg = p and the stiffness is -dp/dg. Route: central differences of
-// relative step 1e-4, error of order 1e-8.
+// Verifies -dU/dg = p and the stiffness -dp/dg. Reference: central differences
+// of relative step 1e-4, error of order 1e-8.
 TEST_P(WestergaardLoad, StiffnessAndEnergyAreDerivatives) {
   const double low = pressure() * (1.0 - 1e-4);
   const double high = pressure() * (1.0 + 1e-4);
@@ -115,9 +115,9 @@ TEST_P(WestergaardLoad, StiffnessAndEnergyAreDerivatives) {
 INSTANTIATE_TEST_SUITE_P(Sweep, WestergaardLoad,
                          ::testing::Values(0.02, 0.3, 0.7, 0.95, 1.0, 1.5));
 
-// Claim: the series near full contact joins the closed form. Tolerance: the
-// closed form's rounding, eps D, where they meet, and D 1e-15/12 from there.
-TEST(Westergaard, MeanGapHasNoSeam) {
+// The series near full contact continues the closed form. Tolerance: the closed
+// form's roundoff, eps D, where they meet, and D 1e-15/12 from there.
+TEST(Westergaard, MeanGapIsContinuous) {
   for (const double ratio : {0.899999, 0.9, 0.900001, 0.97}) {
     const double closed = 1.0 - ratio + ratio * std::log(ratio);
     const double gap = wave.mean_gap(ratio * wave.full_contact_pressure());
@@ -126,7 +126,7 @@ TEST(Westergaard, MeanGapHasNoSeam) {
   }
 }
 
-TEST(Westergaard, BeginsAndEndsAsItShould) {
+TEST(Westergaard, HasItsLimitsAtZeroAndFullContact) {
   const double full = wave.full_contact_pressure();
   EXPECT_EQ(wave.area_fraction(0.0), 0.0);
   EXPECT_EQ(wave.mean_gap(0.0), amplitude);
