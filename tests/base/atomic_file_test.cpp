@@ -1,4 +1,5 @@
-// Claims about base/atomic_file.hpp: the whole file or none, and no litter.
+// Tests of base/atomic_file.hpp: a file is written completely or not at all,
+// and no temporary file is left.
 #include "base/atomic_file.hpp"
 
 #include <gtest/gtest.h>
@@ -54,9 +55,9 @@ TEST_F(AtomicFile, MayHoldOneByteOrNone) {
   }
 }
 
-// Claim: a process without standard input can write, for which the system opens
-// the file as number 0.
-TEST_F(AtomicFile, MayBeFileZero) {
+// A process without standard input can write, although the system opens the
+// file as number 0 for it.
+TEST_F(AtomicFile, WorksWithoutStandardInput) {
   const int input = ::dup(0);
   ::close(0);
 
@@ -67,7 +68,8 @@ TEST_F(AtomicFile, MayBeFileZero) {
   EXPECT_EQ(content(folder_ / "out.txt"), "text");
 }
 
-// A folder in the way makes the rename fail after the text is written.
+// A folder in place of the file makes the rename fail after the text is
+// written.
 TEST_F(AtomicFile, NamesThePathAndLeavesNoTemporaryWhenItFails) {
   const fs::path taken = folder_ / "taken";
   fs::create_directories(taken / "inner");
@@ -84,8 +86,9 @@ TEST_F(AtomicFile, NamesThePathAndLeavesNoTemporaryWhenItFails) {
                std::system_error);
 }
 
-// Each reader must see one writer's text whole: equal letters, full length.
-TEST_F(AtomicFile, IsNeverSeenInPartsByReadersWhileWritersRace) {
+// Each reader must see the complete text of one writer: equal letters and the
+// full length.
+TEST_F(AtomicFile, IsAlwaysCompleteForReadersWhileWritersRace) {
   const fs::path path = folder_ / "out.txt";
   const std::size_t length = 20000;
   write_file_atomically(path, std::string(length, 'a'));

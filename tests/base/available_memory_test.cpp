@@ -1,4 +1,4 @@
-// Claims about base/available_memory.hpp.
+// Tests of base/available_memory.hpp.
 #include "base/available_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ TEST(AvailableMemory, IsLessThanAPetabyteAndMoreThanAMebibyte) {
   EXPECT_LT(available_memory(), 1e15);
 }
 
-// Claim: the limit on the address space counts, less what is taken of it.
-TEST(AvailableMemory, HeedsTheLimitOfTheProcess) {
+// The limit on the address space counts, less what is used of it.
+TEST(AvailableMemory, RespectsTheLimitOfTheProcess) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
   constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
@@ -29,7 +29,7 @@ TEST(AvailableMemory, HeedsTheLimitOfTheProcess) {
   EXPECT_LT(available, 4.0 * gibibyte);
 }
 
-TEST(MemoryShortage, SaysWhatIsNeededAndWhatThereIs) {
+TEST(MemoryShortage, StatesRequiredAndAvailableMemory) {
   EXPECT_EQ(memory_shortage(0.0), "");
   EXPECT_EQ(memory_shortage(std::nan("")), "");
   const std::string shortage = memory_shortage(std::ldexp(1.0, 53));

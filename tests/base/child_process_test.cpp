@@ -1,5 +1,5 @@
-// Claims about base/child_process.hpp: what a child says and how it ends
-// reaches us, it keeps its limits, and nothing of it outlives us.
+// Tests of base/child_process.hpp: the output and the exit of a child are
+// reported, it runs within its limits, and it does not outlive the parent.
 #include "base/child_process.hpp"
 #include "base/peak_memory.hpp"
 
@@ -46,8 +46,8 @@ protected:
       ("asperity-child-" + std::to_string(::getpid()));
 };
 
-/// Waits until no process of that number runs; one that waits to be reaped by
-/// another process counts as gone.
+/// Waits until no process of that number runs; one that another process has yet
+/// to reap counts as ended.
 bool is_gone(pid_t process) {
   for (int i = 0; i < 400; ++i) {
     std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
@@ -82,7 +82,7 @@ TEST_F(ChildProcessTest, WritesIntoAFileThatIsNamed) {
   EXPECT_EQ(answer.output, "");
 }
 
-TEST_F(ChildProcessTest, SaysHowItFailed) {
+TEST_F(ChildProcessTest, ReportsHowItFailed) {
   const ChildEnd gave_up = run_child(shell("exit 3")).end;
   EXPECT_EQ(gave_up.failure, "exit code 3");
   EXPECT_EQ(gave_up.exit_code, 3);
@@ -92,8 +92,8 @@ TEST_F(ChildProcessTest, SaysHowItFailed) {
   EXPECT_EQ(killed.exit_code, 128 + SIGKILL);
 }
 
-// Where somebody else takes the exit status, nothing is known of the end: that
-// must not pass for a good one.
+// Where another part of the program collects the exit status, the exit is
+// unknown, which must not count as success.
 TEST_F(ChildProcessTest, ALostExitStatusIsAFailure) {
   const auto before = std::signal(SIGCHLD, SIG_IGN);
   ChildProcess child(shell("exit 3"));
@@ -139,7 +139,7 @@ TEST_F(ChildProcessTest, ItsOwnChildrenEndWithIt) {
   EXPECT_EQ(child.end().failure, "signal 15 (Terminated)");
 }
 
-// Nothing of ours runs when we are killed: the kernel ends the child.
+// None of our code runs when the parent is killed: the kernel ends the child.
 TEST_F(ChildProcessTest, EndsWhenItsParentIsKilled) {
   ChildProcess parent = ChildProcess::forked([this](int) {
     ChildProcess child(shell("echo $$ > child; exec sleep 1000"));
@@ -155,8 +155,8 @@ TEST_F(ChildProcessTest, EndsWhenItsParentIsKilled) {
   EXPECT_EQ(parent.wait().failure, "signal 9 (Killed)");
 }
 
-// A lock or a result file that a child holds open would stay locked.
-TEST_F(ChildProcessTest, NoOpenFileOfOursReachesIt) {
+// A lock or a result file that a child keeps open would stay locked.
+TEST_F(ChildProcessTest, InheritsNoOpenFile) {
   constexpr int number = 100;
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY));
   const FileDescriptor copy(::fcntl(file.get(), F_DUPFD, number));
@@ -168,7 +168,7 @@ TEST_F(ChildProcessTest, NoOpenFileOfOursReachesIt) {
   EXPECT_NE(open_files.find('2'), std::string::npos) << open_files;
 }
 
-TEST_F(ChildProcessTest, AForkedOneWritesToItsPipe) {
+TEST_F(ChildProcessTest, AForkedChildWritesToItsPipe) {
   ChildProcess child = ChildProcess::forked([](int pipe) {
     if (::write(pipe, "words", 5) != 5)
       throw std::runtime_error("no pipe");
@@ -195,7 +195,8 @@ TEST_F(ChildProcessTest, ThatCannotStartIsAnError) {
                std::system_error);
 }
 
-// Claim: what a parent holds is not counted as its child's, as getrusage does.
+// The memory of the parent is not counted as that of its child, in contrast to
+// getrusage.
 TEST_F(ChildProcessTest, DoesNotInheritPeakMemory) {
   if (std::getenv("ASPERITY_PRINT_PEAK") != nullptr) {
     std::ofstream(std::getenv("ASPERITY_PRINT_PEAK")) << peak_memory();
@@ -221,7 +222,7 @@ TEST_F(ChildProcessTest, DoesNotInheritPeakMemory) {
 TEST_F(ChildProcessTest, ProgramsAreFoundAlongPathAlone) {
   EXPECT_EQ(program_on_path("sh").filename(), "sh");
   EXPECT_TRUE(program_on_path("no-such-program").empty());
-  // A file that cannot be executed is no program.
+  // A file that cannot be executed is not a program.
   std::ofstream(folder / "plain") << "text";
   const std::string before = std::getenv("PATH");
   ::setenv("PATH", folder.c_str(), 1);

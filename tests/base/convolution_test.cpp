@@ -1,5 +1,5 @@
-// Claims about base/convolution.hpp: it is the transform pair of RealFourier,
-// for any size, and the threads change no bit.
+// Tests of base/convolution.hpp: it equals the transform pair of RealFourier
+// for any size, and the number of threads changes no bit.
 #include "base/convolution.hpp"
 #include "base/fourier.hpp"
 

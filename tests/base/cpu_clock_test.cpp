@@ -1,5 +1,5 @@
-// Claims about base/cpu_clock.hpp. Each time is enclosed by two readings of the
-// kernel's own account, so that a busy machine cannot fail a test.
+// Tests of base/cpu_clock.hpp. Each time is enclosed by two readings of the
+// kernel's own account, so that a busy machine cannot make a test fail.
 #include "base/cpu_clock.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ double compute() {
   return thread_time();
 }
 
-// Claim: with several threads it is the CPU time of the process.
+// With several threads it is the CPU time of the process.
 TEST(CpuClock, MeasuresTheProcess) {
   const double before = process_time();
   const CpuClock clock(2);
@@ -51,7 +51,7 @@ TEST(CpuClock, MeasuresTheProcess) {
   EXPECT_LE(measured, process_time() - before + tick);
 }
 
-// Claim: with one thread the work of others is not counted.
+// With one thread the work of other threads is not counted.
 TEST(CpuClock, MeasuresOneThread) {
   const double process_before = process_time();
   const CpuClock clock;
@@ -68,8 +68,8 @@ TEST(CpuClock, MeasuresOneThread) {
   EXPECT_LE(clock.seconds(), thread_time() + tick);
 }
 
-// Claim: the time of a child that has ended is counted, as the kernel states it
-// for this child.
+// The time of a child that has ended is counted, as the kernel states it for
+// this child.
 TEST(CpuClock, CountsChildren) {
   const double before = thread_time();
   const CpuClock clock;

@@ -1,7 +1,7 @@
 #pragma once
 
-// How far two fields are apart, for tests: nothing that is not a number passes
-// for a small difference, nor does a field of nothing.
+// The difference of two fields, for tests: a number that is not finite and an
+// empty field never count as a small difference.
 
 #include "base/maximum.hpp"
 
@@ -11,8 +11,8 @@
 
 namespace asperity::tests {
 
-/// max_i |a_i - b_i|; NaN where a difference is not a number, infinity for
-/// fields that are empty or of unequal sizes.
+/// max_i |a_i - b_i|; NaN where a difference is NaN, infinity for fields that
+/// are empty or of unequal sizes.
 inline double largest_difference(std::span<const double> a,
                                  std::span<const double> b) {
   if (a.empty() || a.size() != b.size())

@@ -1,5 +1,5 @@
-// Claims about base/folder_lock.hpp: one holder at a time, whose name the
-// others are told, and the death of a holder releases the folder.
+// Tests of base/folder_lock.hpp: one process at a time owns a folder, the
+// others receive its name, and the death of the owner releases the folder.
 #include "base/child_process.hpp"
 #include "base/folder_lock.hpp"
 
@@ -18,7 +18,7 @@ class FolderLockTest : public testing::Test {
 protected:
   ~FolderLockTest() override { std::filesystem::remove_all(folder); }
 
-  /// What a second one is told; empty if it gets the folder.
+  /// The message to a second process; empty if it gets the folder.
   std::string refusal() const {
     try {
       const FolderLock second(folder, "run second");
@@ -33,7 +33,7 @@ protected:
       ("asperity-lock-" + std::to_string(::getpid())) / "new";
 };
 
-TEST_F(FolderLockTest, TheSecondIsToldWhoTheFirstIs) {
+TEST_F(FolderLockTest, TheSecondReceivesTheNameOfTheFirst) {
   std::optional<FolderLock> first(std::in_place, folder, "run first");
 
   const std::string refused = refusal();
@@ -48,7 +48,7 @@ TEST_F(FolderLockTest, TheSecondIsToldWhoTheFirstIs) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(FolderLockTest, AKilledHolderHoldsNothing) {
+TEST_F(FolderLockTest, AKilledOwnerReleasesTheFolder) {
   ChildProcess holder = ChildProcess::forked([this](int pipe) {
     const FolderLock lock(folder, "run killed");
     if (::write(pipe, "x", 1) == 1)

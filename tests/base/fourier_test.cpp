@@ -1,4 +1,4 @@
-// Claims about base/fourier.hpp: sign, normalisation and storage order.
+// Tests of base/fourier.hpp: sign, normalisation and storage order.
 #include "base/fourier.hpp"
 
 #include <gtest/gtest.h>
@@ -25,9 +25,9 @@ std::vector<double> wave(int wavenumber_x, int wavenumber_y, double phase) {
   return field;
 }
 
-// Claim: cos(q.x + phase) has the one coefficient exp(i phase)/2 at +q, stored
-// at row jy = -1 + points_y. Tolerance: 50 sums of order one, 50 eps = 1e-14.
-TEST(RealFourier, PutsAWaveWhereTheHeaderSays) {
+// cos(q.x + phase) has the one coefficient exp(i phase)/2 at +q, stored in row
+// jy = -1 + points_y. Tolerance: 50 sums of order one, 50 eps = 1e-14.
+TEST(RealFourier, HasTheDocumentedSignAndOrder) {
   const RealFourier fourier(grid);
   std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
 
@@ -45,7 +45,7 @@ TEST(RealFourier, PutsAWaveWhereTheHeaderSays) {
   }
 }
 
-TEST(RealFourier, BackwardUndoesForwardTimesTheSize) {
+TEST(RealFourier, BackwardInvertsForwardTimesTheSize) {
   const RealFourier fourier(grid);
   const std::vector<double> field = wave(3, 2, 0.7);
   std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
@@ -58,9 +58,9 @@ TEST(RealFourier, BackwardUndoesForwardTimesTheSize) {
     EXPECT_NEAR(back[i] / static_cast<double>(grid.size()), field[i], 1e-14);
 }
 
-// Claim: three threads, the same transform. Tolerance: rounding of a sum over
-// 256 log2(256) values of order one.
-TEST(RealFourier, GivesTheFieldBackOnThreeThreads) {
+// Verifies that three threads give the same transform. Tolerance: roundoff of a
+// sum over 256 log2(256) values of order one.
+TEST(RealFourier, RestoresTheFieldOnThreeThreads) {
   const Grid square{256, 256, 1.0, 1.0};
   const RealFourier fourier(square, 3);
   std::vector<double> field(square.size());
@@ -85,8 +85,9 @@ TEST(SignedWavenumber, CountsTheNyquistRowAsPositive) {
   EXPECT_EQ(signed_wavenumber(3, 5), -2);
 }
 
-// Claim: a product that rounds is the length it means, a printed one is not.
-TEST(Grid, TakesARoundedLengthForTheSame) {
+// Lengths that differ by the roundoff of a product are equal; those that differ
+// by printed digits are not.
+TEST(Grid, TreatsRoundedLengthsAsEqual) {
   EXPECT_NE(10.0 * 1e-6, 1e-5);
   EXPECT_TRUE(is_same_length(10.0 * 1e-6, 1e-5));
   EXPECT_FALSE(is_same_length(1e-5 * (1.0 + 1e-11), 1e-5));

@@ -1,5 +1,5 @@
-// Claims about base/maximum.hpp and about the comparison of fields that tests
-// make with it: a NaN is never overlooked, wherever it stands.
+// Tests of base/maximum.hpp and of the comparison of fields that uses it: a NaN
+// is never overlooked, wherever it is.
 #include "base/maximum.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Maximum, IsTheLargerOrNaN) {
   EXPECT_TRUE(std::isnan(maximum(infinity, nan)));
 }
 
-TEST(LargestMagnitude, SeesANaNAnywhere) {
+TEST(LargestMagnitude, DetectsANaNAnywhere) {
   EXPECT_EQ(largest_magnitude(std::vector<double>{}), 0.0);
   EXPECT_EQ(largest_magnitude(std::vector{1.0, -3.0, 2.0}), 3.0);
   for (std::size_t at = 0; at < 4; ++at) {

@@ -1,4 +1,4 @@
-// Claims about base/parallel_rows.hpp.
+// Tests of base/parallel_rows.hpp.
 #include "base/parallel_rows.hpp"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ TEST(ParallelRows, StartsNoThreadForOne) {
   EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
 }
 
-/// Two rows that each wait for the other to have begun, and then do_row(): done
-/// by two threads or never.
+/// Two rows, each of which waits until the other has begun, and then do_row():
+/// only two threads can complete them.
 template <class DoRow>
 void two_rows_together(const DoRow& do_row) {
   std::atomic<int> begun = 0;
@@ -56,8 +56,8 @@ void two_rows_together(const DoRow& do_row) {
   });
 }
 
-// Claim: two threads work at the same time, and the loop waits for its helper,
-// that is slow here.
+// Two threads work at the same time, and the loop waits for its helper, which
+// is slow here.
 TEST(ParallelRows, WorksOnSeveralThreadsAndWaits) {
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> done = 0;
@@ -71,8 +71,8 @@ TEST(ParallelRows, WorksOnSeveralThreadsAndWaits) {
   EXPECT_EQ(done, 2);
 }
 
-// Claim: the helper stays: twenty loops on two threads see two of them.
-TEST(ParallelRows, StartsNoThreadAnew) {
+// Helper threads are reused: twenty loops on two threads use two of them.
+TEST(ParallelRows, ReusesItsThreads) {
   std::mutex mutex;
   std::set<pid_t> seen; // not std::thread::id, which new threads take over
 
@@ -92,7 +92,7 @@ int sum_of_rows(int n_rows, int threads) {
   return std::accumulate(rows.begin(), rows.end(), 0);
 }
 
-// Claim: a row may hold a loop of its own, and every loop is done when it
+// A row may contain a loop of its own, and every loop is complete when it
 // returns. The sum of 0..n-1 is n (n - 1) / 2.
 TEST(ParallelRows, MayBeNested) {
   std::vector<int> sums(20);
@@ -106,7 +106,7 @@ TEST(ParallelRows, MayBeNested) {
   }
 }
 
-// Claim: callers on several threads do not disturb each other.
+// Callers on several threads do not disturb each other.
 TEST(ParallelRows, ServesSeveralCallers) {
   std::atomic<int> right = 0;
   {
@@ -121,8 +121,8 @@ TEST(ParallelRows, ServesSeveralCallers) {
   EXPECT_EQ(right, 4 * 200);
 }
 
-/// Rows that each wait until all threads have one; then the row throws that is
-/// on the chosen thread, the caller's (0) or one of the helpers.
+/// Rows that each wait until all threads have one; then the row on the chosen
+/// thread throws, the caller's (0) or one of the helpers.
 std::string message_from(int threads, int thrower) {
   std::atomic<int> begun = 0;
   try {
@@ -139,9 +139,9 @@ std::string message_from(int threads, int thrower) {
   return "nothing thrown";
 }
 
-// Claim: an exception on any thread reaches the caller, after all threads have
-// ended, and the helpers serve the next loop.
-TEST(ParallelRows, ThrowsWhatAnyThreadThrew) {
+// An exception on any thread reaches the caller, after all threads have ended,
+// and the helpers serve the next loop.
+TEST(ParallelRows, RethrowsTheExceptionOfAnyThread) {
   for (const int threads : {1, 2, 3, 5})
     for (int thrower = 0; thrower < threads; ++thrower) {
       EXPECT_EQ(message_from(threads, thrower),
@@ -151,8 +151,8 @@ TEST(ParallelRows, ThrowsWhatAnyThreadThrew) {
     }
 }
 
-// Claim: where every thread throws, one of the exceptions arrives; where a
-// nested loop throws, it passes through both.
+// Where every thread throws, one of the exceptions reaches the caller; where a
+// nested loop throws, its exception passes through both.
 TEST(ParallelRows, ThrowsOnceWhereAllThrow) {
   for (int loop = 0; loop < 100; ++loop) {
     EXPECT_THROW(
@@ -170,8 +170,8 @@ TEST(ParallelRows, ThrowsOnceWhereAllThrow) {
   EXPECT_EQ(sum_of_rows(64, 3), 64 * 63 / 2);
 }
 
-// Claim: after an exception no further row is begun. A row takes 1 ms here, and
-// half of all rows the time in which the other thread learns of it.
+// After an exception no further row is begun. A row takes 1 ms here, and half
+// of all rows the time in which the other thread is notified.
 TEST(ParallelRows, BeginsNoRowAfterAnException) {
   std::atomic<bool> is_thrown = false;
   std::atomic<int> done = 0;
@@ -191,9 +191,9 @@ TEST(ParallelRows, BeginsNoRowAfterAnException) {
   EXPECT_LT(done, 500);
 }
 
-// Claim: a child process has helpers of its own and ends: two rows that wait
-// for each other need two threads there. A child that hangs is ended after
-// 10 s by its alarm.
+// A child process has helpers of its own and ends: two rows that wait for each
+// other need two threads there. The alarm of a child that hangs ends it after
+// 10 s.
 TEST(ParallelRows, WorksInAChildProcess) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the thread sanitizer starts no thread after a fork";

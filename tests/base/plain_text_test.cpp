@@ -1,4 +1,4 @@
-// Claims about base/plain_text.hpp, with the bounds of RFC 3629.
+// Tests of base/plain_text.hpp, with the bounds of RFC 3629.
 #include "base/plain_text.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ TEST(PlainText, IsUtf8OfAnyLength) {
   EXPECT_EQ(find_not_plain("\xF0\x90\x80\x80\xF4\x8F\xBF\xBF"), plain);
 }
 
-// Claim: cut, overlong, surrogate, beyond U+10FFFF, stray: each is found where
-// it begins.
+// Truncated, overlong, surrogate, beyond U+10FFFF or stray bytes: each is found
+// where it begins.
 TEST(PlainText, IsNoOtherByte) {
   for (const std::string bad :
        {"\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
@@ -33,7 +33,7 @@ TEST(PlainText, HasNoControlCharacters) {
   EXPECT_EQ(find_not_plain("ab\xC2\x9B"), 2U); // CSI of terminals
 }
 
-// Claim: what a message quotes cannot move the cursor of a terminal, break the
+// Text that a message quotes cannot move the cursor of a terminal, break the
 // line or fill the screen.
 TEST(Printable, IsShortAndPlain) {
   EXPECT_EQ(printable("3,5 \xC2\xB5m"), "3,5 \xC2\xB5m");

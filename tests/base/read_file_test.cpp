@@ -1,5 +1,5 @@
-// Claims about base/read_file.hpp: regular files up to a size, byte for byte,
-// and nothing that could hold the program or fill its memory.
+// Tests of base/read_file.hpp: regular files up to a size are read byte for
+// byte; anything that could block the program or fill its memory is refused.
 #include "base/atomic_file.hpp"
 #include "base/read_file.hpp"
 
@@ -23,7 +23,7 @@ protected:
 
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// What the reader says of a path, without it.
+  /// The message of the reader without the path.
   static std::string complaint(const fs::path& path,
                                std::uintmax_t largest = 100) {
     try {
@@ -51,7 +51,7 @@ TEST_F(ReadFile, GivesEveryByteUpToTheLimitAndRefusesOneMore) {
             "has 17 bytes, but must have at most 16 (16 bytes)");
 }
 
-// Claim: a symbolic link is the file it leads to.
+// A symbolic link is read as the file to which it leads.
 TEST_F(ReadFile, FollowsLinks) {
   write_file_atomically(folder_ / "a", "text");
   fs::create_symlink("a", folder_ / "link");
@@ -59,8 +59,8 @@ TEST_F(ReadFile, FollowsLinks) {
   EXPECT_EQ(read_file(folder_ / "link", 4), "text");
 }
 
-// Claim: what would wait forever or never end is refused at once; so is a link
-// to it. A file of /proc says size 0 and gives more: it is cut at the limit.
+// A file that would block or never end is refused at once; so is a link to it.
+// A file of /proc states the size 0 and has more: it is cut off at the limit.
 TEST_F(ReadFile, RefusesWhatIsNoRegularFile) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   fs::create_symlink("/dev/zero", folder_ / "zero");

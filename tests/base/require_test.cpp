@@ -1,4 +1,4 @@
-// Claims about base/require.hpp: the message names argument, value and range.
+// Tests of base/require.hpp: the message names argument, value and range.
 #include "base/require.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Claims about base/rms_height.hpp.
+// Tests of base/rms_height.hpp.
 #include "base/rms_height.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(RmsHeight, IsThatAboutTheMean) {
   EXPECT_EQ(rms_height(std::vector{5.0, 5.0, 5.0}), 0.0);
 }
 
-TEST(RmsHeight, IsNoNumberWithoutNumbers) {
+TEST(RmsHeight, IsNaNWithoutNumbers) {
   EXPECT_TRUE(std::isnan(rms_height({})));
   EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, std::nan("")})));
   EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, HUGE_VAL})));
