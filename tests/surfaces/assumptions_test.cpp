@@ -1,5 +1,5 @@
-// Claims about surfaces/assumptions.hpp: known shares of known spectra, and an
-// indicator that sees shifted lines and nothing else.
+// Tests of surfaces/assumptions.hpp: known fractions of known spectra, and an
+// indicator that detects offsets of scan lines and nothing else.
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
 
@@ -22,8 +22,9 @@ HeightMap wave(int n) {
   return map;
 }
 
-// Claim: a wave of four nodes is resolved, one of 64/17 is not, and of both at
-// equal height the share is that of q^2. Tolerance: rounding of a transform.
+// A wave of four nodes is resolved and one of 64/17 nodes is not; for both at
+// equal height the unresolved fraction is that of q^2. Tolerance: roundoff of a
+// transform.
 TEST(UnresolvedSlope, CountsWavesOfFewerThanFourNodes) {
   HeightMap both = wave(16);
   const HeightMap shorter = wave(17);
@@ -46,10 +47,10 @@ HeightMap white_noise(const Grid& grid, unsigned seed) {
   return map;
 }
 
-// Claim: of white noise the share is 1 - (pi/32)/(8/3), int q^2 over the disc
-// of half the Nyquist wavevector against that over the square of all
-// wavevectors. Tolerance: three standard errors of the 256^2 modes, and the
-// grid of modes on the circle's rim, 1 %.
+// For white noise the fraction is 1 - (pi/32)/(8/3), int q^2 over the disc of
+// half the Nyquist wavevector against that over the square of all wavevectors.
+// Tolerance: three standard errors of the 256^2 modes, and 1 % for the modes on
+// the boundary of the disc.
 TEST(UnresolvedSlope, OfWhiteNoiseIsThatOfTheSquare) {
   EXPECT_NEAR(unresolved_slope_share(white_noise({256, 256, 1.0, 1.0}, 1)),
               1.0 - std::numbers::pi / 32.0 / (8.0 / 3.0), 0.01);
@@ -70,8 +71,8 @@ mechanics::SurfaceSpec self_affine(double hurst, int points) {
   return surface;
 }
 
-// Claim: an isotropic Gaussian surface is within a factor of two of 1, draw by
-// draw and for any H.
+// For an isotropic Gaussian surface it is within a factor of two of 1, for
+// every realisation and any H.
 TEST(LineOffset, IsOneOfAnIsotropicSurface) {
   for (const double hurst : {0.3, 0.8, 1.0})
     for (int realization = 0; realization < 20; ++realization) {
@@ -82,10 +83,10 @@ TEST(LineOffset, IsOneOfAnIsotropicSurface) {
     }
 }
 
-// Claim: offsets of the lines along x raise it above 1, along y below 1, by the
-// ratio of what they add: lines of 128 nodes with offsets of twice their own
-// scatter; and a tilt or a bow changes nothing.
-TEST(LineOffset, SeesShiftedLines) {
+// Offsets of the lines along x raise it above 1, those along y lower it below
+// 1, by the ratio of their contributions: lines of 128 nodes with offsets of
+// twice their own scatter. A tilt or a second-order form changes nothing.
+TEST(LineOffset, DetectsShiftedLines) {
   HeightMap map = build_surface(self_affine(0.8, 128), 0);
   HeightMap turned = map;
   std::mt19937 random(1);

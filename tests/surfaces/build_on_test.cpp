@@ -1,4 +1,4 @@
-// Claims about build_surface_on of surfaces/build.hpp: one surface, any grid.
+// Tests of build_surface_on of surfaces/build.hpp: one surface on any grid.
 #include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/resample.hpp"
@@ -23,13 +23,13 @@ using mechanics::SurfaceSpec;
 
 constexpr double length = 1e-5;
 constexpr double unit = 2.0 * std::numbers::pi / length;
-constexpr double rounding = 1e-14; // of heights, as two transforms have it
+constexpr double rounding = 1e-14; // of heights, from two transforms
 
 Grid square(int points) {
   return {points, points, length, length};
 }
 
-/// 2 nm rough, waves of 1 to 20 periods.
+/// 2 nm rms height, waves of 1 to 20 periods.
 SurfaceSpec self_affine() {
   SurfaceSpec surface;
   surface.length = length;
@@ -44,7 +44,7 @@ SurfaceSpec self_affine() {
   return surface;
 }
 
-/// A map of 16 points a side that has power in every mode.
+/// A map of 16 points per side that has power in every mode.
 SurfaceSpec measured() {
   std::string text = "# Width: 10 um\n# Height: 10 um\n# Value units: nm\n";
   for (int iy = 0; iy < 16; ++iy)
@@ -73,8 +73,8 @@ std::string message_of(Call call) {
   return "accepted";
 }
 
-// Claim: grids of 42, 96 and 162 points sample the surface of the case's 64,
-// scaled alike, where they share a node with it.
+// Grids of 42, 96 and 162 points sample the surface of the case's 64 with the
+// same scale, where they share a node with it.
 TEST(BuildSurfaceOn, SamplesOneRandomSurface) {
   for (const auto amplitudes :
        {mechanics::Amplitudes::spectrum, mechanics::Amplitudes::gaussian}) {
@@ -97,8 +97,8 @@ TEST(BuildSurfaceOn, SamplesOneRandomSurface) {
   }
 }
 
-// Claim: magnification: the cut surface is the full one without its short
-// waves, not a rougher one scaled to the same rms, and fits a coarser grid.
+// At a magnification the surface is the full one without its short waves, not a
+// rougher one scaled to the same rms, and it fits a coarser grid.
 TEST(BuildSurfaceOn, CutsTheShortWavesOfTheFullSurface) {
   const SurfaceSpec surface = self_affine();
   for (const double highest : {1.0, 5.0, 19.5, 20.0, 70.0}) {
@@ -138,8 +138,8 @@ TEST(BuildSurfaceOn, RefusesAGridTooCoarse) {
                std::domain_error);
 }
 
-// Claim: a measured map on a finer grid and back is the map; a grid that would
-// lose its waves is refused unless they are cut before.
+// A measured map that is resampled on a finer grid and back is unchanged; a
+// grid that would lose waves of it is refused unless they are removed before.
 TEST(BuildSurfaceOn, ResamplesAMeasuredMap) {
   const SurfaceSpec surface = measured();
   const HeightMap own = build_surface(surface, 0);
@@ -159,8 +159,8 @@ TEST(BuildSurfaceOn, ResamplesAMeasuredMap) {
             rounding * rms_height);
 }
 
-// Claim: shapes are their formula at the nodes; a wave beyond the cut is gone.
-// Tolerance: eps of the heights, 2 eps of the angle.
+// The exact shapes equal their formula at the nodes; a wave beyond the cut-off
+// is absent. Tolerance: eps of the heights, 2 eps of the angle.
 TEST(BuildSurfaceOn, EvaluatesTheExactShapes) {
   SurfaceSpec surface = self_affine();
   surface.amplitude = 1e-8;

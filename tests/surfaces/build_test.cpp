@@ -1,4 +1,4 @@
-// Claims about surfaces/build.hpp: each kind of a case becomes its surface.
+// Tests of surfaces/build.hpp: each kind of surface of a case is built.
 #include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -55,9 +55,9 @@ std::string message_of(Call call) {
   return "accepted";
 }
 
-// Claim: without rescale the realisation has the sum over its modes, near the
-// asked rms; with it, exactly the asked height or slope.
-TEST(BuildSurface, RescalesOnDemandToTheAskedRms) {
+// Without `rescale` the realisation has the sum over its modes, near the
+// requested rms; with it, it has exactly the requested height or slope.
+TEST(BuildSurface, RescalesToTheRequestedRms) {
   SurfaceSpec surface = self_affine();
   const double as_drawn = statistics(build_surface(surface, 0)).rms_height;
   surface.rescale = true;
@@ -72,10 +72,11 @@ TEST(BuildSurface, RescalesOnDemandToTheAskedRms) {
   EXPECT_NEAR(slope / 0.1, 1.0, 1e-13);
 }
 
-// Claim: wavevectors printed with five digits mean the waves of the cell: 2 pi/
-// (10 um) = 6.28319e5 is in a band that begins at "6.2832e5", and a roll-off
-// printed as 6.2831e5 is that beginning. The wave (1, 0) carries the largest
-// part of the height; tolerance: h_rms changes with C_0 by the same 1e-4.
+// Wavevectors that are printed with five digits mean the waves of the cell: 2
+// pi/ (10 um) = 6.28319e5 is in a band that begins at "6.2832e5", and a
+// roll-off printed as 6.2831e5 is that beginning. The wave (1, 0) carries the
+// largest part of the height; tolerance: h_rms changes with C_0 by the same
+// 1e-4.
 TEST(BuildSurface, TakesWavevectorsAsTheyArePrinted) {
   SurfaceSpec surface = self_affine();
   surface.wavevector_roll_off = unit;
@@ -118,9 +119,9 @@ TEST(BuildSurface, MakesTheExactShapes) {
               1e-22);
 }
 
-// Claim: a table of two rows is one power law, C = C_0 (q/q_0)^-2, of <h^2> =
-// 2 pi C_0 q_0^2 ln(q_1/q_0); an asked rms rescales the table.
-TEST(BuildSurface, TakesATableWithItsOwnAmplitudeOrTheAskedOne) {
+// A table of two rows is one power law, C = C_0 (q/q_0)^-2, of <h^2> = 2 pi C_0
+// q_0^2 ln(q_1/q_0); a requested rms rescales the table.
+TEST(BuildSurface, TakesATableWithItsOwnOrARequestedAmplitude) {
   SurfaceSpec surface =
       with_file(SurfaceKind::spectrum, "table.csv", "2e6, 4e-30\n1e7, 16e-32");
 
@@ -139,9 +140,9 @@ TEST(BuildSurface, TakesATableWithItsOwnAmplitudeOrTheAskedOne) {
   EXPECT_NEAR(statistics(build_surface(surface, 0)).rms_slope, 0.25, 1e-13);
 }
 
-// Claim: a file is read, levelled and made periodic in this order. The map is
-// a plane plus a checkerboard of +-0.5 nm, orthogonal to any plane on even
-// sides, of which the rms is left. Tolerance: 100 nm of trend, 20 eps of it.
+// A file is read, levelled and made periodic in this order. The map is a plane
+// plus a checkerboard of +-0.5 nm, which is orthogonal to any plane on even
+// sides and whose rms remains. Tolerance: 100 nm of trend, 20 eps of it.
 TEST(BuildSurface, ReadsLevelsAndMirrorsAMeasuredMap) {
   std::string text = "# Width: 8 um\n# Height: 4 um\n# Value units: nm\n";
   for (int iy = 0; iy < 4; ++iy)
@@ -162,9 +163,9 @@ TEST(BuildSurface, ReadsLevelsAndMirrorsAMeasuredMap) {
   EXPECT_GT(statistics(build_surface(surface, 0)).rms_height, 1e-8);
 }
 
-// Claim: a perfect tilt that is levelled away leaves nothing but the rounding
-// of its heights and is refused as flat; the same with 1 pm of roughness on
-// 100 nm is not, and nor is the tilt itself where it is left in.
+// A perfect tilt that is removed by levelling leaves only the roundoff of its
+// heights and is refused as flat; the same with 1 pm of roughness on 100 nm is
+// accepted, and so is the tilt itself where it is not removed.
 TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
   const auto tilted = [](double roughness) {
     std::ostringstream text;
@@ -199,11 +200,11 @@ TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
               1.0, 1e-3);
 }
 
-// Claim: the Hann window leaves 3/8 of the rms height and, at short waves, of
-// the slope of a map that is the same everywhere, a mirror all of both.
+// The Hann window leaves 3/8 of the rms height and, at short waves, of the
+// slope of a statistically homogeneous map; a mirrored map keeps both.
 // Tolerance: the checkerboard has no scatter; its slope by differences is
-// exact, and what the window's own slope adds is 4e-3 of it at 32 points.
-TEST(BuildSurface, SaysWhatItsEdgesTakeOff) {
+// exact, and the window's own slope adds 4e-3 of it at 32 points.
+TEST(BuildSurface, ReportsThePowerThatItsEdgesRemove) {
   std::string text = "# Width: 8 um\n# Height: 8 um\n# Value units: nm\n";
   for (int iy = 0; iy < 32; ++iy)
     for (int ix = 0; ix < 32; ++ix)
@@ -229,7 +230,7 @@ TEST(BuildSurface, SaysWhatItsEdgesTakeOff) {
   EXPECT_NEAR(mirror.pressed.rms_slope / mirror.measured.rms_slope, 1.0, 0.02);
 }
 
-TEST(BuildSurface, SaysWhichKeyCannotBe) {
+TEST(BuildSurface, NamesTheInvalidKey) {
   SurfaceSpec surface = self_affine();
   const auto build = [&] { build_surface(surface, 0); };
 

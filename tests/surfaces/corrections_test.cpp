@@ -1,5 +1,5 @@
-// Claims about surfaces/maps/corrections.hpp and missing_points.hpp: cropping,
-// scan lines, spikes and the filling of missing points.
+// Tests of surfaces/maps/corrections.hpp and missing_points.hpp: cropping, scan
+// lines, spikes and the filling of missing points.
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/missing_points.hpp"
 
@@ -47,8 +47,8 @@ TEST(Crop, RefusesAWindowThatIsNotInside) {
   EXPECT_EQ(map.map.grid, grid);
 }
 
-// Claim: offsets of rows, of any size, are removed exactly even if some points
-// differ in every row or are missing.
+// Offsets of rows, of any size, are removed exactly even if some points differ
+// in every row or are missing.
 TEST(AlignLines, RemovesOffsetsOfRows) {
   const auto relief = [](int ix, int) { return 0.25 * ((ix * 7) % 5); };
   FlaggedMap map = map_of({9, 6, 1.0, 1.0}, [&](int ix, int iy) {
@@ -69,7 +69,7 @@ TEST(AlignLines, RemovesOffsetsOfRows) {
     }
 }
 
-// Claim: of Gaussian noise with three spikes of 30 standard deviations, these
+// In Gaussian noise with three spikes of 30 standard deviations exactly these
 // three are marked at a threshold of 8.
 TEST(MarkSpikes, FindsThemAndNothingElse) {
   std::mt19937 random(1);
@@ -84,8 +84,7 @@ TEST(MarkSpikes, FindsThemAndNothingElse) {
   EXPECT_THROW(mark_spikes(map, 2.9), std::domain_error);
 }
 
-// Claim: the threshold decides: a spike of 10 standard deviations is none
-// at 20.
+// A spike of 10 standard deviations is not marked at a threshold of 20.
 TEST(MarkSpikes, ComparesWithTheThreshold) {
   std::mt19937 random(2);
   std::normal_distribution<double> noise(0.0, 1.0);
@@ -106,8 +105,8 @@ TEST(MarkSpikes, FindsTheOnlyStepOfAFlatMap) {
   EXPECT_EQ(map.is_missing[map.map.grid.index(7, 8)], 1);
 }
 
-// Claim: a function whose discrete Laplacian vanishes is restored to rounding,
-// on pixels that are not square: x y, x and x^2 - y^2 in units of length.
+// A function whose discrete Laplacian vanishes is restored to rounding, on
+// pixels that are not square: x y, x and x^2 - y^2 in units of length.
 TEST(FillMissing, RestoresHarmonicHeights) {
   const Grid grid{12, 10, 3.6, 1.0};
   const auto height = [&](int ix, int iy) {
@@ -130,8 +129,9 @@ TEST(FillMissing, RestoresHarmonicHeights) {
           << ix << " " << iy;
 }
 
-// Claim: holes at the border are filled without a slope across it, so a row
-// that is missing at the border repeats its neighbour; values stay in range.
+// Missing points at the border are filled without a slope across it, so that a
+// row that is missing at the border repeats its neighbour; values stay in
+// range.
 TEST(FillMissing, FillsHolesAtTheBorder) {
   FlaggedMap map =
       map_of({5, 4, 1.0, 1.0}, [](int, int iy) { return iy == 0 ? 9.0 : 2.0; });

@@ -1,4 +1,5 @@
-// Claims about surfaces/maps/edges.hpp: what window and mirror do to the power.
+// Tests of surfaces/maps/edges.hpp: the effect of window and mirror on the
+// power.
 #include "base/fourier.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/self_affine.hpp"
@@ -38,18 +39,18 @@ TEST(Edges, PeriodicLeavesTheMapAsItIs) {
     EXPECT_NEAR(same.heights[i], map.heights[i], 1e-24);
 }
 
-// Claim: <sin^4> = 3/8, in two directions. Tolerance: rounding of 64 terms.
+// <sin^4> = 3/8, in two directions. Tolerance: roundoff of 64 terms.
 TEST(HannWindow, HasItsKnownPower) {
   EXPECT_NEAR(hann_power(grid), 9.0 / 64.0, 1e-15);
   EXPECT_NEAR(hann_power({5, 3, 1.0, 1.0}), 9.0 / 64.0, 1e-15);
 }
 
-// Claim: rms height and slope of the windowed map over sqrt(hann_power) are
-// those of the surface, in the mean over random phases. The heights are exactly
-// unbiased (the window has no waves beyond the first); the slope has a bias of
-// the relative order (q_window/q)^2 = 1/40 at most from the window's own
-// slope. Statistics: 100 realisations, 4 standard errors found from them.
-TEST(HannWindow, KeepsThePowerThatItsCorrectionGivesBack) {
+// Rms height and slope of the windowed map over sqrt(hann_power) are those of
+// the surface, in the mean over random phases. The heights are exactly unbiased
+// (the window has no waves beyond the first); the slope has a bias of the
+// relative order (q_window/q)^2 = 1/40 at most from the window's own slope.
+// Statistics: 100 realisations, 4 standard errors found from them.
+TEST(HannWindow, HasThePowerThatItsCorrectionRestores) {
   const int count = 100;
   double sum = 0.0;
   double sum_of_squares = 0.0;
@@ -73,9 +74,10 @@ TEST(HannWindow, KeepsThePowerThatItsCorrectionGivesBack) {
   EXPECT_NEAR(slope, 1.0, 4.0 * standard_error + 0.025);
 }
 
-// Claim: a constant is not roughness, and neither a step at the seam; the mean
-// that is taken out is the window's, else a bow would lift the rim.
-TEST(HannWindow, IsBlindToAnOffsetAndFadesAtTheSeam) {
+// A constant is not roughness, and neither is a step at the periodic boundary.
+// The mean that is subtracted is weighted by the window; otherwise a
+// second-order form would raise the border.
+TEST(HannWindow, IgnoresAnOffsetAndVanishesAtTheBoundary) {
   HeightMap map = rough(0);
   for (int iy = 0; iy < 64; ++iy)
     for (int ix = 0; ix < 64; ++ix)
@@ -92,9 +94,9 @@ TEST(HannWindow, IsBlindToAnOffsetAndFadesAtTheSeam) {
     EXPECT_LT(std::abs(plain.heights[grid.index(i, 0)]), 6e-4 * 5e-9);
 }
 
-// Claim: the window sits in the middle of the map: an odd map stays
-// odd about the centre, and a node has the weight of its place.
-// Tolerance: the means of 48 heights up to 8.5, 50 eps * 8.5 = 1e-13.
+// The window is centred on the map: an odd map stays odd about the centre, and
+// a node has the weight of its position. Tolerance: the means of 48 heights up
+// to 8.5, 50 eps * 8.5 = 1e-13.
 TEST(HannWindow, IsCentredOnTheMap) {
   HeightMap ramp{{8, 6, 1.0, 1.0}, {}};
   for (int i = 0; i < 48; ++i)
@@ -104,12 +106,12 @@ TEST(HannWindow, IsCentredOnTheMap) {
 
   for (std::size_t i = 0; i < 48; ++i)
     EXPECT_NEAR(map.heights[i], -map.heights[47 - i], 1e-13);
-  // Node (2, 1): sin^2(pi 2.5/8) sin^2(pi 1.5/6) times its height.
+  // The value at node (2, 1): sin^2(pi 2.5/8) sin^2(pi 1.5/6) times its height.
   const double weight = std::pow(std::sin(2.5 * std::numbers::pi / 8), 2) / 2;
   EXPECT_NEAR(map.heights[10], weight * (-1.5 - 3.0), 1e-13);
 }
 
-TEST(Mirror, HasNoStepAtTheSeamAndTheHeightsOfTheMap) {
+TEST(Mirror, HasNoStepAtTheBoundaryAndTheHeightsOfTheMap) {
   HeightMap map = rough(0);
   for (int iy = 0; iy < 64; ++iy)
     for (int ix = 0; ix < 64; ++ix)
@@ -131,9 +133,9 @@ TEST(Mirror, HasNoStepAtTheSeamAndTheHeightsOfTheMap) {
               1e-13);
 }
 
-// Claim: the mirrored map is even about the point half a node before node 0,
-// so its modes are real but for that shift, and the power adds up to <h^2> of
-// the map. Tolerance: rounding against h_rms = 1 nm.
+// The mirrored map is even about the point half a node before node 0, so that
+// its modes are real except for that shift, and their power sums to <h^2> of
+// the map. Tolerance: roundoff against h_rms = 1 nm.
 TEST(Mirror, HasARealSpectrumWithThePowerOfTheMap) {
   const HeightMap map = rough(3);
   const HeightMap twice = with_edges(map, Edges::mirror);

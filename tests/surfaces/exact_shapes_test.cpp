@@ -1,5 +1,4 @@
-// Claims about surfaces/maps/exact_shapes.hpp: where the shapes lie and how
-// high.
+// Tests of surfaces/maps/exact_shapes.hpp: position and height of the shapes.
 #include "surfaces/maps/exact_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +14,8 @@ namespace {
 
 constexpr Grid grid{32, 16, 4.0, 2.0};
 
-// Claim: one top, at the centre node, falling by r^2/(2R). Tolerance: rounding
-// of heights of order one.
+// There is one maximum, at the centre node, from which the height decreases by
+// r^2/(2R). Tolerance: roundoff of heights of order one.
 TEST(Paraboloid, HasItsTopAtTheCentreNode) {
   const HeightMap map = paraboloid(grid, 2.5);
 
@@ -41,8 +40,8 @@ TEST(Paraboloid, IsSymmetricAboutItsTop) {
   }
 }
 
-// Claim: the wave that its header says, and equal heights equal bit for bit,
-// mean 0 and mean square D^2/2 (1-D) or D^2/4 (2-D).
+// The wave has the formula of its header, equal heights are equal bit for bit,
+// the mean is 0 and the mean square D^2/2 (1-D) or D^2/4 (2-D).
 TEST(Waves, FollowTheirFormula) {
   const HeightMap line = wave_1d(grid, 3.0, 1.0);
   const HeightMap egg_box = wave_2d(grid, 3.0, 1.0);
@@ -65,7 +64,7 @@ TEST(Waves, FollowTheirFormula) {
   EXPECT_EQ(line.heights[grid.index(1, 0)], line.heights[grid.index(25, 7)]);
 }
 
-// Claim: a third of 4 m printed with five digits fits three times.
+// A third of 4 m printed with five digits fits three times.
 TEST(Waves, FitTheCellWhenTheirLengthIsPrinted) {
   const HeightMap map = wave_1d({36, 4, 4.0, 2.0}, 3.0, 1.3333);
 

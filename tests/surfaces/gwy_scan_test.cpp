@@ -1,5 +1,5 @@
-// Claims about the reader of Gwyddion's native format: units, masks, the choice
-// of a channel, and damaged files. The files are written here.
+// Tests of the reader of Gwyddion's native format: units, masks, the choice of
+// a channel, and damaged files. The tests write the files themselves.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -83,7 +83,7 @@ const std::string several = gwy_file(
     gwy_channel("1", "AmplitudeTrace", "m", 11) +
     gwy_channel("2", "Z", "m", 12) + gwy_channel("10", "HeightTrace", "m", 13));
 
-// Claim: heights are chosen by unit and title, not by the order of channels.
+// Heights are chosen by unit and title, not by the order of channels.
 TEST(GwyScan, ChoosesTheHeights) {
   const Scan chosen = gwy_scan(several);
   EXPECT_EQ(chosen.channel, "HeightTrace");
@@ -127,7 +127,7 @@ TEST(GwyScan, ListsTheChannelsOfAFile) {
   EXPECT_EQ(channels[3].points_y, 2);
 }
 
-// Claim: masked points are missing, whatever height the file has there.
+// Masked points are missing, whatever height the file has there.
 TEST(GwyScan, RespectsTheMask) {
   const std::string mask =
       gwy_part("/0/mask", 'o', gwy_field("", {0, 1, 0, 0.4, 0, 1}));
@@ -151,7 +151,8 @@ TEST(GwyScan, SkipsWhatItDoesNotNeed) {
       7.0);
 }
 
-// Claim: a file that ends anywhere is refused, by the byte where it ends.
+// A file that is truncated anywhere is refused; the message states the byte
+// where it ends.
 TEST(GwyScan, RefusesEveryTruncation) {
   for (std::size_t length = 4; length < several.size(); ++length)
     EXPECT_EQ(gwy_refusal(several.substr(0, length)).find("map.gwy: byte "), 0U)

@@ -1,5 +1,5 @@
-// Claims about surfaces/formats/gwyddion_file.hpp, with a reader of the format
-// that knows nothing of the writer.
+// Tests of surfaces/formats/gwyddion_file.hpp, with a reader of the format that
+// is independent of the writer.
 #include "surfaces/formats/gwyddion_file.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ void read_object(std::string_view& bytes, const std::string& path,
   }
 }
 
-// Claim: a rectangular map is one channel with its sizes, units and rows.
+// A rectangular map is one channel with its sizes, units and rows.
 TEST(GwyddionFile, HoldsTheMap) {
   const HeightMap map{{3, 2, 6e-6, 1e-6},
                       {1e-9, 2e-9, 3e-9, -4e-9, -5e-9, 0.5}};

@@ -1,4 +1,5 @@
-// Claims about surfaces/maps/levelling.hpp: which trends go and what stays.
+// Tests of surfaces/maps/levelling.hpp: which trends are removed and what
+// remains.
 #include "base/maximum.hpp"
 #include "surfaces/maps/levelling.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -15,7 +16,7 @@ namespace {
 using mechanics::Levelling;
 
 /// A quadratic trend of the given coefficients [m] on a rectangle of odd and
-/// even sides, coordinates from one corner as an instrument has them.
+/// even sides, with coordinates from one corner as in an instrument.
 HeightMap trend(double tilt, double bow) {
   HeightMap map{{31, 24, 3e-6, 2e-6}, {}};
   for (int iy = 0; iy < 24; ++iy)
@@ -33,7 +34,7 @@ double largest(const HeightMap& map) {
   return largest_magnitude(map.heights);
 }
 
-// Claim: a trend of its own degree vanishes. Tolerance: 20 eps of 5 um.
+// A trend of the removed degree vanishes. Tolerance: 20 eps of 5 um.
 TEST(RemoveTrend, RemovesItsPolynomialExactly) {
   HeightMap plane = trend(1e-6, 0.0);
   HeightMap bow = trend(1e-6, 3e-7);
@@ -45,7 +46,7 @@ TEST(RemoveTrend, RemovesItsPolynomialExactly) {
   EXPECT_LT(largest(bow), 2e-20);
 }
 
-TEST(RemoveTrend, LeavesWhatItIsNotAskedFor) {
+TEST(RemoveTrend, LeavesOtherTrends) {
   HeightMap none = trend(1e-6, 3e-7);
   HeightMap plane = trend(1e-6, 3e-7);
 
@@ -58,9 +59,9 @@ TEST(RemoveTrend, LeavesWhatItIsNotAskedFor) {
   EXPECT_LT(largest(plane), 3e-7);
 }
 
-// Claim: the least-squares remainder is orthogonal to 1, x, y, x^2, x y, y^2,
-// which is what defines it; x and y from the corner, by plain sums. Tolerance:
-// 744 terms of 1e-8 m, some 10 eps of their sum.
+// The least-squares remainder is orthogonal to 1, x, y, x^2, x y, y^2, which
+// defines it; x and y from the corner, by direct sums. Tolerance: 744 terms of
+// 1e-8 m, some 10 eps of their sum.
 TEST(RemoveTrend, LeavesALeastSquaresRemainder) {
   HeightMap map = trend(1e-6, 3e-7);
   for (std::size_t i = 0; i < map.heights.size(); ++i)

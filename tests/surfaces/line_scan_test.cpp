@@ -1,4 +1,4 @@
-// Claims about surfaces/analysis/line_scan.hpp and stitched_spectrum.hpp.
+// Tests of surfaces/analysis/line_scan.hpp and stitched_spectrum.hpp.
 #include "input/input_error.hpp"
 #include "surfaces/analysis/line_scan.hpp"
 #include "surfaces/analysis/stitched_spectrum.hpp"
@@ -78,11 +78,11 @@ TEST(IsotropicFromLine, InvertsAGaussian) {
 // steps of eight per decade, and the scatter of 128 rows.
 TEST(LineScan, OfASurfaceGivesItsSpectrum) {
   const double unit = 2.0 * pi;
-  const auto truth = SelfAffineSpectrum::with_rms_height(
+  const auto exact = SelfAffineSpectrum::with_rms_height(
       {0.8, unit, 4 * unit, 63 * unit}, 1e-3);
   std::vector<SpectrumRing> all;
   for (int r = 0; r < 4; ++r) {
-    const HeightMap map = realize(truth.isotropic(), {128, 128, 1.0, 1.0},
+    const HeightMap map = realize(exact.isotropic(), {128, 128, 1.0, 1.0},
                                   {3, r}, mechanics::Amplitudes::gaussian);
     for (std::size_t row = 0; row < 128; ++row) {
       const auto first = map.heights.begin() + static_cast<long>(128 * row);
@@ -94,7 +94,7 @@ TEST(LineScan, OfASurfaceGivesItsSpectrum) {
   const auto found = isotropic_from_line(joined_rings(all, 8.0));
 
   for (const SpectrumRing& row : rings_between(found, 7 * unit, 32 * unit)) {
-    EXPECT_NEAR(row.density / truth(row.wavevector), 1.0, 0.25)
+    EXPECT_NEAR(row.density / exact(row.wavevector), 1.0, 0.25)
         << row.wavevector / unit;
   }
 }
@@ -109,7 +109,7 @@ TEST(LineScan, HasASpectrumThatSumsToTheVariance) {
   for (const SpectrumRing& row : line_spectrum(line))
     sum += row.mean_square_height;
 
-  // Ten waves under the window: 1/2 up to the overlap of their sidelobes.
+  // Ten waves in the window: 1/2 up to the overlap of their sidelobes.
   EXPECT_NEAR(sum, 0.5, 1e-3);
 }
 

@@ -1,5 +1,5 @@
-// Claims about surfaces/formats/map_file.hpp: units, orientation, and what the
-// reader says about a bad file.
+// Tests of surfaces/formats/map_file.hpp: units, orientation, and the messages
+// about an invalid file.
 #include "input/input_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 
@@ -42,7 +42,7 @@ TEST(MapFile, ReadsAGwyddionMatrixWithItsOwnUnits) {
   EXPECT_NEAR(map.heights[map.grid.index(1, 1)], 50e-9, 1e-23);
 }
 
-TEST(MapFile, KnowsEverySpellingOfALengthUnit) {
+TEST(MapFile, ReadsEverySpellingOfALengthUnit) {
   const auto width = [](const std::string& unit) {
     return read("# Width: 2 " + unit +
                 "\n# Height: 1m\n# Value units: m\n"
@@ -79,9 +79,9 @@ TEST(MapFile, ReadsAGwyddionFileAsPlainWhenTold) {
   EXPECT_EQ(map.heights[0], 1.0);
 }
 
-// Claim: what is written with 17 digits and any separator comes back bit for
-// bit.
-TEST(MapFile, GivesBackTheNumbersThatWereWritten) {
+// A matrix that is written with 17 digits and any separator is read back bit
+// for bit.
+TEST(MapFile, ReadsBackTheNumbersThatWereWritten) {
   const bool holds = rc::check([](bool has_commas) {
     const int columns = *rc::gen::inRange(2, 6);
     const int rows = *rc::gen::inRange(2, 6);
@@ -137,7 +137,7 @@ TEST(MapFile, SaysWhichLineIsNotAMatrix) {
   EXPECT_EQ(message_of("", scale), "map.txt: contains no numbers");
 }
 
-TEST(MapFile, SaysWhatIsWrongWithTheHeader) {
+TEST(MapFile, NamesTheMistakeInTheHeader) {
   const std::string rows = "1 2\n3 4\n";
 
   EXPECT_EQ(message_of(rows, {}, MapFormat::gwyddion),
@@ -157,7 +157,7 @@ TEST(MapFile, SaysWhatIsWrongWithTheHeader) {
       "nm, pm, angstrom");
 }
 
-TEST(MapFile, SaysWhichKeyOfTheCaseIsMissingOrTooMuch) {
+TEST(MapFile, NamesMissingAndSuperfluousKeysOfTheCase) {
   EXPECT_EQ(message_of("1 2\n3 4\n"),
             "surface.length is missing: map.txt is a plain matrix, which does "
             "not give its width");
@@ -172,16 +172,16 @@ TEST(MapFile, SaysWhichKeyOfTheCaseIsMissingOrTooMuch) {
             "map.txt gives 'nm'");
 }
 
-// Claim: a message shows the start of what was found, and no control character
-// of it, which could move a terminal's cursor.
-TEST(MapFile, QuotesWhatItFoundShortAndPlain) {
+// A message quotes the start of the text that was found, without its control
+// characters, which could move a terminal's cursor.
+TEST(MapFile, QuotesTextShortenedAndWithoutControlCharacters) {
   EXPECT_EQ(message_of("1 2\n3 \x1B[2J" + std::string(100000, 'x') + "\n",
                        {1e-6, 1e-9}),
             "map.txt:2: column 2: found '?[2J" + std::string(56, 'x') +
                 "...', but must be a finite number");
 }
 
-TEST(MapFile, ReadsFromDiskAndSaysWhatIsNoFile) {
+TEST(MapFile, ReadsFromDiskAndRefusesWhatIsNotAFile) {
   const std::filesystem::path folder = testing::TempDir();
   const std::string path = folder / "asperity_map_file_test.txt";
   std::ofstream(path) << gwyddion;

@@ -1,5 +1,5 @@
-// Claims about surfaces/formats/map_writer.hpp: what is written is read again,
-// by our readers and, where it is installed, by the program Gwyddion.
+// Tests of surfaces/formats/map_writer.hpp: our readers and, where it is
+// installed, the program Gwyddion read back what is written.
 #include "base/child_process.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/map_writer.hpp"
@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Not square, with pixels that are not, and numbers that need all digits.
+/// Not square, with pixels that are not square, and numbers that need all
+/// digits.
 HeightMap odd_map() {
   HeightMap map{{5, 4, 3.1e-6, 1.7e-6}, {}};
   for (int i = 0; i < 20; ++i)
@@ -47,7 +48,7 @@ protected:
   fs::path folder_;
 };
 
-// Claim: heights come back bit for bit and lengths to rounding.
+// Heights are read back bit for bit and lengths to roundoff.
 TEST_F(MapWriter, WritesWhatTheReadersRead) {
   for (const std::string name : {"a.h5", "a.gwy", "a.txt", "a.x3p"}) {
     const Scan scan = read_scan(written(name), {});
@@ -76,9 +77,9 @@ TEST_F(MapWriter, RefusesAnotherEnding) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-// Claim: without lengths or a unit, a matrix needs those of the case, and what
-// the file gives must not be given again.
-TEST_F(MapWriter, AsksForTheScalesThatAFileLacks) {
+// A matrix without lengths or a unit needs those of the case; those that the
+// file states must not be given again.
+TEST_F(MapWriter, RequestsTheScalesThatAFileLacks) {
   const auto refusal = [](const std::string& path, const MapScale& scale) {
     try {
       read_scan(path, {mechanics::MapFormat::automatic, {}, scale});
@@ -100,8 +101,8 @@ TEST_F(MapWriter, AsksForTheScalesThatAFileLacks) {
             std::string::npos);
 }
 
-// Claim: a dataset is chosen by its path; a file with several asks for one, and
-// a file that is cut off is refused.
+// A dataset is chosen by its path; for a file with several one must be given,
+// and a truncated file is refused.
 TEST_F(MapWriter, ChoosesADataset) {
   const std::string path = written("a.h5");
   EXPECT_EQ(read_scan(path, {{}, "/heights", {}}).channel, "/heights");
@@ -115,7 +116,8 @@ TEST_F(MapWriter, ChoosesADataset) {
   EXPECT_THROW(read_scan(path, {}), input::InputError);
 }
 
-// Claim: Gwyddion agrees with our readers on every format that both read.
+// Verifies that Gwyddion agrees with our readers on every format that both
+// read.
 TEST_F(MapWriter, IsReadByGwyddion) {
   if (program_on_path("gwyddion").empty())
     GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
@@ -130,7 +132,7 @@ TEST_F(MapWriter, IsReadByGwyddion) {
   }
 }
 
-TEST_F(MapWriter, SaysWhenNobodyReadsAFile) {
+TEST_F(MapWriter, ReportsAFileThatNoReaderAccepts) {
   const std::string path = folder_ / "scan.ibw";
   std::ofstream(path, std::ios::binary) << std::string(300, '\0');
   try {

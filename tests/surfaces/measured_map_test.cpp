@@ -1,5 +1,5 @@
-// Claims about surfaces/measured_map.hpp: the order of the corrections, the
-// limit of missing points, and what is said of them.
+// Tests of surfaces/measured_map.hpp: the order of the corrections, the limit
+// of missing points, and the messages about them.
 #include "input/input_error.hpp"
 #include "surfaces/measured_map.hpp"
 
@@ -60,8 +60,8 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
                            "surface.fill = \"none\" none must be");
 }
 
-// Claim: the map is cropped first, so that missing points outside the window do
-// not count.
+// The map is cropped first, so that missing points outside the window do not
+// count.
 TEST(MeasuredMap, CropsFirst) {
   mechanics::SurfaceSpec surface = surface_of("crop", "nan", "BAD");
   surface.crop = mechanics::MapWindow{1e-6, 0.0, 0.0, 8e-6};

@@ -1,4 +1,4 @@
-// Claims about surfaces/formats/npy.hpp. The files are written byte by byte as
+// Tests of surfaces/formats/npy.hpp. The files are written byte by byte as
 // numpy.lib.format describes them.
 #include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
@@ -51,7 +51,7 @@ std::string message_of(const std::string& bytes) {
   return "no error";
 }
 
-// Claim: numbers of both widths and byte orders, by row and by column, are read
+// Numbers of both widths and byte orders, by row and by column, are read
 // exactly, in each version of the format.
 TEST(Npy, ReadsEveryOrder) {
   const std::vector<double> numbers{
@@ -85,7 +85,7 @@ TEST(Npy, ReadsEveryOrder) {
         (std::vector<double>{0.1F, 2.0}));
 }
 
-// Claim: what is written is read again, bit by bit, and the numbers begin at a
+// What is written is read again, bit by bit, and the numbers begin at a
 // multiple of 64 bytes, as the format asks.
 TEST(Npy, IsReadAsWritten) {
   const std::vector<double> numbers{0.1, -0.0, 1e300, 5e-324};
@@ -97,7 +97,7 @@ TEST(Npy, IsReadAsWritten) {
   EXPECT_THROW(npy_bytes(numbers, 3, 1), std::domain_error);
 }
 
-// Claim: what cannot be read is refused with what was found.
+// A file that cannot be read is refused with what was found.
 TEST(Npy, RefusesWhatItCannotRead) {
   const std::string data(48, 'x');
   EXPECT_NE(message_of("PK\3\4 a zip file").find("is no .npy file"),

@@ -1,5 +1,5 @@
-// Claims about real files of instruments, which are not part of the project:
-// sizes, units and rms values that another program's tests state for them.
+// Tests with files of real instruments, which are not part of the project:
+// sizes, units and rms values that the tests of another program state for them.
 #include "base/child_process.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder of the files, which the environment names.
+/// Folder of the files, given by the environment.
 fs::path data_folder() {
   const char* const named = std::getenv("ASPERITY_TEST_DATA");
   return named != nullptr ? fs::path(named) : fs::path();
@@ -64,7 +64,7 @@ TEST_F(RealMaps, GwyddionText) {
   EXPECT_NEAR(tiny.map.grid.length_y, 5.6789e-6, 1e-18);
 }
 
-// Claim: where Gwyddion reads a file as well, it agrees with our reader.
+// Where Gwyddion reads a file as well, it agrees with our reader.
 TEST_F(RealMaps, AgreeWithGwyddion) {
   if (program_on_path("gwyddion").empty())
     GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";

@@ -1,5 +1,6 @@
-// Claims about surfaces/realization.hpp and random_modes.hpp: a surface is
-// fixed by its key and not by its grid, and has the spectrum it came from.
+// Tests of surfaces/realization.hpp and random_modes.hpp: a surface is
+// determined by its key and not by its grid, and has the spectrum from which it
+// was made.
 #include "base/fourier.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
@@ -37,8 +38,8 @@ double largest_difference(const HeightMap& a, const HeightMap& b) {
   return tests::largest_difference(a.heights, b.heights);
 }
 
-// Claim: 64 and 256 points sample one surface. Tolerance: two transforms of
-// some 1200 waves each, log2(256^2) eps h_rms sqrt(..) < 1e-14 h_rms.
+// Verifies that 64 and 256 points sample one surface. Tolerance: two transforms
+// of some 1200 waves each, log2(256^2) eps h_rms sqrt(..) < 1e-14 h_rms.
 TEST(Realization, IsTheSameSurfaceOnAFinerGrid) {
   for (const auto amplitudes :
        {mechanics::Amplitudes::spectrum, mechanics::Amplitudes::gaussian}) {
@@ -53,8 +54,8 @@ TEST(Realization, IsTheSameSurfaceOnAFinerGrid) {
   }
 }
 
-// Claim: raising q_1 adds waves and leaves the others as they are, so surfaces
-// that differ by their cut-off are the same below it (same plateau).
+// A larger q_1 adds waves and leaves the others unchanged, so that surfaces
+// that differ by their cut-off are equal below it (same plateau).
 TEST(Realization, KeepsItsLongWavesWhenTheCutOffIsRaised) {
   const auto long_waves = spectrum();
   auto with_short = long_waves;
@@ -90,7 +91,7 @@ TEST(Realization, DependsOnSeedAndRealization) {
             1e-9);
 }
 
-// Claim: |a_q|^2 = C(q) (2 pi)^2/(L_x L_y) mode by mode, here on a rectangle,
+// a_q|^2 = C(q) (2 pi)^2/(L_x L_y) mode by mode, here on a rectangle,
 // by the transform of the map. Tolerance: rounding of the transforms against
 // the largest mode.
 TEST(Realization, HasExactlyTheSpectrumItCameFrom) {
@@ -115,7 +116,7 @@ TEST(Realization, HasExactlyTheSpectrumItCameFrom) {
     }
 }
 
-// Claim: <|a_q|^2> = s_q^2 for Gaussian amplitudes, and |a_q|^2 is exponential.
+// <|a_q|^2> = s_q^2 for Gaussian amplitudes, and |a_q|^2 is exponential.
 // Statistics: some 600 modes in each of 20 surfaces, mean of n exponentials is
 // 1 +- 1/sqrt(n), their mean square 2 +- sqrt(20/n): 4 sigma.
 TEST(Realization, HasGaussianAmplitudesOnDemand) {
@@ -160,7 +161,8 @@ std::string message_of(const IsotropicSpectrum& asked, const Grid& grid,
   return "accepted";
 }
 
-// Claim: the highest of 20 periods needs 42 points to stay off the Nyquist row.
+// The largest wavevector, of 20 periods, needs 42 points to be below the
+// Nyquist row.
 TEST(Realization, RefusesAGridThatIsTooCoarse) {
   EXPECT_EQ(points_needed(20 * unit, length), 42);
   EXPECT_EQ(points_needed(20.5 * unit, length), 42);
@@ -184,10 +186,10 @@ TEST(Realization, RefusesWhatItCannotMake) {
             "realization = -1, but must be finite and >= 0 [1]");
 }
 
-// Claim: both numbers of a draw are uniform and the two are independent.
-// Statistics: 16 bins of n = 40 000 draws, chi^2 with 15 degrees of freedom
-// exceeds 44.3 once in 10 000 times; with the 256 cells of pairs (255 degrees
-// of freedom), 347.7.
+// Both numbers of a draw are uniform and the two are independent. Statistics:
+// 16 bins of n = 40 000 draws, chi^2 with 15 degrees of freedom exceeds 44.3
+// once in 10 000 times; with the 256 cells of pairs (255 degrees of freedom),
+// 347.7.
 TEST(DrawMode, IsUniform) {
   std::vector<double> first(16), second(16), pairs(256);
   const int half = 100;
@@ -215,7 +217,7 @@ TEST(DrawMode, IsUniform) {
   EXPECT_LT(chi_squared(pairs), 347.7);
 }
 
-TEST(DrawMode, TellsEveryPartOfTheKeyApart) {
+TEST(DrawMode, DependsOnEveryPartOfTheKey) {
   const double draw = draw_mode({42, 3}, 5, -7).second;
 
   EXPECT_EQ(draw, draw_mode({42, 3}, 5, -7).second);

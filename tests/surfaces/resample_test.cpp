@@ -1,4 +1,4 @@
-// Claims about surfaces/maps/resample.hpp.
+// Tests of surfaces/maps/resample.hpp.
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -25,7 +25,7 @@ Grid grid_of(int points_x, int points_y) {
   return {points_x, points_y, length_x, length_y};
 }
 
-/// White noise: every mode, the Nyquist rows too.
+/// White noise in every mode, including the Nyquist rows.
 HeightMap noise(int points_x, int points_y) {
   HeightMap map{grid_of(points_x, points_y), {}};
   std::mt19937 generator(3);
@@ -50,7 +50,8 @@ double mean_square_difference(const HeightMap& a, const HeightMap& b) {
   return sum / static_cast<double>(a.heights.size());
 }
 
-/// The interpolation of a unit node among n, at a part of the period from it.
+/// The interpolation of a unit value at one of n nodes, at a fraction of the
+/// period from it.
 double cardinal(double part, int n) {
   const double angle = std::numbers::pi * part;
   if (std::abs(std::sin(angle)) < 1e-12)
@@ -84,9 +85,9 @@ struct Sides {
 
 class ResampleFiner : public ::testing::TestWithParam<Sides> {};
 
-// Claim: on a finer grid, nested or not, odd or even, it is the trigonometric
-// interpolation, Nyquist rows included, and nothing is dropped. Tolerance: a
-// sum of 200 terms of order one, 200 eps.
+// On a finer grid, nested or not, odd or even, the result is the trigonometric
+// interpolation, including the Nyquist rows, and nothing is dropped. Tolerance:
+// a sum of 200 terms of order one, 200 eps.
 TEST_P(ResampleFiner, IsTheInterpolationOfTheNodes) {
   const Sides sides = GetParam();
   const HeightMap map = noise(sides.from_x, sides.from_y);
@@ -99,9 +100,9 @@ TEST_P(ResampleFiner, IsTheInterpolationOfTheNodes) {
   EXPECT_EQ(finer.dropped, 0.0);
 }
 
-// Claim: there and back is the same map. Tolerance: four transforms, 1e-15
-// each.
-TEST_P(ResampleFiner, LosesNothingThereAndBack) {
+// Resampling on a finer grid and back gives the same map. Tolerance: four
+// transforms, 1e-15 each.
+TEST_P(ResampleFiner, IsInvertedByResamplingBack) {
   const Sides sides = GetParam();
   const HeightMap map = noise(sides.from_x, sides.from_y);
 
@@ -118,10 +119,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Sides{8, 7, 9, 16}, Sides{5, 9, 12, 11},
                       Sides{8, 6, 8, 10}, Sides{12, 12, 18, 13}));
 
-// Claim: what a coarser grid drops is the mean square of the difference of the
-// two interpolations, taken on a grid that carries both and their squares.
-// Tolerance: rounding of a sum of 40^2 terms.
-TEST(ResampleCoarser, SaysHowMuchItDrops) {
+// What a coarser grid drops is the mean square of the difference of the two
+// interpolations, computed on a grid that represents both and their squares.
+// Tolerance: roundoff of a sum of 40^2 terms.
+TEST(ResampleCoarser, ReportsHowMuchItDrops) {
   const HeightMap map = noise(12, 14);
   const Grid fine = grid_of(40, 40);
   for (const Grid& target : {grid_of(8, 14), grid_of(8, 8), grid_of(7, 10),
@@ -156,8 +157,9 @@ IsotropicSpectrum rough_spectrum(double highest) {
   return spectrum;
 }
 
-// Claim: a surface without its short waves is the one realised without them.
-// 13 is the |q| of (5, 12), which stays. Tolerance: as for two realisations.
+// A surface whose short waves are removed is the one that is realised without
+// them. 13 is the |q| of (5, 12), which stays. Tolerance: as for two
+// realisations.
 TEST(LowPassed, LeavesTheLongWaves) {
   const Grid grid{64, 64, 1.0, 1.0};
   const HeightMap whole = realize(rough_spectrum(20.0), grid, {4, 0});

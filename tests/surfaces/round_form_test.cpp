@@ -1,5 +1,5 @@
-// Claims about surfaces/maps/round_form.hpp: spheres and cylinders are removed
-// exactly, planes too, and roughness on them remains.
+// Tests of surfaces/maps/round_form.hpp: spheres, cylinders and planes are
+// removed exactly, and the roughness on them remains.
 #include "surfaces/maps/round_form.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -28,8 +28,8 @@ double largest_left(const HeightMap& map) {
   return largest;
 }
 
-// Claim: any part of a sphere, hollow or not, is removed to rounding, also
-// where a paraboloid would leave micrometres.
+// Any part of a sphere, convex or concave, is removed to roundoff, also where a
+// paraboloid would leave micrometres.
 TEST(RoundForm, RemovesSpheres) {
   for (const double radius : {30e-6, 200e-6, 1.0}) {
     for (const double sign : {1.0, -1.0}) {
@@ -67,8 +67,8 @@ TEST(RoundForm, RemovesCylindersInAnyDirection) {
   }
 }
 
-// Claim: a wave on a sphere keeps its rms height: the sphere takes 4 parameters
-// of 1000 points, which is less than a percent of a short wave.
+// A wave on a sphere keeps its rms height: the sphere takes 4 parameters of
+// 1000 points, which is less than a percent of a short wave.
 TEST(RoundForm, KeepsTheRoughness) {
   const auto wave = [](double x, double y) {
     return 1e-8 * std::cos(2e6 * x) * std::cos(1.5e6 * y);

@@ -1,5 +1,5 @@
-// Claims about the reader of ISO 25178-71 (SDF), with files written here from
-// the layout of the standard.
+// Tests of the reader of ISO 25178-71 (SDF), with files that the tests write
+// according to the standard.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -119,9 +119,8 @@ TEST(SdfScan, SaysWhatIsWrong) {
             std::string::npos);
 }
 
-// Claim: the header cannot make the program allocate more than the file could
-// fill.
-TEST(SdfScan, DoesNotBelieveItsHeader) {
+// The header cannot make the program allocate more than the file could fill.
+TEST(SdfScan, ChecksTheSizesInItsHeader) {
   std::string text = text_header;
   text.replace(text.find("NumPoints = 3"), 13, "NumPoints = 999999");
   text.replace(text.find("NumProfiles = 2"), 15, "NumProfiles = 999999");

@@ -1,4 +1,4 @@
-// Claims about surfaces/analysis/self_affine_fit.hpp.
+// Tests of surfaces/analysis/self_affine_fit.hpp.
 #include "surfaces/analysis/self_affine_fit.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
@@ -14,11 +14,11 @@ namespace {
 
 constexpr double unit = 2.0 * std::numbers::pi; // of a side of 1 m
 
-bool contains(const FittedParameter& parameter, double truth) {
-  return parameter.low <= truth * (1.0 + 1e-9) && truth <= parameter.high;
+bool contains(const FittedParameter& parameter, double exact) {
+  return parameter.low <= exact * (1.0 + 1e-9) && exact <= parameter.high;
 }
 
-/// Rings at the distances that a map of side 1 m has, with exact densities.
+/// Rings at the wavevectors of a map of side 1 m, with exact densities.
 std::vector<SpectrumRing> exact_rings(const SelfAffineSpectrum& spectrum,
                                       double end, double noise) {
   std::vector<SpectrumRing> rings;
@@ -33,12 +33,12 @@ SelfAffineSpectrum spectrum_of(double hurst, double roll_off, double cutoff) {
       {hurst, 0.5 * unit, roll_off * unit, cutoff * unit}, 1e-6);
 }
 
-// Densities without scatter: every parameter is found, to the spacing of the
-// rings for the cut-off and to the convergence of the likelihood (1e-6 of the
-// value) for the others.
+// With densities without scatter every parameter is found, to the spacing of
+// the rings for the cut-off and to the convergence of the likelihood (1e-6 of
+// the value) for the others.
 TEST(SelfAffineFit, FindsTheParametersOfExactDensities) {
-  const SelfAffineSpectrum truth = spectrum_of(0.6, 8, 90);
-  std::vector<SpectrumRing> rings = exact_rings(truth, 128, 1e-9 * truth(unit));
+  const SelfAffineSpectrum exact = spectrum_of(0.6, 8, 90);
+  std::vector<SpectrumRing> rings = exact_rings(exact, 128, 1e-9 * exact(unit));
 
   const auto found = fit_self_affine(rings, rings.back().wavevector);
 
@@ -47,14 +47,14 @@ TEST(SelfAffineFit, FindsTheParametersOfExactDensities) {
   EXPECT_NEAR(found->roll_off.value / (8 * unit), 1.0, 2e-2);
   EXPECT_NEAR(found->cutoff.value / (90 * unit), 1.0, 0.03);
   EXPECT_TRUE(contains(found->cutoff, 90 * unit));
-  EXPECT_NEAR(found->density(4 * unit) / truth(4 * unit), 1.0, 1e-2);
-  EXPECT_NEAR(found->density(40 * unit) / truth(40 * unit), 1.0, 1e-2);
+  EXPECT_NEAR(found->density(4 * unit) / exact(4 * unit), 1.0, 1e-2);
+  EXPECT_NEAR(found->density(40 * unit) / exact(40 * unit), 1.0, 1e-2);
 }
 
 TEST(SelfAffineFit, SeparatesNoiseFromRoughness) {
-  const SelfAffineSpectrum truth = spectrum_of(0.8, 4, 1000);
-  const double noise = truth(40 * unit);
-  const std::vector<SpectrumRing> rings = exact_rings(truth, 128, noise);
+  const SelfAffineSpectrum exact = spectrum_of(0.8, 4, 1000);
+  const double noise = exact(40 * unit);
+  const std::vector<SpectrumRing> rings = exact_rings(exact, 128, noise);
 
   const auto found = fit_self_affine(rings, rings.back().wavevector);
 
@@ -65,9 +65,9 @@ TEST(SelfAffineFit, SeparatesNoiseFromRoughness) {
   EXPECT_EQ(found->cutoff.reason, "no cut-off within the reliable range");
 }
 
-TEST(SelfAffineFit, SaysThatThereIsNoRollOff) {
-  const SelfAffineSpectrum truth = spectrum_of(0.7, 0.5, 1000);
-  const std::vector<SpectrumRing> rings = exact_rings(truth, 64, 0.0);
+TEST(SelfAffineFit, ReportsThatThereIsNoRollOff) {
+  const SelfAffineSpectrum exact = spectrum_of(0.7, 0.5, 1000);
+  const std::vector<SpectrumRing> rings = exact_rings(exact, 64, 0.0);
 
   const auto found = fit_self_affine(rings, rings.back().wavevector);
 
@@ -80,8 +80,8 @@ TEST(SelfAffineFit, SaysThatThereIsNoRollOff) {
 // Between a roll-off and a cut-off a factor of 1.4 apart, with scatter, any H
 // fits; the model is still a description of the rings.
 TEST(SelfAffineFit, StatesNoHurstExponentOfAShortPart) {
-  const SelfAffineSpectrum truth = spectrum_of(0.8, 8, 11);
-  const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0}, {1, 0},
+  const SelfAffineSpectrum exact = spectrum_of(0.8, 8, 11);
+  const HeightMap map = realize(exact.isotropic(), {64, 64, 1.0, 1.0}, {1, 0},
                                 mechanics::Amplitudes::gaussian);
   const SpectrumEstimate spectrum = estimate_spectrum(map, true);
 
@@ -91,21 +91,21 @@ TEST(SelfAffineFit, StatesNoHurstExponentOfAShortPart) {
   EXPECT_TRUE(std::isnan(found->hurst.value));
   EXPECT_EQ(found->hurst.reason,
             "the self-affine part of the spectrum is too short");
-  EXPECT_NEAR(found->density(4 * unit) / truth(4 * unit), 1.0, 0.3);
+  EXPECT_NEAR(found->density(4 * unit) / exact(4 * unit), 1.0, 0.3);
 }
 
 TEST(SelfAffineFit, NeedsEnoughRings) {
-  const SelfAffineSpectrum truth = spectrum_of(0.7, 2, 1000);
+  const SelfAffineSpectrum exact = spectrum_of(0.7, 2, 1000);
 
-  EXPECT_FALSE(fit_self_affine(exact_rings(truth, 2.9, 0.0), 3 * unit));
+  EXPECT_FALSE(fit_self_affine(exact_rings(exact, 2.9, 0.0), 3 * unit));
   EXPECT_FALSE(fit_self_affine({}, unit));
 }
 
-// The 95 % intervals contain the truth in about 95 of 100 Gaussian surfaces of
-// 64 x 64 nodes. A binomial count with p = 0.95 is below 88 with a probability
-// of 0.2 %. The cut-off is known to a ring or better, always.
-TEST(SelfAffineFit, HasIntervalsThatContainTheTruth) {
-  const SelfAffineSpectrum truth = spectrum_of(0.8, 4, 25);
+// The 95 % intervals contain the exact value in about 95 of 100 Gaussian
+// surfaces of 64 x 64 nodes. A binomial count with p = 0.95 is below 88 with a
+// probability of 0.2 %. The cut-off is always found to a ring or better.
+TEST(SelfAffineFit, HasIntervalsThatContainTheExactValue) {
+  const SelfAffineSpectrum exact = spectrum_of(0.8, 4, 25);
   int hurst = 0;
   int roll_off = 0;
   int cutoff = 0;
@@ -114,7 +114,7 @@ TEST(SelfAffineFit, HasIntervalsThatContainTheTruth) {
   double sum = 0.0;
   double squares = 0.0;
   for (int r = 0; r < 100; ++r) {
-    const HeightMap map = realize(truth.isotropic(), {64, 64, 1.0, 1.0},
+    const HeightMap map = realize(exact.isotropic(), {64, 64, 1.0, 1.0},
                                   {21, r}, mechanics::Amplitudes::gaussian);
     const SpectrumEstimate spectrum = estimate_spectrum(map, true);
     const auto found =
@@ -128,7 +128,7 @@ TEST(SelfAffineFit, HasIntervalsThatContainTheTruth) {
     const double whole =
         SelfAffineSpectrum::with_rms_height(band, 1.0).plateau();
     rms_height +=
-        contains(found->rms_height, std::sqrt(truth.plateau() / whole));
+        contains(found->rms_height, std::sqrt(exact.plateau() / whole));
     width += (found->hurst.high - found->hurst.low) / 100;
     sum += found->hurst.value / 100;
     squares += found->hurst.value * found->hurst.value / 100;

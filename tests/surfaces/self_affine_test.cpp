@@ -1,4 +1,4 @@
-// Claims about surfaces/maps/self_affine.hpp: amplitude, ends and moments.
+// Tests of surfaces/maps/self_affine.hpp: amplitude, ends and moments.
 #include "surfaces/maps/self_affine.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,9 @@ double moment_by_quadrature(const SelfAffineSpectrum& spectrum, int order) {
           piece(shape.wavevector_roll_off, shape.wavevector_high));
 }
 
-// Claim: rms slopes of the paper's surface, computed in 25-digit arithmetic
-// elsewhere. Tolerance: half of the last of their 12 digits.
+// Verifies the rms slopes of the paper's surface, computed in 25-digit
+// arithmetic by another program. Tolerance: half of the last of their 12
+// digits.
 TEST(SelfAffineSpectrum, HasThePapersSlope) {
   const auto cut = SelfAffineSpectrum::with_rms_height(paper, 1e-9);
   SelfAffineShape full_shape = paper;
@@ -46,8 +47,8 @@ TEST(SelfAffineSpectrum, HasThePapersSlope) {
   EXPECT_NEAR(full.rms_slope(), 0.767233712675, 5e-13);
 }
 
-// Claim: Nayak's m_4 = (3 pi/4) int q^5 C dq of the same source, which is 3/8
-// of the moment of order 4. Tolerance: its 12 digits.
+// Nayak's m_4 = (3 pi/4) int q^5 C dq of the same source, which is 3/8 of the
+// moment of order 4. Tolerance: its 12 digits.
 TEST(SelfAffineSpectrum, HasThePapersCurvature) {
   const auto spectrum = SelfAffineSpectrum::with_rms_height(paper, 1e-9);
 
@@ -56,10 +57,10 @@ TEST(SelfAffineSpectrum, HasThePapersCurvature) {
               1e-6);
 }
 
-// Claim: the closed forms are the integrals they close, whatever the shape.
-// Tolerance: Simpson's error, step^4/180 * |f''''| / f with step <= ln(1e4) /
-// 4000 and an exponent of at most 6, is below 1e-9 even where a steep end
-// dominates; 1e-8 leaves a decade.
+// The closed forms equal their integrals for any shape. Tolerance: Simpson's
+// error, step^4/180 * |f''''| / f with step <= ln(1e4) / 4000 and an exponent
+// of at most 6, is below 1e-9 even where a steep end dominates; 1e-8 leaves a
+// decade.
 TEST(SelfAffineSpectrum, HasTheMomentsOfItsIntegrals) {
   const bool holds = rc::check([] {
     const double hurst = *rc::gen::inRange(0, 101) / 100.0;
@@ -75,8 +76,8 @@ TEST(SelfAffineSpectrum, HasTheMomentsOfItsIntegrals) {
   EXPECT_TRUE(holds);
 }
 
-// Claim: H = 0 makes <h^2> and H = 1 makes <|grad h|^2> logarithmic:
-// 2 pi C_0 q_0^2 ln(q_1/q_0) and 2 pi C_0 q_0^4 ln(q_1/q_0) without a plateau.
+// <h^2> for H = 0 and <|grad h|^2> for H = 1 are logarithmic: 2 pi C_0 q_0^2
+// ln(q_1/q_0) and 2 pi C_0 q_0^4 ln(q_1/q_0) without a plateau.
 TEST(SelfAffineSpectrum, TakesItsLogarithmicEnds) {
   const double two_pi = 2.0 * std::numbers::pi;
   const auto flat = SelfAffineSpectrum::with_rms_height({0.0, 3, 3, 300}, 1.0);
@@ -86,7 +87,7 @@ TEST(SelfAffineSpectrum, TakesItsLogarithmicEnds) {
   EXPECT_NEAR(smooth.plateau() * two_pi * 81.0 * std::log(100.0), 1.0, 1e-14);
 }
 
-TEST(SelfAffineSpectrum, HasTheRmsItWasAskedFor) {
+TEST(SelfAffineSpectrum, HasTheRequestedRms) {
   const auto by_height = SelfAffineSpectrum::with_rms_height(paper, 2e-9);
   const auto by_slope = SelfAffineSpectrum::with_rms_slope(paper, 0.1);
 

@@ -1,4 +1,4 @@
-// Claims about surfaces/analysis/spectrum_estimate.hpp and reliable_range.hpp.
+// Tests of surfaces/analysis/spectrum_estimate.hpp and reliable_range.hpp.
 #include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/analysis/spectrum_estimate.hpp"
 #include "surfaces/maps/edges.hpp"
@@ -25,7 +25,8 @@ SelfAffineSpectrum rough(double roll_off, double cutoff) {
       {0.8, 0.5 * unit, roll_off * unit, cutoff * unit}, 1e-3);
 }
 
-/// A corner of a surface of twice the side: it does not continue at its edges.
+/// A corner of a surface of twice the side, which does not continue across its
+/// edges.
 HeightMap corner(const SelfAffineSpectrum& spectrum, int points,
                  int realization) {
   const HeightMap whole =
@@ -55,8 +56,8 @@ double sum_of(const std::vector<SpectrumRing>& rings) {
   return sum;
 }
 
-// cos(qx): the whole power is in one ring of the right wavevector, with
-// C = <h^2> L^2/((2 pi)^2 modes) and the four modes of that |q|.
+// cos(qx): the entire power is in one ring of the right wavevector, with C =
+// <h^2> L^2/((2 pi)^2 modes) and the four modes of that |q|.
 TEST(SpectrumEstimate, OfAWaveIsOneRing) {
   const HeightMap map = wave_1d({32, 32, 1.0, 1.0}, 1e-3, 0.25);
 
@@ -90,23 +91,23 @@ TEST(SpectrumEstimate, SumsToTheVariance) {
               1.0, 1e-12);
 }
 
-// The windowed estimate is unbiased, and its 95 % intervals contain the truth:
-// 40 corners, rings of ten per decade between twice the lowest wavevector and
-// the cut-off. Tolerance: the interval of the mean of 40 is 1/sqrt(40) as wide;
-// 3 standard deviations. The coverage of about 400 nearly independent
-// intervals has a standard deviation of 1.1 %.
+// The windowed estimate is unbiased, and its 95 % intervals contain the exact
+// value: 40 corners, rings of ten per decade between twice the lowest
+// wavevector and the cut-off. Tolerance: the interval of the mean of 40 is
+// 1/sqrt(40) as wide; 3 standard deviations. The coverage of about 400 nearly
+// independent intervals has a standard deviation of 1.1 %.
 TEST(SpectrumEstimate, OfACornerIsUnbiasedAndItsIntervalsHold) {
-  const SelfAffineSpectrum truth = rough(4, 31);
+  const SelfAffineSpectrum exact = rough(4, 31);
   int inside = 0;
   int all = 0;
   double ratio = 0.0;
   double variance = 0.0;
   for (int r = 0; r < 40; ++r) {
     const SpectrumEstimate found =
-        estimate_spectrum(corner(truth, 64, r), false);
+        estimate_spectrum(corner(exact, 64, r), false);
     for (const SpectrumRing& ring :
          joined_rings(rings_between(found.rings, 4 * unit, 28 * unit), 10)) {
-      const double expected = truth(ring.wavevector);
+      const double expected = exact(ring.wavevector);
       const DensityInterval interval = confidence_of(ring);
       inside += interval.low <= expected && expected <= interval.high;
       ++all;
@@ -133,9 +134,9 @@ TEST(SpectrumEstimate, StatesWhereItCanBeTrusted) {
 // White noise of density N over a self-affine surface: the floor is found at
 // its density, C = <h^2> h^2/(2 pi)^2, and the limit where C is 2 N.
 TEST(ReliableRange, EndsAtTheNoiseFloor) {
-  const SelfAffineSpectrum truth = rough(4, 60);
-  HeightMap map = realize(truth.isotropic(), {128, 128, 1.0, 1.0}, {4, 0});
-  const double floor = truth(20 * unit);
+  const SelfAffineSpectrum exact = rough(4, 60);
+  HeightMap map = realize(exact.isotropic(), {128, 128, 1.0, 1.0}, {4, 0});
+  const double floor = exact(20 * unit);
   const double rms = std::sqrt(floor * 4.0 * pi * pi * 128.0 * 128.0);
   const HeightMap noise = white_noise(128, 1, rms);
   for (std::size_t i = 0; i < map.heights.size(); ++i)
@@ -169,9 +170,9 @@ TEST(ReliableRange, OfACleanSurfaceEndsAtTheSampling) {
           .has_value());
 }
 
-// Peaks of curvature k: a tip of radius R shapes them if k > 1/(2 R). Between
-// two distances the curvature is interpolated as a power law: 8 at 1 and 2 at
-// 2 reach 4 at sqrt2.
+// For peaks of curvature k, a tip of radius R distorts them if k > 1/(2 R).
+// Between two distances the curvature is interpolated as a power law: 8 at 1
+// and 2 at 2 reach 4 at sqrt2.
 TEST(ReliableRange, EndsWhereTheTipIsTooBlunt) {
   std::vector<LocalDifferences> scales(3);
   const double curvatures[] = {8.0, 2.0, 0.5};

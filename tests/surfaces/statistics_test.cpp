@@ -1,4 +1,4 @@
-// Claims about surfaces/maps/statistics.hpp, mode_power.hpp and shells.hpp.
+// Tests of surfaces/maps/statistics.hpp, mode_power.hpp and shells.hpp.
 #include "surfaces/maps/exact_shapes.hpp"
 #include "surfaces/maps/mode_power.hpp"
 #include "surfaces/maps/self_affine.hpp"
@@ -52,8 +52,8 @@ TEST(Statistics, AreThoseOfACosine) {
   EXPECT_NEAR(found.lowest, -2e-9, 1e-23);
 }
 
-// Claim: on a rectangle with unequal steps the slope of an oblique wave is
-// |q| D/sqrt2: both directions, each with its own length.
+// On a rectangle with unequal spacings the slope of an oblique wave is |q|
+// D/sqrt2: both directions, each with its own length.
 TEST(Statistics, CountBothDirectionsOfTheSlope) {
   const Grid grid{32, 24, 2.0, 3.0};
   HeightMap map{grid, {}};
@@ -66,7 +66,7 @@ TEST(Statistics, CountBothDirectionsOfTheSlope) {
   EXPECT_NEAR(statistics(map).rms_slope, q / std::sqrt(2.0), 1e-12);
 }
 
-// Claim: skewness and kurtosis of a lattice of single spikes, share s of the
+// Skewness and kurtosis of a grid of single spikes at a fraction s of the
 // nodes: (1-2s)/sqrt(s(1-s)) and (1-3s+3s^2)/(s(1-s)) (Bernoulli).
 TEST(Statistics, HaveTheSignOfTheirSkewness) {
   HeightMap map{{8, 8, 1.0, 1.0}, std::vector<double>(64)};
@@ -80,8 +80,8 @@ TEST(Statistics, HaveTheSignOfTheirSkewness) {
   EXPECT_NEAR(found.kurtosis, (1 - 0.375 + 3.0 / 64.0) / variance, 1e-13);
 }
 
-// Claim (Parseval): the modes hold <h^2>, Nyquist rows included, for even and
-// odd sides; rms_height does not go through the transform.
+// Parseval's theorem: the modes sum to <h^2>, including the Nyquist rows, for
+// even and odd sides; rms_height is computed without the transform.
 TEST(ModePower, AddsUpToTheMeanSquareHeight) {
   for (const Grid& grid : {Grid{16, 16, 1, 1}, Grid{15, 16, 1, 2},
                            Grid{16, 9, 3, 1}, Grid{7, 5, 1, 1}}) {
@@ -98,9 +98,9 @@ TEST(ModePower, AddsUpToTheMeanSquareHeight) {
   }
 }
 
-// Claim: shells keep <h^2> and <|grad h|^2> of the map, whatever the map and
-// however many shells. Tolerance: rounding of a few hundred terms.
-TEST(Shells, KeepHeightAndSlopeOfTheMap) {
+// Shells preserve <h^2> and <|grad h|^2> of the map for any map and any number
+// of shells. Tolerance: roundoff of a few hundred terms.
+TEST(Shells, PreserveHeightAndSlopeOfTheMap) {
   const bool holds = rc::check([] {
     const Grid grid{*rc::gen::inRange(2, 40), *rc::gen::inRange(2, 40), 1.0,
                     *rc::gen::inRange(1, 20) / 10.0};
@@ -127,9 +127,9 @@ HeightMap realized(const SelfAffineSpectrum& spectrum, int points) {
                  {7, 0});
 }
 
-// Claim: the spectrum measured on a realisation is the formula it came from:
-// to rounding where each |q| has its shell, within the change of C across a
-// shell (2.5 % of q, exponent 3.6) above; nothing beyond the band.
+// The spectrum that is measured on a realisation is the formula from which it
+// was made: to roundoff where each |q| has its shell, within the change of C
+// across a shell (2.5 % of q, exponent 3.6) above; nothing beyond the band.
 TEST(Shells, MeasureTheFormulaThatTheSurfaceCameFrom) {
   const auto spectrum = SelfAffineSpectrum::with_rms_height(
       {0.8, unit, 4 * unit, 60 * unit}, 1e-9);
@@ -159,7 +159,7 @@ TEST(Shells, MeasureTheFormulaThatTheSurfaceCameFrom) {
 }
 
 /// Relative error of rms height, slope and curvature of a realisation against
-/// the closed forms, with this many waves of the cell to the roll-off.
+/// the closed forms, with this number of waves per side at the roll-off.
 std::vector<double> errors_against_closed_forms(int waves, int points) {
   const auto spectrum = SelfAffineSpectrum::with_rms_height(
       {0.8, waves / 2 * unit, waves * unit, 3 * waves * unit}, 1e-9);
@@ -169,11 +169,12 @@ std::vector<double> errors_against_closed_forms(int waves, int points) {
           std::abs(found.rms_curvature / spectrum.rms_curvature() - 1.0)};
 }
 
-// Claim: sums over modes approach the integrals of the formula as the cell
-// grows against the waves. Tolerance: what a lattice misses of a disc falls
-// faster than the ratio of circumference to area, so four times the cell leaves
-// less than a quarter of the error; it starts below 1/waves.
-TEST(Statistics, ApproachTheClosedFormsOfTheSpectrum) {
+// Sums over modes tend to the integrals of the formula as the cell grows
+// relative to the waves. Tolerance: the difference between a lattice and a disc
+// decreases faster than the ratio of circumference to area, so that a cell four
+// times as large leaves less than a quarter of the error; it starts below
+// 1/waves.
+TEST(Statistics, ConvergeToTheClosedFormsOfTheSpectrum) {
   const auto small = errors_against_closed_forms(10, 64);
   const auto large = errors_against_closed_forms(40, 256);
 
@@ -183,7 +184,7 @@ TEST(Statistics, ApproachTheClosedFormsOfTheSpectrum) {
   }
 }
 
-// Claim: the shells of a surface do not depend on the grid it is sampled on.
+// The shells of a surface do not depend on the grid on which it is sampled.
 TEST(Shells, AreThoseOfTheSurfaceAndNotOfTheGrid) {
   const auto spectrum = SelfAffineSpectrum::with_rms_height(
       {0.8, unit, 4 * unit, 30 * unit}, 1e-9);
@@ -200,8 +201,8 @@ TEST(Shells, AreThoseOfTheSurfaceAndNotOfTheGrid) {
   }
 }
 
-// Claim: a density; a ramp is uniform, so every bin has 1/(range) but for the
-// rounding of one node on 4096 into its neighbour.
+// The distribution is a density; a ramp is uniform, so that every bin has
+// 1/(range) except for one node in 4096 that roundoff moves into its neighbour.
 TEST(HeightDistribution, IsADensity) {
   HeightMap map{{64, 64, 1.0, 1.0}, {}};
   for (int i = 0; i < 4096; ++i)
@@ -219,7 +220,7 @@ TEST(HeightDistribution, IsADensity) {
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
-TEST(Statistics, SayThatAFlatMapHasNoShape) {
+TEST(Statistics, ReportThatAFlatMapHasNoShape) {
   const HeightMap flat{{4, 4, 1.0, 1.0}, std::vector<double>(16, 0.5)};
 
   EXPECT_EQ(statistics(flat).rms_height, 0.0);

@@ -1,4 +1,4 @@
-// Claims about surfaces/analysis: height_parameters.hpp, local_differences.hpp,
+// Tests of surfaces/analysis: height_parameters.hpp, local_differences.hpp,
 // bearing_curve.hpp and autocorrelation.hpp.
 #include "surfaces/analysis/autocorrelation.hpp"
 #include "surfaces/analysis/bearing_curve.hpp"
@@ -189,7 +189,7 @@ TEST(Autocorrelation, OfGroovesHasNoLongestLength) {
 
 // An isotropic self-affine surface has Str near 1, and h(x) shrunk to a third
 // along x has a third of the length there: the same nodes with another period.
-TEST(Autocorrelation, SeesTheStretchOfASurface) {
+TEST(Autocorrelation, DetectsTheStretchOfASurface) {
   const auto spectrum = SelfAffineSpectrum::with_rms_height(
       {0.8, 2.0 * pi * 8, 2.0 * pi * 8, 2.0 * pi * 30}, 1.0);
   HeightMap map = realize(spectrum.isotropic(), {128, 128, 1.0, 1.0}, {5, 0});

@@ -1,5 +1,5 @@
-// Claims about surfaces/formats/tabulated_spectrum.hpp: interpolation, moments,
-// and what the reader says about a bad table.
+// Tests of surfaces/formats/tabulated_spectrum.hpp: interpolation, moments, and
+// the messages about an invalid table.
 #include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
@@ -18,8 +18,8 @@ TabulatedSpectrum read(const std::string& text) {
   return read_tabulated_spectrum_text(text, "polymer.csv");
 }
 
-// Claim: a power law is interpolated exactly, since it is straight in a log-log
-// plot: C = 5 q^-3 between three uneven points. Tolerance: some eps.
+// A power law is interpolated exactly, since it is straight in a log-log plot:
+// C = 5 q^-3 between three irregular points. Tolerance: some eps.
 TEST(TabulatedSpectrum, IsStraightInALogLogPlot) {
   const TabulatedSpectrum spectrum({1.0, 2.0, 10.0}, {5.0, 0.625, 0.005});
 
@@ -36,8 +36,8 @@ TEST(TabulatedSpectrum, IsZeroOutsideAndClosedAtItsEnds) {
   EXPECT_NEAR(spectrum(2.0 + 1e-12), 4.0, 1e-10);
 }
 
-// Claim: the formula spectrum tabulated at its kinks is the formula spectrum:
-// same values, same moments, by two different codes.
+// The formula of a spectrum that is tabulated at its kinks is reproduced: same
+// values, same moments, by two different implementations.
 TEST(TabulatedSpectrum, EqualsTheFormulaItWasTakenFrom) {
   const auto formula =
       SelfAffineSpectrum::with_rms_height({0.8, 1e6, 3e6, 8e7}, 1e-8);

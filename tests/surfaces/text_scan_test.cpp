@@ -1,5 +1,5 @@
-// Claims about text files of instruments: headers in any language, decimal
-// commas, missing points, lists x y z, and what must not be taken for a matrix.
+// Tests of text files of instruments: headers in any language, decimal commas,
+// missing points, lists x y z, and lists that must not be read as a matrix.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -28,8 +28,8 @@ std::string refusal(const std::string& text, const MapScale& scale = {},
   return "accepted";
 }
 
-// Claim: Gwyddion's header is read in every language into which it translates
-// the words, with decimal commas and with a no-break space before the unit.
+// Gwyddion's header is read in every language into which it is translated, with
+// decimal commas and with a no-break space before the unit.
 TEST(TextScan, ReadsTranslatedHeaders) {
   for (const std::string header :
        {"# Kanal: Topo\n# Breite: 12,5 um\n# H\xC3\xB6he: 8 um\n# Werteinheit: "
@@ -47,8 +47,8 @@ TEST(TextScan, ReadsTranslatedHeaders) {
   }
 }
 
-// Claim: the header of interferometers gives counts, pixel size and the factor
-// of the heights.
+// The header of interferometers gives counts, pixel size and the factor of the
+// heights.
 TEST(TextScan, ReadsTheHeaderOfAMatrix) {
   const std::string header = "h=2 w=3\npixel size=5e-007 m\ndata unit=rad\n"
                              "height conversion factor (-> m)=2e-009\n";
@@ -81,8 +81,8 @@ TEST(TextScan, MarksMissingPoints) {
 
 const MapScale list_scale{{}, 1e-9, {}, 1e-6};
 
-// Claim: a list in any order is the map of its points; positions may be
-// rounded, spacings differ, and points that are absent are missing.
+// A list in any order is the map of its points; positions may be rounded,
+// spacings may differ, and absent points are missing.
 TEST(TextScan, ReadsAListOfPoints) {
   const Scan scan = text_scan("X,Y,Z\n"
                               "0.0,0,1\n0.1,0,2\n0.2001,0,3\n"
@@ -98,8 +98,8 @@ TEST(TextScan, ReadsAListOfPoints) {
   EXPECT_EQ(scan.reader, "own reader of lists x y z");
 }
 
-// Claim: three columns are never taken for a matrix by themselves, neither a
-// list without a regular grid nor one whose units are missing; nor are two.
+// Three columns are never read as a matrix by default, neither a list without a
+// regular grid nor one whose units are missing; nor are two.
 TEST(TextScan, NeverTakesAListForAMatrix) {
   const std::string regular = "0 0 1\n0 1 2\n1 0 3\n1 1 4\n";
   EXPECT_EQ(refusal(regular, {1e-6, 1e-9}),

@@ -1,4 +1,4 @@
-// Claims about the reader of ISO 5436-2 (X3P), with archives written here.
+// Tests of the reader of ISO 5436-2 (X3P), with archives that the tests write.
 #include "base/content_hash.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
@@ -92,7 +92,7 @@ TEST(X3pScan, ReadsEveryTypeOfNumber) {
       document, numbers_as_bytes<std::int32_t>({0, -30, 20, 30, 40, 590})));
 }
 
-// Claim: absolute axes are stored with each point and must be regular.
+// Absolute axes are stored with each point and must be regular.
 TEST(X3pScan, ReadsAbsoluteAxes) {
   X3pText document;
   document.x = document.y = document.z;
