@@ -1,7 +1,7 @@
 #pragma once
 
-// What the program of the area's bias measures and prints. Owns the kernels,
-// the estimators and the tables.
+// Measurements and output of the program that determines the bias of the
+// contact area. Owns the operators, the estimators and the tables.
 
 #include "contact/solvers/load_sequence.hpp"
 #include "results/observables/area_estimate.hpp"
@@ -20,24 +20,24 @@ inline constexpr int coarsest = 2;
 inline constexpr int finest = 64; ///< nodes in the shortest wave
 inline constexpr std::array loads{0.01, 0.03, 0.1, 0.3, 1.0}; ///< p/(E* h')
 
-/// An elastic operator on the grid, E* = 1 Pa, one side thick.
+/// An elastic operator on the grid with E* = 1 Pa and a thickness of one side.
 struct Kernel {
   std::string name;
   std::function<std::unique_ptr<contact::SurfaceOperator>(const Grid&)> make;
   results::AreaCoefficients coefficients; ///< the program's own
   double penalty = 0.0;                   ///< k [E*/h], 0: hard
-  int finest = 32;                        ///< r up to which it is run
+  int finest = 32;                        ///< r up to which it is used
 };
 
 /// The half-space first; it gives the limit.
 std::vector<Kernel> all_kernels();
 
-/// What is read off one solution.
+/// The results of one solution.
 struct Sample {
-  double counted = 0.0;   ///< A/A_0 by nodes
+  double counted = 0.0;   ///< A/A_0 by counting nodes
   double lines = 0.0;     ///< (A.3)
   double corrected = 0.0; ///< (A.5), with the program's coefficients
-  double fitted = 0.0;    ///< (21) of the pressures' distribution
+  double fitted = 0.0;    ///< by (21) for the distribution of pressures
   double perimeter = 0.0; ///< S_d h
   double euler = 0.0;     ///< chi h^2/A_0
   double mean_gap = 0.0;  ///< in h_rms
@@ -68,8 +68,9 @@ using Limits = std::map<std::pair<std::size_t, int>, Limit>; ///< load, surface
 
 Limits find_limits(const Samples& samples, int n_surfaces);
 
-/// Prints how far two more extrapolations of the half-space lie from the
-/// limit: Richardson's of the lines and of the count, over the two finest.
+/// Prints the difference of two more extrapolations of the half-space from the
+/// limit: Richardson's for the lines and for the count, over the two finest
+/// grids.
 void print_limit_doubt(const Samples& samples, const Limits& limits);
 
 /// Prints c of the corrected count, and c and e of (A.5), by least squares on
@@ -77,7 +78,8 @@ void print_limit_doubt(const Samples& samples, const Limits& limits);
 void print_calibration(const Kernel& kernel, const Samples& samples,
                        const Limits& limits);
 
-/// Prints the relative error of each estimator, a row an r, a column a load.
+/// Prints the relative error of each estimator, with one row per r and one
+/// column per load.
 void print_areas(const Kernel& kernel, const Samples& samples,
                  const Limits& limits);
 

@@ -1,13 +1,14 @@
 // The bias of every estimator of the contact area, and of the mean gap, against
 // the limit of fine grids: the tables of docs/numerics/area-measurements.md,
-// and the calibration of results/area_estimate. Run by hand, some minutes:
+// and the calibration of results/area_estimate. It takes some minutes and is
+// not part of the tests:
 //
 //     ninja -C build/release bench_results_area_bias
 //     build/release/tests/results/bench_results_area_bias [surfaces] [hurst]
 //
-// One self-affine surface a realisation, shortest wave L/16, roll-off L/4, read
-// at r nodes in the shortest wave; loads p/(E* h') of `loads`. The limit is the
-// half-space at the finest r, by (A.5).
+// One self-affine surface per realisation, with the shortest wave L/16 and the
+// roll-off L/4, sampled at r nodes per shortest wave; loads p/(E* h') of
+// `loads`. The limit is the half-space at the finest r, by (A.5).
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -64,7 +65,7 @@ struct Cost {
   double load_programs = 0.0;
 };
 
-/// All loads of one kernel on one surface, read at r nodes in the wave.
+/// All loads of one operator on one surface, with r nodes per wave.
 void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
          int r, Samples& samples, Cost& cost) {
   const surfaces::Statistics size = surfaces::statistics(map);

@@ -20,7 +20,7 @@ std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
   mechanics::ElasticBlock block;
   block.contact_modulus = 1.0;
   block.poisson_ratio = poisson_ratio;
-  block.thickness = grid.length_x; // as the finite elements'
+  block.thickness = grid.length_x; // like that of the finite elements
   return std::make_unique<contact::FourierOperator>(
       grid, contact::block_compliance(grid, block));
 }
@@ -32,7 +32,7 @@ fem::LayeredBlock block(const Grid& grid, double surface_cell,
       youngs_modulus, poisson_ratio, mechanics::FarBoundary::clamped);
 }
 
-/// Set up once a grid and cloned for every surface.
+/// Set up once per grid and cloned for every surface.
 template <class Build>
 auto kept(Build build) {
   auto store = std::make_shared<

@@ -13,9 +13,9 @@ namespace {
 constexpr const char* limit_kernel = "half-space";
 constexpr int coarsest_calibrated = 8;
 constexpr int finest_calibrated = 32;
-constexpr std::size_t slope_end = 2; // the load where gamma's chord ends
+constexpr std::size_t slope_end = 2; // the load where the chord of gamma ends
 
-/// An estimate of one place's area; none where it cannot be had.
+/// An estimate of the area in one solution; none where it cannot be determined.
 using Estimator = std::function<std::optional<double>(const Place&)>;
 
 const Sample* sample_at(const Samples& samples, const Place& place) {
@@ -69,7 +69,7 @@ std::string cell(const Spread& spread) {
                      100.0 * spread.deviation());
 }
 
-/// A row of a table: a cell a load, of error_at(place, limit).
+/// A row of a table with one cell per load, of error_at(place, limit).
 template <class ErrorAt>
 void print_row(const std::string& head, const Kernel& kernel, int r,
                const Limits& limits, std::size_t n_loads, ErrorAt error_at) {

@@ -1,6 +1,6 @@
-// Claims about results/observables/area_estimate.hpp: straight rims and spheres
-// whose fields are known exactly, shapes whose Euler's number is known by
-// counting.
+// Tests of results/observables/area_estimate.hpp: straight contact boundaries
+// and spheres with exactly known fields, and shapes whose Euler characteristic
+// is known by counting.
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/observables.hpp"
 #include "theory/exact/hertz.hpp"
@@ -32,9 +32,9 @@ struct Maps {
 };
 
 /// (A.1) with a = 3e11 Pa/m^(1/2) where depth_at(x, y) [m], the distance from
-/// the rim, is > 0 inside and < 0 outside.
+/// the contact boundary, is > 0 inside and < 0 outside.
 template <class DepthAt>
-Maps rim_fields(const Grid& grid, DepthAt depth_at) {
+Maps boundary_fields(const Grid& grid, DepthAt depth_at) {
   constexpr double strength = 3e11;
   Maps maps;
   for (int iy = 0; iy < grid.points_y; ++iy)
@@ -49,11 +49,11 @@ Maps rim_fields(const Grid& grid, DepthAt depth_at) {
   return maps;
 }
 
-// Claim: (A.2) is what it says: t put back into it balances, and it rises with
-// the pressure. Tolerance: the closed form is a few operations on numbers of
-// its own size, 1 - t to 8 eps; (1 - t)^3 and rho t follow relatively where
-// neither t nor 1 - t is small, which 1e-6 < rho < 1e6 keeps above 1e-6.
-RC_GTEST_PROP(RimShare, SolvesItsCubic, ()) {
+// Verifies (A.2): the fraction t satisfies the equation and increases with the
+// pressure. Tolerance: the closed form is a few operations on numbers of its
+// own size, 1 - t to 8 eps; (1 - t)^3 and rho t follow relatively where neither
+// t nor 1 - t is small, which 1e-6 < rho < 1e6 keeps above 1e-6.
+RC_GTEST_PROP(BoundaryFraction, SolvesItsCubic, ()) {
   const double pressure = *rc::gen::inRange(1, 1000) * 1e6;
   const double spacing = *rc::gen::inRange(1, 100) * 1e-8;
   const double root = std::pow(10.0, *rc::gen::inRange(-300, 301) * 0.01);
@@ -68,9 +68,9 @@ RC_GTEST_PROP(RimShare, SolvesItsCubic, ()) {
   RC_ASSERT(boundary_share(1.01 * pressure, gap, spacing, modulus) > share);
 }
 
-// Claim: the ends of (A.2): a node that touches, or overlaps, belongs to the
-// contact as a whole, a far one not at all, also beyond what rho can hold.
-TEST(RimShare, EndsAtZeroAndOne) {
+// The limits of (A.2): a node that touches or overlaps belongs to the contact
+// entirely, a distant one not at all, also beyond the range of rho.
+TEST(BoundaryFraction, EndsAtZeroAndOne) {
   EXPECT_EQ(boundary_share(1e6, 0.0, 1e-8, modulus), 1.0);
   EXPECT_EQ(boundary_share(1e6, -1e-12, 1e-8, modulus), 1.0);
   EXPECT_EQ(boundary_share(1e300, 1e-300, 1e-8, modulus), 1.0);
@@ -82,17 +82,17 @@ TEST(RimShare, EndsAtZeroAndOne) {
                std::domain_error);
 }
 
-// Claim: a straight strip along x or y whose rims lie anywhere between nodes
-// has its own width. Every line across finds the rims, none along has one, so
-// the lines across give the width and those along the count: their mean.
-// Tolerance: rounding of t, some 100 eps, because depths are differences of
-// positions.
+// A straight strip along x or y whose boundaries lie anywhere between nodes has
+// its own width. Every line across it finds the boundaries and no line along it
+// has one, so that the lines across give the width and those along it the
+// count: their mean. Tolerance: roundoff of t, some 100 eps, because depths are
+// differences of positions.
 RC_GTEST_PROP(LineArea, FindsTheRimsOfAStrip, ()) {
   const bool is_along_y = *rc::gen::arbitrary<bool>();
   const Grid grid = is_along_y ? Grid{32, 4, 1.0, 0.3} : Grid{4, 32, 0.3, 1.0};
   const double centre = *rc::gen::inRange(0, 1000) * 1e-3;
   const double half_width = 0.1 + *rc::gen::inRange(0, 1000) * 2.5e-4;
-  const Maps maps = rim_fields(grid, [&](double x, double y) {
+  const Maps maps = boundary_fields(grid, [&](double x, double y) {
     return half_width -
            std::abs(periodic_distance(is_along_y ? x : y, centre, 1.0));
   });
@@ -104,8 +104,9 @@ RC_GTEST_PROP(LineArea, FindsTheRimsOfAStrip, ()) {
   RC_ASSERT(std::abs(2.0 * area - counted - 2.0 * half_width) < 100 * epsilon);
 }
 
-/// What (A.2) adds to t, in the mean over t, where the step meets the rim at
-/// an angle of sine `sine`: rho is then too small by sine^2.
+/// The error of t from (A.2), in the mean over t, where the step crosses the
+/// contact boundary at an angle of sine `sine`: rho is then too small by
+/// sine^2.
 double share_added(double sine) {
   constexpr int n = 400;
   double sum = 0.0;
@@ -118,9 +119,9 @@ double share_added(double sine) {
   return sum / n;
 }
 
-/// Per pair of a rim without a preferred direction: pairs along a line are as
-/// frequent as the sine of the angle at which the rim meets it. Half of it is
-/// added to the area.
+/// Per pair, for a contact boundary without a preferred direction: pairs along
+/// a line are as frequent as the sine of the angle at which they cross the
+/// boundary. Half of it is added to the area.
 double area_added() {
   constexpr int n = 400;
   double sum = 0.0;
@@ -133,10 +134,11 @@ double area_added() {
   return 0.5 * sum / weights;
 }
 
-// Claim: on Hertz's own pressure and gap, read at nodes, the lines find the
-// disc but for what aslant rims add: area_added() a pair. Tolerance: three
-// standard errors of the places, and the next order, h/a of what is added.
-TEST(LineArea, OfASphereIsTooLargeByTheAslantRims) {
+// For Hertz's pressure and gap, sampled at nodes, the lines give the area of
+// the disc except for the contribution of oblique crossings: area_added() per
+// pair. Tolerance: three standard errors over the positions, and the next
+// order, h/a of what is added.
+TEST(LineArea, OfASphereIsTooLargeByTheObliqueCrossings) {
   const Grid grid{128, 128, 1e-3, 1e-3};
   const double radius = 0.31e-3;
   const theory::HertzContact contact = theory::hertz_contact(
@@ -175,7 +177,7 @@ TEST(LineArea, OfASphereIsTooLargeByTheAslantRims) {
   EXPECT_LT(standard_error, 0.001);
 }
 
-TEST(LineArea, IsTheCountWithoutARim) {
+TEST(LineArea, IsTheCountWithoutABoundary) {
   const Grid grid{8, 8, 1.0, 1.0};
   const std::vector<double> none(64, 0.0);
   const std::vector<double> all(64, 1e6);
@@ -186,8 +188,8 @@ TEST(LineArea, IsTheCountWithoutARim) {
             1.0);
 }
 
-// Claim: patches less holes, wherever the periodic border cuts them.
-TEST(EulerNumber, CountsPatchesLessHoles) {
+// Patches minus holes, wherever the periodic boundary cuts them.
+TEST(EulerNumber, CountsPatchesMinusHoles) {
   const Grid grid{40, 40, 1.0, 1.0};
   const auto euler = [&](auto is_inside) {
     return euler_characteristic(grid, shape(grid, is_inside));
@@ -214,9 +216,9 @@ TEST(EulerNumber, CountsPatchesLessHoles) {
   EXPECT_EQ(euler([](double, double) { return true; }), 0.0);
 }
 
-// Claim: beyond a free border there is no contact: full contact is one patch, a
-// strip too, and contacts on opposite sides of the map are two. The border has
-// no gap, so the lines of a contact that reaches it end with its cells.
+// Beyond a free border there is no contact: full contact is one patch, a strip
+// too, and contacts on opposite sides of the map are two. The border has no
+// gap, so that the lines of a contact that reaches it end with its cells.
 TEST(FreeBorder, EndsAContact) {
   const Grid grid{12, 8, 1.2, 0.8};
   const auto euler = [&](auto is_inside) {
@@ -234,8 +236,8 @@ TEST(FreeBorder, EndsAContact) {
   EXPECT_EQ(line_area_fraction(grid, full, no_gap, modulus, Border::free), 1.0);
 }
 
-// Claim: contact and its complement have opposite Euler's numbers on a periodic
-// face, whose own is 0. Exact: quarters of whole numbers.
+// Contact and its complement have opposite Euler characteristics on a periodic
+// surface, whose own is 0. Exact: multiples of a quarter.
 RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {
   const Grid grid{8, 6, 1.0, 1.0};
   std::vector<double> pressure(grid.size());
@@ -249,11 +251,11 @@ RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {
             -euler_characteristic(grid, complement));
 }
 
-// Claim: (A.5) takes c h S_d, S_d of contact_perimeter, and gives e h^2 chi.
-// Tolerance: rounding of sums of 64 terms of order 1.
-TEST(CorrectedArea, TakesThePerimeterAndGivesThePatches) {
+// (A.5) subtracts c h S_d, with S_d of contact_perimeter, and adds e h^2 chi.
+// Tolerance: roundoff of sums of 64 terms of order 1.
+TEST(CorrectedArea, SubtractsThePerimeterAndAddsThePatches) {
   const Grid grid{32, 32, 1.0, 1.0};
-  const Maps maps = rim_fields(grid, [](double x, double y) {
+  const Maps maps = boundary_fields(grid, [](double x, double y) {
     return 0.3 - std::hypot(x - 0.51, y - 0.48);
   });
   const double lines =
@@ -271,12 +273,12 @@ TEST(CorrectedArea, TakesThePerimeterAndGivesThePatches) {
               64 * epsilon);
 }
 
-// Claim: neither the unit of pressure nor that of length enters: a power of two
+// Neither the unit of pressure nor that of length matters: a power of two
 // changes no bit.
-TEST(CorrectedArea, KnowsNoUnit) {
+TEST(CorrectedArea, IsIndependentOfUnits) {
   const auto area = [](double length_unit, double pressure_unit) {
     const Grid grid{32, 32, length_unit, length_unit};
-    Maps maps = rim_fields(Grid{32, 32, 1.0, 1.0}, [](double x, double y) {
+    Maps maps = boundary_fields(Grid{32, 32, 1.0, 1.0}, [](double x, double y) {
       return 0.3 - std::hypot(x - 0.51, y - 0.48);
     });
     for (double& pressure : maps.pressure)
@@ -291,8 +293,8 @@ TEST(CorrectedArea, KnowsNoUnit) {
   EXPECT_EQ(area(0x1p-20, 0x1p-30), area(1.0, 1.0));
 }
 
-/// The corrected area of nodes at 1 MPa wherever is_in_contact(ix, iy), gap
-/// `gap` elsewhere, on 16 by 16 nodes.
+/// The corrected area of nodes at 1 MPa wherever is_in_contact(ix, iy), with
+/// the gap `gap` elsewhere, on 16 by 16 nodes.
 template <class IsInContact>
 Observed corrected_of(IsInContact is_in_contact, double gap,
                       const AreaCoefficients& coefficients) {
@@ -308,9 +310,10 @@ Observed corrected_of(IsInContact is_in_contact, double gap,
                                  coefficients);
 }
 
-// Claim: with nodes in contact the corrected area is never 0. One node and a
-// checkerboard beside wide gaps are below the grid: not determined, which
-// says by how much, for every operator; a patch of five by five is determined.
+// With nodes in contact the corrected area is never 0. One node, and a
+// checkerboard with large gaps, are below the resolution of the grid: the area
+// is not determined and the reason states by how much, for every operator; a
+// patch of five by five is determined.
 TEST(CorrectedArea, IsNotDeterminedBelowTheGrid) {
   const auto node = [](int ix, int iy) { return ix == 3 && iy == 5; };
   const auto checkerboard = [](int ix, int iy) { return (ix + iy) % 2 == 0; };
@@ -326,7 +329,7 @@ TEST(CorrectedArea, IsNotDeterminedBelowTheGrid) {
           << area.reason;
     }
     EXPECT_GT(corrected_of(patch, 1e-9, coefficients).value, 10.0 / 256.0);
-    // all but one: the open node takes its area off, and nothing is above 1
+    // all except one: the open node reduces the area, and no value exceeds 1
     EXPECT_LT(corrected_of([&](int ix, int iy) { return !node(ix, iy); }, 1e-12,
                            coefficients)
                   .value,
@@ -334,8 +337,8 @@ TEST(CorrectedArea, IsNotDeterminedBelowTheGrid) {
   }
 }
 
-// Claim: depths between the measured ones are between them, beyond them as the
-// nearest.
+// Coefficients for depths between the measured ones are interpolated; beyond
+// these they are those of the nearest.
 TEST(AreaCoefficients, OfQ1AreLinearBetweenTheMeasuredDepths) {
   const auto [shallow, cubic, deep] =
       std::array{q1_area_coefficients(0.5), q1_area_coefficients(1.0),

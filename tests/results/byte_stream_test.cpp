@@ -1,4 +1,4 @@
-// Claims about results/storage/byte_stream.hpp.
+// Tests of results/storage/byte_stream.hpp.
 #include "results/storage/byte_stream.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace asperity::results {
 namespace {
 
-/// Writes one item and expects it to read back, also if nothing follows it, and
-/// to be refused if a byte is missing.
+/// Writes one item and expects it to be read back, also if nothing follows it,
+/// and to be refused if a byte is missing.
 template <class Item>
 void expect_exact_length(const Item& item,
                          void (ByteWriter::*write)(const Item&),

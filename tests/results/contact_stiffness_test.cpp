@@ -1,4 +1,4 @@
-// Claims about results/observables/contact_stiffness.hpp, on curves with known
+// Tests of results/observables/contact_stiffness.hpp, on curves with known
 // derivatives.
 #include "results/observables/contact_stiffness.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<double> uneven_gaps{90e-9, 70e-9, 64e-9, 40e-9, 11e-9, 1e-9};
 
-// Claim: p = p_1 exp(-u/u_0) has K = p/u_0 at every point, ends included.
+// p = p_1 exp(-u/u_0) has K = p/u_0 at every point including the ends.
 // Tolerance: ln p is near 16 and steps of ln p down to 0.7, so one ulp of ln p
 // is 16/0.7 eps of a slope; the parabola at an end weighs it some tenfold.
 TEST(ContactStiffness, OfAnExponentialIsExactAtUnevenSteps) {
@@ -30,9 +30,8 @@ TEST(ContactStiffness, OfAnExponentialIsExactAtUnevenSteps) {
     EXPECT_NEAR(stiffness[i] * decay_length / pressure[i], 1.0, 1e-13) << i;
 }
 
-// Claim: a parabola in ln p is differentiated exactly, which no two-point
-// formula does: K = p (b + 2 c u) for ln p = a - b u - c u^2. Tolerance as
-// above.
+// A parabola in ln p is differentiated exactly, which no two-point formula
+// does: K = p (b + 2 c u) for ln p = a - b u - c u^2. Tolerance as above.
 TEST(ContactStiffness, TakesTheCurvatureOfLnPressure) {
   const double b = 1e8;  // 1/m
   const double c = 4e14; // 1/m^2
@@ -49,7 +48,7 @@ TEST(ContactStiffness, TakesTheCurvatureOfLnPressure) {
         << i;
 }
 
-// Claim: the error falls with the square of the step. p = cosh has a third
+// The error decreases with the square of the step. p = cosh has a third
 // derivative of ln p; halving the step divides the largest error by four, to
 // the next order, which at these steps is below 20 %.
 TEST(ContactStiffness, IsOfSecondOrder) {
@@ -82,7 +81,7 @@ TEST(ContactStiffness, OfTwoPointsIsTheLineAndOfOneNothing) {
   EXPECT_TRUE(contact_stiffness({}, {}).empty());
 }
 
-TEST(ContactStiffness, IsNotMadeUpWhereThereIsNoSlope) {
+TEST(ContactStiffness, IsNaNWhereThereIsNoSlope) {
   const std::vector<double> stiffness =
       contact_stiffness(std::vector{4.0, 3.0, 2.0, 1.0, 1.0, 0.5},
                         std::vector{0.0, 1.0, 2.0, 4.0, 8.0, 16.0});
@@ -94,8 +93,8 @@ TEST(ContactStiffness, IsNotMadeUpWhereThereIsNoSlope) {
   EXPECT_THROW(contact_stiffness(std::vector{1.0}, {}), std::domain_error);
 }
 
-// Claim: loading and unloading are differentiated apart, and what a method
-// gave stays: here its 7, and slopes 2 and 3 of the two branches.
+// Loading and unloading are differentiated separately, and values that a method
+// stated remain: here its 7, and slopes 2 and 3 of the two branches.
 TEST(FillContactStiffness, KeepsBranchesApartAndGivenValues) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<CurvePoint> points;

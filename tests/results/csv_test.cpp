@@ -1,4 +1,4 @@
-// Claims about results/csv.hpp: the very bytes, and numbers that come back.
+// Tests of results/csv.hpp: the exact bytes, and numbers that are read back.
 #include "results/csv.hpp"
 
 #include <gtest/gtest.h>
@@ -57,8 +57,8 @@ TEST(CurvesCsv, IsThisTable) {
   EXPECT_EQ(curves_csv(result), expected);
 }
 
-// Claim: two results that differ in their times only have the same curves.csv,
-// and times.csv has the times.
+// Two results that differ in their times only have the same curves.csv, and
+// times.csv has the times.
 TEST(CurvesCsv, HasNoTimeWhichTimesCsvHas) {
   CurvePoint point;
   point.step = 2;
@@ -81,9 +81,10 @@ TEST(CurvesCsv, HasNoTimeWhichTimesCsvHas) {
             "fem,0,2,0.25,0.125,nan\r\n");
 }
 
-// Claim: every double of a row is the one that went in, also where it needs
-// all 17 digits or lies at the end of its range. An own reader: split at ','.
-TEST_F(ResultFolder, CsvGivesBackEveryDouble) {
+// Every double of a row is read back unchanged, also where it needs all 17
+// digits or lies at the end of its range. The reader is independent: it splits
+// at ','.
+TEST_F(ResultFolder, CsvReadsBackEveryDouble) {
   CurvePoint point;
   point.nominal_pressure = 1e6 / 3.0;
   point.mean_gap = -std::numbers::pi * 1e-9;

@@ -1,5 +1,5 @@
-// Claims about results/observables/distributions.hpp: densities whose integrals
-// are known, patches that can be counted by eye.
+// Tests of results/observables/distributions.hpp: densities whose integrals are
+// known, and patches that can be counted in a drawing.
 #include "results/observables/distributions.hpp"
 #include "results/observables/observables.hpp"
 
@@ -32,9 +32,9 @@ double first_moment(const Histogram& histogram) {
   return sum;
 }
 
-// Claim: the integral is the area fraction (rounding of 40 bins), the first
-// moment the nominal pressure to half a bin times the area, with and without
-// weights; the density of a linear ramp is flat.
+// The integral is the area fraction (rounding of 40 bins), the first moment the
+// nominal pressure to half a bin times the area, with and without weights; the
+// density of a linear ramp is flat.
 TEST(PressureHistogram, IntegratesToAreaAndNominalPressure) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -63,12 +63,12 @@ TEST(PressureHistogram, OfARampIsFlat) {
 
   ASSERT_EQ(histogram.density.size(), 10U);
   EXPECT_EQ(histogram.highest, 1999.0);
-  for (const double density : histogram.density) // a bin may win one node
+  for (const double density : histogram.density) // a bin may have one node more
     EXPECT_NEAR(density * 2000.0, 1.0, 0.02);
 }
 
-// Claim: only open nodes count: contact pressed in (negative gap) and contact
-// at zero gap do not, a gap below zero by rounding does.
+// Only open nodes count: neither contact with penetration (negative gap) nor
+// contact at zero gap does; a gap that is below zero by roundoff does.
 TEST(GapHistogram, IsOfTheOpenNodes) {
   const std::vector<double> pressure{5.0, 5.0, 0.0, 0.0, 0.0};
   const std::vector<double> gap{-1.0, 0.0, -1e-20, 0.1, 1.0};
@@ -98,9 +98,9 @@ std::vector<double> drawn(const std::string& rows) {
   return pressure;
 }
 
-// Claim: four neighbours and the periodic border connect, a corner does not.
-// The four corners of the drawing are one patch (4 + the 2 beside them), the
-// block of 2 x 2 one, the node at its corner one.
+// The four neighbours connect, also across the periodic boundary; a corner does
+// not. The four corners of the drawing are one patch (4 + the 2 beside them),
+// the block of 2 x 2 one, the node at its corner one.
 TEST(ContactPatches, ConnectAcrossBordersButNotAcrossCorners) {
   const Grid grid{6, 5, 6.0, 10.0}; // cells of 1 x 2 m
   const auto pressure = drawn("##...#\n"
@@ -129,9 +129,9 @@ TEST(ContactPatches, CornersOnlyDoNotConnect) {
   EXPECT_EQ(patches.patch_of_node[grid.index(0, 0)], 1);
 }
 
-// Claim: a ring is one patch and a spiral is one, however the labels have to
-// be merged on the way; a checkerboard has a patch a node.
-TEST(ContactPatches, FollowAWindingShape) {
+// A ring is one patch and a spiral is one, however the labels have to be
+// merged; a checkerboard has one patch per node.
+TEST(ContactPatches, ConnectWindingShapes) {
   const Grid grid{8, 8, 8.0, 8.0};
   const auto spiral = drawn("........\n"
                             ".######.\n"
@@ -151,9 +151,9 @@ TEST(ContactPatches, FollowAWindingShape) {
   EXPECT_EQ(contact_patches(grid, checkerboard).areas.size(), 32U);
 }
 
-// Claim: patches share out the contact: their areas sum to the counted area,
-// weighted or not (rounding of 4096 terms), and neighbours share a label.
-TEST(ContactPatches, ShareOutTheContact) {
+// The areas of the patches sum to the counted area, weighted or not (roundoff
+// of 4096 terms), and neighbours have the same label.
+TEST(ContactPatches, PartitionTheContact) {
   const Grid grid{64, 64, 1.0, 1.0};
   std::mt19937 random(5);
   std::bernoulli_distribution in_contact(0.45);

@@ -1,5 +1,5 @@
-// Claims about results/result_reader.hpp on files it did not write: the least
-// that docs/reference/results.md asks for is enough, and what is wrong is
+// Tests of results/result_reader.hpp with files of other programs: the minimum
+// that docs/reference/results.md requires is sufficient, and mistakes are
 // named.
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
@@ -26,7 +26,7 @@ protected:
     std::filesystem::create_directories(folder_);
   }
 
-  /// Writes the least file there is, then changes it.
+  /// Writes the minimal file, then changes it.
   void write(const std::function<void(Hdf5File&)>& change) {
     const std::lock_guard lock(hdf5_mutex());
     Hdf5File file(path_, Hdf5File::Mode::create);
@@ -43,7 +43,7 @@ protected:
     file.close();
   }
 
-  /// What the reader says of it, without the path.
+  /// The message of the reader without the path.
   std::string complaint() const {
     try {
       read_result(path_);
@@ -84,7 +84,7 @@ TEST_F(ForeignFile, NeedsOnlyPressureAndGap) {
               1e-12);
 }
 
-// Claim: the rms height is that of the map where no attribute says it.
+// The rms height is that of the map where no attribute says it.
 TEST_F(ForeignFile, GetsItsRmsHeightFromItsMap) {
   write([](Hdf5File& file) {
     Hdf5Group surface = file.open_or_create("surfaces").open_or_create("0");
@@ -101,8 +101,8 @@ TEST_F(ForeignFile, GetsItsRmsHeightFromItsMap) {
   EXPECT_TRUE(std::isnan(surface.rms_slope));
 }
 
-// Claim: a surface may be known by its numbers alone; the number of points is
-// then 0, and nothing else that is not a count is accepted.
+// A surface may be known by its statistics alone; the number of points is then
+// 0, and nothing else that is not a count is accepted.
 TEST_F(ForeignFile, MayLeaveItsGridUnknown) {
   const auto write_points = [this](double points) {
     write([points](Hdf5File& file) {
@@ -125,7 +125,7 @@ TEST_F(ForeignFile, MayLeaveItsGridUnknown) {
   }
 }
 
-TEST_F(ForeignFile, IsAnsweredByTheNameOfWhatIsWrong) {
+TEST_F(ForeignFile, IsRefusedByTheNameOfTheMistake) {
   const std::string curve = "/methods/bem.mine/0/curve";
   write([](Hdf5File& file) { file.set_attribute("format", "x"); });
   EXPECT_EQ(complaint(), "/format = \"x\", but must be \"asperity-result\"");
@@ -159,15 +159,14 @@ TEST_F(ForeignFile, IsAnsweredByTheNameOfWhatIsWrong) {
       curve + "/residual: cannot read this dataset as numbers"));
 }
 
-TEST_F(ForeignFile, ThatIsMissingOrNoResultIsSaid) {
+TEST_F(ForeignFile, ThatIsMissingOrNoResultIsRefused) {
   EXPECT_EQ(complaint(), "there is no such file");
   std::filesystem::create_directories(folder_ / "empty");
   EXPECT_THROW(read_result(folder_ / "empty"), input::InputError);
 }
 
-// Claim: however much of a file is lost at its end, the answer is an
-// InputError.
-TEST_F(ForeignFile, CutShortAnywhereIsSaid) {
+// A file that is truncated anywhere is refused by an InputError.
+TEST_F(ForeignFile, TruncatedAnywhereIsRefused) {
   write([](Hdf5File&) {});
   for (auto size = std::filesystem::file_size(path_); size > 0;
        size = size * 9 / 10) {

@@ -1,5 +1,6 @@
-// Claims about the journal of a result: it reads as the file would, a step
-// costs its own size alone, and no damage or full disk takes what was done.
+// Tests of the journal of a result: it is read as the file would be, the cost
+// of a step is that of its own size, and no damage or full disk loses finished
+// steps.
 #include "base/child_process.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
@@ -52,7 +53,7 @@ protected:
 
   fs::path file() const { return folder_ / "result.h5"; }
 
-  /// Every kind of change, some twice.
+  /// Every kind of change, some of them twice.
   static void write_everything(ResultWriter& writer) {
     writer.record_provenance({{"commit", "one"}, {"wall time", "1 s"}});
     writer.record_surface(1, surface_of(1e-9));
@@ -76,7 +77,7 @@ protected:
     writer.record_provenance({{"wall time", "2 s"}});
   }
 
-  /// Bytes that this process has handed to write().
+  /// Bytes that this process has passed to write().
   static double bytes_written() {
     std::ifstream counters("/proc/self/io");
     for (std::string word; counters >> word;)
@@ -89,7 +90,7 @@ protected:
     return read_result(folder_).methods.at(0).realizations.at(0).points.size();
   }
 
-  /// As a killed run leaves it: rows 0 to n - 1 in the journal alone.
+  /// The state after a run was killed: rows 0 to n - 1 in the journal alone.
   void leave_rows(int n) const {
     ResultWriter writer(folder_, sample_case());
     writer.begin_method("fem", "fem", "");
@@ -174,9 +175,9 @@ TEST_F(ResultJournal, ReadsAsTheFileThatItBecomes) {
   EXPECT_EQ(before.skipped[0].why, after.skipped.at(0).why);
 }
 
-// Claim: what a step writes does not grow with the file: here 8 MB of heights
-// and a thousand rows stand in it, and a row is some 300 bytes. Copying the
-// file would be 8 MB a step.
+// The bytes that a step writes do not grow with the file: here it contains 8 MB
+// of heights and a thousand rows, and a row has some 300 bytes. Copying the
+// file would be 8 MB per step.
 TEST_F(ResultJournal, AStepCostsItsOwnSizeAlone) {
   const Grid large{1024, 1024, 1e-6, 1e-6};
   ResultWriter writer(folder_, sample_case());
@@ -194,8 +195,8 @@ TEST_F(ResultJournal, AStepCostsItsOwnSizeAlone) {
   EXPECT_LT(most, 1000.0);
 }
 
-// Claim: with maps in every step, all copies together write each byte a few
-// times, however many steps there are.
+// With maps in every step, all copies together write each byte a few times, for
+// any number of steps.
 TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
   const Grid square{64, 64, 1e-6, 1e-6};
   Fields fields;
@@ -218,7 +219,7 @@ TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
   EXPECT_LT(bytes_written() - before, 6.0 * maps);
 }
 
-// Claim: a record that is not whole is none, and those before it stay.
+// An incomplete record is ignored, and those before it remain.
 TEST_F(ResultJournal, LosesAtMostTheRecordThatIsBeingWritten) {
   leave_rows(2);
   const std::string two = journal_text();
@@ -246,9 +247,9 @@ TEST_F(ResultJournal, LosesAtMostTheRecordThatIsBeingWritten) {
   EXPECT_EQ(rows(), 3U);
 }
 
-// Claim: a journal that is put into the file and not yet removed when the run
-// is killed is not put into it again.
-TEST_F(ResultJournal, IsNotTakenTwice) {
+// A journal that was merged into the file but not yet removed when the run was
+// killed is not merged again.
+TEST_F(ResultJournal, IsNotMergedTwice) {
   leave_rows(3);
   const std::string text = journal_text();
   settle_result(folder_);
@@ -272,7 +273,7 @@ TEST_F(ResultJournal, OfAnotherResultIsNotRead) {
   EXPECT_TRUE(read_result(folder_).methods.empty());
 }
 
-// Claim: a journal of another result is replaced, from its first byte.
+// A journal of another result is replaced from its first byte.
 TEST_F(ResultJournal, ReplacesThatOfAnotherResult) {
   fs::create_directories(folder_);
   Journal(journal(), "another").append(1, "theirs");
@@ -289,8 +290,8 @@ TEST_F(ResultJournal, ReplacesThatOfAnotherResult) {
   EXPECT_EQ(records, std::vector<std::string>{"ours"});
 }
 
-// Claim: damage in the middle stops the writer before it removes anything.
-TEST_F(ResultJournal, ThatIsDamagedIsKeptAndSaid) {
+// Damage in the middle stops the writer before it removes anything.
+TEST_F(ResultJournal, ThatIsDamagedIsKeptAndReported) {
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem", "fem", "");
   for (int step = 0; step < 3; ++step)
@@ -313,10 +314,10 @@ TEST_F(ResultJournal, ThatIsDamagedIsKeptAndSaid) {
   EXPECT_EQ(read_result(folder_).status, "running");
 }
 
-// Claim: on a full disk (a limit of the file's size does the same) the step
-// that does not fit is an error that names the file, and all before it are
+// On a full disk (a limit of the file's size has the same effect) the step that
+// does not fit is an error that names the file, and all steps before it are
 // there.
-TEST_F(ResultJournal, AFullDiskLeavesWhatWasDone) {
+TEST_F(ResultJournal, AFullDiskLosesNoFinishedStep) {
   ChildLimits limits;
   limits.file_size = 40'000;
   ChildProcess child = ChildProcess::forked(

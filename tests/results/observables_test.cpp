@@ -1,5 +1,5 @@
-// Claims about results/observables/observables.hpp, on shapes whose area,
-// perimeter and energy are known by geometry or by integral.
+// Tests of results/observables/observables.hpp with shapes whose area,
+// perimeter and energy are known by geometry or by an integral.
 #include "results/observables/observables.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Claim: a rectangle of a x b cells has its own area and 2 (a h_x + b h_y),
-// also where it lies across the periodic border. Tolerance: rounding of a sum
-// of equal terms and of two divisions.
+// A rectangle of a x b cells has its own area and 2 (a h_x + b h_y), also where
+// it lies across the periodic border. Tolerance: rounding of a sum of equal
+// terms and of two divisions.
 TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
   const Grid grid{20, 12, 2.0, 3.0};               // cells of 0.1 m x 0.25 m
   for (const double centre_x : {0.65, 1.65, 1.95}) // 6 columns: inside, at
@@ -36,9 +36,9 @@ TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
     }
 }
 
-// Claim: beyond a free border there is no contact, so that the border of a
-// contact that reaches it counts: full contact has the perimeter of the map,
-// and a rectangle in one corner its own.
+// Beyond a free border there is no contact, so that the border counts for a
+// contact that reaches it: full contact has the perimeter of the map, and a
+// rectangle in one corner its own.
 TEST(ContactPerimeter, IncludesAFreeBorder) {
   const Grid grid{20, 12, 2.0, 3.0};
   EXPECT_NEAR(
@@ -63,10 +63,10 @@ TEST(ContactPerimeter, VanishesWithoutContactAndInFullContact) {
   EXPECT_EQ(counted_area_fraction(std::vector<double>(64, 2.0)), 1.0);
 }
 
-// Claim: the perimeter drawn on the grid of a disc that holds its nodes is the
-// perimeter of its bounding box, 8 R to within one spacing a side, so that the
-// isotropic perimeter is 2 pi R; the count is right to Gauss's bound
-// |N - pi r^2| <= 2 sqrt(2) pi r of the circle problem.
+// The perimeter on the grid of a disc, as a set of nodes, is that of its
+// bounding box, 8 R to within one spacing per side, so that the isotropic
+// perimeter is 2 pi R; the count satisfies Gauss's bound |N - pi r^2| <= 2
+// sqrt(2) pi r of the circle problem.
 TEST(ContactPerimeter, OfADiscIsThatOfItsBoundingBox) {
   const Grid grid{256, 256, 1.0, 1.0};
   const double radius = 0.3;
@@ -85,9 +85,9 @@ TEST(ContactPerimeter, OfADiscIsThatOfItsBoundingBox) {
               2 * std::numbers::sqrt2 * std::numbers::pi * radius * spacing);
 }
 
-// Claim: p = a (1 + cos qx) and w = C a cos qx give 1/2 <p w> = C a^2/4 and
-// 1/2 <p^2>/k = 3 a^2/(4 k). A DFT grid sums a trigonometric polynomial
-// exactly; tolerance: rounding of 256 terms.
+// p = a (1 + cos qx) and w = C a cos qx give 1/2 <p w> = C a^2/4 and 1/2
+// <p^2>/k = 3 a^2/(4 k). The sum over a DFT grid is exact for a trigonometric
+// polynomial; tolerance: roundoff of 256 terms.
 TEST(Energy, OfAWaveIsItsIntegral) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double amplitude = 3e6;    // Pa
@@ -111,8 +111,8 @@ TEST(Energy, OfAWaveIsItsIntegral) {
   EXPECT_EQ(contact_energy(pressure, 0.0), 0.0);
 }
 
-// Claim: weights count nodes by their area: a field of nodes of areas 1/2 and
-// 3/2 has the mean of the same field on nodes drawn in that number.
+// Weights count nodes by their area: the mean over nodes of areas 1/2 and 3/2
+// equals that over nodes that are repeated in this proportion.
 TEST(NodalWeights, CountANodeByItsArea) {
   const std::vector<double> weights{0.5, 1.5};
   const std::vector<double> pressure{0.0, 4.0};
@@ -123,8 +123,8 @@ TEST(NodalWeights, CountANodeByItsArea) {
   EXPECT_DOUBLE_EQ(contact_energy(pressure, 2.0, weights), 12.0);
 }
 
-// Claim: full contact is 1, also where the weights sum to more by rounding.
-// Here 36 weights of mean 1 + 1 ulp.
+// Full contact is 1, also where the weights sum to more by roundoff. Here 36
+// weights of mean 1 + 1 ulp.
 TEST(NodalWeights, OfRoundedSumsGiveNoAreaAboveOne) {
   const std::vector<double> weights(36, 1.0 + epsilon);
   const std::vector<double> pressure(36, 1.0);

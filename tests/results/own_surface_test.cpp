@@ -1,6 +1,6 @@
-// Claims about a method that ran on another surface or grid than the case's:
-// both come back from the file, and what a file leaves out of a map's grid is
-// that of the surface below it.
+// Tests of a method with another surface or grid than the case's: both are read
+// back from the file, and what a file omits of a map's grid is taken from its
+// surface.
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -65,7 +65,7 @@ TEST_F(OwnSurface, IsRefusedWithoutAMethodOrOfAnotherSize) {
                std::domain_error);
 }
 
-// Claim: maps keep the grid they were written on, which is nobody else's.
+// A map has the grid on which it was written.
 TEST_F(OwnSurface, HasMapsOfItsOwnGrid) {
   const Grid grid{6, 10, 3e-6, 4e-6};
   ResultWriter writer(folder_, sample_case());
@@ -79,9 +79,9 @@ TEST_F(OwnSurface, HasMapsOfItsOwnGrid) {
   EXPECT_EQ(result.methods[0].realizations[0].fields[0].grid, grid);
 }
 
-// Claim: a map without sides, as files before this had it, has those of the
-// method's own surface, else of the case's.
-TEST_F(OwnSurface, LendsItsSidesToAMapWithoutThem) {
+// A map without sides, as in files of earlier versions, has those of the
+// method's own surface, or else of the case's.
+TEST_F(OwnSurface, GivesItsSidesToAMapWithoutThem) {
   const Grid grid{2, 2, 1.0, 1.0};
   ResultWriter writer(folder_, sample_case());
   SurfaceRecord own = sample_surface(2, 2);

@@ -1,5 +1,5 @@
-// Claims about results/observables/pressure_fit.hpp: samples of (20) give their
-// G back, weak pressures of open nodes do not disturb it, units do not enter.
+// Tests of results/observables/pressure_fit.hpp: G is recovered from samples of
+// (20), weak pressures at open nodes do not change it, and units do not matter.
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
 #include "theory/persson/pressure_distribution.hpp"
@@ -20,16 +20,17 @@ namespace {
 
 constexpr double load = 1e7; // p [Pa]
 
-/// Share of the face with a pressure above `stress`, from (20): what a
-/// Gaussian and its mirror image have there.
+/// Fraction of the surface with a pressure above `stress`, from (20): that of a
+/// Gaussian and its image.
 double share_above(double stress, double variance) {
   const double width = 2.0 * std::sqrt(variance);
   return 0.5 * (std::erfc((stress - load) / width) -
                 std::erfc((stress + load) / width));
 }
 
-/// A map whose n nodes in all have the pressures of (20), each standing for an
-/// equal share: quantiles, not draws. The open ones are exactly 0.
+/// A map with n nodes in all whose pressures are quantiles of (20) rather than
+/// random draws, each representing an equal fraction. The open ones are exactly
+/// 0.
 std::vector<double> samples(double variance, int n) {
   const double area = share_above(0.0, variance);
   const auto in_contact = static_cast<int>(std::lround(area * n));
@@ -48,10 +49,11 @@ std::vector<double> samples(double variance, int n) {
 // sqrt(G)/p from light contact (A = 3 %) to full contact (1 - A = 5e-7).
 const std::vector<double> roots{20.0, 5.0, 1.0, 0.4, 0.14};
 
-// Claim: G and the area of (21) come back. Tolerance: a bin of the 48 or more
-// holds some n A/20 nodes, known to half a node at both its edges, and as many
-// bins err to either side: 1/(n A/20)/sqrt(20) = 1.5e-4 at n A = 3e4.
-TEST(PressureFit, GivesBackTheVarianceOfItsOwnSamples) {
+// Verifies that G and the area of (21) are recovered. Tolerance: a bin of the
+// 48 or more holds some n A/20 nodes, known to half a node at both its edges,
+// and as many bins err to either side: 1/(n A/20)/sqrt(20) = 1.5e-4 at n A =
+// 3e4.
+TEST(PressureFit, RecoversTheVarianceOfItsSamples) {
   for (const double root : roots) {
     const double variance = root * root * load * load;
     const double area = share_above(0.0, variance);
@@ -65,10 +67,10 @@ TEST(PressureFit, GivesBackTheVarianceOfItsOwnSamples) {
   }
 }
 
-// Claim: the same by the second moment. Tolerance: quantiles at the middle of
-// their share are a midpoint rule with a logarithmic end, some 10/n of the
-// second moment and of the first, hence of sqrt(G): 1e-3 at n A = 3e4.
-TEST(PressureFitByMoment, GivesBackTheVarianceOfItsOwnSamples) {
+// The same by the second moment. Tolerance: quantiles at the middle of their
+// fraction are a midpoint rule with a logarithmic end, some 10/n of the second
+// moment and of the first, hence of sqrt(G): 1e-3 at n A = 3e4.
+TEST(PressureFitByMoment, RecoversTheVarianceOfItsSamples) {
   for (const double root : roots) {
     const double variance = root * root * load * load;
     const double area = share_above(0.0, variance);
@@ -81,10 +83,9 @@ TEST(PressureFitByMoment, GivesBackTheVarianceOfItsOwnSamples) {
   }
 }
 
-// Claim: the G found has the second moment of the map's positive part, by the
-// closed moments of theory/, for any map that presses in the mean, tension in
-// places or not. Tolerance: rounding of 64 terms and of a root known to 2^-52,
-// 1e-13.
+// The recovered G has the second moment of the positive part of the map, by the
+// closed moments of theory/, for any map with a positive mean, with and without
+// tension. Tolerance: roundoff of 64 terms and of a root known to 2^-52, 1e-13.
 RC_GTEST_PROP(PressureFitByMoment, HasTheMomentsOfTheMap, ()) {
   const int least = *rc::gen::element(-300, 0, 1);
   std::vector<double> pressure(64);
@@ -106,13 +107,12 @@ RC_GTEST_PROP(PressureFitByMoment, HasTheMomentsOfTheMap, ()) {
   RC_ASSERT(std::abs(moments.area_fraction - fit.area_fraction) < 1e-13);
 }
 
-// Claim: open nodes that carry weak pressures, as atoms do, leave the fit
-// where it was, while the count calls all of the face contact. The weak ones
-// are a tail from 0.15 sqrt(G) down to nothing with a density like 1/sigma, of
-// a mean of some 0.4 % of p. Tolerance: the mean p, which the fit takes from
-// the map, moves by that much, and the area is proportional to it at light
-// load.
-TEST(PressureFit, DoesNotMindSoftOpenNodes) {
+// Open nodes with weak pressures, as atoms have them, do not change the fit,
+// although counting regards the entire surface as contact. The weak ones are a
+// tail from 0.15 sqrt(G) down to zero with a density like 1/sigma, of a mean of
+// some 0.4 % of p. Tolerance: the mean p, which the fit takes from the map,
+// changes by that much, and the area is proportional to it at light load.
+TEST(PressureFit, IgnoresWeakPressuresOfOpenNodes) {
   const double variance = 25.0 * load * load;
   std::vector<double> pressure = samples(variance, 200'000);
   const double hard_area = fit_pressure_distribution(pressure).area_fraction;
@@ -134,10 +134,10 @@ TEST(PressureFit, DoesNotMindSoftOpenNodes) {
               2.0 * weak_mean / load + 1.5e-4);
 }
 
-// Claim: no unit enters: all pressures times a power of two give G times its
+// The unit does not matter: all pressures times a power of two give G times its
 // square and the same area, bit for bit; a pressure in other units too, to the
 // half of a double's digits that a minimum has.
-TEST(PressureFit, KnowsNoUnit) {
+TEST(PressureFit, IsIndependentOfUnits) {
   const std::vector<double> pressure = samples(load * load, 20'000);
   const PressureFit fit = fit_pressure_distribution(pressure);
   for (const double unit : {0x1p-60, 0x1p40, 1e-9}) {
@@ -154,7 +154,8 @@ TEST(PressureFit, KnowsNoUnit) {
   }
 }
 
-// Claim: a node of weight 2 counts as two of weight 1; rounding of the sums.
+// A node of weight 2 counts as two of weight 1. Tolerance: roundoff of the
+// sums.
 TEST(PressureFit, WeighsNodes) {
   std::vector<double> pressure = samples(load * load, 4000);
   std::vector<double> weights(pressure.size(), 1.0);
@@ -180,7 +181,7 @@ TEST(PressureFit, WeighsNodes) {
   }
 }
 
-TEST(PressureFit, AnswersTheEndsOfContact) {
+TEST(PressureFit, HasTheLimitsOfNoAndFullContact) {
   const std::vector<double> open(100, 0.0);
   const std::vector<double> uniform(100, 3e6);
   std::vector<double> touching(100, 0.0);
@@ -207,11 +208,11 @@ TEST(PressureFit, AnswersTheEndsOfContact) {
                std::domain_error);
 }
 
-// Claim: from full contact to a single node of 10^8 every map has a fit by
-// moment with the moments of the map. Near both ends the root lies at the
-// bound of its bracket to within rounding: pressures 1 -+ d have the excess
-// d^2, and n nodes of which one is in contact have n - 1 (by weights, so that
-// the map stays small). Tolerance: rounding of the moments, 1e-13.
+// From full contact to a single node in 10^8 every map has a fit by moment with
+// the moments of the map. Near both ends the root lies at the bound of its
+// bracket to within roundoff: pressures 1 -+ d have the excess d^2, and n nodes
+// of which one is in contact have n - 1 (by weights, so that the map stays
+// small). Tolerance: roundoff of the moments, 1e-13.
 TEST(PressureFitByMoment, HasARootAtBothEndsOfContact) {
   for (int i = 0; i <= 2000; ++i) {
     const double spread = std::sqrt(0.005 + 1e-5 * i);
@@ -238,9 +239,9 @@ TEST(PressureFitByMoment, HasARootAtBothEndsOfContact) {
   }
 }
 
-// Claim: the extremes of a double's range, and a mean that is lost in rounding
-// beside the pressures, have an answer and no exception.
-TEST(PressureFit, AnswersTheEndsOfADouble) {
+// Verifies that pressures at the limits of a double, and a mean that is lost in
+// roundoff beside the pressures, have a result and no exception.
+TEST(PressureFit, WorksAtTheLimitsOfADouble) {
   const std::vector<double> reduced = samples(load * load, 4000);
   std::vector<double> pulled(100, 1.0);
   std::fill(pulled.begin(), pulled.begin() + 50, -1.0);
@@ -260,10 +261,10 @@ TEST(PressureFit, AnswersTheEndsOfADouble) {
   }
 }
 
-// Claim: one Hertzian spot, whose pressures rise to their density's end with
-// nothing like a Gaussian, still gets numbers of its size: both areas within a
-// factor of two of the true one.
-TEST(PressureFit, OfASphereIsANumber) {
+// For one Hertzian contact, whose density of pressures increases towards its
+// end, in contrast to a Gaussian, the numbers still have the right magnitude:
+// both areas are within a factor of two of the exact one.
+TEST(PressureFit, OfASphereIsWithinAFactorOfTwo) {
   const int n = 200;
   const double radius = 0.3; // of the contact, in sides
   std::vector<double> pressure;

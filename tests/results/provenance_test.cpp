@@ -1,4 +1,5 @@
-// Claims about results/provenance.hpp: the facts are there and are of this run.
+// Tests of results/provenance.hpp: the facts are complete and belong to this
+// run.
 #include "results/provenance.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ bool has_shape(std::string_view text, std::string_view shape) {
                     });
 }
 
-TEST(ProgramFacts, SayWhatMadeTheResult) {
+TEST(ProgramFacts, RecordTheProvenance) {
   const Provenance facts = program_facts();
 
   const std::string commit = fact(facts, "commit");
@@ -52,7 +53,7 @@ TEST(UtcNow, IsIso8601) {
   EXPECT_TRUE(has_shape(utc_now(), "2099-99-99T99:99:99Z"));
 }
 
-// Claim: the CPU time is the process's own, so work raises it.
+// The CPU time is the process's own, so work raises it.
 TEST(RunClock, CountsWorkAndMemory) {
   const RunClock clock;
   const double before = std::atof(fact(clock.facts(), "CPU time").c_str());

@@ -1,5 +1,5 @@
-// Claims about results/result_writer.hpp and result_reader.hpp: what is
-// written is what is read, step by step and from any thread.
+// Tests of results/result_writer.hpp and result_reader.hpp: what is written is
+// read back, step by step and from any thread.
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -21,7 +21,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using ResultFile = ResultFolder;
 
-TEST_F(ResultFile, SaysTheCaseAndIsRunningUntilItIsFinished) {
+TEST_F(ResultFile, RecordsTheCaseAndIsRunningUntilFinished) {
   ResultWriter writer(folder_ / "new" / "folder", sample_case());
   EXPECT_EQ(read_result(writer.path()).status, "running");
   writer.finish("complete");
@@ -39,7 +39,8 @@ TEST_F(ResultFile, SaysTheCaseAndIsRunningUntilItIsFinished) {
   EXPECT_TRUE(result.methods.empty());
 }
 
-// A plain attribute of the library ends at 64 KiB; a case may be longer.
+// An ordinary attribute of the library is limited to 64 KiB; a case may be
+// longer.
 TEST_F(ResultFile, HoldsALongCaseText) {
   CaseInfo info = sample_case();
   info.text = std::string(300'000, '#') + "end";
@@ -49,7 +50,7 @@ TEST_F(ResultFile, HoldsALongCaseText) {
   EXPECT_EQ(read_result(folder_).case_text, info.text);
 }
 
-TEST_F(ResultFile, GivesBackEveryRowBitForBit) {
+TEST_F(ResultFile, ReadsBackEveryRowBitForBit) {
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem.hard", "fem", "Q1, a wall");
   writer.begin_method("a-theory", "theory", "");
@@ -78,7 +79,7 @@ TEST_F(ResultFile, GivesBackEveryRowBitForBit) {
   expect_same(curve.points[3], with_gaps);
 }
 
-TEST_F(ResultFile, GivesBackSurfacesAsTheyWere) {
+TEST_F(ResultFile, ReadsBackSurfacesUnchanged) {
   ResultWriter writer(folder_, sample_case());
   const SurfaceRecord expected = sample_surface(3, 5);
   SurfaceRecord without_map = expected;
@@ -95,9 +96,9 @@ TEST_F(ResultFile, GivesBackSurfacesAsTheyWere) {
   expect_same(result.surfaces[1], expected);
 }
 
-// Claim: maps come back to the rounding of the floats they are kept in, 2^-24
-// relative, negative gaps too.
-TEST_F(ResultFile, GivesBackMapsToSinglePrecision) {
+// Maps are read back to the roundoff of the floats in which they are stored,
+// 2^-24 relative, including negative gaps.
+TEST_F(ResultFile, ReadsBackMapsToSinglePrecision) {
   ResultWriter writer(folder_, sample_case());
   const Grid grid{8, 6, 1e-6, 1e-6};
   Fields fields;
@@ -111,7 +112,7 @@ TEST_F(ResultFile, GivesBackMapsToSinglePrecision) {
   writer.append_step_with_fields("fem", 0, sample_point(4), grid, fields);
   fields.step = 2;
   writer.append_fields("fem", 0, grid, fields);
-  writer.append_fields("fem", 0, grid, fields); // over the earlier try
+  writer.append_fields("fem", 0, grid, fields); // replaces the earlier attempt
 
   const Result result = read_result(folder_);
 
@@ -152,9 +153,10 @@ std::vector<double> stored_stiffness(const std::filesystem::path& path) {
       .numbers("contact_stiffness");
 }
 
-// p = exp(-2 u): the stiffness that no method gave is 2 p. The reader takes it
-// from the curve; the file holds it once the run is complete, not before: the
-// ends of an interrupted curve are not yet ends. Steps come out of order.
+// p = exp(-2 u): the stiffness that no method stated is 2 p. The reader derives
+// it from the curve; the file contains it once the run is complete, not before,
+// because the ends of an interrupted curve are not yet ends. The steps arrive
+// out of order.
 TEST_F(ResultFile, TakesAMissingStiffnessFromTheCurve) {
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem", "fem", "");
@@ -205,7 +207,7 @@ TEST_F(ResultFile, RefusesWhatWouldNotReadBack) {
   EXPECT_EQ(steps_done(read_result(folder_)), (StepsDone{{{"fem", 0}, {0}}}));
 }
 
-// Claim: four threads, each with its own curve, lose no row.
+// Four threads, each with its own curve, lose no row.
 TEST_F(ResultFile, TakesStepsFromManyThreads) {
   const int n_threads = 4;
   const int n_steps = 25;

@@ -1,5 +1,5 @@
-// Claim: a run killed at any moment leaves a result file that opens and holds
-// every step that was reported done before the kill.
+// Verifies that a run that is killed at any moment leaves a result file that
+// opens and contains every step that was reported as done before.
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 
@@ -31,8 +31,8 @@ Fields sample_fields(int step) {
   return fields;
 }
 
-/// Appends steps for ever, and writes each to `report` when it is done; every
-/// fifth has its maps. Goes on from what the file holds.
+/// Appends steps without end and writes each to `report` when it is done; every
+/// fifth has maps. Continues from the content of the file.
 [[noreturn]] void run_for_ever(const std::filesystem::path& folder,
                                int report) {
   ResultWriter writer(folder, sample_case(), ResultWriter::Mode::resume);
@@ -50,7 +50,7 @@ Fields sample_fields(int step) {
   }
 }
 
-/// Until the run copies its file, or has a step to report.
+/// Until the run copies its file, or reports a step.
 void wait_for_copy(const std::filesystem::path& folder, int report) {
   pollfd watched{report, POLLIN, 0};
   while (!std::filesystem::exists(folder / ".result.h5.part") &&
@@ -58,8 +58,9 @@ void wait_for_copy(const std::filesystem::path& folder, int report) {
   }
 }
 
-/// Starts a run and kills it `delay` after its `n_steps`-th step is reported;
-/// 0 is the copy that it begins with, and has no delay.
+/// Starts a run and kills it `delay` after its `n_steps`-th step is reported; 0
+/// is the copy with which it begins, and has no delay.
+///
 /// @return  the last step it reported, -1 if there was none
 int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
                             std::chrono::microseconds delay) {
@@ -93,10 +94,10 @@ int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
   return last;
 }
 
-// Each run resumes what the one before left, so a file that a kill had spoilt
-// would show in the next. A step may be in the file and not yet reported. A
-// third of the kills come when the journal is put into the file.
-TEST_F(ResultKill, AtAnyMomentKeepsEveryStepThatWasDone) {
+// Each run resumes what the one before left, so that a file that was damaged
+// would fail the next. A step may be in the file and not yet reported. A third
+// of the kills are made while the journal is merged into the file.
+TEST_F(ResultKill, AtAnyMomentLosesNoFinishedStep) {
   std::mt19937 random(11);
   std::uniform_int_distribution<int> delay_us(0, 3'000);
   { const ResultWriter first(folder_, sample_case()); }
@@ -111,7 +112,7 @@ TEST_F(ResultKill, AtAnyMomentKeepsEveryStepThatWasDone) {
     const Result result = read_result(folder_);
     EXPECT_EQ(result.case_text, sample_case().text);
     if (result.methods.empty() || result.methods[0].realizations.empty())
-      continue; // killed before the first step of all
+      continue; // killed before the first step
     const Curve& curve = result.methods[0].realizations[0];
     const int n_points = static_cast<int>(curve.points.size());
     EXPECT_GE(n_points, std::max(n_before, last + 1));

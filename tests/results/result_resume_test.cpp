@@ -1,5 +1,5 @@
-// Claims about going on with a result file: what is there is known, and a
-// result of another case is not touched.
+// Tests of resuming with a result file: finished steps are known, and a result
+// of another case is not changed.
 #include "base/atomic_file.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using ResultResume = ResultFolder;
 
-TEST_F(ResultResume, GoesOnFromTheStepsThatAreThere) {
+TEST_F(ResultResume, ContinuesFromTheFinishedSteps) {
   {
     ResultWriter first(folder_, sample_case());
     first.begin_method("fem", "fem", "");
@@ -40,9 +40,9 @@ TEST_F(ResultResume, GoesOnFromTheStepsThatAreThere) {
   EXPECT_EQ(done, (StepsDone{{{"fem", 0}, {0, 1}}, {{"fem", 2}, {5}}}));
 }
 
-// Claim: a file of a program that knew fewer columns is read, and gone on with:
-// its rows have NaN there, the new ones their numbers.
-TEST_F(ResultResume, GoesOnWithAFileOfFewerColumns) {
+// A file of a program with fewer columns is read and continued: its rows have
+// NaN there, the new ones their numbers.
+TEST_F(ResultResume, ContinuesAFileOfFewerColumns) {
   {
     ResultWriter first(folder_, sample_case());
     first.begin_method("fem", "fem", "");
@@ -69,9 +69,9 @@ TEST_F(ResultResume, GoesOnWithAFileOfFewerColumns) {
   EXPECT_EQ(points[0].area_fraction, sample_point(0).area_fraction);
 }
 
-// Claim: a result of another case, other input files or another program is
-// left alone, and every difference is named.
-TEST_F(ResultResume, SaysWhatDiffersAndChangesNothing) {
+// A result of another case, of other input files or of another program is not
+// changed, and every difference is named.
+TEST_F(ResultResume, NamesTheDifferencesAndChangesNothing) {
   CaseInfo before = sample_case();
   before.inputs = {{"surface.file", std::string(64, 'a')},
                    {"program", std::string(64, 'b')},
@@ -102,8 +102,8 @@ TEST_F(ResultResume, SaysWhatDiffersAndChangesNothing) {
   const ResultWriter third(folder_, before, ResultWriter::Mode::resume);
 }
 
-// A result of an earlier program does not say what it was computed from.
-TEST_F(ResultResume, DoesNotGoOnWithUnknownInputs) {
+// A result of an earlier program does not record its input files.
+TEST_F(ResultResume, RefusesUnknownInputs) {
   { const ResultWriter first(folder_, sample_case()); }
   CaseInfo now = sample_case();
   now.inputs = {{"surface.file", std::string(64, 'd')}};
@@ -112,9 +112,9 @@ TEST_F(ResultResume, DoesNotGoOnWithUnknownInputs) {
                input::InputError);
 }
 
-// The published values are no part of what is computed: those of today stand
-// beside an old result.
-TEST_F(ResultResume, TakesTheReferenceOfTheRunThatGoesOn) {
+// The published values do not affect the computation: an old result is compared
+// with the present ones.
+TEST_F(ResultResume, TakesTheReferenceOfTheResumedRun) {
   { const ResultWriter first(folder_, sample_case()); }
   CaseInfo corrected = sample_case();
   corrected.reference += "kappa,2.2,1,0.1,a paper\n";
@@ -124,7 +124,7 @@ TEST_F(ResultResume, TakesTheReferenceOfTheRunThatGoesOn) {
   EXPECT_EQ(read_result(folder_).reference, corrected.reference);
 }
 
-// A part that a killed run left is overwritten, not taken for anything.
+// A temporary file that a killed run left is overwritten and never read.
 TEST_F(ResultResume, IgnoresThePartOfAKilledRun) {
   { const ResultWriter first(folder_, sample_case()); }
   write_file_atomically(folder_ / ".result.h5.part", "half a file");

@@ -1,6 +1,6 @@
 #pragma once
 
-// Made-up rows, maps and folders for the tests of the result file.
+// Artificial rows, maps and folders for the tests of the result file.
 
 #include "results/result_writer.hpp"
 
@@ -13,7 +13,7 @@
 
 namespace asperity::results {
 
-/// A folder of its own, removed at the end of the test.
+/// A temporary folder that is removed at the end of the test.
 class ResultFolder : public ::testing::Test {
 protected:
   void SetUp() override { std::filesystem::remove_all(folder_); }
@@ -35,7 +35,7 @@ inline CaseInfo sample_case() {
           "quantity,value,unit,uncertainty,source\nü,1,1,0,\"a, b\"\n"};
 }
 
-/// A row whose every number is another, and depends on the step.
+/// A row whose numbers all differ and depend on the step.
 inline CurvePoint sample_point(int step) {
   CurvePoint point;
   point.step = step;

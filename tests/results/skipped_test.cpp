@@ -1,5 +1,5 @@
-// Claims about the list of what was skipped: what is written is what is read,
-// and a list is replaced whole.
+// Tests of the list of skipped items: what is written is read back, and a list
+// is replaced as a unit.
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using SkippedList = ResultFolder;
 
-TEST_F(SkippedList, ComesBackAsItWas) {
+TEST_F(SkippedList, IsReadBackUnchanged) {
   const std::vector<Skipped> list{
       {"fem: 16 steps", "in the cache", 0.1 + 0.2, 0.0},
       {"maps, \u00fc", "", std::nan(""), 1e12}};
@@ -33,7 +33,7 @@ TEST_F(SkippedList, ComesBackAsItWas) {
   }
 }
 
-TEST_F(SkippedList, IsReplacedWholeAndMayBeEmpty) {
+TEST_F(SkippedList, IsReplacedAsAUnitAndMayBeEmpty) {
   ResultWriter writer(folder_, sample_case());
   EXPECT_TRUE(read_result(folder_).skipped.empty());
   writer.record_skipped(std::vector<Skipped>(3));

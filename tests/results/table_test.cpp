@@ -1,5 +1,5 @@
-// Claims about the tables of a result file: what is written is what is read,
-// a table is replaced whole, and a bad one changes nothing.
+// Tests of the tables of a result file: what is written is read back, a table
+// is replaced as a unit, and an invalid one changes nothing.
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -21,7 +21,7 @@ using ResultTable = ResultFolder;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Columns neither in the order of the alphabet nor of any number.
+/// Columns in neither alphabetical nor numerical order.
 Table sample_table() {
   return {"magnification-1",
           "p = 10 MPa, \u00fc",
@@ -43,7 +43,7 @@ void expect_same(const Table& a, const Table& b) {
   }
 }
 
-TEST_F(ResultTable, IsGivenBackBitForBitInItsOrder) {
+TEST_F(ResultTable, IsReadBackBitForBitInItsOrder) {
   ResultWriter writer(folder_, sample_case());
   Table second = sample_table();
   second.name = "adhesion";
@@ -62,7 +62,7 @@ TEST_F(ResultTable, IsGivenBackBitForBitInItsOrder) {
   EXPECT_TRUE(result.tables[0].values("gap").empty());
 }
 
-TEST_F(ResultTable, IsReplacedWhole) {
+TEST_F(ResultTable, IsReplacedAsAUnit) {
   ResultWriter writer(folder_, sample_case());
   writer.record_table(sample_table());
   const Table other{"magnification-1", "", {{"gap", "m", {1.0}}}};
@@ -74,7 +74,7 @@ TEST_F(ResultTable, IsReplacedWhole) {
   expect_same(result.tables[0], other);
 }
 
-TEST_F(ResultTable, IsKnownToARunThatGoesOn) {
+TEST_F(ResultTable, IsKnownToAResumedRun) {
   { ResultWriter(folder_, sample_case()).record_table(sample_table()); }
 
   const ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
@@ -93,9 +93,9 @@ TEST_F(ResultTable, IsMissingInAFileOfAnEarlierProgram) {
   EXPECT_TRUE(read_result(folder_).tables.empty());
 }
 
-// Claim: columns of another program, without order, are taken as the
-// file lists them, and by their order where they have one; those of different
-// lengths are refused by name.
+// Columns of another program without a stated order are read in the order of
+// the file, and otherwise in the stated one; those of different lengths are
+// refused by name.
 TEST_F(ResultTable, OfAnotherProgramIsReadOrRefused) {
   const ResultWriter writer(folder_, sample_case());
   const auto append = [&](const std::string& name, std::vector<double> values) {

@@ -1,5 +1,5 @@
-// Claims about results/trial_read.hpp: a file that makes the HDF5
-// library fail is an error of the file and no end of the program.
+// Tests of results/trial_read.hpp: a file that makes the HDF5 library crash is
+// an error of the file and does not end the program.
 #include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
@@ -15,9 +15,9 @@ namespace {
 
 class TrialRead : public ResultFolder {};
 
-// Found by fuzzing: the library copies more of its heap of texts than there is
-// (H5HG_read). The reader with it in one process ended with a signal.
-TEST_F(TrialRead, RefusesWhatEndsTheLibrary) {
+// Found by fuzzing: the library copies beyond the end of its heap of strings
+// (H5HG_read). Without the separate process the reader ended with a signal.
+TEST_F(TrialRead, RefusesWhatCrashesTheLibrary) {
   try {
     require_readable("tests/results/data/damaged-heap.h5");
     FAIL() << "a damaged file was accepted";
@@ -29,7 +29,7 @@ TEST_F(TrialRead, RefusesWhatEndsTheLibrary) {
   }
 }
 
-// Claim: a good file and one with a mistake are left to the reader.
+// A good file and one with a mistake are left to the reader.
 TEST_F(TrialRead, LeavesTheRestToTheReader) {
   EXPECT_NO_THROW(require_readable("tests/fuzz/corpus/result/least.h5"));
   EXPECT_NO_THROW(require_readable("no/such/file.h5"));

@@ -1,4 +1,4 @@
-// Claims about results/validity.hpp: a number that no solution has is refused
+// Tests of results/validity.hpp: a number that no solution can have is refused
 // by file, method, realisation, step, column, value and range; every other is
 // accepted.
 #include "input/input_error.hpp"
@@ -27,8 +27,8 @@ class Validity : public ResultFolder {
 protected:
   using Change = std::function<void(CurvePoint&)>;
 
-  /// What the reader says of a file whose step 1 (converged) and step 2 (not
-  /// converged) were changed; "accepted" if it takes it.
+  /// The message of the reader about a file whose step 1 (converged) and step 2
+  /// (not converged) were changed; "accepted" if it is read.
   std::string complaint(
       const Change& change_converged,
       const Change& change_failed = [](CurvePoint&) {}) {
@@ -43,7 +43,7 @@ protected:
     });
   }
 
-  /// The same of a file that is changed behind the writer's back.
+  /// The same for a file that is changed after the writer closed it.
   std::string complaint_of_column(const std::string& column,
                                   const std::vector<double>& numbers) {
     return complaint_of(
@@ -103,12 +103,13 @@ TEST_F(Validity, NamesMethodRealizationStepColumnValueAndRange) {
             "between 0 and 1");
 }
 
-// Claim: no column holds an infinity or, but for those that can be negative, a
-// negative number; every column but the two that are needed may be NaN.
+// No column accepts an infinity or, except for those that can be negative, a
+// negative number; every column except the two required ones may be NaN.
 TEST_F(Validity, HoldsForEveryColumn) {
   for (const CurveColumn& column : curve_columns()) {
     if (column.is_integer || column.name == "contact_stiffness")
-      continue; // an integer has no infinity; a stiffness is read off the curve
+      continue; // an integer has no infinity; a stiffness follows from the
+                // curve
     const auto with = [&](double number) {
       return complaint([&](CurvePoint& row) { column.set(row, number); });
     };
@@ -122,9 +123,9 @@ TEST_F(Validity, HoldsForEveryColumn) {
   }
 }
 
-// Claim: a step that did not converge may have no number, but none that is
-// outside its range; shares may err by rounding.
-TEST_F(Validity, LetsAFailedStepDiverge) {
+// A step that did not converge may lack a number, but may have none outside its
+// range; fractions may exceed it by roundoff.
+TEST_F(Validity, AcceptsAFailedStepWithoutNumbers) {
   const auto nothing = [](CurvePoint&) {};
   EXPECT_EQ(complaint(nothing,
                       [](CurvePoint& row) {

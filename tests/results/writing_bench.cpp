@@ -1,5 +1,5 @@
-// What a step of a result costs to write: bytes that reach the file system, and
-// CPU time, whatever stands in the file already.
+// The cost of writing a step of a result: bytes that reach the file system, and
+// CPU time, for any content of the file.
 #include "base/cpu_clock.hpp"
 #include "results/result_writer.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace asperity;
 
-/// Bytes that this process has handed to write().
+/// Bytes that this process has passed to write().
 double bytes_written() {
   std::ifstream counters("/proc/self/io");
   for (std::string word; counters >> word;)
@@ -32,8 +32,8 @@ results::SurfaceRecord surface_on(int points) {
   return surface;
 }
 
-/// A run of ten realisations with 16 loads, one of them with maps, on so many
-/// points a side.
+/// A run of ten realisations with 16 loads, one of them with maps, on this
+/// number of points per side.
 void write_run(benchmark::State& state) {
   constexpr int realizations = 10;
   constexpr int loads = 16;
@@ -72,7 +72,8 @@ void write_run(benchmark::State& state) {
   state.counters["MB a run"] = bytes * 1e-6;
 }
 
-/// Rows beside the heights of so many points a side.
+/// Rows in a file that also holds the heights of this number of points per
+/// side.
 void write_rows(benchmark::State& state) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() /
