@@ -1,5 +1,5 @@
-// Claim: whatever stands behind a key, the reader reads it or answers with a
-// input::InputError that names a place; it never throws anything else.
+// Verifies that the reader accepts any value of a key or refuses it by an
+// input::InputError that names a place, and that it never throws anything else.
 #include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ RC_GTEST_PROP(AnyText, IsReadOrRefusedWithAPlace, ()) {
   }
 }
 
-// Claim: text that is no case at all is refused as one.
+// Text that is not a case at all is refused as such.
 RC_GTEST_PROP(AnyText, OfLettersAndSignsIsNoCase, ()) {
   const auto text = *rc::gen::container<std::string>(
       rc::gen::elementOf(std::string("a1.=[]{}\"'# \n,-+_e\\")));

@@ -1,5 +1,5 @@
-// Claims about a case that stands on another (cases/reader/base_case.hpp): its
-// keys win, its text stands alone, and a message names the file it is about.
+// Tests of a case with a base (cases/reader/base_case.hpp): its keys override
+// those of the base, its text is complete, and a message names the right file.
 #include "base/temporary_folder.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_case.hpp"
@@ -76,9 +76,9 @@ TEST_F(BaseCase, IsTheBaseButForItsOwnKeys) {
   EXPECT_EQ(mine.load.targets[1].value, 1e-3);
 }
 
-// Claim: the text of the case is enough. It is read again with no folder of
-// that name anywhere, and gives the same text and the same numbers.
-TEST_F(BaseCase, HasATextThatStandsAlone) {
+// The text of the case is complete: read again without the original folder, it
+// gives the same text and the same numbers.
+TEST_F(BaseCase, HasACompleteText) {
   write("deep/er/case.toml",
         on_block + "[expect]\n\"area_fraction@p=0.01 E*\" = { value = 0.1, "
                    "within = \"5 %\" }\n[load]\nnominal_pressure = { from = "
@@ -126,11 +126,11 @@ TEST_F(BaseCase, KeepsTheBasesPathsWithTheBase) {
         << name;
 }
 
-// Claim: each mistake is said of the file it was written in.
+// Each mistake is reported for the file that contains it.
 TEST_F(BaseCase, NamesTheFileAMistakeIsIn) {
-  std::string spoilt = contact_case;
-  spoilt.replace(spoilt.find("hurst = 0.95"), 12, "hurst = 1.95");
-  write("block.toml", spoilt);
+  std::string changed = contact_case;
+  changed.replace(changed.find("hurst = 0.95"), 12, "hurst = 1.95");
+  write("block.toml", changed);
   write("deep/er/case.toml", on_block + "[surface]\npoints = 513\n");
 
   EXPECT_EQ(mistakes_of("deep/er/case.toml"),

@@ -1,6 +1,5 @@
-// Claims about cases/reader/read_block.cpp: a block that is no homogeneous box,
-// and how it is meshed, as a case says it; and what is answered to what cannot
-// be.
+// Tests of cases/reader/read_block.cpp: heterogeneous blocks and their meshes
+// in a case, and the messages about invalid ones.
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_text.hpp"
 
@@ -40,7 +39,7 @@ TEST(Block, IsUniformUnlessTheCaseSaysMore) {
   EXPECT_FALSE(fem_of(read).full.uses_case_mesh);
 }
 
-TEST(Block, HasLayersFromTheFaceUp) {
+TEST(Block, HasLayersFromTheContactSurface) {
   const Case read = block(
       "", {"material.layers=[{ thickness = \"0.05 length\", youngs_modulus = "
            "\"20 GPa\", poisson_ratio = 0.2 }, { thickness = 1e-6, "
@@ -76,7 +75,7 @@ TEST(Block, NamesTheKeyThatALayerLacks) {
   EXPECT_NE(answer.find("yungs_modulus"), std::string::npos) << answer;
 }
 
-TEST(Block, HasAnInclusionThatOnlyTheWholeBlockSees) {
+TEST(Block, HasAnInclusionOnlyInTheFullBlock) {
   const std::string sphere =
       "[material.inclusion]\nradius = \"0.1 length\"\ndepth = \"0.2 length\"\n"
       "youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n";
@@ -89,7 +88,7 @@ TEST(Block, HasAnInclusionThatOnlyTheWholeBlockSees) {
   EXPECT_NE(answer.find("solver = \"full\""), std::string::npos) << answer;
 }
 
-TEST(Block, RefusesAnInclusionThatSticksOut) {
+TEST(Block, RefusesAnInclusionOutsideOfTheBlock) {
   const std::string answer = refusal(
       "[material.inclusion]\nradius = \"0.3 length\"\ndepth = \"0.2 length\"\n"
       "youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n",
@@ -99,8 +98,8 @@ TEST(Block, RefusesAnInclusionThatSticksOut) {
       << answer;
 }
 
-// Claim: a sphere that touches the face sticks out; depths in other reference
-// units than the radius are nothing the reader can compare.
+// A sphere that touches the contact surface is not inside the block; the reader
+// cannot compare depths in other reference units than that of the radius.
 TEST(Block, ComparesDepthsOfOneReferenceUnitAlone) {
   const auto sphere = [](const std::string& depth) {
     return "[material.inclusion]\nradius = \"0.2 length\"\ndepth = " + depth +
@@ -125,7 +124,7 @@ TEST(Block, VariesByAFunctionByChanceOrByATable) {
             "some/f.txt");
 }
 
-TEST(Block, IsMeshedByGmshWhereItIsWhole) {
+TEST(Block, IsMeshedByGmshAsAFullBlock) {
   const std::string mesh = "[mesh]\nkind = \"gmsh\"\ngeometry = "
                            "\"indentation\"\nsize_at_contact = \"0.5 h\"\n";
 
@@ -167,8 +166,8 @@ const std::string a_layer =
     "material.layers=[{ thickness = 1e-6, youngs_modulus = 3e9, poisson_ratio "
     "= 0.4 }]";
 
-// Claim: what a layered block still needs, and the pair that no one block can
-// stand for, are named.
+// The missing keys of a layered block, and a pair that no single block can
+// represent, are named.
 TEST(Block, NamesWhatLayersCannotBe) {
   std::string without_ratio = contact_case;
   const std::size_t from = without_ratio.find("poisson_ratio");
@@ -191,16 +190,16 @@ struct Refused {
   std::string keys, override, words;
 };
 
-class WholeBlock : public testing::TestWithParam<Refused> {};
+class FullBlock : public testing::TestWithParam<Refused> {};
 
-TEST_P(WholeBlock, IsRefusedInWords) {
+TEST_P(FullBlock, IsRefusedWithAReason) {
   const std::string answer = refusal(GetParam().keys, {GetParam().override});
 
   EXPECT_NE(answer.find(GetParam().words), std::string::npos) << answer;
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Keys, WholeBlock,
+    Keys, FullBlock,
     testing::Values(
         Refused{"", "fem.sides=free", "needs solver = \"full\""},
         Refused{"", "fem.bodies=2", "needs solver = \"full\""},
@@ -226,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
 const std::string gmsh = "[mesh]\nkind = \"gmsh\"\ngeometry = ";
 
 INSTANTIATE_TEST_SUITE_P(
-    Shapes, WholeBlock,
+    Shapes, FullBlock,
     testing::Values(
         Refused{"", "material.layers=3", "must be a list of tables"},
         Refused{"", "material.layers=[]", "must be a list of tables"},

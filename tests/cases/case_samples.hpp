@@ -1,7 +1,7 @@
 #pragma once
 
-// Case texts that the tests of the reader begin with, and what is read of a
-// text that was spoilt.
+// Case texts with which the tests of the reader begin, and the messages about a
+// text that was changed.
 
 #include "cases/reader/read_case.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace asperity::cases {
 
-/// A self-affine surface, all three methods; lines 1 to 27.
+/// A self-affine surface with all three methods; lines 1 to 27.
 inline const std::string contact_case = R"(schema = 1
 title = "A rough block"
 [surface]
@@ -40,14 +40,14 @@ growth = 1.3
 gamma_slope = { value = 0.40, within = 0.05, methods = ["fem", "theory"] }
 )";
 
-/// A surface of another kind under the half-space alone; [surface] is line 2.
+/// A surface of another kind with the half-space alone; [surface] is line 2.
 inline std::string shape_case(const std::string& surface_keys) {
   return "schema = 1\n[surface]\n" + surface_keys +
          "[material]\ncontact_modulus = 2e9\n[load]\nnominal_pressure = 1e6\n"
          "[halfspace]\n";
 }
 
-/// The mistakes of a text, without their head line; "" if there are none.
+/// The mistakes of a text, without their first line; "" if there are none.
 inline std::string mistakes_of(const std::string& text,
                                const std::vector<std::string>& overrides = {}) {
   try {

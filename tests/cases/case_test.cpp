@@ -1,5 +1,5 @@
-// Claims about cases/types/case.hpp: reference units and the one block of a
-// pair.
+// Tests of cases/types/case.hpp: reference units and the single block that
+// represents a pair.
 #include "cases/types/case.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr mechanics::Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
-// Claim: a quantity is its number times its reference unit. Exact: one product.
+// A quantity is its number times its reference unit. Exact: one product.
 TEST(Quantity, IsItsNumberTimesItsReferenceUnit) {
   EXPECT_EQ(
       (mechanics::Quantity{7.0, mechanics::ReferenceUnit::si}.in_si(scales)),
@@ -47,9 +47,9 @@ TEST(Quantity, RefusesAReferenceUnitThatIsNotKnown) {
   EXPECT_THROW(quantity.in_si({.length = 1.0}), std::domain_error);
 }
 
-// Claim: the block of modulus E (1 - nu^2) has the pair's E*; it is what
-// E* = E / (1 - nu^2) says, solved for E.
-TEST(MaterialSpec, GivesTheOneBlockThatStandsForThePair) {
+// The block of modulus E (1 - nu^2) has the E* of the pair, from E* = E / (1 -
+// nu^2) solved for E.
+TEST(MaterialSpec, GivesTheBlockThatRepresentsThePair) {
   const mechanics::MaterialSpec material{2e9, 0.3};
 
   const double youngs_modulus = material.block_youngs_modulus();

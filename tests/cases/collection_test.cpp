@@ -1,4 +1,4 @@
-// Claims about cases/reader/collection.hpp: the order of parts and their
+// Tests of cases/reader/collection.hpp: the order of the parts and their
 // figures, and every mistake with its line.
 #include "cases/reader/collection.hpp"
 

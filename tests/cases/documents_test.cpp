@@ -1,5 +1,5 @@
-// Claims about what is generated from the vocabulary: schema, template and
-// docs/reference/case.md.
+// Tests of the documents that are generated from the vocabulary: schema,
+// template and docs/reference/case.md.
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/documents.hpp"
 #include "cases/reader/read_case.hpp"
@@ -24,7 +24,7 @@ const nlohmann::json& schema() {
   return parsed;
 }
 
-/// Where the schema keeps a table's keys; null if it has no such table.
+/// The keys of a table in the schema; null if it has no such table.
 nlohmann::json properties_of(const std::string& table) {
   const auto at = [](const std::string& pointer) {
     const nlohmann::json::json_pointer place(pointer);
@@ -66,8 +66,8 @@ TEST(JsonSchema, SaysRangesWordsAndDefaults) {
             nlohmann::json({"gamma"}));
 }
 
-// Claim: a layer inherits nothing, so the schema requires its keys, as the
-// reader does; and both limit whole numbers.
+// A layer inherits nothing, so the schema requires its keys, as the reader
+// does; and both limit whole numbers.
 TEST(JsonSchema, ForbidsWhatTheReaderRefuses) {
   const nlohmann::json count = properties_of("surface").at("realizations");
 
@@ -109,8 +109,8 @@ TEST(Template, ReadsWithoutAMistake) {
   EXPECT_EQ(read.methods.size(), 3U);
 }
 
-// Claim: what the template shows behind a # is good too, a line at a time.
-// Alternatives of a key that is there are the one mistake that is expected.
+// The commented examples of the template are valid too, each line separately.
+// Only alternatives of a key that is present are expected to be refused.
 TEST(Template, ShowsGoodExamplesInItsComments) {
   std::istringstream lines(case_template("x"));
   std::string table;
@@ -138,7 +138,8 @@ TEST(Template, ShowsGoodExamplesInItsComments) {
   EXPECT_GE(examples, 20);
 }
 
-// Golden: format only. ASPERITY_UPDATE_GOLDEN=1 writes the page anew.
+// Golden test of the format only. ASPERITY_UPDATE_GOLDEN=1 writes the page
+// again.
 TEST(CaseReference, IsTheCommittedPage) {
   const std::string path = "docs/reference/case.md";
   if (std::getenv("ASPERITY_UPDATE_GOLDEN") != nullptr)

@@ -1,5 +1,5 @@
-// Claims about [md] and about the magnification of a method: what is read, and
-// what a bad value is told.
+// Tests of [md] and of the magnification of a method: what is read, and the
+// messages about invalid values.
 #include "base/physical_constants.hpp"
 #include "cases/reader/vocabulary.hpp"
 
@@ -61,13 +61,13 @@ TEST(MdCase, IsReadInSi) {
   EXPECT_EQ(md.tolerance, 1e-4);
 }
 
-// Claim: every example of the vocabulary is good where its condition holds.
+// Every example of the vocabulary is valid where its condition holds.
 TEST(MdCase, TakesEveryExampleOfTheVocabulary) {
   for (const Key& key : vocabulary_table("md").keys)
     EXPECT_EQ(told({"md." + key.name + "=" + key.example}), "") << key.name;
 }
 
-TEST(MdCase, SaysWhatDoesNotGoTogether) {
+TEST(MdCase, NamesIncompatibleKeys) {
   EXPECT_EQ(told({"md.engine=lammps"}),
             "  --set: md.engine = \"lammps\" needs lattice = \"central\": its "
             "bonds are central springs\n");

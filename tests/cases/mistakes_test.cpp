@@ -1,4 +1,4 @@
-// Claims about what a bad case is answered: the words themselves.
+// Tests of the exact messages about invalid cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace asperity::cases {
 namespace {
 
-/// What a rough case with these overrides is told, a line each.
+/// The messages about a case with a rough surface and these overrides, one per
+/// line.
 std::string told(const std::vector<std::string>& overrides) {
   return mistakes_of(contact_case, overrides);
 }
@@ -75,7 +76,8 @@ TEST(Mistakes, OfAnInheritedKeyAreSaidOnce) {
             "  --set: fem.growth = 9, but must be between 1 and 4 [1]\n");
 }
 
-// One override, one answer: every kind of mistake that a rough case can hold.
+// One override and one message for every kind of mistake in a case with a rough
+// surface.
 TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
   const std::vector<std::pair<std::string, std::string>> answers = {
       {"surface.seed=-1", "surface.seed = -1, but must be a whole number >= 0"},

@@ -1,5 +1,5 @@
-// Claims about cases/types/quantity_at_load.hpp: the spelling, and that
-// [expect] and the schema take it.
+// Tests of cases/types/quantity_at_load.hpp: the spelling, and that [expect]
+// and the schema take it.
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/quantity_at_load.hpp"
@@ -29,7 +29,7 @@ TEST(QuantityAtLoad, IsReadInAnyUnitOfAPressure) {
   }
 }
 
-TEST(QuantityAtLoad, IsToldFromAnyOtherName) {
+TEST(QuantityAtLoad, IsDistinguishedFromAnyOtherName) {
   EXPECT_FALSE(names_a_load("area_excess"));
   EXPECT_TRUE(names_a_load("nonsense@"));
   for (const char* text :
@@ -43,7 +43,7 @@ TEST(QuantityAtLoad, IsToldFromAnyOtherName) {
   }
 }
 
-TEST(QuantityAtLoad, AnswersForItsNameWhereverNamesAreKnown) {
+TEST(QuantityAtLoad, IsFoundByItsName) {
   ASSERT_NE(expectation_called("area_fraction@p=1 Pa"), nullptr);
   EXPECT_TRUE(expectation_called("area_fraction@p=1 Pa")->theory_answers);
   EXPECT_FALSE(expectation_called("area_fraction_fit@p=1 Pa")->theory_answers);
@@ -51,8 +51,8 @@ TEST(QuantityAtLoad, AnswersForItsNameWhereverNamesAreKnown) {
   EXPECT_EQ(expectation_called("gamma_slope@p=1 Pa"), nullptr);
 }
 
-// Claim: the contact at a magnification is known to the theory alone, which
-// reports ask for by these two flags.
+// The contact at a magnification is known to the theory alone; these two flags
+// state it for the reports.
 TEST(QuantityAtLoad, AtAMagnificationIsTheTheorys) {
   for (const ExpectationName& quantity : quantities_at_magnification()) {
     EXPECT_TRUE(quantity.theory_answers) << quantity.name;
@@ -73,7 +73,7 @@ TEST(QuantityAtLoad, IsAKeyOfExpect) {
             (std::vector<std::string>{"theory", "halfspace", "fem"}));
 }
 
-TEST(QuantityAtLoad, IsAnsweredByWhatIsWrongWithIt) {
+TEST(QuantityAtLoad, IsRefusedWithTheMistake) {
   const std::vector<std::pair<std::string, std::string>> answers = {
       {"area_fracton@p=0.01 E*",
        " asks for area_fracton at a load, which is not a known quantity; "
@@ -94,7 +94,7 @@ TEST(QuantityAtLoad, IsAnsweredByWhatIsWrongWithIt) {
             "area_fraction_fit are: halfspace, fem; nearest: fem\n");
 }
 
-// Claim: the schema lets the key stand, and nothing that the reader refuses.
+// The schema accepts the key, and nothing that the reader refuses.
 TEST(QuantityAtLoad, IsAKeyOfTheSchema) {
   const auto patterns =
       nlohmann::json::parse(json_schema())

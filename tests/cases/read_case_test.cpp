@@ -1,4 +1,4 @@
-// Claims about cases/reader/read_case.hpp: what a good case becomes.
+// Tests of cases/reader/read_case.hpp with valid cases.
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 
@@ -23,7 +23,7 @@ const mechanics::FemSettings& fem_of(const Case& read, std::size_t index) {
   return std::get<mechanics::FemSettings>(read.methods.at(index).settings);
 }
 
-// Tolerances of this file: one rounding a product, DOUBLE_EQ's four ulp.
+// Tolerances of this file: one rounding per product, DOUBLE_EQ's four ulp.
 TEST(ReadCase, GivesTheSurfaceInSi) {
   const Case read = rough();
 
@@ -49,7 +49,7 @@ TEST(ReadCase, TakesWavevectorsAsTheyAre) {
   EXPECT_EQ(read.surface.wavevector_low, 1.2566e6);
 }
 
-TEST(ReadCase, SpacesALoadProgramAsAsked) {
+TEST(ReadCase, SpacesALoadingPathAsRequested) {
   const mechanics::LoadingPath logarithmic = rough().load;
   const mechanics::LoadingPath linear =
       rough({"load.nominal_pressure.spacing=linear"}).load;
@@ -64,8 +64,8 @@ TEST(ReadCase, SpacesALoadProgramAsAsked) {
   EXPECT_DOUBLE_EQ(linear.targets[1].value, 0.0505);
 }
 
-// Claim: with spacing = "area" the ratio of successive contact areas
-// erf(sqrt(2) p) is constant. Tolerance: the roundoff of erf and its inverse.
+// With spacing = "area" the ratio of successive contact areas erf(sqrt(2) p) is
+// constant. Tolerance: the roundoff of erf and its inverse.
 TEST(ReadCase, SpacesContactAreasEvenly) {
   const std::string program = "load.nominal_pressure={from=\"0.01 E* h'\", "
                               "to=\"2 E* h'\", steps=9, spacing=\"area\"}";
@@ -100,7 +100,7 @@ TEST(ReadCase, RefusesAreasOfPressuresThatHaveNone) {
             "complete\n");
 }
 
-TEST(ReadCase, WritesTheWayBackOut) {
+TEST(ReadCase, WritesTheUnloadingSteps) {
   const mechanics::LoadingPath load =
       rough({"load.nominal_pressure=[1e6, \"2 MPa\", \"0.5 E*\"]",
              "load.cycle=load-unload"})
@@ -124,7 +124,7 @@ TEST(ReadCase, ControlsTheMeanGapToo) {
   EXPECT_EQ(load.targets[0].reference, mechanics::ReferenceUnit::rms_height);
 }
 
-// Claim: E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
+// E* of the block is E / (1 - nu^2), and 1/E* of two bodies the sum.
 TEST(ReadCase, ReducesTheMaterialToItsContactModulus) {
   const std::vector<std::string> alone = {"material.youngs_modulus=",
                                           "material.contact_modulus=3 GPa"};
@@ -154,8 +154,8 @@ TEST(ReadCase, LetsAVariantInheritItsTable) {
   EXPECT_EQ(fem_of(read, 4).block.growth, 1.3);
 }
 
-// Claim: an empty [fem] is FemSettings{}: the vocabulary's defaults and those
-// of case.hpp agree, to which nothing but this test holds them.
+// An empty [fem] is FemSettings{}: verifies that the defaults of the vocabulary
+// and those of case.hpp agree, which nothing else enforces.
 TEST(ReadCase, HasTheDefaultsOfTheStructs) {
   const Case read = rough({"fem={}", "expect="});
   const mechanics::FemSettings& fem = fem_of(read, 2);
@@ -179,7 +179,7 @@ TEST(ReadCase, HasTheDefaultsOfTheStructs) {
   EXPECT_EQ(read.surface.rescale, mechanics::SurfaceSpec{}.rescale);
 }
 
-TEST(ReadCase, KeepsAsManyMapsAsAsked) {
+TEST(ReadCase, KeepsTheRequestedNumberOfMaps) {
   EXPECT_EQ(rough({"report.fields=none"}).report.fields, 0);
   EXPECT_EQ(rough({"report.fields=5"}).report.fields, 5);
   EXPECT_EQ(rough({"report.fields=all"}).report.fields, all_fields);
@@ -217,7 +217,7 @@ TEST(ReadCase, TakesABandForEachMethod) {
   EXPECT_EQ(read.expectations[1].low, 1.0);
 }
 
-// Claim: a theory from a formula builds no surface and is asked for no grid.
+// A theory with the spectrum of a formula builds no surface and needs no grid.
 TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
   const Case read =
       rough({"fem=", "halfspace=", "expect=", "surface.length=",
@@ -229,7 +229,7 @@ TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
   EXPECT_EQ(read.methods.size(), 1U);
 }
 
-// Claim: a theory of the very surface builds it, and is asked for its grid.
+// A theory with the spectrum of the surface builds it and needs its grid.
 TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
   const std::vector<std::string> theory_alone = {
       "fem=",          "halfspace=",      "expect=",
@@ -243,7 +243,7 @@ TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
             "  case.toml:3: surface.seed is missing: a whole number\n");
 }
 
-// Claim: line ends and a byte order mark of other systems change nothing.
+// Line ends and a byte order mark of other systems change nothing.
 TEST(ReadCase, ReadsTextFromOtherSystems) {
   std::string foreign = "\xEF\xBB\xBF";
   for (const char letter : contact_case)
@@ -256,8 +256,8 @@ TEST(ReadCase, ReadsTextFromOtherSystems) {
   EXPECT_EQ(read.title, "A rough block");
 }
 
-// Claim: the text of a case says all that was run: reading it again gives the
-// same text, hash and numbers, and an override changes the hash.
+// The text of a case is complete: reading it again gives the same text, hash
+// and numbers, and an override changes the hash.
 TEST(ReadCase, RoundTripsThroughItsText) {
   const std::vector<std::string> overrides = {"surface.points=256",
                                               "surface.length=20 um"};
@@ -314,7 +314,8 @@ TEST(CaseHash, IsSha1OfTheText) {
   read.text = "abc";
 
   EXPECT_EQ(case_hash(read), "a9993e364706816aba3e25717850c26c9cd0d89d");
-  read.text = "case 0"; // its fifth word begins with a zero; by sha1sum
+  read.text =
+      "case 0"; // the fifth word of its hash begins with a zero; by sha1sum
   EXPECT_EQ(case_hash(read), "82fcb544fbd702b51a2174c4ec6a200c09bb501a");
 }
 

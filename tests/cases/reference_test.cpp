@@ -1,4 +1,4 @@
-// Claims about cases/types/reference.hpp.
+// Tests of cases/types/reference.hpp.
 #include "cases/types/reference.hpp"
 #include "input/input_error.hpp"
 
@@ -35,7 +35,7 @@ TEST(Reference, ReadsQuotedFieldsAndSkipsComments) {
   EXPECT_EQ(values[0].source, "Yang, Persson: \"about\" 0.4");
 }
 
-// Claim: the columns behind the needed ones may be there or not.
+// The columns after the required ones are optional.
 TEST(Reference, ReadsTheOptionalColumns) {
   const std::string line = "height,1,m,0,s";
   const auto plain = read_reference_text(head + line + "\n", "r");
@@ -69,8 +69,7 @@ TEST(Reference, SaysEveryMistakeWithItsLine) {
                 ", but a quote is not closed\n");
 }
 
-// Claim: a name with '@' is a quantity at a load or a mistake; any other is
-// free.
+// A name with '@' is a quantity at a load or a mistake; any other is free.
 TEST(Reference, KnowsQuantitiesAtALoad) {
   const auto values = read_reference_text(
       head + "area_fraction@p=0.0129 E*,0.1089,1,0,s\nmine,1,1,0,s\n", "r");
@@ -81,7 +80,7 @@ TEST(Reference, KnowsQuantitiesAtALoad) {
             "not a known quantity; nearest: area_excess\n");
 }
 
-// Claim: a sixth field is there for all lines or for none; it may be empty.
+// A sixth field is there for all lines or for none; it may be empty.
 TEST(Reference, MaySayWhyANumberCannotFollow) {
   const std::string with_why = "quantity,value,unit,uncertainty,source,why\n";
 
@@ -96,8 +95,8 @@ TEST(Reference, MaySayWhyANumberCannotFollow) {
   EXPECT_NE(mistakes_of(head + "a,1,1,0,s,w\n"), "");
 }
 
-// Claim: a byte that is no text is refused with its line: the page and the JSON
-// that quote the source could not hold it.
+// A byte that is not text is refused with its line, because the page and the
+// JSON that quote the source could not contain it.
 TEST(Reference, IsUtf8) {
   EXPECT_EQ(mistakes_of(head + "a,1,1,0,J\xF6rg\n"),
             "  reference.csv:2: is not UTF-8 text without control "

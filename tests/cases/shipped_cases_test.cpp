@@ -1,5 +1,5 @@
-// Claims about the folders in cases/: each reads without a mistake, is
-// complete, and its exact references are what its own numbers give.
+// Tests of the folders in cases/: each is read without a mistake and is
+// complete, and its exact references follow from its own numbers.
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/reader/vocabulary.hpp"
@@ -26,12 +26,12 @@ const std::set<std::string> shipped = {
     "hertz",       "layered", "polymer", "polymer-nominal",
     "self-affine", "wave-1d", "wave-2d"};
 
-// Whole blocks: with their quick.set they read too.
+// Full 3-D blocks, which are also read with their quick.set.
 const std::set<std::string> whole_blocks = {"hertz-3d",  "heterogeneous",
                                             "inclusion", "rough-3d",
                                             "step42",    "two-blocks"};
 
-// Blocks of atoms: what they claim stands in the collection paper.
+// Atomistic blocks, whose claims are in the collection paper.
 const std::set<std::string> blocks_of_atoms = {
     "md-lammps", "md-small", "md-verify", "md-zeta216", "md-zeta4"};
 
@@ -116,9 +116,9 @@ TEST(ShippedCases, AreTheFoldersThatAreThere) {
     EXPECT_TRUE(folders_in("cases/paper").contains(part)) << part;
 }
 
-// Claim: every part of the collection has its claim, its figures and its
-// published numbers, and reads in full and with its quick.set. A series of
-// parts has the figures of its first.
+// Every part of the collection has its claim, its figures and its published
+// numbers, and is read in full and with its quick.set. A series of parts has
+// the figures of its first.
 TEST(ShippedCases, ReadThePaperPartByPart) {
   const std::set<std::string> folders = folders_in("cases/paper");
   const Collection collection = read_collection(
@@ -161,9 +161,9 @@ TEST(ShippedCases, ReadThePeersProblems) {
   }
 }
 
-// Claim: each benchmark problem is one that other programs can solve: one
-// surface, one half-space in hard contact, nominal pressures, and the answer to
-// each load is saved.
+// Each benchmark problem can be solved by other programs: one surface, one
+// half-space in hard contact, nominal pressures, and the solution at each load
+// is saved.
 TEST(ShippedCases, ReadTheBenchmarkProblems) {
   const Collection collection =
       read_collection("cases/board/collection.toml",
@@ -212,7 +212,7 @@ TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
   EXPECT_TRUE(std::filesystem::exists("cases/sweep-hurst/README.md"));
 }
 
-TEST(ShippedCases, ReadTheWholeBlocksInFullAndQuickly) {
+TEST(ShippedCases, ReadTheFullBlocksInFullAndQuickly) {
   for (const std::string& name : whole_blocks) {
     const std::string folder = "cases/" + name;
 
@@ -223,15 +223,15 @@ TEST(ShippedCases, ReadTheWholeBlocksInFullAndQuickly) {
   }
 }
 
-// Claim: undecided passes where a case says so and nowhere else.
-TEST(ShippedCases, SayWhatUndecidedCountsAs) {
+// "Undecided" passes only where a case says so.
+TEST(ShippedCases, StateWhatUndecidedCountsAs) {
   EXPECT_TRUE(shipped_case("polymer").expectations.front().passes_if_undecided);
   EXPECT_FALSE(
       shipped_case("layered").expectations.front().passes_if_undecided);
 }
 
-// Claim: the polymer's cut-offs are 2, 4.5 and 128 times 2 pi / 10 um, the
-// nominal one's 1, 5.88 and 128. Tolerance: the 16 digits written.
+// The cut-offs of the polymer are 2, 4.5 and 128 times 2 pi / 10 um, those of
+// the nominal one 1, 5.88 and 128. Tolerance: the 16 digits written.
 TEST(ShippedCases, HaveThePolymersSpectra) {
   const double unit = 2.0 * pi / 10e-6;
   const mechanics::SurfaceSpec surrogate = shipped_case("polymer").surface;
@@ -246,7 +246,7 @@ TEST(ShippedCases, HaveThePolymersSpectra) {
   EXPECT_NEAR(nominal.wavevector_high / unit, 128.0, 1e-12);
 }
 
-// Claim: a^3 = 3 F R / (4 E*) at the case's own loads. Rounding only.
+// a^3 = 3 F R / (4 E*) at the loads of the case. Tolerance: roundoff.
 TEST(ShippedCases, GiveHertzsReferences) {
   const Case hertz = shipped_case("hertz");
   const double area = *hertz.surface.length * *hertz.surface.length;
@@ -266,10 +266,10 @@ TEST(ShippedCases, GiveHertzsReferences) {
   }
 }
 
-// Claim: the mean gaps of board/hertz are those of a paraboloid in a square
-// array, crest less a^2/R' - F/(pi E* L) (S - T a^2/(10 L^2)), with the crest
-// and the rms height of the case's nodes and 1/R' = 1/R + T F/(2 pi E* L^3).
-// Tolerance: the six decimals written.
+// The mean gaps of board/hertz are those of a paraboloid in a square array,
+// crest minus a^2/R' - F/(pi E* L) (S - T a^2/(10 L^2)), with the crest and the
+// rms height of the case's nodes and 1/R' = 1/R + T F/(2 pi E* L^3). Tolerance:
+// the six decimals written.
 TEST(ShippedCases, GiveTheMeanGapsOfTheSquareArray) {
   const Case read = shipped_case("board/hertz");
   const mechanics::SurfaceSpec& surface = read.surface;
@@ -302,7 +302,7 @@ TEST(ShippedCases, GiveTheMeanGapsOfTheSquareArray) {
   }
 }
 
-// Claim: the waves' loads are P = 0.01 to 0.95 of the pressure of full contact.
+// The loads of the waves are P = 0.01 to 0.95 of the pressure of full contact.
 TEST(ShippedCases, LoadTheWavesFromOneToNinetyFivePerCent) {
   for (const std::string name : {"wave-1d", "wave-2d"}) {
     const Case wave = shipped_case(name);
@@ -338,10 +338,10 @@ TEST(ShippedCases, GiveTheWavesReferences) {
   }
 }
 
-// Claim: the block that the case vocabulary was agreed on reads as it stands,
-// and what the vocabulary has beyond it is this list: whoever adds a key adds
-// it here, deliberately. (A key counts as agreed where the block has its word.)
-// What came later has tests of its own: md_case_test.cpp, studies_test.cpp,
+// The block of keys that was agreed on is read as it stands, and the list below
+// is what the vocabulary has beyond it, so that a key cannot be added
+// unnoticed. (A key counts as agreed where the block contains its word.) Later
+// additions have their own tests: md_case_test.cpp, studies_test.cpp,
 // block_test.cpp.
 TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
   const Case agreed = read_case("tests/cases/agreed_block.toml");

@@ -1,5 +1,5 @@
-// Claims about [magnification] and [adhesion]: what is read, and what a bad
-// value is told.
+// Tests of [magnification] and [adhesion]: what is read, and the messages about
+// invalid values.
 #include "cases/types/quantity_at_load.hpp"
 #include "cases/types/reference.hpp"
 
@@ -84,7 +84,7 @@ TEST(Studies, TakeAReferenceWaveOfTheirOwn) {
   EXPECT_EQ(by_wavevector.magnification_study->reference_wavevector, 7e5);
 }
 
-TEST(Studies, ReadWhatIsSealedIn) {
+TEST(Studies, ReadTheSealedFluid) {
   const Case with_leak = read({"magnification.leak.density=998 kg/m^3",
                                "magnification.leak.viscosity=2 mPa s",
                                "magnification.leak.pressure_drop=3 kPa",
@@ -122,7 +122,7 @@ TEST(Studies, NeedATheoryByTheFormula) {
             "case's methods\n");
 }
 
-TEST(Studies, SayWhatIsWrongWithTheirValues) {
+TEST(Studies, NameTheMistakeInTheirValues) {
   EXPECT_EQ(told({"adhesion.to=0.5"}),
             "  --set: adhesion.to = 0.5, but must be above adhesion.from\n");
   EXPECT_EQ(
@@ -167,7 +167,7 @@ TEST(QuantityAtMagnification, IsReadWithItsLoad) {
                    .at_load->magnification.has_value());
 }
 
-TEST(QuantityAtMagnification, IsToldFromAnyOtherName) {
+TEST(QuantityAtMagnification, IsDistinguishedFromAnyOtherName) {
   for (const char* text :
        {"area_fraction@p=1 Pa@", "area_fraction@p=1 Pa@zeta",
         "area_fraction@p=1 Pa@zeta=0", "area_fraction@p=1 Pa@zeta=2 m",

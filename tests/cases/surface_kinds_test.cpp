@@ -1,4 +1,4 @@
-// Claims about [surface]: what each kind asks for, and what it refuses.
+// Tests of [surface]: the required and the refused keys of each kind.
 #include "cases/reader/vocabulary.hpp"
 
 #include <gtest/gtest.h>
@@ -90,9 +90,9 @@ TEST(SurfaceKinds, AskAMapForItsLevelling) {
             "sphere | cylinder\n");
 }
 
-// Claim: a map is mirrored unless the case says otherwise, and a windowed map,
-// whose power is another, is pressed only where the case confirms that.
-TEST(SurfaceKinds, MirrorAMapAndPressAWindowedOneOnlyIfConfirmed) {
+// A map is mirrored unless the case states otherwise; a windowed map, whose
+// power differs, is used in contact only where the case confirms it.
+TEST(SurfaceKinds, MirrorAMapAndUseAWindowedOneOnlyIfConfirmed) {
   const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
                           "level = \"none\"\n";
   const std::string window = map + "edges = \"window\"\n";
@@ -150,8 +150,8 @@ TEST(SurfaceKinds, NeedALengthForRelativeLengths) {
             "surface.length and surface.points\n");
 }
 
-// Claim: a half-space has free boundaries if the surface or its own table says
-// so; the table decides where both do.
+// A half-space has free boundaries if the surface or its own table states so;
+// the table takes precedence.
 TEST(FreeBoundaries, AreThoseOfTheSurfaceOrOfTheMethod) {
   const std::string sphere =
       "kind = \"sphere\"\nradius = 1\nlength = 1\npoints = 8\n";
@@ -203,8 +203,8 @@ TEST(FreeBoundaries, RefuseWhatNeedsAPeriodicSurface) {
             "\"periodic\" allows a slab\n");
 }
 
-// Claim: a word stands for the enumerator of its name: the vocabulary's order
-// is that of case.hpp.
+// A word denotes the enumerator of its name: the order of the vocabulary is
+// that of case.hpp.
 TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
   const auto word = [](const std::string& table, const std::string& key,
                        auto enumerator) {

@@ -1,5 +1,5 @@
-// Claims about [sweep] (cases/sweeps/sweep.hpp): which points a file has, that
-// each is an ordinary case, and that every mistake names file, line and key.
+// Tests of [sweep] (cases/sweeps/sweep.hpp): which points a file has, that each
+// is an ordinary case, and that every mistake names file, line and key.
 #include "base/temporary_folder.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"
@@ -75,7 +75,7 @@ TEST_F(Sweep, ZipsTheListsSideBySide) {
   EXPECT_EQ(sweep.points[1].contact_case.surface.points, 128);
 }
 
-// Claim: a point is an ordinary case: its text alone gives it again.
+// A point is an ordinary case: its text alone gives it again.
 TEST_F(Sweep, HasOrdinaryCasesAsPoints) {
   const CaseSweep sweep = read("surface.hurst = [0.5, 0.7]\n");
   const Case& point = sweep.points[1].contact_case;
@@ -86,8 +86,8 @@ TEST_F(Sweep, HasOrdinaryCasesAsPoints) {
   EXPECT_EQ(again.title, sweep.title + ": surface.hurst = 0.7");
 }
 
-// Claim: a list as a value, an empty string that removes the key, and a
-// quantity with its unit are values as --set and a base case write them.
+// The values are those that --set and a base case accept: a list, an empty
+// string that removes the key, and a quantity with its unit.
 TEST_F(Sweep, TakesAnyValueOfAKey) {
   const CaseSweep sweep = read(
       "combine = \"zip\"\nload.nominal_pressure = [[\"1 MPa\", \"2 MPa\"], "
@@ -126,7 +126,7 @@ TEST_F(Sweep, RefusesListsThatDoNotMatch) {
                  {"surface.hurst has 2 values and surface.seed has 3"});
 }
 
-// Claim: the number of points is limited, however many keys multiply.
+// The number of points is limited, however many keys multiply.
 TEST_F(Sweep, RefusesTooManyPoints) {
   std::string list = "[0";
   for (int i = 1; i < 101; ++i)
@@ -136,8 +136,8 @@ TEST_F(Sweep, RefusesTooManyPoints) {
                  {"more than 1000 points"});
 }
 
-// Claim: a point that is no valid case is named with its values; the line is
-// that of the value in the list.
+// A point that is no valid case is named with its values; the line is that of
+// the value in the list.
 TEST_F(Sweep, NamesThePointThatIsInvalid) {
   expect_mistake("surface.hurst = [0.5, 1.5]\n",
                  {"1 of the 2 points", "Point 1, surface.hurst = 1.5",
@@ -146,7 +146,7 @@ TEST_F(Sweep, NamesThePointThatIsInvalid) {
                  {"2 of the 2 points", "surface.hurts", "nearest: hurst"});
 }
 
-// Claim: a mistake of the file itself is reported as for any case.
+// A mistake of the file itself is reported as for any case.
 TEST_F(Sweep, ReportsAMistakeOfTheFile) {
   EXPECT_NE(mistake("surface.hurst = [0.5]\n", {"load.cyle=load"})
                 .find("load.cyle is not a key"),
@@ -172,7 +172,7 @@ TEST_F(Sweep, IsNoSingleCase) {
   EXPECT_THROW((void)read_case(file), input::InputError);
 }
 
-// Claim: a case with a base may sweep it, and may sweep other values.
+// A case with a base may sweep it, and may sweep other values.
 TEST_F(Sweep, MayHaveABase) {
   with("\"surface.hurst\" = [0.5, 0.7]\n");
   const std::string file = (folder / "other.toml").string();

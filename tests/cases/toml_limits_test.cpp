@@ -1,6 +1,6 @@
-// Claims about cases/text/toml_limits.hpp: what would overflow the stack of the
-// TOML library, or keep it busy for minutes, is refused with its line before it
-// is parsed, and nothing a person writes is.
+// Tests of cases/text/toml_limits.hpp: text that would overflow the stack of
+// the TOML library, or occupy it for minutes, is refused with its line before
+// it is parsed; text that a person writes is not.
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_limits.hpp"
@@ -36,7 +36,7 @@ std::string one_mistake(const std::string& what) {
   return "1 mistake(s) in the case file\n  " + what + "\n";
 }
 
-// Claim: tables and lists in each other, whatever the depth, get an answer.
+// Nested tables and lists of any depth are parsed or refused.
 TEST(TomlLimits, RefuseNestingThatOverflowsTheStack) {
   const std::string answer =
       one_mistake("case.toml:2: is nested more than 32 levels deep");
@@ -54,7 +54,7 @@ TEST(TomlLimits, RefuseNestingThatOverflowsTheStack) {
   }
 }
 
-// Claim: a dotted key, in a header or before a value, is a nested table.
+// A dotted key, in a header or before a value, is a nested table.
 TEST(TomlLimits, RefuseLongDottedKeys) {
   const std::string answer =
       one_mistake("case.toml:1: is a key of more than 32 parts");
@@ -67,8 +67,7 @@ TEST(TomlLimits, RefuseLongDottedKeys) {
   }
 }
 
-// Claim: 50 000 dotted keys are refused at once instead of being parsed for
-// minutes.
+// 50 000 dotted keys are refused at once instead of being parsed for minutes.
 TEST(TomlLimits, RefuseMoreValuesThanACaseCanHave) {
   std::string keys;
   for (int i = 0; i < 50000; ++i)
@@ -84,8 +83,8 @@ TEST(TomlLimits, RefuseTextThatIsTooLong) {
                         "1048576 (1 MiB)"));
 }
 
-// Claim: brackets, dots and signs inside strings and comments count for
-// nothing, however the string is quoted.
+// Brackets, dots and equals signs inside strings and comments do not count,
+// however the string is quoted.
 TEST(TomlLimits, LeaveStringsAndCommentsAlone) {
   const std::string many = repeated("[{.=,", 30000);
 
@@ -96,14 +95,14 @@ TEST(TomlLimits, LeaveStringsAndCommentsAlone) {
             "accepted");
 }
 
-// Claim: a list of two thousand loads and tables 32 deep are still good TOML.
-TEST(TomlLimits, AreBeyondWhatAPersonWrites) {
+// A list of two thousand loads and tables of depth 32 are valid.
+TEST(TomlLimits, AllowLargeFilesOfAPerson) {
   EXPECT_EQ(error_of("a = [" + repeated("1.5e-3, ", 2000) + "]"), "accepted");
   EXPECT_EQ(error_of("a = " + repeated("{ a = ", 32) + "1" + repeated("}", 32)),
             "accepted");
 }
 
-// Claim: the text inside a result, and an override, have the same limits.
+// The case text inside a result and the overrides have the same limits.
 TEST(TomlLimits, HoldForOverridesToo) {
   const std::string lists = repeated("[", 20000);
 
@@ -120,7 +119,7 @@ TEST(TomlLimits, HoldForOverridesToo) {
     }
 }
 
-// Claim: a text with 50 000 "#--set" lines is refused at once.
+// A text with 50 000 "#--set" lines is refused at once.
 TEST(TomlLimits, HoldForTheNumberOfOverrides) {
   std::string text = contact_case;
   for (int i = 0; i < 50000; ++i)
@@ -136,8 +135,8 @@ TEST(TomlLimits, HoldForTheNumberOfOverrides) {
   }
 }
 
-// Claim: TOML is UTF-8, so a text that is not is refused, with its line; it
-// could not be written into a report or JSON.
+// TOML is UTF-8, so that other text is refused with its line; it could not be
+// written into a report or JSON.
 TEST(TomlLimits, RefuseWhatIsNotUtf8) {
   EXPECT_EQ(error_of("# \xC3\xBC \xE2\x82\xAC \xF0\x9D\x84\x9E\na = '\xFC'\n"),
             one_mistake("case.toml:2: is not UTF-8 text without "

@@ -1,5 +1,5 @@
-// Claims about cases/text/toml_text.hpp and case_text.hpp: places, syntax
-// errors, and overrides laid over a file.
+// Tests of cases/text/toml_text.hpp and case_text.hpp: positions, syntax
+// errors, and overrides of a file.
 #include "cases/reader/case_text.hpp"
 #include "cases/text/toml_text.hpp"
 
@@ -36,7 +36,7 @@ Overridden with_override(const std::string& text, const std::string& entry) {
   return result;
 }
 
-TEST(TomlText, KnowsWhereEachValueStands) {
+TEST(TomlText, KnowsThePositionOfEachValue) {
   const Node file =
       parse_toml("# a comment\n\n[load]\nsweep = { to = 2 }\n", "case.toml");
 
@@ -96,7 +96,7 @@ TEST(Overrides, ReplaceReachIntoInlineTablesAndRemove) {
   EXPECT_EQ(removed.find("load")->find("sweep"), nullptr);
 }
 
-TEST(Overrides, AreNamedAsThePlaceOfTheirMistakes) {
+TEST(Overrides, AreNamedInTheirMistakes) {
   const Node file = with_override("", "fem.depth={ a = [1] }").file;
 
   EXPECT_EQ(file.find("fem")->place.text, "--set");
@@ -119,8 +119,8 @@ TEST(Overrides, RefuseWhatIsNoKeyAndValue) {
   EXPECT_NE(with_override("", "a=1\nb=2").mistakes, "");
 }
 
-// Claim: the overrides of a text are those its last lines give, in order; the
-// same words further up are a comment.
+// The overrides of a text are those in its last lines, in order; the same words
+// further up are a comment.
 TEST(CaseText, CarriesItsOverridesInItsLastLines) {
   const std::string text = "#--set x=1\na = 1";
 

@@ -1,5 +1,5 @@
-// Claims about cases/types/units.hpp: exact conversion, and what a wrong unit
-// is told.
+// Tests of cases/types/units.hpp: exact conversion, and the messages about a
+// wrong unit.
 #include "cases/types/units.hpp"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ QuantityReading length_from(const std::string& text) {
   return read_quantity(text, Dimension::length, by_the_grid);
 }
 
-// Claim: a decimal unit gives the double nearest to the decimal number, which
-// the C library's reading of "14e-9" is. Exact, because the powers of ten up to
-// 1e22 are doubles and one division or product rounds once.
+// A decimal unit gives the double nearest to the decimal number, as the C
+// library reads "14e-9". This is exact, because the powers of ten up to 1e22
+// are doubles and one division or product rounds once.
 TEST(Units, ConvertWholeNumbersWithOneRounding) {
   struct Example {
     const char* text;
@@ -101,7 +101,7 @@ TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(length_from("").mistake, "does not begin with a number");
 }
 
-// A reference unit is refused where the key does not offer it, though it is
+// A reference unit is refused where the key does not allow it, even if it is
 // known.
 TEST(Units, OfferAReferenceUnitOnlyWhereTheKeyDoes) {
   EXPECT_EQ(read_quantity("2 E*", Dimension::pressure, {}).mistake,
@@ -115,7 +115,7 @@ TEST(Units, NameTheNearestDespiteTheCase) {
             std::string::npos);
 }
 
-// Claim: what write_quantity writes, read_quantity reads to the last bit.
+// Verifies that read_quantity reads what write_quantity writes to the last bit.
 RC_GTEST_PROP(UnitsProperty, WrittenQuantitiesReadBack, (double number)) {
   RC_PRE(std::isfinite(number));
   const Unit unit = *rc::gen::elementOf(units());
@@ -130,8 +130,8 @@ RC_GTEST_PROP(UnitsProperty, WrittenQuantitiesReadBack, (double number)) {
   RC_ASSERT(reading.quantity->reference == unit.reference);
 }
 
-// Claim: an integer of any unit is worth factor times the SI unit, with the
-// factor of the metric prefix from its own list.
+// An integer of any unit is worth factor times the SI unit, with the factor of
+// the metric prefix from an independent list.
 RC_GTEST_PROP(UnitsProperty, PrefixesAreThePowersOfTen, (int number)) {
   const auto [symbol, exponent] = *rc::gen::element(
       std::pair<std::string, std::string>{"nm", "e-9"},
@@ -146,7 +146,7 @@ RC_GTEST_PROP(UnitsProperty, PrefixesAreThePowersOfTen, (int number)) {
             std::strtod((digits + exponent).c_str(), nullptr));
 }
 
-// Claim: no text makes the reader do anything but read or refuse with a reason.
+// Verifies that any text is read or refused with a reason.
 RC_GTEST_PROP(UnitsProperty, AnyTextIsReadOrRefused,
               (const std::string& text)) {
   const QuantityReading reading = length_from(text);
