@@ -80,10 +80,10 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
       program_(std::move(program)),
       file_(parsed_case(contact_case)),
       inputs_(std::move(inputs)),
-      scene_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
-                         hash_in(inputs_, surface_file),
-                         text_of(file_, "material"),
-                         hash_in(inputs_, variation_file))) {}
+      problem_text_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
+                                hash_in(inputs_, surface_file),
+                                text_of(file_, "material"),
+                                hash_in(inputs_, variation_file))) {}
 
 /// Merges the keys of a variant such as [fem.hard] into those of [fem]. The
 /// tables of the other variants are left out.
@@ -120,8 +120,8 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
 
 std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
                                          int realization) const {
-  std::string key = content_hash(
-      fmt::format("{}\n{}\n{}", scene_, method_text(method), realization));
+  std::string key = content_hash(fmt::format("{}\n{}\n{}", problem_text_,
+                                             method_text(method), realization));
   std::vector<std::string> keys;
   for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
     key = content_hash(key + load_text(case_.load, step));
@@ -133,7 +133,7 @@ std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
 std::string CaseKeys::table(const cases::MethodSpec& theory,
                             const std::string& name) const {
   return content_hash(fmt::format(
-      "{}\n{}\n{}\n{}\n{}", scene_, method_text(theory),
+      "{}\n{}\n{}\n{}\n{}", problem_text_, method_text(theory),
       text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
 }
 

@@ -60,7 +60,7 @@ private:
   std::string program_;
   cases::Node file_;
   std::map<std::string, std::string> inputs_; ///< input_hashes()
-  std::string scene_;                         ///< text of surface and material
+  std::string problem_text_;                  ///< text of surface and material
 };
 
 /// Returns the SHA-256 hash of each file that the case names, by the key that

@@ -19,45 +19,46 @@ Grid square(int points, double length) {
   return {points, points, length, length};
 }
 
-double square_length(const AtomisticInput& scene) {
-  const Grid& grid = scene.surface.record.grid;
+double square_length(const AtomisticInput& atomistic) {
+  const Grid& grid = atomistic.surface.record.grid;
   if (grid.length_x != grid.length_y)
     throw input::InputError(fmt::format(
         "{}: [{}] needs a square surface, but this one is {:g} m by {:g} m",
-        scene.contact_case.path, scene.method.name, grid.length_x,
+        atomistic.contact_case.path, atomistic.method.name, grid.length_x,
         grid.length_y));
   return grid.length_x;
 }
 
 /// Returns the heights of the rigid atoms. They sample the same surface that
 /// the other methods use, at the lattice sites of the substrate.
-std::vector<double> substrate_heights(const AtomisticInput& scene,
+std::vector<double> substrate_heights(const AtomisticInput& atomistic,
                                       const Grid& substrate) {
-  if (substrate == scene.surface.record.grid)
-    return scene.surface.record.heights;
+  if (substrate == atomistic.surface.record.grid)
+    return atomistic.surface.record.heights;
   return surfaces::build_surface_on(
-             scene.contact_case.surface, scene.realization, substrate,
-             highest_wavevector(scene.contact_case, scene.method))
+             atomistic.contact_case.surface, atomistic.realization, substrate,
+             highest_wavevector(atomistic.contact_case, atomistic.method))
       .heights;
 }
 
-md::AtomRequest request_of(const AtomisticInput& scene) {
-  const auto& settings = std::get<MdSettings>(scene.method.settings);
-  const double length = square_length(scene);
+md::AtomRequest request_of(const AtomisticInput& atomistic) {
+  const auto& settings = std::get<MdSettings>(atomistic.method.settings);
+  const double length = square_length(atomistic);
   md::AtomRequest request;
   request.settings = settings;
-  request.scales = scene.surface.scales;
-  request.youngs_modulus = scene.contact_case.material.block_youngs_modulus();
-  request.poisson_ratio = *scene.contact_case.material.poisson_ratio;
+  request.scales = atomistic.surface.scales;
+  request.youngs_modulus =
+      atomistic.contact_case.material.block_youngs_modulus();
+  request.poisson_ratio = *atomistic.contact_case.material.poisson_ratio;
   request.layer = square(
-      settings.atoms.value_or(scene.surface.record.grid.points_x), length);
+      settings.atoms.value_or(atomistic.surface.record.grid.points_x), length);
   request.substrate =
       square(settings.substrate_atoms.value_or(
                  md::incommensurate_atoms(request.layer.points_x)),
              length);
-  request.heights = substrate_heights(scene, request.substrate);
-  request.threads = scene.threads;
-  request.scratch = scene.scratch;
+  request.heights = substrate_heights(atomistic, request.substrate);
+  request.threads = atomistic.threads;
+  request.scratch = atomistic.scratch;
   return request;
 }
 
@@ -86,9 +87,9 @@ results::CurvePoint row_of(const md::AtomStep& step) {
 
 class AtomicSolver final : public StepSolver {
 public:
-  explicit AtomicSolver(const AtomisticInput& scene)
-      : watch_(scene.watch),
-        request_(request_of(scene)),
+  explicit AtomicSolver(const AtomisticInput& atomistic)
+      : watch_(atomistic.watch),
+        request_(request_of(atomistic)),
         layer_(request_.layer),
         atoms_(md::make_atomic_contact(std::move(request_))) {}
 
@@ -128,8 +129,9 @@ MethodDescription describe(const MdSettings& settings) {
           true};
 }
 
-std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& scene) {
-  return std::make_unique<AtomicSolver>(scene);
+std::unique_ptr<StepSolver>
+make_atomic_solver(const AtomisticInput& atomistic) {
+  return std::make_unique<AtomicSolver>(atomistic);
 }
 
 } // namespace asperity::app

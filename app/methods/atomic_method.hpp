@@ -30,6 +30,6 @@ struct AtomisticInput {
 /// @throws input::InputError   the surface is not square, settings contradict
 ///                             each other, or a required program is missing
 /// @throws std::domain_error  the md module rejects the block
-std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& scene);
+std::unique_ptr<StepSolver> make_atomic_solver(const AtomisticInput& atomistic);
 
 } // namespace asperity::app

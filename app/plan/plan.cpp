@@ -171,7 +171,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                                 (uses_block ? full_block_memory() : 0.0));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);
-  plan.skipped = skipped_by_scene({contact_case, methods, grid}, rates);
+  plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);
   return plan;
 }
 

@@ -21,8 +21,8 @@ using results::Skipped;
 /// Collects the skipped work of all kinds in one list.
 class Skips {
 public:
-  Skips(const SelectedCase& scene, MachineRates& rates)
-      : scene_(scene), rates_(rates) {}
+  Skips(const SelectedCase& selected, MachineRates& rates)
+      : selected_(selected), rates_(rates) {}
 
   void add_methods_left_out();
   void add_surfaces();
@@ -33,14 +33,14 @@ public:
 
 private:
   double n_steps() const {
-    return static_cast<double>(scene_.contact_case.load.targets.size());
+    return static_cast<double>(selected_.contact_case.load.targets.size());
   }
 
-  double nodes() const { return static_cast<double>(scene_.grid.size()); }
+  double nodes() const { return static_cast<double>(selected_.grid.size()); }
 
   /// Returns the number of steps of a method on all its realisations.
   double all_steps(const MethodSpec& method) const {
-    return n_steps() * n_realizations(scene_.contact_case, method);
+    return n_steps() * n_realizations(selected_.contact_case, method);
   }
 
   void add_realizations(const MethodSpec& method);
@@ -56,22 +56,22 @@ private:
 
   void add_of_settings(const MethodSpec&, const mechanics::WinklerSettings&) {}
 
-  const SelectedCase& scene_;
+  const SelectedCase& selected_;
   MachineRates& rates_;
   bool has_operator_ = false; ///< listed once, because the methods share the
                               ///< operator
 };
 
 void Skips::add_methods_left_out() {
-  for (const MethodSpec& method : scene_.contact_case.methods) {
+  for (const MethodSpec& method : selected_.contact_case.methods) {
     const auto is_same = [&](const MethodSpec& chosen) {
       return chosen.name == method.name;
     };
-    if (std::ranges::any_of(scene_.methods, is_same))
+    if (std::ranges::any_of(selected_.methods, is_same))
       continue;
     MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
     if (nodes() > 0.0)
-      cost = cost_of(scene_.contact_case, method, scene_.grid, rates_);
+      cost = cost_of(selected_.contact_case, method, selected_.grid, rates_);
     list.push_back({method.name, "not selected by --methods",
                     cost.setup_time + all_steps(method) * cost.step_time,
                     cost.memory});
@@ -79,28 +79,28 @@ void Skips::add_methods_left_out() {
 }
 
 void Skips::add_surfaces() {
-  if (needs_surfaces(scene_.methods) || nodes() == 0.0)
+  if (needs_surfaces(selected_.methods) || nodes() == 0.0)
     return;
-  const int realizations = scene_.contact_case.surface.realizations;
+  const int realizations = selected_.contact_case.surface.realizations;
   list.push_back(
       {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
        "the theory uses the formula of the spectrum",
-       3.0 * realizations * rates_.transform_time(scene_.grid),
+       3.0 * realizations * rates_.transform_time(selected_.grid),
        realizations * sizeof(double) * nodes()});
 }
 
 void Skips::add_maps() {
   const double kept =
-      static_cast<double>(steps_with_fields(scene_.contact_case).size());
+      static_cast<double>(steps_with_fields(selected_.contact_case).size());
   double left_out = 0.0;
-  for (const MethodSpec& method : scene_.methods)
+  for (const MethodSpec& method : selected_.methods)
     if (method.has_fields())
       left_out += all_steps(method) - kept;
   if (left_out > 0.0)
     list.push_back(
         {fmt::format("pressure and gap fields of {:g} steps", left_out),
          fmt::format("[report] fields saves {:g} of realisation 0", kept),
-         not_a_number, left_out * map_bytes(scene_.grid)});
+         not_a_number, left_out * map_bytes(selected_.grid)});
 }
 
 void Skips::add_of(const MethodSpec& method) {
@@ -114,12 +114,12 @@ void Skips::add_of(const MethodSpec& method) {
 }
 
 void Skips::add_realizations(const MethodSpec& method) {
-  const int omitted = scene_.contact_case.surface.realizations -
-                      n_realizations(scene_.contact_case, method);
+  const int omitted = selected_.contact_case.surface.realizations -
+                      n_realizations(selected_.contact_case, method);
   if (omitted == 0)
     return;
   const MethodCost cost =
-      cost_of(scene_.contact_case, method, scene_.grid, rates_);
+      cost_of(selected_.contact_case, method, selected_.grid, rates_);
   list.push_back(
       {fmt::format("{} on {} realisation{}", method.name, omitted,
                    omitted == 1 ? "" : "s"),
@@ -132,7 +132,7 @@ void Skips::add_realizations(const MethodSpec& method) {
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::HalfspaceSettings& settings) {
   const MethodCost cost =
-      cost_of(scene_.contact_case, method, scene_.grid, rates_);
+      cost_of(selected_.contact_case, method, selected_.grid, rates_);
   list.push_back(
       {fmt::format("{}: two tangential displacements per node", method.name),
        "the contact surface is frictionless and has no shear traction",
@@ -150,8 +150,8 @@ void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::FemSettings& settings) {
   if (settings.solver == mechanics::FemSolver::full)
     return;
-  const MethodCost full =
-      cost_of_full_block(scene_.contact_case, settings, scene_.grid, rates_);
+  const MethodCost full = cost_of_full_block(selected_.contact_case, settings,
+                                             selected_.grid, rates_);
   list.push_back({fmt::format("{}: {} of {} displacements of the block",
                               method.name, count_text(full.unknowns - nodes()),
                               count_text(full.unknowns)),
@@ -159,8 +159,8 @@ void Skips::add_of_settings(const MethodSpec& method,
                   "the contact surface",
                   all_steps(method) * full.step_time, full.memory});
   const MethodCost cost =
-      cost_of(scene_.contact_case, method, scene_.grid, rates_);
-  if (scene_.grid.is_square() && !std::exchange(has_operator_, true))
+      cost_of(selected_.contact_case, method, selected_.grid, rates_);
+  if (selected_.grid.is_square() && !std::exchange(has_operator_, true))
     list.push_back(
         {fmt::format("{}: {} of {} wavevectors of the operator", method.name,
                      count_text(0.375 * nodes()), count_text(0.5 * nodes())),
@@ -174,15 +174,15 @@ void Skips::add_of_settings(const MethodSpec& method,
     return;
   MethodSpec whole = method;
   auto& block = std::get<mechanics::MdSettings>(whole.settings);
-  const double side = settings.atoms.value_or(scene_.grid.points_x);
+  const double side = settings.atoms.value_or(selected_.grid.points_x);
   block.bulk = mechanics::AtomBulk::explicit_layers;
   block.levels = 1;
   block.layers =
-      static_cast<int>(settings.depth.in_si({0.0, scene_.grid.length_x,
-                                             scene_.grid.spacing_x(), 0.0}) /
-                       scene_.grid.length_x * side);
+      static_cast<int>(settings.depth.in_si({0.0, selected_.grid.length_x,
+                                             selected_.grid.spacing_x(), 0.0}) /
+                       selected_.grid.length_x * side);
   const MethodCost cost =
-      cost_of(scene_.contact_case, whole, scene_.grid, rates_);
+      cost_of(selected_.contact_case, whole, selected_.grid, rates_);
   list.push_back({fmt::format("{}: {} atoms inside the block", method.name,
                               count_text(cost.unknowns / 3.0 - side * side)),
                   "bulk = \"green\": condensed exactly to the lowest layer",
@@ -191,13 +191,13 @@ void Skips::add_of_settings(const MethodSpec& method,
 
 } // namespace
 
-std::vector<Skipped> skipped_by_scene(const SelectedCase& scene,
-                                      MachineRates& rates) {
-  Skips skips(scene, rates);
+std::vector<Skipped> skipped_by_case(const SelectedCase& selected,
+                                     MachineRates& rates) {
+  Skips skips(selected, rates);
   skips.add_methods_left_out();
   skips.add_surfaces();
   skips.add_maps();
-  for (const MethodSpec& method : scene.methods)
+  for (const MethodSpec& method : selected.methods)
     skips.add_of(method);
   return skips.list;
 }

@@ -23,8 +23,8 @@ struct SelectedCase {
 /// closed formula, maps that are not saved, unknowns and wavevectors that
 /// symmetry makes redundant, and bulk material that a closed form replaces.
 /// Costs are predictions of cost_model.hpp.
-std::vector<results::Skipped> skipped_by_scene(const SelectedCase& scene,
-                                               MachineRates& rates);
+std::vector<results::Skipped> skipped_by_case(const SelectedCase& selected,
+                                              MachineRates& rates);
 
 /// Returns the grid of the surfaces of a case. If the case does not give it,
 /// the height map is read when surfaces are needed; otherwise the grid has no

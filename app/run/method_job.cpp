@@ -68,14 +68,14 @@ void Tally::add_failure(const std::string& what, const std::string& why) {
   fmt::print(stderr, "not computed: {}: {}\n", what, why);
 }
 
-MethodJob::MethodJob(const RunScene& scene, const cases::MethodSpec& method,
+MethodJob::MethodJob(const RunContext& context, const cases::MethodSpec& method,
                      int realization)
-    : scene_(scene),
+    : context_(context),
       method_(method),
       realization_(realization),
-      chain_(leaves_files(method, scene.contact_case.report) ? no_cache_
-                                                             : scene.cache,
-             scene.keys.steps(method, realization)) {}
+      chain_(leaves_files(method, context.contact_case.report) ? no_cache_
+                                                               : context.cache,
+             context.keys.steps(method, realization)) {}
 
 void MethodJob::run() {
   if (is_interrupted())
@@ -90,15 +90,15 @@ void MethodJob::run() {
 }
 
 bool MethodJob::needs_maps(std::size_t step) const {
-  return realization_ == 0 && scene_.field_steps.contains(step) &&
+  return realization_ == 0 && context_.field_steps.contains(step) &&
          method_.has_fields();
 }
 
 bool MethodJob::needs_section(std::size_t step) const {
   return realization_ == 0 && is_whole_block(method_) &&
          step == step_with_section(
-                     scene_.contact_case, method_,
-                     scene_.surfaces.of(method_, realization_).scales);
+                     context_.contact_case, method_,
+                     context_.surfaces.of(method_, realization_).scales);
 }
 
 /// Writes the cached steps to the result file.
@@ -109,10 +109,10 @@ std::vector<std::size_t> MethodJob::take_kept() {
   std::vector<CurvePoint> rows;
   KeptWork work;
   CachedStep last;
-  for (std::size_t step = 0; step < scene_.contact_case.load.targets.size();
+  for (std::size_t step = 0; step < context_.contact_case.load.targets.size();
        ++step) {
-    if (scene_.writer.has_step(method_.name, realization_,
-                               static_cast<int>(step)))
+    if (context_.writer.has_step(method_.name, realization_,
+                                 static_cast<int>(step)))
       continue;
     std::optional<CachedStep> kept =
         chain_.read(step, needs_maps(step), needs_section(step));
@@ -127,15 +127,15 @@ std::vector<std::size_t> MethodJob::take_kept() {
   }
   if (work.steps == 0)
     return missing;
-  scene_.writer.append_steps(method_.name, realization_, rows);
+  context_.writer.append_steps(method_.name, realization_, rows);
   if (missing.empty()) {
-    scene_.writer.record_setup_time(method_.name, realization_,
-                                    last.setup_cpu_time);
+    context_.writer.record_setup_time(method_.name, realization_,
+                                      last.setup_cpu_time);
     work.cpu_time += last.setup_cpu_time;
   }
   describe_found(last.found_at_setup);
-  scene_.tally.add_kept(method_.name, work);
-  scene_.progress.steps_kept(method_.name, realization_, work.steps);
+  context_.tally.add_kept(method_.name, work);
+  context_.progress.steps_kept(method_.name, realization_, work.steps);
   return missing;
 }
 
@@ -145,8 +145,8 @@ void MethodJob::take(std::size_t step, CachedStep& kept,
                      std::vector<CurvePoint>& rows) {
   CurvePoint& row = kept.answer.row;
   row.step = static_cast<int>(step);
-  row.is_unloading = scene_.contact_case.load.is_unloading[step];
-  scene_.tally.failed_steps += has_failed(row);
+  row.is_unloading = context_.contact_case.load.is_unloading[step];
+  context_.tally.failed_steps += has_failed(row);
   if (needs_maps(step))
     record(row, kept.answer, step);
   else
@@ -155,13 +155,13 @@ void MethodJob::take(std::size_t step, CachedStep& kept,
 
 void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
   if (!needs_maps(step) || answer.pressure.empty()) {
-    scene_.writer.append_step(method_.name, realization_, row);
+    context_.writer.append_step(method_.name, realization_, row);
     return;
   }
   if (needs_section(step)) // before the step, which counts as done when it is
                            // written
-    scene_.writer.record_table(answer.section.value());
-  scene_.writer.append_step_with_fields(
+    context_.writer.record_table(answer.section.value());
+  context_.writer.append_step_with_fields(
       method_.name, realization_, row, answer.grid,
       {row.step, row.nominal_pressure, std::move(answer.pressure),
        std::move(answer.gap)});
@@ -171,21 +171,21 @@ void MethodJob::describe_found(const std::string& found) {
   if (found.empty())
     return;
   const MethodDescription description =
-      describe(method_, scene_.contact_case.material);
-  scene_.writer.begin_method(method_.name, description.kind,
-                             description.text + "; " + found);
+      describe(method_, context_.contact_case.material);
+  context_.writer.begin_method(method_.name, description.kind,
+                               description.text + "; " + found);
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
-  const cases::Case& contact_case = scene_.contact_case;
+  const cases::Case& contact_case = context_.contact_case;
   const bool by_formula = !method_.needs_surface();
   const CpuClock clock;
   const theory::HeightSpectrum spectrum =
       by_formula ? formula_of_case(contact_case, method_)
-                 : spectrum_of(scene_.surfaces.of(method_, realization_));
+                 : spectrum_of(context_.surfaces.of(method_, realization_));
   const mechanics::Scales scales =
       by_formula ? formula_scales(contact_case, spectrum)
-                 : scene_.surfaces.of(method_, realization_).scales;
+                 : context_.surfaces.of(method_, realization_).scales;
   std::vector<CurvePoint> rows =
       theory_rows(std::get<mechanics::TheorySettings>(method_.settings),
                   contact_case.load, spectrum, scales);
@@ -194,28 +194,28 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
     return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
            steps.end();
   });
-  scene_.writer.record_setup_time(method_.name, realization_, setup_time);
-  scene_.writer.append_steps(method_.name, realization_, rows);
+  context_.writer.record_setup_time(method_.name, realization_, setup_time);
+  context_.writer.append_steps(method_.name, realization_, rows);
   for (const CurvePoint& row : rows) {
     chain_.keep(static_cast<std::size_t>(row.step),
                 {{row, {}, {}, {}}, setup_time, ""});
-    ++scene_.tally.computed_steps;
-    scene_.tally.failed_steps += has_failed(row);
-    scene_.progress.step_done(method_.name, realization_, row,
-                              scales.rms_height);
+    ++context_.tally.computed_steps;
+    context_.tally.failed_steps += has_failed(row);
+    context_.progress.step_done(method_.name, realization_, row,
+                                scales.rms_height);
   }
 }
 
 void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
-  const CpuClock clock(scene_.pool.threads_per_job());
+  const CpuClock clock(context_.pool.threads_per_job());
   const std::unique_ptr<StepSolver> solver = set_up();
   const double setup_time = clock.seconds() + solver->saved_setup_time();
   if (std::holds_alternative<mechanics::FemSettings>(method_.settings))
-    scene_.tally.uses_fem = true;
+    context_.tally.uses_fem = true;
   if (solver->saved_setup_time() > 0.0)
-    scene_.tally.add_kept(method_.name + ", operator",
-                          {0, solver->saved_setup_time()});
-  scene_.writer.record_setup_time(method_.name, realization_, setup_time);
+    context_.tally.add_kept(method_.name + ", operator",
+                            {0, solver->saved_setup_time()});
+  context_.writer.record_setup_time(method_.name, realization_, setup_time);
   describe_found(solver->found_at_setup());
   std::size_t next = 0; // the step with which the solver would continue
   for (const std::size_t step : steps) {
@@ -226,9 +226,10 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
 }
 
 std::unique_ptr<StepSolver> MethodJob::set_up() {
-  const Progress::Activity activity(scene_.progress, activity_text("set-up"));
-  return scene_.solvers.make(method_, scene_.surfaces.of(method_, realization_),
-                             realization_, resources());
+  const Progress::Activity activity(context_.progress, activity_text("set-up"));
+  return context_.solvers.make(method_,
+                               context_.surfaces.of(method_, realization_),
+                               realization_, resources());
 }
 
 std::string MethodJob::activity_text(const std::string& part) const {
@@ -254,12 +255,12 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
                "the state after them was not saved\n",
                method_.name, realization_, next, step - 1);
   const mechanics::Scales& scales =
-      scene_.surfaces.of(method_, realization_).scales;
+      context_.surfaces.of(method_, realization_).scales;
   for (; next < step && !is_interrupted(); ++next) {
     const Progress::Activity activity(
-        scene_.progress, activity_text(fmt::format("step {} again", next)));
-    solver.solve(target_of(scene_.contact_case.load, next, scales));
-    ++scene_.tally.repeated_steps;
+        context_.progress, activity_text(fmt::format("step {} again", next)));
+    solver.solve(target_of(context_.contact_case.load, next, scales));
+    ++context_.tally.repeated_steps;
   }
   return !is_interrupted();
 }
@@ -269,39 +270,39 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
 /// @return  false if the step was interrupted and remains to be done
 bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
                              double setup_time) {
-  const SurfaceOfCase& surface = scene_.surfaces.of(method_, realization_);
-  const CpuClock clock(scene_.pool.threads_per_job());
+  const SurfaceOfCase& surface = context_.surfaces.of(method_, realization_);
+  const CpuClock clock(context_.pool.threads_per_job());
   const Progress::Activity activity(
-      scene_.progress, activity_text(fmt::format("step {}", step)));
+      context_.progress, activity_text(fmt::format("step {}", step)));
   StepAnswer answer =
-      solver.solve(target_of(scene_.contact_case.load, step, surface.scales));
+      solver.solve(target_of(context_.contact_case.load, step, surface.scales));
   distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_interrupted())
     return false;
   row.step = static_cast<int>(step);
-  row.is_unloading = scene_.contact_case.load.is_unloading[step];
+  row.is_unloading = context_.contact_case.load.is_unloading[step];
   row.cpu_time = clock.seconds();
-  ++scene_.tally.computed_steps;
-  scene_.tally.failed_steps += has_failed(row);
+  ++context_.tally.computed_steps;
+  context_.tally.failed_steps += has_failed(row);
   answer.row = row;
   if (!needs_maps(step))
     answer.pressure = answer.gap = {};
   CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
   chain_.keep(step, kept, solver.state());
   record(row, kept.answer, step);
-  scene_.progress.step_done(method_.name, realization_, row,
-                            surface.scales.rms_height);
+  context_.progress.step_done(method_.name, realization_, row,
+                              surface.scales.rms_height);
   return true;
 }
 
 Resources MethodJob::resources() const {
-  return {scene_.pool.threads_per_job(),
-          scene_.folder / fmt::format("{}-{}", method_.name, realization_),
+  return {context_.pool.threads_per_job(),
+          context_.folder / fmt::format("{}-{}", method_.name, realization_),
           [this](const md::Progress& work) {
-            scene_.progress.at_work(method_.name, realization_,
-                                    work.evaluations, work.energy,
-                                    work.residual);
+            context_.progress.at_work(method_.name, realization_,
+                                      work.evaluations, work.energy,
+                                      work.residual);
             return !is_interrupted();
           }};
 }

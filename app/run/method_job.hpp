@@ -68,7 +68,7 @@ private:
 };
 
 /// The objects that the jobs of one run share.
-struct RunScene {
+struct RunContext {
   const cases::Case& contact_case;
   std::filesystem::path folder;
   Cache& cache;
@@ -85,7 +85,7 @@ struct RunScene {
 class MethodJob {
 public:
   /// All arguments must outlive the job.
-  MethodJob(const RunScene& scene, const cases::MethodSpec& method,
+  MethodJob(const RunContext& context, const cases::MethodSpec& method,
             int realization);
 
   /// Runs the job. It ends early when the run is interrupted.
@@ -107,7 +107,7 @@ private:
   bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
   Resources resources() const;
 
-  const RunScene& scene_;
+  const RunContext& context_;
   const cases::MethodSpec& method_;
   int realization_;
   Cache no_cache_;

@@ -64,7 +64,7 @@ public:
         keys_(case_, program_identity()),
         solvers_(case_, cache_, keys_),
         progress_(work_to_do(options), case_.material.contact_modulus),
-        scene_{
+        context_{
             case_,   options.folder, cache_,    keys_, surfaces_,
             writer_, solvers_,       progress_, pool_, steps_with_fields(case_),
             tally_} {}
@@ -89,7 +89,7 @@ private:
   MethodFactory solvers_;
   Progress progress_;
   Tally tally_;
-  RunScene scene_;
+  RunContext context_;
 };
 
 int Run::n_steps(const MethodSpec& method) const {
@@ -138,11 +138,11 @@ void Run::run_jobs() {
     for (int r = 0; r < n_realizations(case_, method); ++r)
       (describe(method, case_.material).runs_alone ? lone_jobs : jobs)
           .push_back(
-              [this, &method, r] { MethodJob(scene_, method, r).run(); });
+              [this, &method, r] { MethodJob(context_, method, r).run(); });
   if (const MethodSpec* studied = cases::study_theory(methods_))
     jobs.push_back([this, studied] {
       const Progress::Activity studies(progress_, "tables of the studies");
-      run_studies(scene_, *studied);
+      run_studies(context_, *studied);
     });
   pool_.run(jobs);
   for (const WorkerPool::Job& job : lone_jobs)
@@ -158,7 +158,7 @@ std::vector<results::Skipped> Run::skipped() const {
                         ? grid_of_case(case_, methods_)
                         : surfaces_.whole()[0].record.grid;
   std::vector<results::Skipped> list =
-      skipped_by_scene({case_, methods_, grid}, rates);
+      skipped_by_case({case_, methods_, grid}, rates);
   for (const auto& [thing, work] : tally_.kept())
     list.push_back({work.steps == 0
                         ? thing

@@ -18,8 +18,8 @@ using results::Table;
 /// computed.
 class StudyTables {
 public:
-  StudyTables(const RunScene& scene, const cases::MethodSpec& theory)
-      : scene_(scene), theory_(theory) {}
+  StudyTables(const RunContext& context, const cases::MethodSpec& theory)
+      : context_(context), theory_(theory) {}
 
   /// Writes cached tables to the result file.
   ///
@@ -31,39 +31,39 @@ public:
   void record(const std::string& name, const std::function<Table()>& make);
 
 private:
-  const RunScene& scene_;
+  const RunContext& context_;
   const cases::MethodSpec& theory_;
 };
 
 bool StudyTables::take(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    if (scene_.writer.has_table(name))
+    if (context_.writer.has_table(name))
       continue;
-    const std::optional<std::string> bytes =
-        scene_.cache.read(scene_.keys.table(theory_, name), entry_kind::table);
+    const std::optional<std::string> bytes = context_.cache.read(
+        context_.keys.table(theory_, name), entry_kind::table);
     if (!bytes)
       continue;
     if (const std::optional<Table> table = kept_table(*bytes)) {
-      scene_.writer.record_table(*table);
-      scene_.tally.add_kept("table " + name, {0, 0.0});
+      context_.writer.record_table(*table);
+      context_.tally.add_kept("table " + name, {0, 0.0});
     }
   }
   return std::ranges::all_of(names, [&](const std::string& name) {
-    return scene_.writer.has_table(name);
+    return context_.writer.has_table(name);
   });
 }
 
 void StudyTables::record(const std::string& name,
                          const std::function<Table()>& make) {
-  if (scene_.writer.has_table(name) || is_interrupted())
+  if (context_.writer.has_table(name) || is_interrupted())
     return;
   const std::optional<Table> table =
-      scene_.tally.attempt("table " + name, make);
+      context_.tally.attempt("table " + name, make);
   if (!table)
     return;
-  scene_.writer.record_table(*table);
-  scene_.cache.write(scene_.keys.table(theory_, name), entry_kind::table,
-                     bytes_of(*table));
+  context_.writer.record_table(*table);
+  context_.cache.write(context_.keys.table(theory_, name), entry_kind::table,
+                       bytes_of(*table));
 }
 
 std::string seen_name(std::size_t load) {
@@ -130,20 +130,20 @@ void run_adhesion(const cases::AdhesionStudy& study,
 
 } // namespace
 
-void run_studies(const RunScene& scene, const cases::MethodSpec& theory) {
-  const cases::Case& contact_case = scene.contact_case;
+void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
+  const cases::Case& contact_case = context.contact_case;
   if (!contact_case.magnification_study && !contact_case.adhesion_study)
     return;
   const theory::PerssonContact contact(
       formula_of_case(contact_case, theory),
       contact_case.material.contact_modulus,
       std::get<mechanics::TheorySettings>(theory.settings).gamma);
-  StudyTables tables(scene, theory);
+  StudyTables tables(context, theory);
   if (contact_case.magnification_study)
-    run_magnification(*contact_case.magnification_study, contact, scene.tally,
+    run_magnification(*contact_case.magnification_study, contact, context.tally,
                       tables);
   if (contact_case.adhesion_study)
-    run_adhesion(*contact_case.adhesion_study, contact, scene.tally, tables);
+    run_adhesion(*contact_case.adhesion_study, contact, context.tally, tables);
 }
 
 } // namespace asperity::app

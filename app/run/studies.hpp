@@ -12,6 +12,6 @@ namespace asperity::app {
 /// between two tables.
 ///
 /// @param theory  study_theory() of the case
-void run_studies(const RunScene& scene, const cases::MethodSpec& theory);
+void run_studies(const RunContext& context, const cases::MethodSpec& theory);
 
 } // namespace asperity::app

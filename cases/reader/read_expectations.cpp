@@ -83,8 +83,8 @@ void read_ends(TableReader& band, Expectation& expectation) {
     band.complain(band.node(), "is empty: above exceeds below");
 }
 
-void check_scene(TableReader& band, const ExpectationName& quantity,
-                 const ReadSoFar& read_so_far) {
+void check_surface(TableReader& band, const ExpectationName& quantity,
+                   const ReadSoFar& read_so_far) {
   const auto& kinds = quantity.surfaces;
   if (!kinds.empty() && std::find(kinds.begin(), kinds.end(),
                                   read_so_far.surface) == kinds.end()) {
@@ -160,7 +160,7 @@ Expectation read_band(const Node& node, const std::string& name,
   band.refuse_unknown();
   Expectation expectation{.quantity = name, .methods = {}};
   read_ends(band, expectation);
-  check_scene(band, quantity, read_so_far);
+  check_surface(band, quantity, read_so_far);
   read_method_names(band, quantity, read_so_far, expectation);
   expectation.passes_if_undecided = band.choice("if_undecided", 0) == 1;
   return expectation;
