@@ -159,7 +159,7 @@ struct Bench {
   results::Provenance provenance;
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
-  ReferenceSolution truth;
+  ReferenceSolution reference;
   /// For each quantity, the Pareto front: the points for which no cheaper point
   /// has a smaller error.
   std::map<std::string, std::vector<std::size_t>> fronts;

@@ -73,20 +73,20 @@ std::vector<std::string> quantities_of(const Bench& bench) {
 }
 
 void overlay_exact(const cases::Case& contact_case, const Bench& bench,
-                   ReferenceSolution& truth) {
+                   ReferenceSolution& reference) {
   for (const BenchPoint& point : bench.points) {
     if (!point.problem.empty() || point.kind == "theory")
       continue;
     const BenchAnswer exact = exact_answer(contact_case, point.answer);
-    if (std::isnan(truth.answer.rms_height))
-      truth.answer = exact;
+    if (std::isnan(reference.answer.rms_height))
+      reference.answer = exact;
     for (const auto& [name, values] : exact.values) {
-      truth.answer.values[name] = values;
-      truth.uncertainty[name] = 0.0;
-      truth.is_exact[name] = true;
+      reference.answer.values[name] = values;
+      reference.uncertainty[name] = 0.0;
+      reference.is_exact[name] = true;
     }
     if (exact.values.contains(best_area)) // one reference for all estimators
-      std::erase_if(truth.answer.values, [](const auto& entry) {
+      std::erase_if(reference.answer.values, [](const auto& entry) {
         return is_area(entry.first) && entry.first != best_area;
       });
     return;
@@ -95,23 +95,25 @@ void overlay_exact(const cases::Case& contact_case, const Bench& bench,
 
 /// Describes which quantities of the reference solution are exact and which are
 /// limits.
-std::string truth_words(const ReferenceSolution& truth, const Bench& bench,
-                        const cases::Case& contact_case) {
+std::string reference_words(const ReferenceSolution& reference,
+                            const Bench& bench,
+                            const cases::Case& contact_case) {
   std::string words;
-  if (std::any_of(truth.is_exact.begin(), truth.is_exact.end(),
+  if (std::any_of(reference.is_exact.begin(), reference.is_exact.end(),
                   [](const auto& entry) { return entry.second; }))
     words = exact_words(contact_case);
-  if (truth.series >= bench.series.size())
+  if (reference.series >= bench.series.size())
     return words;
   std::string series;
   for (const BenchPoint* point :
-       answered(bench, bench.series[truth.series]).points)
+       answered(bench, bench.series[reference.series]).points)
     series += fmt::format("{}{}", series.empty() ? "" : ", ", point->points);
   const bool is_mixed = !words.empty();
-  words += fmt::format("{}the limit of {} with hard contact on {} points per "
-                       "side of the same surface{}",
-                       is_mixed ? "; " : "", bench.series[truth.series].method,
-                       series, is_mixed ? " for all other quantities" : "");
+  words +=
+      fmt::format("{}the limit of {} with hard contact on {} points per "
+                  "side of the same surface{}",
+                  is_mixed ? "; " : "", bench.series[reference.series].method,
+                  series, is_mixed ? " for all other quantities" : "");
   return words;
 }
 
@@ -123,7 +125,7 @@ void fill_errors(Bench& bench) {
   for (BenchPoint& point : bench.points)
     for (const std::string& quantity : bench.quantities) {
       point.errors[quantity] =
-          error_against(bench.truth.answer, point.answer, quantity);
+          error_against(bench.reference.answer, point.answer, quantity);
       point.own_errors[quantity] =
           own.contains(point.method)
               ? error_against(own[point.method].answer, point.answer, quantity)
@@ -151,7 +153,7 @@ BenchOrder order_of(const Bench& bench, const BenchSeries& series,
   std::vector<double> errors;
   for (const BenchPoint* point : kept.points)
     errors.push_back(point->errors.at(quantity));
-  if (bench.truth.answer.values.empty())
+  if (bench.reference.answer.values.empty())
     return order;
   order.error = fit_power_law(kept.coordinates, errors);
   return order;
@@ -179,13 +181,13 @@ void fill_series(Bench& bench, BenchSeries& series) {
 } // namespace
 
 ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series) {
-  ReferenceSolution truth;
+  ReferenceSolution reference;
   const Answered kept = answered(bench, series);
   if (kept.points.empty())
-    return truth;
+    return reference;
   const BenchAnswer& finest = kept.points.back()->answer;
-  truth.answer = finest;
-  truth.answer.values.clear();
+  reference.answer = finest;
+  reference.answer.values.clear();
   for (const auto& [quantity, values] : finest.values) {
     const std::vector<std::vector<double>> answers = answers_to(kept, quantity);
     if (answers.empty())
@@ -193,27 +195,27 @@ ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series) {
     const std::span<const double> h(kept.coordinates);
     const RefinementLimit limit = refinement_limit(
         answers, h.last(answers.size()), scale_of(quantity, finest));
-    truth.answer.values[quantity] = limit.values;
-    truth.uncertainty[quantity] = limit.uncertainty;
-    truth.order[quantity] = limit.order;
-    truth.is_exact[quantity] = false;
+    reference.answer.values[quantity] = limit.values;
+    reference.uncertainty[quantity] = limit.uncertainty;
+    reference.order[quantity] = limit.order;
+    reference.is_exact[quantity] = false;
   }
-  return truth;
+  return reference;
 }
 
 void analyse(Bench& bench, const cases::Case& contact_case) {
   bench.quantities = quantities_of(bench);
-  const std::size_t series = bench.truth.series;
+  const std::size_t series = bench.reference.series;
   if (series < bench.series.size())
-    bench.truth = limit_of(bench, bench.series[series]);
-  bench.truth.series = series;
+    bench.reference = limit_of(bench, bench.series[series]);
+  bench.reference.series = series;
   // All estimators of the area have one reference: the one that converges
   // fastest.
-  std::erase_if(bench.truth.answer.values, [](const auto& entry) {
+  std::erase_if(bench.reference.answer.values, [](const auto& entry) {
     return is_area(entry.first) && entry.first != best_area;
   });
-  overlay_exact(contact_case, bench, bench.truth);
-  bench.truth.words = truth_words(bench.truth, bench, contact_case);
+  overlay_exact(contact_case, bench, bench.reference);
+  bench.reference.words = reference_words(bench.reference, bench, contact_case);
   fill_errors(bench);
   for (BenchSeries& one : bench.series)
     fill_series(bench, one);

@@ -8,7 +8,7 @@
 namespace asperity::reports {
 
 /// Fills the quantities, reference solution, errors, orders and exponents of a
-/// bench whose points have run and whose series refer to them; truth.series
+/// bench whose points have run and whose series refer to them; reference.series
 /// must be set before.
 ///
 /// The reference solution of a quantity is the exact solution if that provides

@@ -130,29 +130,29 @@ BenchAnswer answer_of(const results::Result& result,
 }
 
 std::vector<double> scale_of(const std::string& quantity,
-                             const BenchAnswer& truth) {
-  const auto found = truth.values.find(quantity);
-  if (found == truth.values.end())
+                             const BenchAnswer& reference) {
+  const auto found = reference.values.find(quantity);
+  if (found == reference.values.end())
     return {};
   std::vector<double> scale = found->second;
   for (double& one : scale)
-    one = quantity == "mean_gap" ? truth.rms_height : std::abs(one);
+    one = quantity == "mean_gap" ? reference.rms_height : std::abs(one);
   return scale;
 }
 
-double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
+double error_against(const BenchAnswer& reference, const BenchAnswer& answer,
                      const std::string& quantity) {
   const std::string column =
-      is_area(quantity) && !truth.values.contains(quantity)
+      is_area(quantity) && !reference.values.contains(quantity)
           ? "area_fraction_corrected"
           : quantity;
-  const auto expected = truth.values.find(column);
+  const auto expected = reference.values.find(column);
   const auto found = answer.values.find(quantity);
-  if (expected == truth.values.end() || found == answer.values.end() ||
+  if (expected == reference.values.end() || found == answer.values.end() ||
       expected->second.size() != found->second.size())
     return not_a_number;
   return rms_difference(found->second, expected->second,
-                        scale_of(column, truth));
+                        scale_of(column, reference));
 }
 
 BenchAnswer exact_answer(const cases::Case& contact_case,

@@ -18,12 +18,12 @@ BenchAnswer answer_of(const results::Result& result,
 /// Returns the scale of each entry of a quantity: h_rms for the gap, the values
 /// of the reference solution for everything else.
 std::vector<double> scale_of(const std::string& quantity,
-                             const BenchAnswer& truth);
+                             const BenchAnswer& reference);
 
 /// Returns the root-mean-square error over the loads; NaN if either argument
 /// lacks a value or if the loads differ. An area for which the reference
 /// solution has no value is compared with its corrected area.
-double error_against(const BenchAnswer& truth, const BenchAnswer& answer,
+double error_against(const BenchAnswer& reference, const BenchAnswer& answer,
                      const std::string& quantity);
 
 /// Returns the exact solution at the loads of `answer`, for the quantities that

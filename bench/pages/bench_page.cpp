@@ -76,14 +76,15 @@ Value target_data(const TargetOutcome& target) {
   return value;
 }
 
-List truth_rows(const Bench& bench) {
+List reference_rows(const Bench& bench) {
   List rows;
   for (const std::string& quantity : bench.quantities) {
-    if (!bench.truth.answer.values.contains(quantity))
+    if (!bench.reference.answer.values.contains(quantity))
       continue;
-    const auto exact = bench.truth.is_exact.find(quantity);
-    const bool is_exact = exact != bench.truth.is_exact.end() && exact->second;
-    const double order = in(bench.truth.order, quantity);
+    const auto exact = bench.reference.is_exact.find(quantity);
+    const bool is_exact =
+        exact != bench.reference.is_exact.end() && exact->second;
+    const double order = in(bench.reference.order, quantity);
     Value row;
     row.set("quantity", quantity);
     row.set("meaning", error_words(quantity));
@@ -94,7 +95,8 @@ List truth_rows(const Bench& bench) {
                 : "the finest grid, because the series converges irregularly");
     row.set("order", is_exact ? "–" : short_number(order));
     row.set("uncertainty",
-            is_exact ? "–" : per_cent(in(bench.truth.uncertainty, quantity)));
+            is_exact ? "–"
+                     : per_cent(in(bench.reference.uncertainty, quantity)));
     rows.push_back(row);
   }
   return rows;
@@ -151,7 +153,9 @@ std::string remark_of(const BenchPoint& point) {
 Value setting_row(const Bench& bench, const BenchPoint& point) {
   const double floor = point.transform_floor();
   Value row;
-  row.set("class", point.is_own ? "own" : point.is_reference ? "truth" : "");
+  row.set("class", point.is_own         ? "own"
+                   : point.is_reference ? "reference"
+                                        : "");
   row.set("label", point.label);
   row.set("remark", remark_of(point));
   row.set("cpu", short_number(point.cpu.median, "{:.3g}"));
@@ -256,11 +260,11 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   for (const TargetOutcome& target : bench.targets)
     targets.push_back(target_data(target));
   page.set("targets", targets);
-  page.set("truth",
-           bench.truth.words.empty()
+  page.set("reference",
+           bench.reference.words.empty()
                ? "No reference solution is known for this case."
-               : "Errors are with respect to " + bench.truth.words + ".");
-  page.set("truths", truth_rows(bench));
+               : "Errors are with respect to " + bench.reference.words + ".");
+  page.set("references", reference_rows(bench));
   set_figures(page, {&figures, 1}, false);
   page.set("series", series_rows(bench));
   page.set("timing_note",

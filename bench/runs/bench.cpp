@@ -103,7 +103,7 @@ Bench bench_of(const Subject& subject, Sweep sweep) {
   bench.remarks = std::move(sweep.remarks);
   bench.points = std::move(sweep.points);
   bench.series = std::move(sweep.series);
-  bench.truth.series = sweep.truth;
+  bench.reference.series = sweep.reference_series;
   return bench;
 }
 

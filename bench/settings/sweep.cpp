@@ -145,7 +145,7 @@ void Planner::add_truth() {
     series.points.push_back(point(std::move(wanted)));
     series.coordinates.push_back(1.0 / points);
   }
-  sweep_.truth = sweep_.series.size();
+  sweep_.reference_series = sweep_.series.size();
   sweep_.series.push_back(std::move(series));
 }
 

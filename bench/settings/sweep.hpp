@@ -20,10 +20,10 @@ struct Sweep {
   std::vector<std::string> common; ///< overrides of every run
   std::vector<reports::BenchPoint> points;
   std::vector<reports::BenchSeries> series;
-  std::size_t truth = no_truth; ///< index into `series`
+  std::size_t reference_series = no_reference; ///< index into `series`
   std::vector<std::string> remarks;
 
-  static constexpr std::size_t no_truth = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_reference = static_cast<std::size_t>(-1);
 };
 
 struct SweepOptions {

@@ -80,7 +80,7 @@ Bench made_up() {
     }
     bench.series.push_back(series);
   }
-  bench.truth.series = 0;
+  bench.reference.series = 0;
   return bench;
 }
 
