@@ -100,7 +100,8 @@ const std::vector<Axis>& axes() {
       {"growth", growths.labels()},
       {"element", {"Q1", "Q2"}},
       {"coating", coatings},
-      {"twin", names(MetamorphicRelation::none, MetamorphicRelation::threads)},
+      {"metamorphic pair",
+       names(MetamorphicRelation::none, MetamorphicRelation::threads)},
       {"flaw", names(Flaw::nan_height, Flaw::infinite_modulus)},
       {"path", names(Path::library, Path::two_ranks)},
       {"threads", {"1", "2", "3"}}};

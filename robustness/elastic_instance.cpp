@@ -44,15 +44,16 @@ Pass run_pass(const Instance& instance, int threads, InstanceReport& report) {
   const InstanceSurface surface = surface_of(instance, grid);
   std::unique_ptr<contact::SurfaceOperator> elasticity =
       operator_of(instance, grid, threads);
-  const std::unique_ptr<contact::SurfaceOperator> judge = elasticity->clone();
+  const std::unique_ptr<contact::SurfaceOperator> independent =
+      elasticity->clone();
   const Displace displace = [&](auto pressure, auto displacement) {
-    judge->displacement(pressure, displacement);
+    independent->displacement(pressure, displacement);
   };
   const ComplianceRange range = compliance_range(grid, displace);
-  AskedContact asked{surface.map.heights, judge->nodal_weights()};
+  AskedContact asked{surface.map.heights, independent->nodal_weights()};
   asked.gap_tolerance = relative_tolerance * surface.height_scale;
   asked.may_lose_contact = may_lose_contact(instance);
-  if (!judge->is_periodic())
+  if (!independent->is_periodic())
     asked.border = results::Border::free;
   asked.long_wave_compliance = range.longest;
   asked.short_wave_compliance = range.shortest;
@@ -80,7 +81,8 @@ Pass run_pass(const Instance& instance, int threads, InstanceReport& report) {
       fail(report, *failure);
       return {};
     }
-    if (const auto failure = verify_certificate(asked, solution, *judge)) {
+    if (const auto failure =
+            verify_certificate(asked, solution, *independent)) {
       fail(report, *failure);
       return {};
     }
@@ -116,18 +118,18 @@ void compare(const Instance& instance, const Pass& first, const Pass& second,
         report.pair_difference,
         std::abs(b.mean_gap / length_ratio - a.mean_gap) / a.tolerance);
     if (auto failure = verify_same(a, b, length_ratio, pressure_ratio)) {
-      failure->check = "twin";
+      failure->check = "metamorphic pair";
       return fail(report, *failure);
     }
   }
   if (instance.relation == MetamorphicRelation::binary_units &&
       !report.has_same_bits)
-    fail(
-        report,
-        {"twin", "the bits differ when the units are scaled by powers of two"});
+    fail(report,
+         {"metamorphic pair",
+          "the bits differ when the units are scaled by powers of two"});
   if (instance.relation == MetamorphicRelation::threads &&
       !report.has_same_bits)
-    fail(report, {"twin", "the bits differ on several threads"});
+    fail(report, {"metamorphic pair", "the bits differ on several threads"});
 }
 
 void run_pair(const Instance& instance, const Pass& first,

@@ -28,12 +28,12 @@ json counts_json(const Counts& counts) {
 } // namespace
 
 std::string csv_header() {
-  return "seed,scene,outcome,check,reason,iterations,area fraction [1],"
-         "mean gap [h_rms],twin same bits,twin difference [tolerance],"
+  return "seed,instance,outcome,check,reason,iterations,area fraction [1],"
+         "mean gap [h_rms],pair same bits,pair difference [tolerance],"
          "CPU time [s],family,shape,law,penalty [E*/h],control,load [E* h' or "
          "h_rms],program,points,shortest wave [h],hurst,roll-off [waves],"
          "rms slope,length [m],contact modulus [Pa],nu,thickness [length],top,"
-         "growth,gamma,twin,flaw,degree,coating stiffness [E],"
+         "growth,gamma,metamorphic pair,flaw,degree,coating stiffness [E],"
          "coating thickness [thickness],path,threads\n";
 }
 
@@ -72,7 +72,7 @@ std::string json_of(const Matrix& matrix, const RunWords& run,
   root["seed"] = run.seed;
   root["wall_seconds"] = run.wall_seconds;
   root["cpu_seconds"] = matrix.seconds();
-  root["scenes"] = matrix.total().all();
+  root["instances"] = matrix.total().all();
   root["anything_else"] = matrix.total().others();
   root["outcomes"] = counts_json(matrix.total());
   for (const Axis& axis : axes())
@@ -81,13 +81,13 @@ std::string json_of(const Matrix& matrix, const RunWords& run,
         root["axes"][axis.name][label] = counts_json(counts);
   root["others"] = json::array();
   for (const auto& [instance, report] : matrix.others())
-    root["others"].push_back({{"scene", instance.index},
+    root["others"].push_back({{"instance", instance.index},
                               {"outcome", name_of(report.outcome)},
                               {"check", report.check},
                               {"reason", report.reason},
                               {"words", in_words(instance)}});
   for (const auto& [pair, counts] : matrix.relations())
-    root["twins"][name_of(pair)] = {
+    root["metamorphic_pairs"][name_of(pair)] = {
         {"pairs", counts.pairs},
         {"same_bits", counts.same_bits},
         {"largest_difference_over_tolerance", counts.largest_difference}};

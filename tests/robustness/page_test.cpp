@@ -45,10 +45,10 @@ TEST(Page, NamesTheInstanceThatEndedOtherwise) {
 TEST(Tables, HoldTheSameCounts) {
   const auto root = nlohmann::json::parse(json_of(small_matrix(), words, {}));
 
-  EXPECT_EQ(root["scenes"], 50);
+  EXPECT_EQ(root["instances"], 50);
   EXPECT_EQ(root["anything_else"], 1);
   EXPECT_EQ(root["outcomes"]["verified"], 49);
-  EXPECT_EQ(root["others"][0]["scene"], 20);
+  EXPECT_EQ(root["others"][0]["instance"], 20);
   EXPECT_EQ(root["others"][0]["check"], "energy");
 }
 
