@@ -3,7 +3,7 @@
 
     tools/render_block.py STEP.pvtu PICTURE.png [--cut 0.5] [--warp 1] [--top 2e8]
 
-Takes the files the whole block writes for ParaView, leaves out the cells in
+Takes the files that the full block writes for ParaView, leaves out the cells in
 front of the cut (a share of the block's width) and draws what is then seen from
 the front, the right and above, the pressed face upwards. Displacements are
 drawn `warp` times; colours end at `top` [Pa], without it at the largest value.

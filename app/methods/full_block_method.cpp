@@ -52,11 +52,11 @@ StepExtras extras_of(const cases::Case& contact_case,
   return extras;
 }
 
-class WholeBlock final : public StepSolver {
+class FullBlockSolver final : public StepSolver {
 public:
-  WholeBlock(std::unique_ptr<fem::FullBlock> block,
-             const cases::MethodSpec& method, const SurfaceOfCase& surface,
-             mechanics::ElasticBlock continuum, StepExtras extras)
+  FullBlockSolver(std::unique_ptr<fem::FullBlock> block,
+                  const cases::MethodSpec& method, const SurfaceOfCase& surface,
+                  mechanics::ElasticBlock continuum, StepExtras extras)
       : method_(method.name),
         settings_(std::get<mechanics::FemSettings>(method.settings)),
         surface_(surface),
@@ -128,7 +128,7 @@ make_whole_block(const cases::Case& contact_case,
                  const cases::MethodSpec& method, const SurfaceOfCase& surface,
                  int realization, const std::filesystem::path& scratch) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
-  return std::make_unique<WholeBlock>(
+  return std::make_unique<FullBlockSolver>(
       fem::load_fem_module().full({surface.record.grid, settings.block,
                                    settings.full, contact_case.material,
                                    contact_case.mesh, surface.scales}),

@@ -70,7 +70,7 @@ private:
   bool go_on(const std::string& log, const Watch& watch) const;
   void fill(const LammpsAnswer& answer, Control control,
             AtomStep& result) const;
-  void judge(AtomStep& result) const;
+  void set_convergence(AtomStep& result) const;
 
   AtomRequest request_;
   LammpsBlock block_;
@@ -113,7 +113,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
   try {
     LammpsAnswer answer = read_answer(block_, folder_);
     fill(answer, control, result);
-    judge(result);
+    set_convergence(result);
     if (invalidity_reason(result.inspection, block_.layer.size()).empty())
       start_ = std::move(answer.positions);
     if (request_.settings.dump)
@@ -192,7 +192,7 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
       is_free ? 0.0 : residual(block_, norm(answer.forces), contact_force);
 }
 
-void LammpsContact::judge(AtomStep& result) const {
+void LammpsContact::set_convergence(AtomStep& result) const {
   const double tolerance = request_.settings.tolerance;
   result.note = invalidity_reason(result.inspection, block_.layer.size());
   if (result.note.empty() && !(result.residual <= tolerance))

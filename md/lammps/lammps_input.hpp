@@ -41,7 +41,7 @@ struct LammpsTask {
 /// The load p_0 a^2 per atom acts on the lowest layer, as in the Green's
 /// function engine, or the mean height of this layer is prescribed and
 /// approached in short steps from above. A load on the plate would compress the
-/// whole block. This compression is not part of the problem and, at
+/// entire block. This compression is not part of the problem and, at
 /// p_0 = 0.01 E*, changes the bending stiffness of the springs by 0.3 %.
 ///
 /// The minimizer `lbfgs` selects the conjugate gradient method of LAMMPS, which
