@@ -1,4 +1,4 @@
-"""The adapter of Asperity writes answers that Asperity certifies: for each of its methods,
+"""The adapter of Asperity writes solutions that Asperity certifies: for each of its methods,
 on a half-space, a slab and a layered body, from cases that have the half-space alone.
 
 Arguments: the folder of the adapters, a folder for the problems, asperity.
@@ -56,7 +56,7 @@ def problem_of(name, load=PRESSURES, material="", method=""):
 
 
 def gap_errors(problem, *options):
-    """The bounds of the mean gaps [h_rms] of an answer in which every claim holds."""
+    """The bounds of the mean gaps [h_rms] of a solution whose stated numbers all hold."""
     folder = problem.parent / "-".join(("answer", *options))
     done = start(ADAPTER, problem, folder, "--program", PROGRAM, *options)
     assert done.returncode == 0, (done.returncode, done.stdout)
@@ -71,9 +71,9 @@ def gap_errors(problem, *options):
 
 
 def check_methods(problem):
-    """Claim: each method solves the problem. The half-space solves it on its own grid, to the
-    accuracy of the certificate on fields in single precision; elements have an error of
-    discretisation, which `import` compares with the 0.01 h_rms that is claimed."""
+    """Each method solves the problem. The half-space solves it on its own grid, to the
+    accuracy of the certificate on fields in single precision; elements have a
+    discretisation error, which `import` compares with the stated 0.01 h_rms."""
     assert max(gap_errors(problem)) < 1e-5
     assert max(gap_errors(problem, "--accuracy", "best")) < 1e-5
     by_element = [gap_errors(problem, "--method", method) for method in ("fem.q1", "fem.q2")]
@@ -81,7 +81,7 @@ def check_methods(problem):
 
 
 def check_refused_by_the_program(problem):
-    """Claim: what the program refuses ends with its exit code and leaves no submission."""
+    """What the program refuses ends with its exit code and leaves no submission."""
     folder = problem.parent / "refused"
     done = start(ADAPTER, problem, folder, "--program", PROGRAM, "--tolerance", "1")
     assert done.returncode == 2 and "tolerance" in done.stdout, (done.returncode, done.stdout)

@@ -1,5 +1,5 @@
-"""Every adapter is short, compiles, and refuses what is no half-space, by exit code 2
-and a message, before it asks for the code that it calls. That of Asperity, which solves
+"""Every adapter is short, compiles, and refuses bodies other than a half-space, by exit
+code 2 and a message, before it needs the code that it calls. That of Asperity, which solves
 other bodies, refuses a problem of another format.
 
 Arguments: the folder of the adapters, a folder for the problems.

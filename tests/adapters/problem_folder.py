@@ -1,4 +1,4 @@
-"""Problem folders as the tests of the adapters write them, and the start of an adapter."""
+"""Problem folders for the tests of the adapters, and the start of an adapter."""
 import json
 import os
 import subprocess
@@ -10,7 +10,7 @@ MODULUS = 2e9  # E* [Pa]
 
 
 def write_problem(folder, heights, length_x, length_y, loads, thickness=None, layers=(), version=1):
-    """What a solver needs of a problem folder: heights [m], lengths [m], loads [Pa]."""
+    """Writes the parts of a problem folder that a solver needs: heights [m], lengths [m], loads [Pa]."""
     folder.mkdir(parents=True)
     np.save(folder / "heights.npy", heights)
     points_y, points_x = heights.shape

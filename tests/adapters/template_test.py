@@ -1,5 +1,5 @@
 """The numpy template solves the contact problem: on a wave it gives Westergaard's
-solution, and on a rough surface its fields fulfil the conditions of contact.
+solution, and on a rough surface its fields satisfy the conditions of contact.
 
 Arguments: the folder of the adapters, a folder for the problems.
 """
@@ -26,11 +26,11 @@ def solved(problem, *options, exit_code=0):
 
 
 def check_westergaard():
-    """Claim: mean gap D (1 - P + P ln P), contact fraction (2/pi) asin sqrt(P).
+    """Verifies the mean gap D (1 - P + P ln P) and the contact fraction (2/pi) asin sqrt(P).
 
     Tolerances: each of the two edges of the contact lies within one spacing of a node, so
     the fraction is uncertain by 2/n. The pressure vanishes like a square root at an edge,
-    so the mean gap errs by C D/n^2. Measured at 20 loads and n = 64 to 1024: C is at most
+    so the error of the mean gap is C D/n^2. Measured at 20 loads and n = 64 to 1024: C is at most
     2.9, without a trend in n, and the fraction errs by at most 1.4/n.
     """
     amplitude, length, width = 4e-9, 1e-6, 3e-7
@@ -87,8 +87,8 @@ def rough_surface(points, rms_height):
 
 
 def check_conditions(body, heights, loads, answers, tolerance):
-    """Claim: p >= 0, gap >= 0, p gap = 0 and mean(p) = p0, and what the submission claims
-    follows from the pressure.
+    """Verifies p >= 0, gap >= 0, p gap = 0 and mean(p) = p0, and that the numbers stated in the
+    submission follow from the pressure.
 
     Tolerances: the template's own, of every gap over h_rms, and 1e-13 of the compared number
     for the rounding of sums over 2304 nodes (measured: at most 3e-14).
@@ -110,8 +110,8 @@ def check_conditions(body, heights, loads, answers, tolerance):
 
 
 def check_rough_surface():
-    """Claim: solved from one node in contact to full contact, in few iterations: at most 100
-    are taken here, and 500 if the directions are not conjugate."""
+    """Solves from one node in contact to full contact in few iterations: at most 100 are needed
+    here, and 500 if the search directions are not conjugate."""
     points, length_x, length_y = 48, 1e-6, 1.5e-6
     heights = rough_surface(points, 3e-9)
     body = HalfSpace(points, points, length_x, length_y)
@@ -128,8 +128,8 @@ def check_rough_surface():
 
 
 def check_pin():
-    """Claim: solved where the iteration comes to one node in contact, whose gap is zero
-    however far others penetrate: one high node of a plane, at a load that the pin and the
+    """Solves a problem in which the iteration arrives at one node in contact, whose gap is zero
+    however far others penetrate: one high node of a plane, at a load that this node and the
     node farthest from it carry."""
     heights = 1e-9 * np.array([[2.25, -0.75, -0.75, -0.75]])
     problem = write_problem(WORK / "pin", heights, 4e-6, 1e-6, [1.2e6])
@@ -139,7 +139,7 @@ def check_pin():
 
 
 def check_no_convergence():
-    """Claim: a tolerance below rounding ends with exit code 3, and the answer is written."""
+    """A tolerance below roundoff ends with exit code 3, and the solution is written."""
     heights = rough_surface(8, 1e-9)
     problem = write_problem(WORK / "impossible", heights, 1e-6, 1e-6, [1e7])
     assert len(solved(problem, "--tolerance", "0", exit_code=3)) == 1

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Refuse answers to the board that are not laid out as docs/submit.md says, or whose claims
+"""Refuse answers to the board that are not laid out as docs/submit.md says, or whose numbers
 do not hold. Prints what is wrong after the name of the answer, and exits 1.
 
     check_submissions.py PROGRAM BOARD FOLDER

@@ -1,8 +1,8 @@
-"""Every shipped case is valid against `asperity schema`, and what the schema
-forbids is seen.
+"""Every shipped case is valid against `asperity schema`, and violations of the schema
+are detected.
 
-Arguments: asperity, the folder of the cases. A case that stands on another one
-(`base = ...`) gives changes only: its keys and values are checked, but neither
+Arguments: asperity, the folder of the cases. A case with a base
+(`base = ...`) contains changes only: its keys and values are checked, but neither
 what "" takes away nor that nothing is missing.
 """
 import copy

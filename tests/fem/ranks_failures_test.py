@@ -1,8 +1,8 @@
-"""A failure on any rank ends all of them, with its words and its exit code, and
-gmsh meshes on one rank alone.
+"""A failure on any rank ends all of them with its message and its exit code, and
+gmsh runs on one rank only.
 
 Arguments: the program ranks_failures, mpirun, an empty folder. The time limit
-of a run is for a hang, in which ranks wait for one another for ever.
+of a run ends a deadlock, in which ranks wait for one another.
 """
 import os
 import shutil
@@ -33,7 +33,7 @@ solver = "full"
 {fem}
 """
 
-# Each time it is meshed it adds a line to a file.
+# Adds a line to a file each time it is meshed.
 GEO = """SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 1, 1, 1};
 Transfinite Curve {:} = 5;
@@ -63,7 +63,7 @@ def write(path, text):
 
 
 def wrong_ends(ranked, folder):
-    """(stage, when, rank, what is wrong) of each failure that ends badly."""
+    """Yields (stage, when, rank, mistake) for each failure that is not handled."""
     for stage, when, rank in (("build", "before", "1"), ("solve", "before", "0"),
                               ("solve", "before", "1"), ("solve", "after", "1"),
                               ("write", "after", "1"), ("solve", "before", "all")):

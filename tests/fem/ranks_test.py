@@ -1,7 +1,7 @@
 """Two ranks, and three, give the curve of one to 1e-9 of each number.
 
-Arguments: the program ranks_curves, mpirun. Tolerance: the issue's; systems are
-solved to 1e-12 and a block's condition is some 1e3.
+Arguments: the program ranks_curves, mpirun. Tolerance: as required; systems are
+solved to 1e-12 and the condition number of a block is some 1e3.
 """
 import math
 import os
@@ -25,7 +25,7 @@ def curves(command):
 
 
 def differences(one, two):
-    """(row name, value, value) of each pair of numbers that is not one."""
+    """Yields (row name, value, value) for each pair of numbers that differ."""
     assert one and [row[0] for row in one] == [row[0] for row in two]
     for a, b in zip(one, two):
         assert a[1] == "1" and b[1] == "1", f"not converged: {a} {b}"

@@ -1,4 +1,5 @@
-// Any bytes as a case file: a case that reads itself back, or an InputError.
+// Reads any bytes as a case file: the result is a case that can be read back,
+// or an InputError.
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_limits.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a fuzz target is: a function of any bytes that may refuse them by the
-// error of its module, and must do nothing else that is wrong.
+// A fuzz target is a function of any bytes. It may refuse them by the error of
+// its module; any other failure is a mistake of the program.
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace asperity::fuzz {
 /// Defined by each target.
 void read_input(const std::string& bytes);
 
-/// Ends the program, which is how a target fails, if the claim is not true.
+/// Ends the program, by which a target fails, if the condition is false.
 inline void require(bool is_true, const char* claim) {
   if (is_true)
     return;

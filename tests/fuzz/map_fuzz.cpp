@@ -1,5 +1,5 @@
-// Any bytes as a height map of each format: finite heights on a grid, or an
-// InputError.
+// Reads any bytes as a height map of each format: the result is finite heights
+// on a grid, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/map_file.hpp"
 

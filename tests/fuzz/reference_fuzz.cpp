@@ -1,5 +1,5 @@
-// Any bytes as reference.csv: lines with a quantity and a source, or a
-// InputError.
+// Reads any bytes as reference.csv: the result is lines with a quantity and a
+// source, or an InputError.
 #include "cases/types/reference.hpp"
 #include "input/input_error.hpp"
 

@@ -1,5 +1,5 @@
-// Gives every file of a folder, the corpus, to a fuzz target: what once made a
-// reader fail must not do so again. Needs no fuzzer.
+// Passes every file of a folder, the corpus, to a fuzz target: bytes that once
+// made a reader fail must not do so again. Needs no fuzzer.
 #include "base/read_file.hpp"
 
 #include <cstdio>
@@ -11,7 +11,7 @@ int main(int, char** arguments) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(arguments[1])) {
     std::printf("%s\n", entry.path().filename().c_str());
-    std::fflush(stdout); // names the one that ends the program
+    std::fflush(stdout); // names the file that ends the program
     asperity::fuzz::read_input(
         asperity::read_file(entry.path(), 16 * 1024 * 1024));
     ++files;

@@ -1,5 +1,5 @@
-// Any bytes as a result file: a result whose lists fit each other, or an
-// InputError.
+// Reads any bytes as a result file: the result has consistent lists, or there
+// is an InputError.
 #include "base/atomic_file.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In memory where the system has a folder there.
+/// In memory where the system has a folder for it.
 const fs::path& result_path() {
   static const fs::path path =
       (fs::exists("/dev/shm") ? fs::path("/dev/shm")

@@ -1,5 +1,6 @@
-// Any bytes as a map file of each format that is read from memory: finite
-// heights on a grid with flags of the missing points, or an InputError.
+// Reads any bytes as a map file of each format that is read from memory: the
+// result is finite heights on a grid with flags of the missing points, or an
+// InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 

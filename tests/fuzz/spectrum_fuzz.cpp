@@ -1,5 +1,5 @@
-// Any bytes as a tabulated spectrum: one that can be evaluated, or an
-// InputError.
+// Reads any bytes as a tabulated spectrum: the result is one that can be
+// evaluated, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 

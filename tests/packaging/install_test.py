@@ -30,7 +30,7 @@ def run(*words, **options):
 
 
 def complete(script, *words):
-    """What bash offers for the last word."""
+    """The completions of bash for the last word."""
     quoted = " ".join(f"'{word}'" for word in words)
     text = (f"source {script}; COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; "
             "_asperity; printf '%s\\n' \"${COMPREPLY[@]}\"")
@@ -49,7 +49,7 @@ def check_completion(script, commands):
 
 
 def check_pages(program, commands, folder):
-    """Claim: each page names every option of --help, and groff has nothing to warn of."""
+    """Each page names every option of --help, and groff has no warnings."""
     pages = sorted(folder.glob("asperity*.1"))
     assert len(pages) == len(commands) + 1, pages
     for command in commands:
@@ -62,7 +62,7 @@ def check_pages(program, commands, folder):
 
 
 def check_run(program, prefix, folder):
-    """Claim: cases, documentation and module are those of the prefix, and are all it needs."""
+    """Cases, documentation and module are those of the prefix, and nothing else is needed."""
     environment = {**os.environ, "ASPERITY_CACHE_SIZE": "0"}
     assert f"documentation: {prefix}/share/doc/asperity" in run(program, "--help")
     described = json.loads(run(program, "describe", "hertz", "--json"))

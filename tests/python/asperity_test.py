@@ -27,7 +27,7 @@ CASE = {
 
 
 def check_toml(asperity):
-    """Claim: a TOML parser reads back what was written."""
+    """A TOML parser reads back what was written."""
     odd = {"a b": 1, "text": "\x7f \n \" \\", "x": {"y.z": {"list": [1, 2.5, "t"], "flag": True}, "e": 1e-30}}
     assert tomllib.loads(asperity.to_toml(odd)) == odd, asperity.to_toml(odd)
     expected = {**CASE, "surface": {**CASE["surface"], "points": 32}}
@@ -42,7 +42,7 @@ def check_toml(asperity):
 
 
 def check_run(asperity, folder):
-    """Claim: the arrays are those of the file, and Westergaard's contact width comes out."""
+    """The arrays are those of the file, and the contact width is Westergaard's."""
     result = asperity.run(CASE, out=folder / "wave")
     curve = result["halfspace"]
     assert result.exit_code == 0 and list(result) == ["halfspace", "halfspace.loose"]
@@ -71,7 +71,7 @@ def check_run(asperity, folder):
 
 
 def check_heights(asperity, folder):
-    """Claim: an array is the surface that is pressed, and temporary files are removed."""
+    """An array is used as the surface, and temporary files are removed."""
     x = np.arange(32) * 2 * np.pi / 32
     heights = 2e-9 * np.cos(x)[None, :] * np.ones((32, 1))
     case = {**CASE, "surface": {"heights": heights, "length": "1 um", "level": "none",

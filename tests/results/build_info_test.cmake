@@ -1,6 +1,6 @@
-# Claims: cmake/BuildInfo.cmake tells a clean checkout, a dirty one and none
-# apart, and does not touch its header when nothing changed; its stamp changes
-# with every source that can change a number, at any depth. Run as
+# Verifies that cmake/BuildInfo.cmake distinguishes a clean checkout, a modified
+# one and none, and does not write its header when nothing changed; its stamp
+# changes with every source that can change a number, at any depth. Run as
 # cmake -DSCRIPT=... -DWORK=... -P, in a repository made for it.
 cmake_minimum_required(VERSION 3.25)
 find_program(GIT git REQUIRED)
