@@ -82,7 +82,7 @@ protected:
     return 0.5 * mean_product(pressure, w) - mean_product(heights, pressure);
   }
 
-  /// a - b|^2 in the energy norm.
+  /// |a - b|^2 in the energy norm.
   double distance(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> difference(a.size()), w(a.size());
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -251,7 +251,7 @@ TEST_F(FieldCheckOfFlaws, ReportsWhatTheProjectionRemoves) {
 }
 
 // The bound of the mean gap is that of docs/numerics/certificate.md, with |p|^2
-// = 2 W in hard contact: sqrt(G) |p| for a field near the answer and G +
+// = 2 W in hard contact: sqrt(G) |p| for a field near the solution and G +
 // |p|^2/4 for one far from it, over p_0, and the distance of the submitted mean
 // gap on top. Tolerance: roundoff. Random problems cannot show this, because
 // the bound is some orders above their errors.

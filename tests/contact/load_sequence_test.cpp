@@ -207,7 +207,7 @@ TEST_F(Sequence, AugmentedPenaltyConvergesToHardContact) {
 
 // With one deep node in a flat surface, which is the last to touch, the
 // multipliers converge too slowly. The solver of hard contact, which has the
-// same solution, completes the step, and the note says so.
+// same solution, completes the step, and the note states it.
 TEST(AugmentedContact, IsFinishedByHardContact) {
   const Grid grid{32, 32, 1.0, 1.0};
   std::vector<double> heights(grid.size(), 1.0 / 1024.0);

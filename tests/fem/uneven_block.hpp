@@ -49,7 +49,7 @@ void each_cell(const NodeLattice& lattice, std::size_t layers,
 class UnevenBlock {
 public:
   /// @param spread  cell moduli lie evenly in 1 -+ spread times their layer's
-  /// @param springs of the face's nodes [N/m], or empty
+  /// @param springs of the nodes of the contact surface [N/m], or empty
   UnevenBlock(const Grid& grid, int degree, const LayeredBlock& block,
               double spread, unsigned int seed,
               const std::vector<double>& springs)

@@ -32,7 +32,7 @@ double first_moment(const Histogram& histogram) {
   return sum;
 }
 
-// The integral is the area fraction (rounding of 40 bins), the first moment the
+// The integral is the area fraction (roundoff of 40 bins), the first moment the
 // nominal pressure to half a bin times the area, with and without weights; the
 // density of a linear ramp is flat.
 TEST(PressureHistogram, IntegratesToAreaAndNominalPressure) {

@@ -84,7 +84,7 @@ TEST_F(ForeignFile, NeedsOnlyPressureAndGap) {
               1e-12);
 }
 
-// The rms height is that of the map where no attribute says it.
+// The rms height is that of the map where no attribute states it.
 TEST_F(ForeignFile, GetsItsRmsHeightFromItsMap) {
   write([](Hdf5File& file) {
     Hdf5Group surface = file.open_or_create("surfaces").open_or_create("0");

@@ -19,7 +19,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // A rectangle of a x b cells has its own area and 2 (a h_x + b h_y), also where
-// it lies across the periodic border. Tolerance: rounding of a sum of equal
+// it lies across the periodic border. Tolerance: roundoff of a sum of equal
 // terms and of two divisions.
 TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
   const Grid grid{20, 12, 2.0, 3.0};               // cells of 0.1 m x 0.25 m

@@ -105,7 +105,7 @@ TEST(MarkSpikes, FindsTheOnlyStepOfAFlatMap) {
   EXPECT_EQ(map.is_missing[map.map.grid.index(7, 8)], 1);
 }
 
-// A function whose discrete Laplacian vanishes is restored to rounding, on
+// A function whose discrete Laplacian vanishes is restored to roundoff, on
 // pixels that are not square: x y, x and x^2 - y^2 in units of length.
 TEST(FillMissing, RestoresHarmonicHeights) {
   const Grid grid{12, 10, 3.6, 1.0};

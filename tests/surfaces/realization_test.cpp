@@ -91,8 +91,8 @@ TEST(Realization, DependsOnSeedAndRealization) {
             1e-9);
 }
 
-// a_q|^2 = C(q) (2 pi)^2/(L_x L_y) mode by mode, here on a rectangle,
-// by the transform of the map. Tolerance: rounding of the transforms against
+// |a_q|^2 = C(q) (2 pi)^2/(L_x L_y) mode by mode, here on a rectangle,
+// by the transform of the map. Tolerance: roundoff of the transforms against
 // the largest mode.
 TEST(Realization, HasExactlyTheSpectrumItCameFrom) {
   const Grid grid{64, 90, length, 1.5 * length};

@@ -71,7 +71,7 @@ TEST(SpectrumEstimate, OfAWaveIsOneRing) {
   EXPECT_NEAR(nayak_parameter(found), 1.5, 1e-10);
 }
 
-// Parseval's theorem to rounding: the rings sum to <h^2> of the periodic map,
+// Parseval's theorem to roundoff: the rings sum to <h^2> of the periodic map,
 // or of the windowed map over the mean square of the window.
 TEST(SpectrumEstimate, SumsToTheVariance) {
   const HeightMap map = corner(rough(4, 28), 60, 0);

@@ -36,7 +36,7 @@ HeightMap noise(const Grid& grid, int realization) {
 }
 
 /// D cos(2 pi x/l): skewness 0, kurtosis 3/2, rms D/sqrt2, slope q D/sqrt2,
-/// half the Laplacian q^2 D/(2 sqrt2). Tolerance: rounding.
+/// half the Laplacian q^2 D/(2 sqrt2). Tolerance: roundoff.
 TEST(Statistics, AreThoseOfACosine) {
   const HeightMap map = wave_1d({64, 16, length, length}, 2e-9, length / 4);
   const Statistics found = statistics(map);

@@ -32,7 +32,7 @@ HeightMap map_of(const Grid& grid,
 }
 
 // D cos(2 pi x/l): <|h|> = 2 D/pi up to the sum over 64 nodes, which is
-// cot(pi/64)/32 instead of 2/pi; all others exact to rounding.
+// cot(pi/64)/32 instead of 2/pi; all others exact to roundoff.
 TEST(HeightParameters, AreThoseOfACosine) {
   const HeightMap map = wave_1d({64, 8, 1e-5, 1e-5}, 2e-9, 1e-5);
 
@@ -54,7 +54,7 @@ TEST(HeightParameters, AreThoseOfACosine) {
 }
 
 // A plane of slopes a and b has the area sqrt(1 + a^2 + b^2), whatever the
-// shape of the cells. Tolerance: rounding.
+// shape of the cells. Tolerance: roundoff.
 TEST(HeightParameters, MeasureTheAreaOfAPlane) {
   const Grid grid{5, 7, 5.0, 14.0};
   const HeightMap map =
