@@ -68,7 +68,7 @@ Json to_json(const BenchPoint& point) {
           {"points", point.points},
           {"is_own", point.is_own},
           {"is_elastic", point.is_elastic},
-          {"is_truth", point.is_reference},
+          {"is_reference", point.is_reference},
           {"problem", point.problem},
           {"repeats", point.repeats},
           {"has_warm_up", point.has_warm_up},
@@ -112,7 +112,7 @@ Json to_json(const TargetOutcome& target) {
                       {"method", check.method},
                       {"predicted", number(check.predicted)},
                       {"found", number(check.found)},
-                      {"is_kept", check.is_met}});
+                      {"is_met", check.is_met}});
   return {{"target", number(target.target)},
           {"overrides", target.overrides},
           {"chosen", target.chosen},
@@ -122,7 +122,7 @@ Json to_json(const TargetOutcome& target) {
           {"predicted_cpu_time [s]", number(target.predicted_cpu_time)},
           {"cpu_time [s]", number(target.cpu_time)},
           {"search_cpu_time [s]", number(target.search_cpu_time)},
-          {"promises", checks}};
+          {"checks", checks}};
 }
 
 template <class Item>
@@ -178,7 +178,7 @@ std::string bench_json(const Bench& bench) {
 
 std::string bench_csv(const Bench& bench) {
   std::string text =
-      "method,kind,setting,points,is_own,is_truth,repeats,"
+      "method,kind,setting,points,is_own,is_reference,repeats,"
       "wall_time [s],least_wall_time [s],largest_wall_time [s],"
       "cpu_time [s],least_cpu_time [s],largest_cpu_time [s],peak_memory [B],"
       "steps,failed_steps,iterations,transforms,setup [s],transforms [s],"

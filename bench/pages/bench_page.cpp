@@ -65,14 +65,14 @@ Value target_data(const TargetOutcome& target) {
     row.set("quantity", check.quantity);
     row.set("method", check.method);
     row.set("estimator", check.estimator);
-    row.set("promised", per_cent(target.target));
+    row.set("target", per_cent(target.target));
     row.set("predicted", per_cent(check.predicted));
     row.set("found", per_cent(check.found));
-    row.set("class", check.is_met ? "kept" : "broken");
+    row.set("class", check.is_met ? "met" : "missed");
     row.set("word", check.is_met ? "yes" : "no");
     checks.push_back(row);
   }
-  value.set("promises", checks);
+  value.set("checks", checks);
   return value;
 }
 

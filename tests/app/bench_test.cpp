@@ -123,11 +123,11 @@ void QuickBench::expect_order_and_front() const {
 void QuickBench::expect_verified_promise() const {
   const Json target = json()["targets"][0];
   ASSERT_EQ(target["problem"], "");
-  ASSERT_EQ(target["promises"].size(), 1U); // the mean gap, of [expect]
-  for (const Json& promise : target["promises"]) {
+  ASSERT_EQ(target["checks"].size(), 1U); // the mean gap, of [expect]
+  for (const Json& promise : target["checks"]) {
     EXPECT_LT(promise["predicted"], 0.005);
     EXPECT_GT(promise["found"], 0.0);
-    EXPECT_EQ(promise["is_kept"], promise["found"] < 0.005);
+    EXPECT_EQ(promise["is_met"], promise["found"] < 0.005);
   }
 }
 
