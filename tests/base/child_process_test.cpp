@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-constexpr double patience = 20.0; // seconds, for a busy machine
+constexpr double time_limit = 20.0; // seconds, for a busy machine
 
 class ChildProcessTest : public testing::Test {
 protected:
@@ -97,7 +97,7 @@ TEST_F(ChildProcessTest, ReportsHowItFailed) {
 TEST_F(ChildProcessTest, ALostExitStatusIsAFailure) {
   const auto before = std::signal(SIGCHLD, SIG_IGN);
   ChildProcess child(shell("exit 3"));
-  const bool has_ended = child.has_ended(patience);
+  const bool has_ended = child.has_ended(time_limit);
   std::signal(SIGCHLD, before);
 
   ASSERT_TRUE(has_ended);

@@ -46,7 +46,7 @@ TEST_F(CollectionFile, KeepsTheOrderOfThePartsAndTheirFigures) {
 }
 
 TEST_F(CollectionFile, NamesEveryMistakeWithItsLine) {
-  const std::string said =
+  const std::string message =
       mistake("parts = [\"ligth\", \"heavy\", 3]\nfigure = []\n"
               "[figures]\nheavi = []\nheavy = \"a\"\n");
 
@@ -55,7 +55,8 @@ TEST_F(CollectionFile, NamesEveryMistakeWithItsLine) {
         "toml:1: parts has the item 3", "toml:1: parts lacks \"light\"",
         "toml:2: figure is unknown", "toml:4: figures.heavi is not a part",
         "toml:5: figures.heavy = \"a\", but must be a list"})
-    EXPECT_NE(said.find(part), std::string::npos) << part << " in\n" << said;
+    EXPECT_NE(message.find(part), std::string::npos) << part << " in\n"
+                                                     << message;
 }
 
 TEST_F(CollectionFile, RefusesTwoOfAPartAndNone) {

@@ -34,7 +34,7 @@ cutoff = "10 angstrom"
 contact_distance = "4.3615 angstrom"
 )";
 
-std::string told(const std::vector<std::string>& overrides) {
+std::string mistakes_in(const std::vector<std::string>& overrides) {
   return mistakes_of(atoms_case, overrides);
 }
 
@@ -64,21 +64,22 @@ TEST(MdCase, IsReadInSi) {
 // Every example of the vocabulary is valid where its condition holds.
 TEST(MdCase, TakesEveryExampleOfTheVocabulary) {
   for (const Key& key : vocabulary_table("md").keys)
-    EXPECT_EQ(told({"md." + key.name + "=" + key.example}), "") << key.name;
+    EXPECT_EQ(mistakes_in({"md." + key.name + "=" + key.example}), "")
+        << key.name;
 }
 
 TEST(MdCase, NamesIncompatibleKeys) {
-  EXPECT_EQ(told({"md.engine=lammps"}),
+  EXPECT_EQ(mistakes_in({"md.engine=lammps"}),
             "  --set: md.engine = \"lammps\" needs lattice = \"central\": its "
             "bonds are central springs\n");
-  EXPECT_EQ(told({"md.lattice=central"}),
+  EXPECT_EQ(mistakes_in({"md.lattice=central"}),
             "  --set: md.lattice = \"central\" has Poisson's ratio 1/4, but "
             "material.poisson_ratio = 0.42\n");
   EXPECT_EQ(
-      told({"md.cutoff=4 angstrom"}),
+      mistakes_in({"md.cutoff=4 angstrom"}),
       "  --set: md.cutoff = \"4 angstrom\", but must be > contact_distance = "
       "4.3615e-10 m: otherwise atoms in contact would not interact\n");
-  EXPECT_EQ(told({"md.minimizer=dynamics"}),
+  EXPECT_EQ(mistakes_in({"md.minimizer=dynamics"}),
             "  --set: md.minimizer needs bulk = \"explicit\": the atoms of a "
             "condensed block have no mass\n"
             "  case.toml:17: md.mass is missing, which this minimizer needs: a "
@@ -89,18 +90,19 @@ TEST(MdCase, NamesIncompatibleKeys) {
             "needs: a number [1/s] or a string with one of: 1/s, 1/ps\n"
             "  case.toml:17: md.duration is missing, which this minimizer "
             "needs: a number [s] or a string with one of: s, ps, fs\n");
-  EXPECT_EQ(told({"md.temperature=300 K"}),
+  EXPECT_EQ(mistakes_in({"md.temperature=300 K"}),
             "  case.toml:17: md.seed is missing, which a temperature needs: a "
             "whole number\n");
-  EXPECT_EQ(told({"md.atoms=401"}), "  --set: md.atoms = 401, but must be "
-                                    "even\n");
-  EXPECT_EQ(told({"md.bulk=explicit", "md.levels=6"}),
+  EXPECT_EQ(mistakes_in({"md.atoms=401"}),
+            "  --set: md.atoms = 401, but must be "
+            "even\n");
+  EXPECT_EQ(mistakes_in({"md.bulk=explicit", "md.levels=6"}),
             "  case.toml:18: md.atoms = 400, but must be a multiple of 32 for "
             "6 levels, each twice as coarse as the one before\n");
 }
 
 TEST(MdCase, NeedsThePotentialSpelledOut) {
-  EXPECT_EQ(told({"md.interaction_energy="}),
+  EXPECT_EQ(mistakes_in({"md.interaction_energy="}),
             "  case.toml:17: md.interaction_energy is missing: a number [J] or "
             "a string with one of: J, eV, meV\n");
 }
@@ -117,7 +119,7 @@ TEST(Magnification, IsEveryMethodsOwn) {
 }
 
 TEST(Magnification, IsRefusedWhereItLeavesNothing) {
-  EXPECT_EQ(told({"md.magnification=0.25"}),
+  EXPECT_EQ(mistakes_in({"md.magnification=0.25"}),
             "  --set: md.magnification = 0.25, but must be >= 0.333333: below "
             "it the surface has no roughness\n");
   EXPECT_NE(mistakes_of(shape_case("kind = \"wave-1d\"\nlength = 1e-6\n"

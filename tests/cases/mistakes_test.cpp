@@ -12,7 +12,7 @@ namespace {
 
 /// The messages about a case with a rough surface and these overrides, one per
 /// line.
-std::string told(const std::vector<std::string>& overrides) {
+std::string mistakes_in(const std::vector<std::string>& overrides) {
   return mistakes_of(contact_case, overrides);
 }
 
@@ -66,13 +66,13 @@ TEST(Mistakes, NameTheMissingTables) {
 }
 
 TEST(Mistakes, SayTheTableAKeyBelongsTo) {
-  EXPECT_EQ(told({"fem.gamma=0.4"}),
+  EXPECT_EQ(mistakes_in({"fem.gamma=0.4"}),
             "  --set: fem.gamma is not a key of this table; it belongs to "
             "[theory]\n");
 }
 
 TEST(Mistakes, OfAnInheritedKeyAreSaidOnce) {
-  EXPECT_EQ(told({"fem.growth=9", "fem.hard.contact=hard"}),
+  EXPECT_EQ(mistakes_in({"fem.growth=9", "fem.hard.contact=hard"}),
             "  --set: fem.growth = 9, but must be between 1 and 4 [1]\n");
 }
 
@@ -146,7 +146,7 @@ TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
       {"title=3", "title = 3, but must be a string"},
   };
   for (const auto& [entry, answer] : answers) {
-    const std::string mistakes = told({entry});
+    const std::string mistakes = mistakes_in({entry});
     const std::string last_line =
         mistakes.substr(mistakes.find(answer.substr(0, 6)));
     EXPECT_NE(mistakes.find(": " + answer + "\n"), std::string::npos)
@@ -187,19 +187,19 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
        "wave-2d"},
   };
   for (const auto& [entry, answer] : answers)
-    EXPECT_EQ(told({entry}), "  --set: " + answer + "\n") << entry;
+    EXPECT_EQ(mistakes_in({entry}), "  --set: " + answer + "\n") << entry;
 }
 
 TEST(Mistakes, SayThatAnExpectationNeedsTheTheory) {
   const std::string mistakes =
-      told({"theory=", "expect=", "expect.area_excess={ below = 1 }"});
+      mistakes_in({"theory=", "expect=", "expect.area_excess={ below = 1 }"});
 
   EXPECT_EQ(mistakes, "  --set: expect.area_excess is a comparison with "
                       "theory, but the table [theory] is missing\n");
 }
 
 TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
-  EXPECT_EQ(told({"surface.wavelength_roll_off=6 um"}),
+  EXPECT_EQ(mistakes_in({"surface.wavelength_roll_off=6 um"}),
             "  case.toml:3: surface has its wavevectors in the wrong order: "
             "q_L = 1.25664e+06 1/m, but must not exceed q_0 = 1.0472e+06 "
             "1/m\n");
@@ -207,9 +207,9 @@ TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
 
 TEST(Mistakes, RefuseASecondBodyBesideThePairsModulus) {
   EXPECT_EQ(
-      told({"material.youngs_modulus=", "material.contact_modulus=1e9",
-            "material.counter={ youngs_modulus = 1e9, poisson_ratio = "
-            "0.3 }"}),
+      mistakes_in({"material.youngs_modulus=", "material.contact_modulus=1e9",
+                   "material.counter={ youngs_modulus = 1e9, poisson_ratio = "
+                   "0.3 }"}),
       "  --set: material.counter cannot be combined with "
       "material.contact_modulus, which is that of both bodies together\n");
 }
@@ -226,11 +226,11 @@ TEST(Mistakes, AskForPoissonsRatioOnlyWhereItCounts) {
       "  case.toml:14: material.poisson_ratio is missing, which a block of "
       "finite depth needs: a number\n";
 
-  EXPECT_EQ(told(modulus_alone), answer);
-  EXPECT_EQ(told(with_slab), answer);
-  EXPECT_EQ(told(without_fem), "");
+  EXPECT_EQ(mistakes_in(modulus_alone), answer);
+  EXPECT_EQ(mistakes_in(with_slab), answer);
+  EXPECT_EQ(mistakes_in(without_fem), "");
   without_fem.emplace_back("report.stress_inside=true");
-  EXPECT_EQ(told(without_fem),
+  EXPECT_EQ(mistakes_in(without_fem),
             "  --set: report.stress_inside needs material.poisson_ratio, which "
             "is missing\n");
 }

@@ -277,8 +277,8 @@ TEST(ReadCase, RoundTripsThroughItsText) {
 }
 
 TEST(ReadCase, SaysThatAFileIsNotThere) {
-  const auto told = [](const std::string& path,
-                       const std::vector<std::string>& overrides) {
+  const auto mistakes_in = [](const std::string& path,
+                              const std::vector<std::string>& overrides) {
     try {
       (void)read_case(path, overrides);
     } catch (const input::InputError& error) {
@@ -288,24 +288,25 @@ TEST(ReadCase, SaysThatAFileIsNotThere) {
   };
   const std::string head = "1 mistake(s) in the case file\n  ";
 
-  EXPECT_EQ(told("no/case.toml", {}),
+  EXPECT_EQ(mistakes_in("no/case.toml", {}),
             head + "no/case.toml: there is no such file\n");
-  EXPECT_EQ(told("cases", {}),
+  EXPECT_EQ(mistakes_in("cases", {}),
             head + "cases: is a folder, but must be a regular file\n");
-  EXPECT_EQ(told("cases/wave-1d/case.toml",
-                 {"surface={ kind = \"measured\", file = \"no.txt\", level = "
-                  "\"none\", edges = \"periodic\" }",
-                  "expect="}),
-            head + "cases/wave-1d/case.toml: surface.file: there is no file "
-                   "cases/wave-1d/no.txt (a relative path is resolved from the "
-                   "case file's folder)\n");
   EXPECT_EQ(
-      told("cases/wave-1d/case.toml",
-           {"surface={ kind = \"measured\", file = \"/dev/zero\", level = "
-            "\"none\", edges = \"periodic\" }",
-            "expect="}),
-      head + "cases/wave-1d/case.toml: surface.file: /dev/zero: is a "
-             "device, but must be a regular file\n");
+      mistakes_in("cases/wave-1d/case.toml",
+                  {"surface={ kind = \"measured\", file = \"no.txt\", level = "
+                   "\"none\", edges = \"periodic\" }",
+                   "expect="}),
+      head + "cases/wave-1d/case.toml: surface.file: there is no file "
+             "cases/wave-1d/no.txt (a relative path is resolved from the "
+             "case file's folder)\n");
+  EXPECT_EQ(mistakes_in(
+                "cases/wave-1d/case.toml",
+                {"surface={ kind = \"measured\", file = \"/dev/zero\", level = "
+                 "\"none\", edges = \"periodic\" }",
+                 "expect="}),
+            head + "cases/wave-1d/case.toml: surface.file: /dev/zero: is a "
+                   "device, but must be a regular file\n");
 }
 
 // The digest of FIPS 180's example "abc", by sha1sum and by the standard.

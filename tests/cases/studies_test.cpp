@@ -49,7 +49,7 @@ Case read(const std::vector<std::string>& overrides = {}) {
   return read_case_text(studies_case, "case.toml", overrides);
 }
 
-std::string told(const std::vector<std::string>& overrides) {
+std::string mistakes_in(const std::vector<std::string>& overrides) {
   return mistakes_of(studies_case, overrides);
 }
 
@@ -113,8 +113,8 @@ TEST(Studies, OfAdhesionHaveTheirDefaults) {
 }
 
 TEST(Studies, NeedATheoryByTheFormula) {
-  EXPECT_EQ(told({"theory.spectrum=surface", "surface.points=256",
-                  "surface.seed=1", "adhesion="}),
+  EXPECT_EQ(mistakes_in({"theory.spectrum=surface", "surface.points=256",
+                         "surface.seed=1", "adhesion="}),
             "  case.toml:16: magnification needs a [theory] whose spectrum is "
             "\"formula\"\n"
             "  case.toml:27: expect.adhesion_flip needs the table [adhesion]\n"
@@ -123,22 +123,22 @@ TEST(Studies, NeedATheoryByTheFormula) {
 }
 
 TEST(Studies, NameTheMistakeInTheirValues) {
-  EXPECT_EQ(told({"adhesion.to=0.5"}),
+  EXPECT_EQ(mistakes_in({"adhesion.to=0.5"}),
             "  --set: adhesion.to = 0.5, but must be above adhesion.from\n");
   EXPECT_EQ(
-      told({"magnification.points=1"}),
+      mistakes_in({"magnification.points=1"}),
       "  --set: magnification.points = 1, but must be between 2 and 10000 "
       "[1]\n");
-  EXPECT_EQ(told({"magnification.leak=true"}),
+  EXPECT_EQ(mistakes_in({"magnification.leak=true"}),
             "  --set: magnification.leak = true, but must be a table: "
             "[magnification.leak]\n");
-  EXPECT_EQ(told({"magnification.reference_wavevector=7e5",
-                  "magnification.reference_wavelength=1 um"}),
+  EXPECT_EQ(mistakes_in({"magnification.reference_wavevector=7e5",
+                         "magnification.reference_wavelength=1 um"}),
             "  --set: magnification.reference_wavelength and "
             "magnification.reference_wavevector are both given; give only one "
             "of them\n");
   EXPECT_EQ(
-      told({"magnification=4"}),
+      mistakes_in({"magnification=4"}),
       "  --set: magnification = 4, but must be a table: [magnification]\n");
 }
 

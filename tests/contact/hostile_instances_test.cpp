@@ -226,9 +226,9 @@ std::string outcome_of(const Instance& instance) {
 }
 
 TEST(HostileInstances, AreVerifiedOrSayWhyNot) {
-  const char* const asked = std::getenv("ASPERITY_INSTANCES");
+  const char* const requested = std::getenv("ASPERITY_INSTANCES");
   const unsigned n_instances =
-      asked ? static_cast<unsigned>(std::atoi(asked)) : 3000;
+      requested ? static_cast<unsigned>(std::atoi(requested)) : 3000;
   std::map<std::string, int> outcomes;
   for (unsigned number = 1; number <= n_instances; ++number) {
     SCOPED_TRACE(number);

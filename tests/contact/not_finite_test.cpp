@@ -191,9 +191,9 @@ TEST_F(FaultyContact, TheCheckItselfSeesEachFault) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
   const ContactSolution good =
       solve_contact(exact, problem, {Kind::nominal_pressure, 0.05});
-  const auto error_of = [&](const ContactProblem& asked,
+  const auto error_of = [&](const ContactProblem& given,
                             const ContactSolution& answer) {
-    return problems::complementarity_error(exact, asked, answer);
+    return problems::complementarity_error(exact, given, answer);
   };
   ASSERT_LE(error_of(problem, good), 1.01 * tolerance);
   for (const double bad : {nan, infinity, -infinity})

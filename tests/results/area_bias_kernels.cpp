@@ -34,7 +34,7 @@ fem::LayeredBlock block(const Grid& grid, double surface_cell,
 
 /// Set up once per grid and cloned for every surface.
 template <class Build>
-auto kept(Build build) {
+auto cached(Build build) {
   auto store = std::make_shared<
       std::map<int, std::unique_ptr<contact::SurfaceOperator>>>();
   return [store, build](const Grid& grid) {
@@ -55,7 +55,8 @@ Kernel q1_kernel(const std::string& name, double surface_cell_depth,
         fem::condensed_compliance_q1(
             grid, block(grid, surface_cell_depth * grid.spacing_x(), growth)));
   };
-  return {name, kept(build), results::q1_area_coefficients(surface_cell_depth)};
+  return {name, cached(build),
+          results::q1_area_coefficients(surface_cell_depth)};
 }
 
 std::unique_ptr<contact::SurfaceOperator> q2_operator(const Grid& grid) {
@@ -67,13 +68,13 @@ std::unique_ptr<contact::SurfaceOperator> q2_operator(const Grid& grid) {
 
 std::vector<Kernel> all_kernels() {
   std::vector<Kernel> kernels;
-  kernels.push_back({"half-space", kept(halfspace),
+  kernels.push_back({"half-space", cached(halfspace),
                      results::halfspace_area_coefficients, 0.0, finest});
   for (const double depth : {0.5, 1.0, 1.5})
     kernels.push_back(
         q1_kernel(fmt::format("Q1, surface cells {} h deep", depth), depth));
   kernels.push_back(
-      {"Q2, cubic cells", kept(q2_operator), results::q2_area_coefficients});
+      {"Q2, cubic cells", cached(q2_operator), results::q2_area_coefficients});
   kernels.push_back(
       q1_kernel("Q1, cubic cells, layers growing by 1.1", 1.0, 1.1));
   kernels.push_back(q1_kernel("Q1, cubic cells, penalty 100 E*/h", 1.0));

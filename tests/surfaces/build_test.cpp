@@ -127,14 +127,14 @@ TEST(BuildSurface, TakesATableWithItsOwnOrARequestedAmplitude) {
 
   const IsotropicSpectrum own = formula_spectrum(surface);
   surface.rms_slope = 0.25;
-  const IsotropicSpectrum asked = formula_spectrum(surface);
+  const IsotropicSpectrum requested = formula_spectrum(surface);
 
   const double mean_square =
       2.0 * std::numbers::pi * 4e-30 * 4e12 * std::log(5.0);
   EXPECT_NEAR(own.mean_square_height / mean_square, 1.0, 1e-13);
-  EXPECT_NEAR(asked.mean_square_slope, 0.0625, 1e-15);
-  const double factor = asked.mean_square_slope / own.mean_square_slope;
-  EXPECT_NEAR(asked.density(3e6) / own.density(3e6) / factor, 1.0, 1e-14);
+  EXPECT_NEAR(requested.mean_square_slope, 0.0625, 1e-15);
+  const double factor = requested.mean_square_slope / own.mean_square_slope;
+  EXPECT_NEAR(requested.density(3e6) / own.density(3e6) / factor, 1.0, 1e-14);
 
   surface.rescale = true;
   EXPECT_NEAR(statistics(build_surface(surface, 0)).rms_slope, 0.25, 1e-13);

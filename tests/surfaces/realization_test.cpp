@@ -96,22 +96,22 @@ TEST(Realization, DependsOnSeedAndRealization) {
 // the largest mode.
 TEST(Realization, HasExactlyTheSpectrumItCameFrom) {
   const Grid grid{64, 90, length, 1.5 * length};
-  const IsotropicSpectrum asked = spectrum();
-  const HeightMap map = realize(asked, grid, {3, 0});
+  const IsotropicSpectrum requested = spectrum();
+  const HeightMap map = realize(requested, grid, {3, 0});
   std::vector<std::complex<double>> modes(grid.half_spectrum_size());
   RealFourier(grid).forward(map.heights, modes);
 
   const double mode_area = two_pi * two_pi / grid.area();
   const auto count = static_cast<double>(grid.size());
-  const double largest = asked.density(unit) * mode_area;
+  const double largest = requested.density(unit) * mode_area;
   std::size_t at = 0;
   for (int jy = 0; jy < grid.points_y; ++jy)
     for (int jx = 0; jx <= grid.points_x / 2; ++jx, ++at) {
       const double q = std::hypot(
           wavevector(jx, grid.length_x),
           wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y));
-      EXPECT_NEAR(std::norm(modes[at] / count), asked.density(q) * mode_area,
-                  1e-13 * largest)
+      EXPECT_NEAR(std::norm(modes[at] / count),
+                  requested.density(q) * mode_area, 1e-13 * largest)
           << jx << " " << jy;
     }
 }
@@ -120,7 +120,7 @@ TEST(Realization, HasExactlyTheSpectrumItCameFrom) {
 // Statistics: some 600 modes in each of 20 surfaces, mean of n exponentials is
 // 1 +- 1/sqrt(n), their mean square 2 +- sqrt(20/n): 4 sigma.
 TEST(Realization, HasGaussianAmplitudesOnDemand) {
-  const IsotropicSpectrum asked = spectrum();
+  const IsotropicSpectrum requested = spectrum();
   const Grid grid = square(64);
   const auto count = static_cast<double>(grid.size());
   std::vector<std::complex<double>> modes(grid.half_spectrum_size());
@@ -128,14 +128,14 @@ TEST(Realization, HasGaussianAmplitudesOnDemand) {
   double sum = 0.0;
   double sum_of_squares = 0.0;
   for (int realization = 0; realization < 20; ++realization) {
-    RealFourier(grid).forward(
-        realize(asked, grid, {5, realization}, mechanics::Amplitudes::gaussian)
-            .heights,
-        modes);
+    RealFourier(grid).forward(realize(requested, grid, {5, realization},
+                                      mechanics::Amplitudes::gaussian)
+                                  .heights,
+                              modes);
     for (int j = 0; j < 64; ++j)
       for (int i = 1; i < 32; ++i) {
         const double density =
-            asked.density(unit * std::hypot(i, signed_wavenumber(j, 64)));
+            requested.density(unit * std::hypot(i, signed_wavenumber(j, 64)));
         if (density == 0.0)
           continue;
         const auto at = static_cast<std::size_t>(j * 33 + i);
@@ -151,10 +151,10 @@ TEST(Realization, HasGaussianAmplitudesOnDemand) {
   EXPECT_NEAR(sum_of_squares / n, 2.0, 4.0 * std::sqrt(20.0 / n));
 }
 
-std::string message_of(const IsotropicSpectrum& asked, const Grid& grid,
+std::string message_of(const IsotropicSpectrum& requested, const Grid& grid,
                        const RandomKey& key) {
   try {
-    realize(asked, grid, key);
+    realize(requested, grid, key);
   } catch (const std::domain_error& error) {
     return error.what();
   }

@@ -36,9 +36,10 @@ TEST(Leakage, PoreIsWhereTheAreaIsCritical) {
   const Leak leak = leakage(contact, water, 1e5);
 
   ASSERT_TRUE(leak.percolates);
-  const double seen = shape.moment(leak.magnification * reference, 3);
-  EXPECT_NEAR(std::erf(0.3e6 / modulus / std::sqrt(std::numbers::pi * seen)),
-              square_lattice_critical_area, 1e-12);
+  const double resolved = shape.moment(leak.magnification * reference, 3);
+  EXPECT_NEAR(
+      std::erf(0.3e6 / modulus / std::sqrt(std::numbers::pi * resolved)),
+      square_lattice_critical_area, 1e-12);
   EXPECT_EQ(leak.pore_gap, contact.opening_gap(leak.magnification));
   EXPECT_NEAR(leak.pore_size * leak.magnification * reference,
               2.0 * std::numbers::pi, 1e-12);

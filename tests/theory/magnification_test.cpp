@@ -36,11 +36,11 @@ TEST(Magnification, AreaAndHeightAreMomentsAboveAndBelow) {
   const double ratio = pressure / modulus_of_the_paper;
   for (const double zeta : {0.4, 0.9, 1.0, 2.5}) {
     const double q = zeta * shape.roll_off;
-    const double seen = shape.moment(q, 3);
+    const double resolved = shape.moment(q, 3);
     const double hidden = shape.moment(shape.high, 1) - shape.moment(q, 1);
 
     EXPECT_NEAR(contact.area_fraction(zeta) /
-                    std::erf(ratio / std::sqrt(pi * seen)),
+                    std::erf(ratio / std::sqrt(pi * resolved)),
                 1.0, 1e-13);
     EXPECT_NEAR(contact.rms_height(zeta) / std::sqrt(2.0 * pi * hidden), 1.0,
                 1e-13);
