@@ -36,7 +36,7 @@ void centre(std::span<double> values) {
     value -= sum / static_cast<double>(values.size());
 }
 
-/// Takes the mean out of what the support holds.
+/// Subtracts the mean of the components that the support constrains.
 void hold(const MultiscaleBlock& block, bool is_height_held,
           std::span<double> values) {
   const std::size_t n = block.shape().layer.size();
@@ -44,7 +44,7 @@ void hold(const MultiscaleBlock& block, bool is_height_held,
     centre(values.subspan(axis * n, n));
 }
 
-struct Scene {
+struct BlockProblem {
   int levels = 1;
   int layers = 6;
   int atoms_x = 16;
@@ -53,25 +53,28 @@ struct Scene {
   mechanics::AtomLattice lattice = mechanics::AtomLattice::isotropic;
 };
 
-void PrintTo(const Scene& scene, std::ostream* out) {
-  *out << scene.levels << " levels of " << scene.layers << ", " << scene.atoms_x
-       << " x " << scene.atoms_y << (scene.is_height_held ? ", held" : "");
+void PrintTo(const BlockProblem& problem, std::ostream* out) {
+  *out << problem.levels << " levels of " << problem.layers << ", "
+       << problem.atoms_x << " x " << problem.atoms_y
+       << (problem.is_height_held ? ", held" : "");
 }
 
-class EveryScene : public ::testing::TestWithParam<Scene> {};
+class EveryProblem : public ::testing::TestWithParam<BlockProblem> {};
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, EveryScene,
-    ::testing::Values(Scene{}, Scene{1, 1, 2, 4, true}, Scene{1, 20, 8, 8},
-                      Scene{2, 2, 6, 10, true}, Scene{3, 6, 16, 24},
-                      Scene{4, 3, 16, 8, true, mechanics::AtomLattice::born},
-                      Scene{3, 2, 4, 12, false,
-                            mechanics::AtomLattice::central}));
+    Problems, EveryProblem,
+    ::testing::Values(
+        BlockProblem{}, BlockProblem{1, 1, 2, 4, true},
+        BlockProblem{1, 20, 8, 8}, BlockProblem{2, 2, 6, 10, true},
+        BlockProblem{3, 6, 16, 24},
+        BlockProblem{4, 3, 16, 8, true, mechanics::AtomLattice::born},
+        BlockProblem{3, 2, 4, 12, false, mechanics::AtomLattice::central}));
 
-// Claim: solve undoes the block's own forces and the contact springs exactly,
-// by stencil and hanging atoms there, by waves here. Tolerance: rounding times
-// the condition of a wave's chain, some hundreds.
-TEST_P(EveryScene, UndoesTheForcesOfAnyDisplacement) {
+// Verifies that solve() inverts the forces of the block and of the contact
+// springs exactly: these are computed by stencil and hanging atoms, the inverse
+// in Fourier space. Tolerance: roundoff times the condition number of the chain
+// of one wave, some hundreds.
+TEST_P(EveryProblem, InvertsTheForcesOfAnyDisplacement) {
   const auto [levels, layers, atoms_x, atoms_y, is_held, lattice] = GetParam();
   const MultiscaleBlock block =
       block_of(crystal_of(lattice), atoms_x, atoms_y, levels, layers);
@@ -97,8 +100,8 @@ TEST_P(EveryScene, UndoesTheForcesOfAnyDisplacement) {
     ASSERT_NEAR(answer[i], state[i], 1e-12 * 1e-11) << i;
 }
 
-// Claim: the solver is symmetric and positive, as a preconditioner must be.
-TEST_P(EveryScene, IsSymmetricAndPositive) {
+// The solver is symmetric and positive, as a preconditioner must be.
+TEST_P(EveryProblem, IsSymmetricAndPositive) {
   const auto [levels, layers, atoms_x, atoms_y, is_held, lattice] = GetParam();
   const MultiscaleBlock block =
       block_of(crystal_of(lattice), atoms_x, atoms_y, levels, layers);
@@ -130,7 +133,7 @@ TEST_P(EveryScene, IsSymmetricAndPositive) {
 }
 
 /// Amplitude of z under a force cos(2 pi j x / L) on every atom of the lowest
-/// layer, over the force [m/N].
+/// layer, divided by the force [m/N].
 double compliance(const MultiscaleBlock& block, int wavenumber) {
   const BlockSolver solver(block, {0.0, true});
   const Grid& grid = block.shape().layer;
@@ -149,8 +152,8 @@ double compliance(const MultiscaleBlock& block, int wavenumber) {
   return 2.0 * projection / static_cast<double>(grid.size());
 }
 
-// Claim: one level is what slab doubling makes of the same cells (another
-// algorithm, on one wave). Tolerance: rounding.
+// Verifies that one level equals slab doubling with the same cells (another
+// algorithm, for one wave). Tolerance: roundoff.
 TEST(BlockSolver, AgreesWithSlabDoublingOnOneLevel) {
   const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const SlabSymbol slab(crystal);
@@ -166,8 +169,9 @@ TEST(BlockSolver, AgreesWithSlabDoublingOnOneLevel) {
   }
 }
 
-/// How much too stiff the multiscale block is for the stiffest of the waves of
-/// 64 atoms over wavenumber = 1..last, against one level of the same depth [1].
+/// Relative excess stiffness of the multiscale block, the largest over the
+/// waves of 64 atoms of wavenumber 1..last, against one level of the same depth
+/// [1].
 double largest_stiffening(int levels, int layers, int last) {
   const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const MultiscaleBlock block =
@@ -183,9 +187,10 @@ double largest_stiffening(int levels, int layers, int last) {
   return error;
 }
 
-// Claim: what coarsening costs in stiffness falls with the layers a level. Six
-// stay within 1 %, for all waves; two are 3 to 6 % too stiff for the long waves
-// that rule p(u), as the design says, and up to 9 % for those of six atoms.
+// Verifies that the excess stiffness from coarsening decreases with the number
+// of layers per level. With six it is within 1 % for all waves; with two it is
+// 3 to 6 % for the long waves that determine p(u), as in the design, and up to
+// 9 % for those of six atoms.
 TEST(BlockSolver, MultiscaleBlockIsSlightlyTooStiff) {
   EXPECT_GT(largest_stiffening(3, 6, 16), 0.005);
   EXPECT_LT(largest_stiffening(3, 6, 16), 0.01);
@@ -194,7 +199,7 @@ TEST(BlockSolver, MultiscaleBlockIsSlightlyTooStiff) {
   EXPECT_LT(largest_stiffening(4, 2, 16), 0.09);
 }
 
-TEST(BlockSolver, RefusesABlockThatCouldFlyOff) {
+TEST(BlockSolver, RefusesAnUnsupportedBlock) {
   const MultiscaleBlock block =
       block_of(crystal_of(mechanics::AtomLattice::isotropic), 4, 4, 1, 2);
 

@@ -1,5 +1,5 @@
-// Claims about md/lattice/crystal.hpp: one cell costs what the continuum costs
-// in homogeneous strain, and nothing where it must cost nothing.
+// Tests of md/lattice/crystal.hpp: one cell has the energy of the continuum in
+// homogeneous strain, and none under rigid motion.
 #include "md/lattice/crystal.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST_P(AnyLattice, IsSymmetric) {
       EXPECT_EQ(matrix[i * 24 + j], matrix[j * 24 + i]);
 }
 
-TEST_P(AnyLattice, MovesForNothing) {
+TEST_P(AnyLattice, TranslatesWithoutEnergy) {
   const std::array<double, 3> shift{spacing, -2.0 * spacing, 0.5 * spacing};
 
   const double density = doubled_density(GetParam(), displaced({}, shift));
@@ -83,9 +83,10 @@ TEST_P(AnyLattice, MovesForNothing) {
   EXPECT_NEAR(density / modulus, 0.0, rounding);
 }
 
-// Claim: nothing but rigid motion is free: 24 less 6 positive eigenvalues, 24
-// less 3 for born. Cholesky of the matrix with its diagonal raised by a little
-// ends without a negative pivot, and as many pivots are small as motions free.
+// Verifies that only rigid motion costs no energy: 24 minus 6 positive
+// eigenvalues, 24 minus 3 for born. The Cholesky factorisation of the matrix
+// with a slightly increased diagonal has no negative pivot, and as many small
+// pivots as there are rigid motions.
 TEST_P(AnyLattice, HasNoOtherFreeMotion) {
   CellStiffness matrix = cell_stiffness(GetParam());
   const double scale = modulus * spacing;
@@ -124,7 +125,7 @@ TEST(IsotropicCell, IsTheContinuumInHomogeneousStrain) {
   }
 }
 
-TEST(CentralCell, IsTheContinuumOfOneQuarter) {
+TEST(CentralCell, IsTheContinuumForPoissonsRatioOneQuarter) {
   const double density =
       doubled_density(crystal_of(mechanics::AtomLattice::central, 0.25),
                       displaced(some_gradient));
@@ -132,7 +133,7 @@ TEST(CentralCell, IsTheContinuumOfOneQuarter) {
   EXPECT_NEAR(density / isotropic_density(0.25, some_gradient), 1.0, 1e-12);
 }
 
-TEST(InvariantCells, RotateForNothing) {
+TEST(InvariantCells, RotateWithoutEnergy) {
   const Gradient turn{{{0.0, -0.3, 0.2}, {0.3, 0.0, 0.5}, {-0.2, -0.5, 0.0}}};
 
   for (const Crystal& crystal :
@@ -142,8 +143,8 @@ TEST(InvariantCells, RotateForNothing) {
                 rounding);
 }
 
-// Claim: C_11 = E in each direction, G for each gradient across, and no
-// coupling of any two: the energy is a sum of squares.
+// C_11 = E in each direction, G for each gradient across it, and no coupling of
+// any two: the energy is a sum of squares.
 TEST(BornCell, IsASumOfSquaresOfTheGradient) {
   const double shear = modulus / (2.0 * 1.42);
   double expected = 0.0;
@@ -157,7 +158,7 @@ TEST(BornCell, IsASumOfSquaresOfTheGradient) {
   EXPECT_NEAR(density / expected, 1.0, rounding);
 }
 
-TEST(LongWaves, ShowTheClosedForms) {
+TEST(LongWaves, HaveTheClosedForms) {
   EXPECT_DOUBLE_EQ(long_wave_contact_modulus(
                        crystal_of(mechanics::AtomLattice::isotropic, 0.42)),
                    modulus / (1.0 - 0.42 * 0.42));

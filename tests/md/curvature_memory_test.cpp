@@ -1,5 +1,5 @@
-// Claims about md/minimise/curvature_memory.hpp: three calls make the product
-// with the inverse that the update's matrix formula writes down.
+// Tests of md/minimise/curvature_memory.hpp: three calls form the product with
+// the inverse that the matrix formula of the update defines.
 #include "md/minimise/curvature_memory.hpp"
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Matrix = Eigen::MatrixXd;
 
 constexpr Eigen::Index unknowns = 2100; // more than one block of the cache
 
-/// Whole numbers, which single precision keeps.
+/// Whole numbers, which single precision represents exactly.
 Vector random_vector(std::mt19937& generator) {
   std::uniform_int_distribution<int> uniform(-9, 9);
   Vector vector(unknowns);
@@ -48,9 +48,9 @@ Vector updated(const std::vector<Vector>& steps,
 
 class ManySteps : public ::testing::TestWithParam<int> {};
 
-// Claim: any number of steps into a memory of four is the formula applied to
-// the last four. Rounding of sums of 2100 terms, amplified by the recursion.
-TEST_P(ManySteps, ArePutTogetherAsTheFormulaSays) {
+// Any number of steps with a memory of four equals the formula with the last
+// four. Tolerance: roundoff of sums of 2100 terms, amplified by the recursion.
+TEST_P(ManySteps, AreCombinedByTheFormula) {
   std::mt19937 generator(11);
   CurvatureMemory memory(unknowns, 4);
   std::vector<Vector> steps;
@@ -81,7 +81,7 @@ TEST_P(ManySteps, ArePutTogetherAsTheFormulaSays) {
 INSTANTIATE_TEST_SUITE_P(Counts, ManySteps,
                          ::testing::Values(0, 1, 2, 4, 5, 7, 11));
 
-TEST(CurvatureMemory, KeepsNoPairThatCurvesDown) {
+TEST(CurvatureMemory, RefusesPairsOfNegativeCurvature) {
   std::mt19937 generator(12);
   CurvatureMemory memory(unknowns, 4);
   const Vector step = random_vector(generator);
@@ -95,7 +95,7 @@ TEST(CurvatureMemory, KeepsNoPairThatCurvesDown) {
   EXPECT_EQ(memory.size(), 0U);
 }
 
-TEST(CurvatureMemory, OfNoPairsIsTheCallersInverse) {
+TEST(CurvatureMemory, WithoutPairsIsTheInverseOfTheCaller) {
   std::mt19937 generator(13);
   CurvatureMemory memory(unknowns, 0);
   const Vector step = random_vector(generator);

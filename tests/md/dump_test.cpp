@@ -17,8 +17,8 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
 struct Atom {
   std::string species;
@@ -58,19 +58,19 @@ protected:
       ("asperity-dump-" + std::to_string(::getpid()) + ".xyz");
 };
 
-// Claim: every atom is in the file, where it is, with what it bears.
-// Tolerance: six printed decimals.
+// Verifies that every atom is in the file, at its position and with its
+// pressure. Tolerance: six printed decimals.
 TEST_F(Dump, HoldsEveryAtomOfAnExplicitBlock) {
-  RoughContact scene{16, 2, 2};
-  const ExplicitSystem system = scene.system();
+  RoughContact problem{16, 2, 2};
+  const ExplicitSystem system = problem.system();
   std::vector<double> state = system.undeformed(5.0 * angstrom);
   for (std::size_t i = 0; i < state.size(); ++i)
     state[i] += 1e-12 * std::sin(static_cast<double>(i));
   const std::vector<double> pressures =
-      scenes::random_numbers(system.layer().size(), 0.0, 1e9, 5);
+      problems::random_numbers(system.layer().size(), 0.0, 1e9, 5);
 
   std::vector<AtomGroup> groups{
-      substrate_atoms(scene.substrate(), scene.heights()),
+      substrate_atoms(problem.substrate(), problem.heights()),
       contact_atoms(system, state, pressures)};
   for (AtomGroup& group : inner_atoms(system.block(), state))
     groups.push_back(std::move(group));
@@ -90,7 +90,7 @@ TEST_F(Dump, HoldsEveryAtomOfAnExplicitBlock) {
                         {"S", 26 * 26}, {"B", 256}, {"B0", 256}, {"B1", 128}}));
 
   const double printed = 0.5001e-6;
-  const std::vector<double> heights = scene.heights();
+  const std::vector<double> heights = problem.heights();
   EXPECT_NEAR(picture.atoms[30].x, 4 * 41.6 / 26, printed);
   EXPECT_NEAR(picture.atoms[30].y, 41.6 / 26, printed);
   EXPECT_NEAR(picture.atoms[30].z, heights[30] * 1e10, printed);

@@ -1,5 +1,6 @@
-// Claims about md/dynamics/dynamics_run.hpp and md/dynamics/checkpoint.hpp:
-// interrupted and taken up again is uninterrupted, and what a hot run averages.
+// Tests of md/dynamics/dynamics_run.hpp and md/dynamics/checkpoint.hpp: an
+// interrupted and resumed run equals an uninterrupted one, and the averages at
+// finite temperature.
 #include "md/dynamics/checkpoint.hpp"
 #include "md/dynamics/dynamics_run.hpp"
 
@@ -19,8 +20,8 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
 struct Killed {};
 
@@ -39,7 +40,7 @@ protected:
 
   std::vector<double> start() const { return system.undeformed(load.amount); }
 
-  /// 203 steps of 300 K, put aside every 40.
+  /// 203 steps at 300 K with a checkpoint every 40.
   DynamicsRun hot_run(bool is_put_aside) const {
     return {{5e-15, 5e12, 300.0, 3, 1},
             203 * 5e-15,
@@ -65,8 +66,8 @@ void expect_same_bits(const DynamicsOutcome& a, const DynamicsOutcome& b) {
   EXPECT_EQ(a.average.force_spread, b.average.force_spread);
 }
 
-// Claim: stopped by the user at any step, the run goes on there.
-TEST_F(Runs, StoppedAndTakenUpAgainAreUninterrupted) {
+// A run that the user stops at any step resumes there.
+TEST_F(Runs, StoppedAndResumedEqualUninterrupted) {
   std::vector<double> whole = start();
   const DynamicsOutcome expected =
       run_dynamics(system, load, whole, hot_run(false));
@@ -89,9 +90,9 @@ TEST_F(Runs, StoppedAndTakenUpAgainAreUninterrupted) {
   EXPECT_FALSE(std::filesystem::exists(folder / "motion"));
 }
 
-// Claim: killed without a word, in the first half and in the second, the run
-// goes on from the last checkpoint, at steps 80 and 160.
-TEST_F(Runs, KilledAndTakenUpAgainAreUninterrupted) {
+// A run that is killed, in the first half and in the second, resumes from the
+// last checkpoint, at steps 80 and 160.
+TEST_F(Runs, KilledAndResumedEqualUninterrupted) {
   std::vector<double> whole = start();
   const DynamicsOutcome expected =
       run_dynamics(system, load, whole, hot_run(false));
@@ -118,9 +119,9 @@ TEST_F(Runs, KilledAndTakenUpAgainAreUninterrupted) {
   expect_same_bits(outcome, expected);
 }
 
-// Claim: a checkpoint of another run, a shortened one and one with a byte
-// changed in its head are left alone and the run begins anew.
-TEST_F(Runs, ForeignCheckpointsAreNotTakenUp) {
+// A checkpoint of another run, a truncated one and one with a byte changed in
+// its header are ignored, and the run starts from the beginning.
+TEST_F(Runs, ForeignCheckpointsAreIgnored) {
   const std::string mine(40, 'a');
   Checkpoint written;
   written.motion.step = 7;
@@ -139,7 +140,7 @@ TEST_F(Runs, ForeignCheckpointsAreNotTakenUp) {
 
   EXPECT_FALSE(read_checkpoint(folder / "absent", mine, 2, 1));
   EXPECT_FALSE(read_checkpoint(path, std::string(40, 'b'), 2, 1));
-  EXPECT_FALSE(read_checkpoint(path, mine, 1, 3)); // as many numbers
+  EXPECT_FALSE(read_checkpoint(path, mine, 1, 3)); // the same number of values
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
   EXPECT_FALSE(read_checkpoint(path, mine, 2, 1));
   write_checkpoint(path, mine, written);
@@ -147,9 +148,9 @@ TEST_F(Runs, ForeignCheckpointsAreNotTakenUp) {
   EXPECT_FALSE(read_checkpoint(path, mine, 2, 1));
 }
 
-// Claim: whatever defines a run is in its fingerprint: another seed, load or
-// label does not go on from the checkpoint.
-TEST_F(Runs, AnotherRunBeginsAnew) {
+// Everything that defines a run is in its fingerprint: a run with another seed,
+// load or label does not resume from the checkpoint.
+TEST_F(Runs, AnotherRunStartsFromTheBeginning) {
   const auto first_evaluation = [&](const DynamicsRun& run,
                                     const Load& target) {
     int first = 0;
@@ -182,17 +183,18 @@ TEST_F(Runs, AnotherRunBeginsAnew) {
   EXPECT_EQ(first_evaluation(hot_run(true), other_load), 1);
 }
 
-// Claim: a hot block under pressure bears its load on average. Tolerance: three
-// standard errors, the samples' spread over the root of some 20 swings of the
-// block on its contact (2 pi / w = 10 ps at w^2 = 0.5 N/m / 5 m).
-TEST_F(Runs, HotBlockBearsItsLoadOnAverage) {
-  RoughContact scene{8, 1, 2};
-  scene.rms_height = 0.3 * angstrom;
-  ExplicitSystem small = scene.system();
+// At finite temperature a block under pressure balances its load on average.
+// Tolerance: three standard errors, the spread of the samples over the root of
+// some 20 oscillations of the block on its contact (2 pi / w = 10 ps at w^2 =
+// 0.5 N/m / 5 m).
+TEST_F(Runs, ThermalBlockBalancesItsLoadOnAverage) {
+  RoughContact problem{8, 1, 2};
+  problem.rms_height = 0.3 * angstrom;
+  ExplicitSystem small = problem.system();
   const Load pressure{Load::Kind::nominal_pressure, 1e9};
   small.set_load(pressure);
   std::vector<double> state =
-      small.undeformed(scene.highest() + 3.8 * angstrom);
+      small.undeformed(problem.highest() + 3.8 * angstrom);
   const DynamicsRun run{
       {10e-15, 2e12, 300.0, 3, 1}, 150e-12, 0.0, {}, 1000, {}};
 
@@ -203,7 +205,7 @@ TEST_F(Runs, HotBlockBearsItsLoadOnAverage) {
   const std::vector<double>& forces = outcome.average.normal_forces;
   const double mean = std::accumulate(forces.begin(), forces.end(), 0.0) /
                       static_cast<double>(forces.size());
-  const double load_an_atom = 1e9 * scene.layer().cell_area();
+  const double load_an_atom = 1e9 * problem.layer().cell_area();
   EXPECT_GT(outcome.average.force_spread, 0.0);
   EXPECT_GT(outcome.average.height_spread, 0.0);
   EXPECT_NEAR(mean, load_an_atom,

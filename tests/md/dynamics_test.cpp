@@ -1,4 +1,4 @@
-// Claims about md/dynamics/dynamics.hpp: energy, temperature and spread.
+// Tests of md/dynamics/dynamics.hpp: energy, temperature and spread.
 #include "base/maximum.hpp"
 #include "base/physical_constants.hpp"
 #include "md/dynamics/dynamics.hpp"
@@ -17,8 +17,8 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
 constexpr double femtosecond = 1e-15;
 
@@ -37,15 +37,14 @@ Estimate estimate(const std::vector<double>& values) {
   return {mean, std::sqrt(square / (n * (n - 1.0)))};
 }
 
-/// Unknowns that swing about 0, each with its own stiffness and mass, and do
-/// not know of each other.
+/// Independent oscillators about 0, each with its own stiffness and mass.
 class Oscillators : public InertialSystem {
 public:
   Oscillators() : interface_(RoughContact{16}.interface()) {
     for (std::size_t i = 0; i < size(); ++i) {
       const double slowness = 1.0 + static_cast<double>(i % 3);
       stiffnesses_.push_back(40.0 / slowness);
-      masses_.push_back(scenes::atom_mass * slowness);
+      masses_.push_back(problems::atom_mass * slowness);
     }
   }
 
@@ -88,13 +87,13 @@ private:
   std::vector<double> masses_;
 };
 
-// Claim: BAOAB gives oscillators the canonical spread of positions exactly, at
-// a time step of w h = 0.33 to 1, and velocities short of theirs by w^2 h^2 /
-// 4, as its author derives. Tolerance: three standard errors over 768
-// independent oscillators, some 0.5 %.
+// BAOAB gives oscillators the canonical spread of positions exactly, at a time
+// step of w h = 0.33 to 1, and velocities that are too small by w^2 h^2 / 4, as
+// its author derives. Tolerance: three standard errors over 768 independent
+// oscillators, some 0.5 %.
 TEST(Dynamics, GivesOscillatorsTheCanonicalSpread) {
   const Oscillators system;
-  const double step = std::sqrt(scenes::atom_mass / 40.0); // w h = 1
+  const double step = std::sqrt(problems::atom_mass / 40.0); // w h = 1
   const DynamicsSettings settings{step, 1.0 / step, 300.0, 5, 1};
   Dynamics dynamics(
       system, settings,
@@ -126,16 +125,16 @@ TEST(Dynamics, GivesOscillatorsTheCanonicalSpread) {
   EXPECT_NEAR(of_velocities.mean, 1.0, 3.0 * of_velocities.error);
 }
 
-// Claim: in a block of two levels every layer has the same temperature, light
-// atoms and heavy, and so has the plate on average. Tolerance: three standard
-// errors over 40 pieces of the run, each longer than 1 / gamma. The time step's
-// shortfall, w^2 h^2 / 4 < 0.002 at 2 fs, is below.
+// In a block of two levels every layer has the same temperature, light atoms
+// and heavy ones, and on average so has the plate. Tolerance: three standard
+// errors over 40 pieces of the run, each longer than 1 / gamma. The error of
+// the time step, w^2 h^2 / 4 < 0.002 at 2 fs, is smaller.
 TEST(Dynamics, SharesTheEnergyAmongAllLayers) {
-  RoughContact scene{8};
-  scene.levels = 2;
-  scene.layers = 2;
-  ExplicitSystem system = scene.system();
-  system.set_load({Load::Kind::height, 40.0 * angstrom}); // nothing touches
+  RoughContact problem{8};
+  problem.levels = 2;
+  problem.layers = 2;
+  ExplicitSystem system = problem.system();
+  system.set_load({Load::Kind::height, 40.0 * angstrom}); // no contact
   const DynamicsSettings settings{2.0 * femtosecond, 1e13, 300.0, 6, 1};
   Dynamics dynamics(system, settings,
                     {0, system.undeformed(40.0 * angstrom),
@@ -174,8 +173,8 @@ TEST(Dynamics, SharesTheEnergyAmongAllLayers) {
   }
 }
 
-/// Largest |E(t) - E(0)| over the mean kinetic energy in 1 ps of a hot contact
-/// left alone.
+/// Largest |E(t) - E(0)| over the mean kinetic energy in 1 ps of an undamped
+/// contact at finite temperature.
 double energy_drift(ExplicitSystem& system, const Motion& start,
                     double time_step) {
   Dynamics dynamics(system, {time_step, 0.0, 0.0, 0, 1}, start);
@@ -194,16 +193,16 @@ double energy_drift(ExplicitSystem& system, const Motion& start,
   return drift / kinetic;
 }
 
-// Claim: without damping the energy of a block in contact stays, within 5e-3 of
+// Without damping the energy of a block in contact is conserved, within 5e-3 of
 // the kinetic energy at the 10 fs of the paper's atoms, and the error is of
 // second order in the time step. Tolerance of the order: the next one, (w h)^2
 // of some 0.1 on a factor of 4.
-TEST(Dynamics, KeepsTheEnergyToSecondOrder) {
-  RoughContact scene{16};
-  scene.levels = 2;
-  scene.layers = 3;
-  ExplicitSystem system = scene.system();
-  const double height = scene.highest() + 3.5 * angstrom;
+TEST(Dynamics, ConservesTheEnergyToSecondOrder) {
+  RoughContact problem{16};
+  problem.levels = 2;
+  problem.layers = 3;
+  ExplicitSystem system = problem.system();
+  const double height = problem.highest() + 3.5 * angstrom;
   system.set_load({Load::Kind::height, height});
   const DynamicsSettings hot{5.0 * femtosecond, 5e12, 300.0, 9, 1};
   Dynamics heating(
@@ -223,11 +222,12 @@ TEST(Dynamics, KeepsTheEnergyToSecondOrder) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.4);
 }
 
-// Claim: heat does not move what is held. Tolerance: rounding of the sums.
-TEST(Dynamics, LeavesTheHeldMeansAlone) {
-  const RoughContact scene{16};
-  ExplicitSystem system = scene.system();
-  const double height = scene.highest() + 3.5 * angstrom;
+// The thermal noise does not change the prescribed means. Tolerance: roundoff
+// of the sums.
+TEST(Dynamics, LeavesPrescribedMeansUnchanged) {
+  const RoughContact problem{16};
+  ExplicitSystem system = problem.system();
+  const double height = problem.highest() + 3.5 * angstrom;
   system.set_load({Load::Kind::height, height});
   Dynamics dynamics(system, {5.0 * femtosecond, 5e12, 300.0, 10, 1},
                     {0, system.undeformed(height), {}});
@@ -249,9 +249,9 @@ TEST(Dynamics, LeavesTheHeldMeansAlone) {
   EXPECT_NEAR(mean(2), height, 1e-12 * height);
 }
 
-// Claim: noise is normal: mean, variance and fourth moment within three
-// standard errors of n numbers, 1, sqrt(2), sqrt(96) over sqrt(n); and the same
-// for any threads, another for another step.
+// The noise is normal: mean, variance and fourth moment within three standard
+// errors of n numbers, 1, sqrt(2), sqrt(96) over sqrt(n). It is the same for
+// any number of threads and differs from step to step.
 TEST(ThermalNoise, IsNormalAndFixedByItsKey) {
   std::vector<double> numbers(100'003);
   draw_normal(1, 2, 1, numbers);

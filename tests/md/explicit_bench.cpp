@@ -1,5 +1,6 @@
-// Cost of the explicit block: energy and forces a free atom, the exact solve a
-// free atom, and its set-up. Arguments: atoms a side, levels of six layers.
+// The cost of the explicit block: energy and forces per free atom, the exact
+// solve per free atom, and its set-up. Arguments: atoms per side, levels of six
+// layers.
 #include "md/lattice/block_solver.hpp"
 
 #include <benchmark/benchmark.h>
@@ -14,11 +15,12 @@ namespace {
 MultiscaleBlock block_of(const benchmark::State& run) {
   const auto atoms = static_cast<int>(run.range(0));
   const auto levels = static_cast<int>(run.range(1));
-  return {scenes::paper_crystal(),
-          {scenes::lattice(atoms, atoms * scenes::layer_spacing), levels, 6}};
+  return {
+      problems::paper_crystal(),
+      {problems::lattice(atoms, atoms * problems::layer_spacing), levels, 6}};
 }
 
-/// Seconds of this process's one thread, an atom and call.
+/// CPU seconds of one thread, per atom and call.
 void count_an_atom(benchmark::State& run, const MultiscaleBlock& block) {
   run.counters["an_atom"] =
       benchmark::Counter(static_cast<double>(block.size()) / 3.0,
@@ -29,7 +31,7 @@ void count_an_atom(benchmark::State& run, const MultiscaleBlock& block) {
 void energy_and_forces(benchmark::State& run) {
   const MultiscaleBlock block = block_of(run);
   const std::vector<double> state =
-      scenes::random_numbers(block.size(), -1e-11, 1e-11, 1);
+      problems::random_numbers(block.size(), -1e-11, 1e-11, 1);
   std::vector<double> forces(block.size());
   for (auto _ : run)
     benchmark::DoNotOptimize(block.energy_and_forces(state, forces));
@@ -40,7 +42,7 @@ void solve(benchmark::State& run) {
   const MultiscaleBlock block = block_of(run);
   const BlockSolver solver(block, {1.2, false});
   const std::vector<double> forces =
-      scenes::random_numbers(block.size(), -1e-9, 1e-9, 1);
+      problems::random_numbers(block.size(), -1e-9, 1e-9, 1);
   std::vector<double> answer(block.size());
   for (auto _ : run)
     solver.solve(forces, answer);

@@ -1,5 +1,5 @@
-// Claims about md/contact/explicit_contact.hpp: the load program of a rough
-// contact by each minimiser, and what is said about a step.
+// Tests of md/contact/explicit_contact.hpp: the loading path of a rough contact
+// by each minimiser, and the notes about a step.
 #include "input/input_error.hpp"
 #include "md/contact/explicit_contact.hpp"
 #include "md/engines.hpp"
@@ -22,37 +22,37 @@ namespace {
 
 using mechanics::AtomMinimizer;
 using mechanics::Control;
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
-AtomRequest request_of(const RoughContact& scene) {
+AtomRequest request_of(const RoughContact& problem) {
   AtomRequest request;
   mechanics::MdSettings& settings = request.settings;
   settings.bulk = mechanics::AtomBulk::explicit_layers;
-  settings.levels = scene.levels;
-  settings.layers = scene.layers;
-  settings.interaction_energy = scenes::paper_atoms().energy;
-  settings.interaction_distance = scenes::paper_atoms().distance;
+  settings.levels = problem.levels;
+  settings.layers = problem.layers;
+  settings.interaction_energy = problems::paper_atoms().energy;
+  settings.interaction_distance = problems::paper_atoms().distance;
   settings.cutoff = 10.0 * angstrom;
-  settings.contact_distance = scenes::contact_distance;
+  settings.contact_distance = problems::contact_distance;
   settings.tolerance = 1e-6;
-  settings.mass = scenes::atom_mass;
+  settings.mass = problems::atom_mass;
   settings.time_step = 10e-15;
   settings.damping = 6e11;
   settings.duration = 100e-12;
-  request.youngs_modulus = scenes::paper_crystal().youngs_modulus;
-  request.poisson_ratio = scenes::paper_crystal().poisson_ratio;
-  request.layer = scene.layer();
-  request.substrate = scene.substrate();
-  request.heights = scene.heights();
+  request.youngs_modulus = problems::paper_crystal().youngs_modulus;
+  request.poisson_ratio = problems::paper_crystal().poisson_ratio;
+  request.layer = problem.layer();
+  request.substrate = problem.substrate();
+  request.heights = problem.heights();
   return request;
 }
 
-RoughContact small_scene() {
-  RoughContact scene{16};
-  scene.levels = 2;
-  scene.layers = 3;
-  return scene;
+RoughContact small_contact() {
+  RoughContact problem{16};
+  problem.levels = 2;
+  problem.layers = 3;
+  return problem;
 }
 
 class Folder : public ::testing::Test {
@@ -66,11 +66,12 @@ protected:
       ("asperity-explicit-" + std::to_string(::getpid()));
 };
 
-// Claim: another process goes on from the state as this one does, bit by bit.
-TEST(ExplicitContact, GoesOnFromItsState) {
-  const auto first = make_explicit_contact(request_of(small_scene()));
+// Verifies that another process continues from the saved state as this one
+// does, bit for bit.
+TEST(ExplicitContact, ContinuesFromItsState) {
+  const auto first = make_explicit_contact(request_of(small_contact()));
   first->solve(Control::nominal_pressure, 2e8, 0);
-  const auto second = make_explicit_contact(request_of(small_scene()));
+  const auto second = make_explicit_contact(request_of(small_contact()));
   second->restore(first->state());
 
   const AtomStep went_on = first->solve(Control::nominal_pressure, 1e9, 1);
@@ -82,13 +83,13 @@ TEST(ExplicitContact, GoesOnFromItsState) {
   EXPECT_THROW(second->restore(std::vector<double>(3)), std::domain_error);
 }
 
-// Claim: pressure control and held height are two ways to one curve, although
-// one presses on the plate and the other on the layer. Tolerance: the residual,
-// 1e-6 of the mean force, over the stiffness of the curve, whose reach is some
-// hundred times larger; 1e-4.
+// Pressure control and prescribed height give one curve, although one loads the
+// plate and the other the layer. Tolerance: the residual, 1e-6 of the mean
+// force, over the stiffness of the curve, whose range is some hundred times
+// larger; 1e-4.
 TEST(ExplicitContact, PressureAndHeightAgree) {
-  const auto by_pressure = make_explicit_contact(request_of(small_scene()));
-  const auto by_height = make_explicit_contact(request_of(small_scene()));
+  const auto by_pressure = make_explicit_contact(request_of(small_contact()));
+  const auto by_height = make_explicit_contact(request_of(small_contact()));
   for (const double pressure : {2e8, 2e9}) {
     const AtomStep pressed =
         by_pressure->solve(Control::nominal_pressure, pressure, 0);
@@ -99,7 +100,7 @@ TEST(ExplicitContact, PressureAndHeightAgree) {
     ASSERT_TRUE(held.converged) << held.note;
     EXPECT_NEAR(pressed.nominal_pressure / pressure, 1.0, 1e-5);
     EXPECT_NEAR(held.nominal_pressure / pressure, 1.0, 1e-4);
-    // L-BFGS remembers its steps in single precision.
+    // L-BFGS stores its steps in single precision.
     EXPECT_NEAR(held.mean_gap, pressed.mean_gap, 1e-9 * angstrom);
     EXPECT_NEAR(held.elastic_energy / pressed.elastic_energy, 1.0, 1e-4);
     EXPECT_NEAR(held.interface_energy / pressed.interface_energy, 1.0, 1e-4);
@@ -109,9 +110,9 @@ TEST(ExplicitContact, PressureAndHeightAgree) {
   }
 }
 
-// Claim: L-BFGS, FIRE and damped motion give one answer. Tolerance: as above.
+// L-BFGS, FIRE and damped motion converge to one state. Tolerance: as above.
 TEST(ExplicitContact, AllMinimizersAgree) {
-  AtomRequest request = request_of(small_scene());
+  AtomRequest request = request_of(small_contact());
   const AtomStep lbfgs =
       make_explicit_contact(request)->solve(Control::nominal_pressure, 1e9, 0);
   request.settings.minimizer = AtomMinimizer::fire;
@@ -132,10 +133,10 @@ TEST(ExplicitContact, AllMinimizersAgree) {
   EXPECT_LT(motion.evaluations, 10000); // it ended early
 }
 
-// Claim: lifted off, the block bears no pressure and rests, and that is an
-// answer.
-TEST(ExplicitContact, NothingTouchesFarAbove) {
-  const auto contact = make_explicit_contact(request_of(small_scene()));
+// Without contact the block carries no pressure and is at rest, which is a
+// valid result.
+TEST(ExplicitContact, HasNoContactFarAbove) {
+  const auto contact = make_explicit_contact(request_of(small_contact()));
   ASSERT_TRUE(contact->solve(Control::nominal_pressure, 1e9, 0).converged);
 
   const AtomStep step = contact->solve(Control::mean_gap, 20.0 * angstrom, 1);
@@ -148,11 +149,10 @@ TEST(ExplicitContact, NothingTouchesFarAbove) {
   EXPECT_NEAR(step.elastic_energy, 0.0, 1e-20);
 }
 
-// Claim: a hot step is the mean of its second half, says by how much it
-// fluctuates, and interrupted and taken up again by another contact gives the
-// same bits.
-TEST_F(Folder, HotStepIsAveragedAndTakenUpAgain) {
-  AtomRequest request = request_of(small_scene());
+// A step at finite temperature is the mean of its second half and states its
+// fluctuation; interrupted and resumed by another object it has the same bits.
+TEST_F(Folder, ThermalStepIsAveragedAndResumed) {
+  AtomRequest request = request_of(small_contact());
   request.settings.minimizer = AtomMinimizer::dynamics;
   request.settings.temperature = 300.0;
   request.settings.damping = 5e12;
@@ -185,10 +185,10 @@ TEST_F(Folder, HotStepIsAveragedAndTakenUpAgain) {
   EXPECT_EQ(resumed.note, whole.note);
 }
 
-// Claim: a step that went through the substrate is not a result.
-TEST(ExplicitContact, SaysThatAtomsWentThrough) {
-  AtomRequest request = request_of(small_scene());
-  request.settings.interaction_energy *= 1e-9; // nothing to stop them
+// A step in which atoms pass through the substrate is not a result.
+TEST(ExplicitContact, ReportsAtomsThatPassedThrough) {
+  AtomRequest request = request_of(small_contact());
+  request.settings.interaction_energy *= 1e-9; // no repulsion
   const auto contact = make_explicit_contact(request);
 
   const AtomStep step = contact->solve(Control::mean_gap, -4.0 * angstrom, 0);
@@ -204,16 +204,16 @@ int atoms_in(const std::filesystem::path& dump) {
   return atoms;
 }
 
-// Claim: dumps are named by the step and hold what the bulk has: substrate and
+// Dumps are named by the step and contain what the bulk has: substrate and
 // lowest layer, or all free atoms.
 TEST_F(Folder, DumpsTheAtomsOfAStep) {
-  AtomRequest request = request_of(small_scene());
+  AtomRequest request = request_of(small_contact());
   request.scratch = path;
   request.settings.dump = true;
 
   make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 12);
   request.settings.bulk = mechanics::AtomBulk::green;
-  request.settings.depth = {18.0 * scenes::layer_spacing};
+  request.settings.depth = {18.0 * problems::layer_spacing};
   make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 13);
 
   const int both = 26 * 26 + 256;
@@ -221,10 +221,10 @@ TEST_F(Folder, DumpsTheAtomsOfAStep) {
   EXPECT_EQ(atoms_in(path / "step-0013.xyz"), both);
 }
 
-// Claim: one deep level shows the modulus that slab doubling finds. Tolerance:
-// rounding. Four levels of six layers show it within 1 %.
-TEST(ShownModulus, IsThatOfTheSlab) {
-  const Crystal crystal = scenes::paper_crystal();
+// Verifies that one deep level has the modulus of slab doubling. Tolerance:
+// roundoff. Four levels of six layers have it within 1 %.
+TEST(EffectiveModulus, IsThatOfTheSlab) {
+  const Crystal crystal = problems::paper_crystal();
   const double angle = 2.0 * std::acos(-1.0) / 63.0; // nearest to 0.1
 
   const double one = effective_contact_modulus(crystal, 1, 40);
@@ -236,17 +236,17 @@ TEST(ShownModulus, IsThatOfTheSlab) {
               1.0, 0.01);
 }
 
-TEST(ExplicitContact, RefusesWhatItIsNot) {
-  AtomRequest request = request_of(small_scene());
+TEST(ExplicitContact, RefusesOtherSettings) {
+  AtomRequest request = request_of(small_contact());
   request.settings.bulk = mechanics::AtomBulk::green;
   EXPECT_THROW(make_explicit_contact(request), input::InputError);
-  request = request_of(small_scene());
+  request = request_of(small_contact());
   request.settings.modes = mechanics::AtomModes::normal;
   EXPECT_THROW(make_explicit_contact(request), input::InputError);
-  request = request_of(small_scene());
+  request = request_of(small_contact());
   request.settings.levels = 6;
   EXPECT_THROW(make_explicit_contact(request), std::domain_error);
-  EXPECT_THROW(make_explicit_contact(request_of(small_scene()))
+  EXPECT_THROW(make_explicit_contact(request_of(small_contact()))
                    ->solve(Control::nominal_pressure, 0.0, 0),
                std::domain_error);
 }

@@ -1,5 +1,5 @@
-// Claims about md/contact/explicit_system.hpp: forces, loads, and the
-// surface-only block as judge.
+// Tests of md/contact/explicit_system.hpp: forces, loads, and the comparison
+// with the Green's function block.
 #include "md/contact/explicit_system.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/minimise/relaxation.hpp"
@@ -16,8 +16,8 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
 RelaxationSettings tight() {
   RelaxationSettings settings;
@@ -25,18 +25,18 @@ RelaxationSettings tight() {
   return settings;
 }
 
-GreenSystem green_of(const RoughContact& scene, int cells) {
-  return {SurfaceStiffness(scenes::paper_crystal(), scene.layer(), cells,
+GreenSystem green_of(const RoughContact& problem, int cells) {
+  return {SurfaceStiffness(problems::paper_crystal(), problem.layer(), cells,
                            mechanics::AtomModes::vector),
-          scene.interface()};
+          problem.interface()};
 }
 
-RoughContact rough_scene(int levels, int layers) {
-  RoughContact scene{32};
-  scene.levels = levels;
-  scene.layers = layers;
-  scene.rms_height = 3.0 * angstrom;
-  return scene;
+RoughContact rough_contact(int levels, int layers) {
+  RoughContact problem{32};
+  problem.levels = levels;
+  problem.layers = layers;
+  problem.rms_height = 3.0 * angstrom;
+  return problem;
 }
 
 double mean_height(const System& system, std::span<const double> state) {
@@ -57,35 +57,36 @@ struct Balance {
   double elastic_energy = 0.0;
 };
 
-/// From above under a nominal pressure.
-Balance press(System& system, const RoughContact& scene, double pressure) {
+/// Starting above the surface, under a nominal pressure.
+Balance press(System& system, const RoughContact& problem, double pressure) {
   system.set_load({Load::Kind::nominal_pressure, pressure});
   std::vector<double> state =
-      system.undeformed(scene.highest() + 4.0 * angstrom);
+      system.undeformed(problem.highest() + 4.0 * angstrom);
   const Relaxation relaxation = relax(system, state, tight());
   EXPECT_TRUE(relaxation.converged) << relaxation.note;
   EXPECT_NEAR(mean_force(system, state) /
-                  (pressure * scene.layer().cell_area()),
+                  (pressure * problem.layer().cell_area()),
               1.0, 1e-4);
   return {relaxation, mean_height(system, state), system.elastic_energy(state)};
 }
 
-// Claim: forces are minus the gradient of block, interface and load together,
-// along directions the load allows. Tolerance: a central difference's third
-// order term on a step of 1e-14 m, and rounding of the energy over its change.
+// Forces are minus the gradient of the energy of block, interface and load
+// together, along directions that the load allows. Tolerance: the third-order
+// term of a central difference with a step of 1e-14 m, and roundoff of the
+// energy over its change.
 TEST(ExplicitSystem, ForcesAreMinusTheGradient) {
-  const RoughContact scene{16, 2, 2};
-  ExplicitSystem system = scene.system();
+  const RoughContact problem{16, 2, 2};
+  ExplicitSystem system = problem.system();
   for (const Load& load : {Load{Load::Kind::nominal_pressure, 3e9},
                            Load{Load::Kind::height, 4.0 * angstrom}}) {
     system.set_load(load);
     std::vector<double> state = system.undeformed(4.0 * angstrom);
     const std::vector<double> noise =
-        scenes::random_numbers(state.size(), -3e-12, 3e-12, 1);
+        problems::random_numbers(state.size(), -3e-12, 3e-12, 1);
     for (std::size_t i = 0; i < state.size(); ++i)
       state[i] += noise[i];
     std::vector<double> direction =
-        scenes::random_numbers(state.size(), -1.0, 1.0, 2);
+        problems::random_numbers(state.size(), -1.0, 1.0, 2);
     system.hold(direction);
     std::vector<double> forces(state.size());
     system.energy_and_forces(state, forces);
@@ -105,10 +106,10 @@ TEST(ExplicitSystem, ForcesAreMinusTheGradient) {
   }
 }
 
-// Claim: what the load holds has no force and no step.
-TEST(ExplicitSystem, HeldMeansFeelNoForce) {
-  const RoughContact scene{16, 2, 2};
-  ExplicitSystem system = scene.system();
+// Components that the load prescribes have no force and no step.
+TEST(ExplicitSystem, PrescribedMeansHaveNoForce) {
+  const RoughContact problem{16, 2, 2};
+  ExplicitSystem system = problem.system();
   system.set_load({Load::Kind::height, 4.0 * angstrom});
   const std::vector<double> state = system.undeformed(4.0 * angstrom);
   std::vector<double> forces(state.size());
@@ -130,17 +131,18 @@ TEST(ExplicitSystem, HeldMeansFeelNoForce) {
   }
 }
 
-// Claim: one level is the surface-only block of equal depth: same height under
-// the same pressure, same elastic energy without the uniform compression, which
-// only one of them has. Tolerance: the residuals, 1e-6 of the mean force, times
-// the compliance of the curve in units of the height, below 1e-5.
-TEST(ExplicitSystem, OneLevelAgreesWithTheSurfaceAlone) {
-  const RoughContact scene = rough_scene(1, 12);
-  ExplicitSystem system = scene.system();
-  GreenSystem green = green_of(scene, 12);
+// One level equals the Green's function block of the same depth: the same
+// height under the same pressure, and the same elastic energy without the
+// uniform compression, which only one of them has. Tolerance: the residuals,
+// 1e-6 of the mean force, times the compliance of the curve in units of the
+// height, below 1e-5.
+TEST(ExplicitSystem, OneLevelAgreesWithTheGreenBlock) {
+  const RoughContact problem = rough_contact(1, 12);
+  ExplicitSystem system = problem.system();
+  GreenSystem green = green_of(problem, 12);
   for (const double pressure : {1e8, 3e9}) {
-    const Balance ours = press(system, scene, pressure);
-    const Balance theirs = press(green, scene, pressure);
+    const Balance ours = press(system, problem, pressure);
+    const Balance theirs = press(green, problem, pressure);
 
     RecordProperty("evaluations", ours.relaxation.evaluations);
     RecordProperty("evaluations_of_green", theirs.relaxation.evaluations);
@@ -149,36 +151,36 @@ TEST(ExplicitSystem, OneLevelAgreesWithTheSurfaceAlone) {
   }
 }
 
-/// Pressure of the multiscale block over that of the surface-only block of the
-/// same depth, both held at the height the latter has under `pressure`.
+/// Pressure of the multiscale block over that of the Green's function block of
+/// the same depth, both at the height of the latter under `pressure`.
 double stiffening(int levels, int layers, double pressure) {
-  const RoughContact scene = rough_scene(levels, layers);
-  ExplicitSystem system = scene.system();
-  GreenSystem green = green_of(scene, layers * ((1 << levels) - 1));
+  const RoughContact problem = rough_contact(levels, layers);
+  ExplicitSystem system = problem.system();
+  GreenSystem green = green_of(problem, layers * ((1 << levels) - 1));
   green.set_load({Load::Kind::nominal_pressure, pressure});
   system.set_load({Load::Kind::nominal_pressure, pressure});
   std::vector<double> of_green =
-      green.undeformed(scene.highest() + 4.0 * angstrom);
+      green.undeformed(problem.highest() + 4.0 * angstrom);
   std::vector<double> state =
-      system.undeformed(scene.highest() + 4.0 * angstrom);
+      system.undeformed(problem.highest() + 4.0 * angstrom);
   EXPECT_TRUE(relax(green, of_green, tight()).converged);
   EXPECT_TRUE(relax(system, state, tight()).converged);
   const double height = mean_height(green, of_green);
   const double lift = height - mean_height(system, state);
-  const std::size_t n = scene.layer().size();
+  const std::size_t n = problem.layer().size();
   system.set_load({Load::Kind::height, height});
   for (std::size_t i = 0; i < n; ++i)
     state[2 * n + i] += lift;
   EXPECT_TRUE(relax(system, state, tight()).converged);
-  // L-BFGS remembers its steps in single precision.
+  // L-BFGS stores its steps in single precision.
   EXPECT_NEAR(mean_height(system, state), height, 1e-9 * height);
-  return mean_force(system, state) / (pressure * scene.layer().cell_area()) -
+  return mean_force(system, state) / (pressure * problem.layer().cell_area()) -
          1.0;
 }
 
-// Claim: what levels cost in p(u) (DESIGN.md, section 9): below 1 % with six
-// layers a level, 3 to 6 % with two, where the waves bear the load. Under a
-// tenth of it a few atoms do, and it is less.
+// Verifies the error of p(u) from levels (DESIGN.md, section 9): below 1 % with
+// six layers per level, 3 to 6 % with two, where long waves carry the load.
+// Under a tenth of the load a few atoms carry it, and the error is smaller.
 TEST(ExplicitSystem, LevelsCostLittleStiffness) {
   for (const double pressure : {1e9, 3e9}) {
     const double six = stiffening(3, 6, pressure);
@@ -193,10 +195,10 @@ TEST(ExplicitSystem, LevelsCostLittleStiffness) {
 }
 
 TEST(ExplicitSystem, RefusesAnInterfaceOfAnotherLayer) {
-  RoughContact scene{16, 1, 2};
-  EXPECT_THROW(ExplicitSystem(scenes::paper_crystal(),
+  RoughContact problem{16, 1, 2};
+  EXPECT_THROW(ExplicitSystem(problems::paper_crystal(),
                               {RoughContact{24}.layer(), 1, 2},
-                              scene.interface(), 1.0),
+                              problem.interface(), 1.0),
                std::domain_error);
 }
 

@@ -1,4 +1,4 @@
-// Claims about the single steps of md/minimise/fire.hpp, on one unknown each.
+// Tests of the single steps of md/minimise/fire.hpp, with one unknown each.
 #include "md/minimise/fire.hpp"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 namespace asperity::md {
 namespace {
 
-using scenes::Separate;
+using problems::Separate;
 
-/// A spring balanced at 0; with contact_stiffness 1 the preconditioner is 1.
+/// A spring in balance at 0; with contact_stiffness 1 the preconditioner is 1.
 Separate spring(double stiffness) {
   return {1, [=](std::size_t, double x) { return 0.5 * stiffness * x * x; },
           [=](std::size_t, double x) { return -stiffness * x; }};
@@ -30,10 +30,10 @@ RelaxationSettings settings_with(double largest_step) {
   return settings;
 }
 
-// Claim: a first step that ends uphill is a rise like any other. The first time
-// step is 0.1, so from 1 the spring of 500 is next met at 1 - 0.01 * 500 = -4,
-// where motion that goes on with this time step diverges.
-TEST(FireSteps, ARiseAfterTheFirstStepShortensTheTimeStep) {
+// A first step that increases the energy is treated like any other. The first
+// time step is 0.1, so that from 1 the spring of 500 next has the position 1 -
+// 0.01 * 500 = -4, where motion with the same time step diverges.
+TEST(FireSteps, AnIncreaseAfterTheFirstStepShortensTheTimeStep) {
   const Separate system = spring(500.0);
   std::vector<double> state{1.0};
 
@@ -47,13 +47,13 @@ TEST(FireSteps, ARiseAfterTheFirstStepShortensTheTimeStep) {
   EXPECT_DOUBLE_EQ(system.evaluated[2][0], -1.5 + 0.05 * 0.05 * 2000.0);
 }
 
-// Claim: what is taken back at a rise is half of the step that was taken, which
-// largest_step may have shortened: no state is further from the one before it
-// than half a step back and one step on.
-TEST(FireSteps, ARiseTakesBackHalfOfTheStepThatWasTaken) {
+// After an increase half of the step that was taken is reverted, which
+// largest_step may have shortened: no state is further from the previous one
+// than half a step back and one step forward.
+TEST(FireSteps, AnIncreaseRevertsHalfOfTheStep) {
   const Separate system = spring(30.0);
   const double largest_step = 0.01;
-  std::vector<double> state{1.003}; // not a whole number of steps away
+  std::vector<double> state{1.003}; // not an integer number of steps away
 
   const Relaxation answer =
       relax_by_fire(system, state, settings_with(largest_step));
@@ -65,11 +65,11 @@ TEST(FireSteps, ARiseTakesBackHalfOfTheStepThatWasTaken) {
         << "step " << i;
 }
 
-// Claim: every state is that of the algorithm of Bitzek et al. (2006) with half
-// of the last step taken back at a rise: from each rise on, the time step grows
-// after five steps downhill. On one unknown the mixing changes nothing.
+// Every state is that of the algorithm of Bitzek et al. (2006) with half of the
+// last step reverted at an increase: after each increase the time step grows
+// after five steps downhill. With one unknown the mixing has no effect.
 // Tolerance: roundoff, which the damped motion does not amplify.
-TEST(FireSteps, EachRiseCountsTheStepsDownhillAnew) {
+TEST(FireSteps, EachIncreaseRestartsTheCountOfStepsDownhill) {
   const Separate system = spring(1.0);
   std::vector<double> state{1.0};
 
@@ -96,9 +96,8 @@ TEST(FireSteps, EachRiseCountsTheStepsDownhillAnew) {
   EXPECT_GE(rises, 2);
 }
 
-// Claim: forces that are not finite end the relaxation at once, whatever the
-// energy says.
-TEST(FireSteps, SaysWhenAForceIsNotFinite) {
+// Forces that are not finite end the relaxation at once, for any energy.
+TEST(FireSteps, ReportsAForceThatIsNotFinite) {
   const Separate system(
       2, [](std::size_t, double x) { return x; },
       [](std::size_t i, double) {

@@ -1,5 +1,5 @@
-// Claims about md/minimise/fire.hpp and md/dynamics/dynamics_run.hpp: three
-// ways to one balance.
+// Tests of md/minimise/fire.hpp and md/dynamics/dynamics_run.hpp: three methods
+// converge to one state.
 #include "md/dynamics/dynamics_run.hpp"
 #include "md/minimise/fire.hpp"
 
@@ -15,8 +15,8 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::RoughContact;
+using problems::angstrom;
+using problems::RoughContact;
 
 constexpr double tolerance = 1e-7;
 
@@ -37,20 +37,20 @@ double force_difference(const System& system, std::span<const double> a,
   return tests::largest_difference(first, second) / mean;
 }
 
-class ThreeWays : public ::testing::TestWithParam<Load> {
+class ThreeMinimizers : public ::testing::TestWithParam<Load> {
 protected:
-  ThreeWays() : system(scene().system()) {
+  ThreeMinimizers() : system(problem().system()) {
     system.set_load(GetParam());
     start = system.undeformed(GetParam().kind == Load::Kind::height
                                   ? GetParam().amount
-                                  : scene().highest() + 4.0 * angstrom);
+                                  : problem().highest() + 4.0 * angstrom);
   }
 
-  static RoughContact scene() {
-    RoughContact scene{16};
-    scene.levels = 2;
-    scene.layers = 3;
-    return scene;
+  static RoughContact problem() {
+    RoughContact problem{16};
+    problem.levels = 2;
+    problem.layers = 3;
+    return problem;
   }
 
   ExplicitSystem system;
@@ -58,15 +58,15 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(
-    Loads, ThreeWays,
+    Loads, ThreeMinimizers,
     ::testing::Values(Load{Load::Kind::nominal_pressure, 1e9},
                       Load{Load::Kind::height, 5.0 * angstrom}));
 
-// Claim: FIRE ends in the balance of L-BFGS. Tolerance: both leave a residual
-// of 1e-7 of the mean force, root mean square over all unknowns; the largest
-// force of a layer may be off by sqrt(unknowns) times the softest wave's reach,
-// 1e-4.
-TEST_P(ThreeWays, FireEndsWhereLbfgsDoes) {
+// FIRE converges to the state of L-BFGS. Tolerance: both leave a residual of
+// 1e-7 of the mean force, root mean square over all unknowns; the error of the
+// largest force of a layer may be sqrt(unknowns) times the range of the softest
+// wave, 1e-4.
+TEST_P(ThreeMinimizers, FireEndsWhereLbfgsDoes) {
   std::vector<double> by_lbfgs = start;
   std::vector<double> by_fire = start;
 
@@ -82,14 +82,14 @@ TEST_P(ThreeWays, FireEndsWhereLbfgsDoes) {
   EXPECT_LT(force_difference(system, by_lbfgs, by_fire), 1e-4);
 }
 
-// Claim: damped motion ends there too, and ends early. Tolerance as above. The
-// damping is near critical for the block on its contact: 9 m a surface atom on
-// some 0.5 N/m.
-TEST_P(ThreeWays, DampedMotionEndsWhereLbfgsDoes) {
+// Damped motion converges to it too, and ends early. Tolerance as above. The
+// damping is near critical for the block on its contact: 9 m per surface atom
+// on some 0.5 N/m.
+TEST_P(ThreeMinimizers, DampedMotionEndsWhereLbfgsDoes) {
   std::vector<double> by_lbfgs = start;
   const Relaxation lbfgs = relax(system, by_lbfgs, tight());
   ASSERT_TRUE(lbfgs.converged) << lbfgs.note;
-  // Begun not far away: falling from 4 A takes the block long.
+  // The start is close, since falling from 4 A takes the block a long time.
   std::vector<double> by_motion = by_lbfgs;
   for (std::size_t i = 0; i < by_motion.size(); ++i)
     by_motion[i] += 0.2 * (start[i] - by_lbfgs[i]);
@@ -109,8 +109,8 @@ TEST_P(ThreeWays, DampedMotionEndsWhereLbfgsDoes) {
   EXPECT_LT(force_difference(system, by_lbfgs, by_motion), 1e-4);
 }
 
-// Claim: FIRE says why it stopped.
-TEST_P(ThreeWays, FireGivesUpAsAResult) {
+// Verifies that FIRE reports why it stopped.
+TEST_P(ThreeMinimizers, FireReportsNonConvergence) {
   RelaxationSettings settings = tight();
   settings.max_evaluations = 5;
   std::vector<double> state = start;

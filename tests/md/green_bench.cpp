@@ -1,7 +1,8 @@
-// What a load costs with the green block: the paper's roughness, all of it or
-// cut at four times the roll-off, brought up load by load. CPU time is the
-// harness's; counters give evaluations of the forces, linearisations (a sum
-// over all pairs each) and products of the second derivatives a load.
+// The cost of a load step with the Green's function block: the paper's
+// roughness, complete or cut off at four times the roll-off, load by load. The
+// harness measures CPU time; counters give evaluations of the forces,
+// linearisations (a sum over all pairs each) and products with the second
+// derivatives per load step.
 #include "md/engines.hpp"
 #include "md/lattice/surface_stiffness.hpp"
 #include "surfaces/build.hpp"
@@ -20,7 +21,8 @@ constexpr double poisson_ratio = 0.42;
 constexpr double modulus =
     youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 
-/// The paper's block (Sec. 4); a smaller one has its roughness scaled down.
+/// The paper's block (Sec. 4); a smaller one has its roughness reduced in
+/// proportion.
 AtomRequest request_of(int points, mechanics::AtomModes modes, bool is_cut) {
   const double length = points * spacing;
   const double longest = 2.0 * std::numbers::pi / length;
@@ -35,7 +37,7 @@ AtomRequest request_of(int points, mechanics::AtomModes modes, bool is_cut) {
   surface.wavevector_high = is_cut
                                 ? 12.001 * longest
                                 : 0.996 * std::numbers::pi * std::numbers::phi /
-                                      spacing; // the substrate's last
+                                      spacing; // the last one of the substrate
   surface.rescale = true;
   const surfaces::HeightMap map = surfaces::build_surface(surface, 0);
 
@@ -56,8 +58,8 @@ AtomRequest request_of(int points, mechanics::AtomModes modes, bool is_cut) {
 
 constexpr double loads[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.26}; // p/E*
 
-/// Arguments: atoms a side, modes, roughness cut or whole, how many of the
-/// loads; the last is timed.
+/// Arguments: atoms per side, modes, roughness cut off or complete, number of
+/// the loads; the last one is timed.
 void bring_to_load(benchmark::State& state) {
   const AtomRequest request =
       request_of(static_cast<int>(state.range(0)),

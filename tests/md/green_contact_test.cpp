@@ -1,5 +1,6 @@
-// Claims about bulk green behind md/contact/atomic_contact.hpp: the curve has
-// no memory, load and energy belong together, and what went through is flagged.
+// Tests of `bulk = "green"` in md/contact/atomic_contact.hpp: the curve does
+// not depend on the history, load and energy are consistent, and atoms that
+// passed through the substrate are reported.
 #include "input/input_error.hpp"
 #include "md/contact/green_contact.hpp"
 #include "md/contact/green_system.hpp"
@@ -28,7 +29,8 @@ constexpr double poisson_ratio = 0.42;
 constexpr double youngs_modulus = 77.2e9;
 const double modulus = youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 
-/// The paper's atoms (Sec. 4) over a flat wall of so many atoms a side.
+/// The paper's atoms (Sec. 4) over a flat surface of this number of atoms per
+/// side.
 AtomRequest flat_request(int substrate_points) {
   AtomRequest request;
   request.settings.interaction_energy = 74.4e-3 * 1.602176634e-19;
@@ -44,7 +46,8 @@ AtomRequest flat_request(int substrate_points) {
   return request;
 }
 
-/// Three decades of loads fit on this one: waves from length down to a sixth.
+/// A surface on which three decades of loads are possible: waves from length
+/// down to a sixth.
 AtomRequest rough_request() {
   AtomRequest request = flat_request(incommensurate_atoms(points));
   mechanics::SurfaceSpec surface;
@@ -62,10 +65,10 @@ AtomRequest rough_request() {
   return request;
 }
 
-// Claim: the answer depends on the load alone: up and back down again the gap
-// is the same to 1e-5 h_rms. A residual of 1e-6 leaves that much at the
-// softest, where the contact's stiffness is p / (h_rms / 2).
-TEST(GreenContact, UnloadsOnTheCurveItLoadedOn) {
+// The solution depends on the load alone: after loading and unloading the gap
+// is the same to 1e-5 h_rms. A residual of 1e-6 leaves that much at the softest
+// state, where the stiffness of the contact is p / (h_rms / 2).
+TEST(GreenContact, UnloadsOnItsLoadingCurve) {
   AtomRequest request = rough_request();
   request.settings.tolerance = 1e-6;
   const auto contact = make_atomic_contact(request);
@@ -88,9 +91,9 @@ TEST(GreenContact, UnloadsOnTheCurveItLoadedOn) {
   }
 }
 
-// Claim: what the atoms bear is the load. Their mean differs from it by at most
+// The atoms carry the load. Their mean pressure differs from it by at most
 // sqrt(3) times the residual, a root mean square over three directions.
-TEST(GreenContact, BearsTheLoad) {
+TEST(GreenContact, CarriesTheLoad) {
   const AtomRequest request = rough_request();
   const auto contact = make_atomic_contact(request);
   const double pressure = 0.02 * modulus;
@@ -108,8 +111,9 @@ TEST(GreenContact, BearsTheLoad) {
   EXPECT_GE(*std::ranges::min_element(answer.pressure), 0.0);
 }
 
-// Claim: a held gap and a held pressure are one curve: asked for the gap that a
-// pressure left, the block bears that pressure. p changes by exp(-2 du/h_rms).
+// A prescribed gap and a prescribed pressure give one curve: at the gap that a
+// pressure gave, the block carries that pressure. p changes by exp(-2
+// du/h_rms).
 TEST(GreenContact, IsOneCurveUnderEitherControl) {
   AtomRequest request = rough_request();
   request.settings.tolerance = 1e-6;
@@ -125,9 +129,10 @@ TEST(GreenContact, IsOneCurveUnderEitherControl) {
   EXPECT_NEAR(by_gap.nominal_pressure / pressure, 1.0, 2e-5);
 }
 
-// Claim: virtual work, -dE/du = p per area, E the bulk's and the pairs' energy.
-// Central difference over 2 * 0.01 h_rms: (0.01 * 2)^2 / 6 = 7e-5 of p.
-TEST(GreenContact, GainsTheWorkOfTheLoad) {
+// Virtual work: -dE/du = p per area, where E is the energy of the bulk and of
+// the pairs. Central difference over 2 * 0.01 h_rms: (0.01 * 2)^2 / 6 = 7e-5 of
+// p.
+TEST(GreenContact, StoresTheWorkOfTheLoad) {
   AtomRequest request = rough_request();
   request.settings.tolerance = 1e-7;
   const auto contact = make_atomic_contact(request);
@@ -145,10 +150,11 @@ TEST(GreenContact, GainsTheWorkOfTheLoad) {
   EXPECT_NEAR(gain / (2.0 * step) / answers[1].nominal_pressure, 1.0, 1e-4);
 }
 
-// Claim: on a flat wall that no period fits, the wall's pressure at d_c leaves
-// u = 0. The cut-off takes a share of the pressure of about (2/9)(d_c/cutoff)^9
-// (1e-4), and the layer's own corrugation is smooth; u changes by d_c/11 of it.
-TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateWall) {
+// Over an incommensurate flat surface the pressure of the continuous wall at
+// d_c gives u = 0. The cut-off reduces the pressure by about
+// (2/9)(d_c/cutoff)^9 (1e-4), and the corrugation by the layer itself is
+// smooth; u changes by d_c/11 of it.
+TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
   const AtomRequest request = flat_request(incommensurate_atoms(points));
   const double distance = request.settings.contact_distance;
   const double pressure = plane_repulsion_pressure(
@@ -162,10 +168,9 @@ TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateWall) {
   EXPECT_NEAR(answer.mean_gap / distance, 0.0, 1e-3);
 }
 
-// Claim: with every atom on top of another, the atoms' own lattice sum decides:
-// u is where the force of the atom under it and its neighbours, summed here,
-// is the load.
-TEST(GreenContact, LiesOnTopOfACommensurateWall) {
+// With every atom on top of another the lattice sum decides: u is where the
+// force of the atom below it and of its neighbours, summed here, is the load.
+TEST(GreenContact, LiesOnTopOfACommensurateSurface) {
   const AtomRequest request = flat_request(points);
   const Interaction law = interaction_of(request.settings);
   const double pressure = 1e9;
@@ -199,8 +204,8 @@ Inspection inspected(const GreenSystem& system, const AtomRequest& request,
                                     request.settings.contact_distance);
 }
 
-// Claim: started in overlap, atoms stay below the substrate, and that is said
-// whatever the residual.
+// After a start in overlap atoms stay below the substrate, which is reported
+// for any residual.
 TEST(GreenContact, FlagsAStartInOverlap) {
   const AtomRequest request = rough_request();
   GreenSystem system = system_of(request);
@@ -218,8 +223,8 @@ TEST(GreenContact, FlagsAStartInOverlap) {
             std::string::npos);
 }
 
-// Claim: a perfect residual proves nothing: below a wall with wide meshes the
-// layer hangs in balance, every pair far enough apart.
+// A small residual is not sufficient: below a surface with a wide spacing of
+// atoms the layer is in balance, with every pair far enough apart.
 TEST(GreenContact, FlagsABalanceOnTheWrongSide) {
   const AtomRequest request = flat_request(points / 2);
   GreenSystem system = system_of(request);
@@ -236,7 +241,7 @@ TEST(GreenContact, FlagsABalanceOnTheWrongSide) {
             0U);
 }
 
-TEST(FaultOf, SaysWhatWentThrough) {
+TEST(FaultOf, NamesAtomsThatPassedThrough) {
   EXPECT_EQ(invalidity_reason({0, 0, 2.9e-10, 7}, 100), "");
   EXPECT_NE(invalidity_reason({3, 0, 2.9e-10, 7}, 100).find("3 % of the atoms"),
             std::string::npos);
@@ -245,7 +250,7 @@ TEST(FaultOf, SaysWhatWentThrough) {
       std::string::npos);
 }
 
-TEST(GreenContact, HangsFreelyWhereNothingTouches) {
+TEST(GreenContact, HasNoLoadWithoutContact) {
   const auto contact = make_atomic_contact(rough_request());
 
   const AtomStep answer = contact->solve(Control::mean_gap, 3e-9, 0);
@@ -256,9 +261,9 @@ TEST(GreenContact, HangsFreelyWhereNothingTouches) {
   EXPECT_NEAR(answer.mean_gap, 3e-9, 1e-21);
 }
 
-// Claim: a step that is given up is said, and the next one is as if it had the
-// time.
-TEST(GreenContact, SaysWhenItGivesUp) {
+// A step that is given up is reported, and the next one is as if the former had
+// finished.
+TEST(GreenContact, ReportsNonConvergence) {
   AtomRequest request = rough_request();
   request.settings.max_evaluations = 5;
   const auto contact = make_atomic_contact(request);
@@ -272,7 +277,7 @@ TEST(GreenContact, SaysWhenItGivesUp) {
   EXPECT_GT(answer.residual, request.settings.tolerance);
 }
 
-TEST(GreenContact, SaysWhatItIs) {
+TEST(GreenContact, DescribesItself) {
   AtomRequest request = rough_request();
   request.settings.modes = mechanics::AtomModes::normal;
   request.settings.depth = {4.0, mechanics::ReferenceUnit::length};
@@ -285,7 +290,7 @@ TEST(GreenContact, SaysWhatItIs) {
   EXPECT_NEAR(contact->effective_contact_modulus() / modulus, 1.0, 0.0005);
 }
 
-TEST(GreenContact, RefusesWhatItIsNot) {
+TEST(GreenContact, RefusesOtherSettings) {
   AtomRequest request = rough_request();
   request.settings.minimizer = mechanics::AtomMinimizer::dynamics;
   EXPECT_THROW(make_atomic_contact(request), input::InputError);

@@ -1,5 +1,5 @@
-// Claims about md/contact/green_system.hpp: forces are minus the gradient of
-// the energy under every load, and what the load holds stays where it is.
+// Tests of md/contact/green_system.hpp: forces are minus the gradient of the
+// energy under every load, and what the load prescribes stays unchanged.
 #include "md/contact/green_system.hpp"
 
 #include <gtest/gtest.h>
@@ -52,14 +52,14 @@ double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-struct Scene {
+struct GreenProblem {
   AtomModes modes;
   Load load;
 };
 
-class EveryScene : public ::testing::TestWithParam<Scene> {
+class EveryProblem : public ::testing::TestWithParam<GreenProblem> {
 protected:
-  EveryScene()
+  EveryProblem()
       : system(system_of(GetParam().modes, GetParam().load)),
         state(system.undeformed(height)),
         forces(system.size()) {
@@ -70,7 +70,7 @@ protected:
       state[i] += noise[i];
   }
 
-  /// Removes from a displacement what the scene holds.
+  /// Removes from a displacement what the load prescribes.
   std::vector<double> allowed(std::vector<double> displacement) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::span plane =
@@ -99,10 +99,10 @@ protected:
   std::vector<double> forces;
 };
 
-// Claim: the energy's fall along an allowed displacement is the forces' work.
-// Central difference over 2e-14 m: (2e-14 / r_0)^2 and the rounding 1e-15 of
-// the energy over its relative change of 1e-8 leave 1e-6.
-TEST_P(EveryScene, ForcesAreMinusTheGradient) {
+// The decrease of the energy along an allowed displacement is the work of the
+// forces. Central difference over 2e-14 m: (2e-14 / r_0)^2 and the roundoff
+// 1e-15 of the energy over its relative change of 1e-8 leave 1e-6.
+TEST_P(EveryProblem, ForcesAreMinusTheGradient) {
   const double length = 1e-14;
   const std::vector<double> along =
       allowed(random_vector(state.size(), 1.0, 2));
@@ -121,16 +121,17 @@ TEST_P(EveryScene, ForcesAreMinusTheGradient) {
   EXPECT_NEAR(0.5 * fall / length / dot(forces, along), 1.0, 1e-6);
 }
 
-TEST_P(EveryScene, WhatIsHeldFeelsNoForce) {
+TEST_P(EveryProblem, PrescribedComponentsHaveNoForce) {
   system.energy_and_forces(state, forces);
 
   const std::vector<double> expected = allowed(forces);
   for (std::size_t i = 0; i < forces.size(); ++i)
-    EXPECT_NEAR(forces[i], expected[i], 1e-22); // rounding of 1e-9 N
+    EXPECT_NEAR(forces[i], expected[i], 1e-22); // roundoff of 1e-9 N
 }
 
-// Claim: P is symmetric, positive definite and keeps to what is allowed.
-TEST_P(EveryScene, PreconditionerIsSymmetricAndPositive) {
+// P is symmetric and positive definite, and its results are allowed
+// displacements.
+TEST_P(EveryProblem, PreconditionerIsSymmetricAndPositive) {
   system.energy_and_forces(state, forces);
   const std::vector<double> first =
       allowed(random_vector(state.size(), 1e-10, 3));
@@ -153,15 +154,15 @@ TEST_P(EveryScene, PreconditionerIsSymmetricAndPositive) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, EveryScene,
+    Problems, EveryProblem,
     ::testing::Values(
-        Scene{AtomModes::vector, {Load::Kind::nominal_pressure, 1e9}},
-        Scene{AtomModes::vector, {Load::Kind::height, height}},
-        Scene{AtomModes::normal, {Load::Kind::nominal_pressure, 1e9}},
-        Scene{AtomModes::normal, {Load::Kind::height, height}}));
+        GreenProblem{AtomModes::vector, {Load::Kind::nominal_pressure, 1e9}},
+        GreenProblem{AtomModes::vector, {Load::Kind::height, height}},
+        GreenProblem{AtomModes::normal, {Load::Kind::nominal_pressure, 1e9}},
+        GreenProblem{AtomModes::normal, {Load::Kind::height, height}}));
 
-// Claim: far from the substrate P is the inverse of the second derivatives,
-// for waves: after one step along P forces no force is left but the pressure.
+// Far from the substrate P is the inverse of the second derivatives for waves:
+// after one step along P forces no force remains but the pressure.
 TEST(GreenSystem, PreconditionerInvertsTheFreeBlock) {
   GreenSystem system =
       system_of(AtomModes::vector, {Load::Kind::height, 100e-10});
@@ -184,9 +185,9 @@ TEST(GreenSystem, PreconditionerInvertsTheFreeBlock) {
     EXPECT_NEAR(after[i], 0.0, 1e-7 * 1e-10);
 }
 
-// Claim: under pressure alone the block comes down as a whole, by the force an
-// atom over what stands for its contact, S at rest being one factor in all.
-TEST(GreenSystem, PreconditionerLowersTheWholeBlock) {
+// Under pressure alone the block moves down uniformly, by the force per atom
+// over the stiffness that represents its contact, where S is a uniform factor.
+TEST(GreenSystem, PreconditionerLowersTheBlockUniformly) {
   const double stiffness = 2.0;
   GreenSystem system =
       system_of(AtomModes::vector, {Load::Kind::nominal_pressure, 1e9});
@@ -205,8 +206,9 @@ TEST(GreenSystem, PreconditionerLowersTheWholeBlock) {
     EXPECT_NEAR(step[i] / step.back(), 1.0, 1e-12);
 }
 
-// Claim: the energy is the sum of bulk, pairs and load, each by itself.
-TEST(GreenSystem, AddsUpItsEnergies) {
+// The energy is the sum of those of bulk, pairs and load, each computed
+// separately.
+TEST(GreenSystem, SumsItsEnergies) {
   const double pressure = 2e9;
   GreenSystem system =
       system_of(AtomModes::vector, {Load::Kind::nominal_pressure, pressure});

@@ -1,4 +1,4 @@
-// Claims about md/interface/interaction.hpp.
+// Tests of md/interface/interaction.hpp.
 #include "md/interface/interaction.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -15,18 +15,18 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::paper_atoms;
+using problems::angstrom;
+using problems::paper_atoms;
 using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
 
 class PairLaw : public ::testing::TestWithParam<double> {};
 
-// Claim: force = -dU/dr, in the power law, at both ends of the taper and in it.
-// Tolerance: the difference over h = 1e-5 r is right to h^2 U'''/6 U' = 13 14/6
-// 1e-10 of the repulsion, 3e-9; where the taper ends it is right to h^2/3 in a
-// force that falls as (what is left of the taper, 1 A)^2, 3e-9 of that at its
-// begin.
-TEST_P(PairLaw, ForceIsMinusTheSlopeOfTheEnergy) {
+// Force = -dU/dr, in the power law, at both ends of the taper and within it.
+// Tolerance: the difference over h = 1e-5 r has the relative error h^2 U'''/6
+// U' = 13 14/6 1e-10 for the repulsion, 3e-9; where the taper ends it is h^2/3
+// in a force that decreases as (the rest of the taper, 1 A)^2, 3e-9 of that at
+// its start.
+TEST_P(PairLaw, ForceIsMinusTheDerivativeOfTheEnergy) {
   const Interaction law = paper_atoms(GetParam());
   const auto force = [](const Interaction& any, double distance) {
     return pair_term(any, distance).force_over_distance * distance;
@@ -47,8 +47,8 @@ TEST_P(PairLaw, ForceIsMinusTheSlopeOfTheEnergy) {
   }
 }
 
-// Claim: the energy is the integral of the force from the cut-off, by
-// quadrature over the taper and over the rest. Tolerance: 100 eps of it.
+// The energy is the integral of the force from the cut-off, by quadrature over
+// the taper and over the rest. Tolerance: 100 eps of it.
 TEST_P(PairLaw, EnergyIsTheIntegralOfTheForce) {
   const Interaction law = paper_atoms(GetParam());
   const auto force = [&](double r) {
@@ -66,7 +66,7 @@ TEST_P(PairLaw, EnergyIsTheIntegralOfTheForce) {
   }
 }
 
-TEST_P(PairLaw, IsNothingFromTheCutOffOn) {
+TEST_P(PairLaw, IsZeroFromTheCutOffOn) {
   const Interaction law = paper_atoms(GetParam());
   for (const double distance : {law.cutoff, 1.001 * law.cutoff, 1.0}) {
     EXPECT_EQ(pair_term(law, distance).energy, 0.0);
@@ -78,8 +78,8 @@ TEST_P(PairLaw, IsNothingFromTheCutOffOn) {
 
 INSTANTIATE_TEST_SUITE_P(Attraction, PairLaw, ::testing::Values(0.0, 0.4, 1.0));
 
-// Claim: without a cut-off in the way, (r_0/r)^12 - 2 (r_0/r)^6 has its minimum
-// -1 at r_0. Tolerance: the cut-off at 100 r_0 takes 2e-12.
+// With a distant cut-off, (r_0/r)^12 - 2 (r_0/r)^6 has its minimum -1 at r_0.
+// Tolerance: the cut-off at 100 r_0 removes 2e-12.
 TEST(PairLaw, IsLennardJonesWithFullAttraction) {
   Interaction law = paper_atoms(1.0);
   law.cutoff = 100.0 * law.distance;
@@ -91,14 +91,15 @@ TEST(PairLaw, IsLennardJonesWithFullAttraction) {
               4096.0 - 128.0, 1e-11);
 }
 
-// Claim: the paper's wall at d_c presses with 0.6139 GPa (DESIGN.md, 4 digits),
-// a = 2.6 A, b = 104 nm/648; and the closed form is the integral of the pair
-// force over the plane, but for what a cut-off at r_c takes: (d/r_c)^12 where
-// the cut is sharp, more where it is tapered. Tolerance: quadrature.
+// The pressure of the paper's continuous wall at d_c is 0.6139 GPa (DESIGN.md,
+// 4 digits), a = 2.6 A, b = 104 nm/648. The closed form is the integral of the
+// pair force over the plane, except for what a cut-off at r_c removes:
+// (d/r_c)^12 where the cut is sharp, more where it is tapered. Tolerance:
+// quadrature.
 TEST(WallPressure, IsTheIntegralOverAPlane) {
-  const double atom_area = std::pow(scenes::layer_spacing, 2);
+  const double atom_area = std::pow(problems::layer_spacing, 2);
   const double substrate_area = std::pow(104e-9 / 648.0, 2);
-  const double height = scenes::contact_distance;
+  const double height = problems::contact_distance;
   Interaction law = paper_atoms();
   EXPECT_NEAR(plane_repulsion_pressure(law, atom_area, substrate_area, height),
               0.6139e9, 0.5e5);
@@ -127,7 +128,7 @@ std::string message_of(const Interaction& law, double distance = angstrom) {
   return "";
 }
 
-TEST(PairLaw, RefusesWhatIsNoLaw) {
+TEST(PairLaw, RefusesAnInvalidLaw) {
   Interaction law = paper_atoms();
   law.cutoff = law.taper_begin;
   EXPECT_EQ(message_of(law),

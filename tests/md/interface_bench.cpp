@@ -1,6 +1,6 @@
 // Cost of one sum over all pairs, a layer of 400 x 400 atoms on 648 x 648 as in
-// the paper, by the cut-off [A]. A flat wall at d_c is the worst case; over a
-// rough one, most atoms are higher than any of their partners can reach.
+// the paper, by the cut-off [A]. A flat surface at d_c is the worst case; over
+// a rough one, most atoms have no partner within the cut-off.
 #include "md/interface/interface.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
@@ -16,15 +16,15 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::Planes;
+using problems::angstrom;
+using problems::Planes;
 
-const Grid layer = scenes::lattice(400, 104e-9);
-const Grid substrate = scenes::lattice(648, 104e-9);
+const Grid layer = problems::lattice(400, 104e-9);
+const Grid substrate = problems::lattice(648, 104e-9);
 
 void run(benchmark::State& state, const std::vector<double>& heights,
          const Planes& atoms, double attraction, double in_reach) {
-  Interaction law = scenes::paper_atoms(attraction);
+  Interaction law = problems::paper_atoms(attraction);
   law.cutoff = static_cast<double>(state.range(0)) * angstrom;
   law.taper_begin = 0.9 * law.cutoff;
   const Interface interface(law, layer, substrate, heights);
@@ -41,7 +41,7 @@ void run(benchmark::State& state, const std::vector<double>& heights,
 
 void flat_wall(benchmark::State& state, double attraction) {
   Planes atoms(layer.size());
-  std::fill(atoms.z.begin(), atoms.z.end(), scenes::contact_distance);
+  std::fill(atoms.z.begin(), atoms.z.end(), problems::contact_distance);
   run(state, std::vector<double>(substrate.size()), atoms, attraction, 1.0);
 }
 
@@ -54,7 +54,7 @@ BENCHMARK_CAPTURE(flat_wall, attraction, 1.0)
     ->Unit(benchmark::kMillisecond);
 
 /// The paper's roughness, h_rms = 10 A, with the layer flat at `height` [A]
-/// but where it is pushed up to d_c over the surface.
+/// except where it is raised to d_c above the surface.
 void rough_wall(benchmark::State& state) {
   const double unit = 2.0 * std::numbers::pi / 104e-9;
   const auto spectrum =
@@ -66,11 +66,11 @@ void rough_wall(benchmark::State& state) {
   const double height = static_cast<double>(state.range(1)) * angstrom;
   Planes atoms(layer.size());
   const std::vector<double> below =
-      Interface(scenes::paper_atoms(), layer, substrate, heights)
+      Interface(problems::paper_atoms(), layer, substrate, heights)
           .heights_below(atoms.view());
   double in_reach = 0.0;
   for (std::size_t i = 0; i < layer.size(); ++i) {
-    atoms.z[i] = std::max(height, below[i] + scenes::contact_distance);
+    atoms.z[i] = std::max(height, below[i] + problems::contact_distance);
     in_reach += atoms.z[i] < below[i] + 10.0 * angstrom ? 1.0 : 0.0;
   }
   run(state, heights, atoms, 0.0, in_reach / static_cast<double>(layer.size()));

@@ -1,5 +1,5 @@
-// Claims about the second derivatives of md/interface/interface.hpp and what
-// md/interface/interface_curvature.hpp makes of them.
+// Tests of the second derivatives of md/interface/interface.hpp and of
+// md/interface/interface_curvature.hpp.
 #include "base/maximum.hpp"
 #include "md/interface/interface_curvature.hpp"
 
@@ -17,14 +17,14 @@
 namespace asperity::md {
 namespace {
 
-using scenes::Planes;
+using problems::Planes;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Interface interface_of(const scenes::Scene& scene, double attraction = 0.0,
-                       int threads = 1) {
-  return {scenes::paper_atoms(attraction), scene.layer, scene.substrate,
-          scene.heights, threads};
+Interface interface_of(const problems::InterfaceProblem& problem,
+                       double attraction = 0.0, int threads = 1) {
+  return {problems::paper_atoms(attraction), problem.layer, problem.substrate,
+          problem.heights, threads};
 }
 
 double largest(const std::vector<SymmetricBlock>& blocks) {
@@ -36,8 +36,8 @@ double largest(const std::vector<SymmetricBlock>& blocks) {
   return most;
 }
 
-/// The fall of all forces when every atom moves along one axis by `shift`, over
-/// it, by a central difference.
+/// The decrease of all forces when every atom moves along one axis by `shift`,
+/// divided by it, by a central difference.
 Planes differences(const Interface& interface, Planes atoms,
                    std::vector<double> Planes::*axis, double shift) {
   Planes behind(atoms.x.size());
@@ -55,7 +55,7 @@ Planes differences(const Interface& interface, Planes atoms,
   return behind;
 }
 
-/// H of all atoms times a step, as the class has it.
+/// H of all atoms times a step, by the class.
 Planes products(const InterfaceCurvature& curvature, const Planes& step) {
   Planes forces(step.x.size());
   curvature.add_product(step.view(), forces.forces());
@@ -69,27 +69,27 @@ double along(const Planes& left, const Planes& right, std::size_t i) {
 
 Planes random_step(std::size_t atoms, unsigned seed) {
   Planes step(atoms);
-  step.x = scenes::random_numbers(atoms, -1.0, 1.0, seed);
-  step.y = scenes::random_numbers(atoms, -1.0, 1.0, seed + 1);
-  step.z = scenes::random_numbers(atoms, -1.0, 1.0, seed + 2);
+  step.x = problems::random_numbers(atoms, -1.0, 1.0, seed);
+  step.y = problems::random_numbers(atoms, -1.0, 1.0, seed + 1);
+  step.z = problems::random_numbers(atoms, -1.0, 1.0, seed + 2);
   return step;
 }
 
-// Claim: a block is the finite difference of its atom's force. Tolerance, of
-// the largest entry: the difference leaves 14 15/6 (shift/r)^2 = 1e-7 at r =
-// 2 angstrom, and the forces' rounding 1e-12 r/(13 shift) = 2e-9.
+// A block is the finite difference of the force of its atom. Tolerance, of the
+// largest entry: the difference leaves 14 15/6 (shift/r)^2 = 1e-7 at r = 2
+// angstrom, and the roundoff of the forces 1e-12 r/(13 shift) = 2e-9.
 TEST(SecondDerivatives, AreTheDifferencesOfTheForces) {
-  const scenes::Scene scene(10, 16, 0.5 * scenes::angstrom, 3);
+  const problems::InterfaceProblem problem(10, 16, 0.5 * problems::angstrom, 3);
   for (const double attraction : {0.0, 0.7}) {
-    const Interface interface = interface_of(scene, attraction);
-    std::vector<SymmetricBlock> blocks(scene.layer.size());
+    const Interface interface = interface_of(problem, attraction);
+    std::vector<SymmetricBlock> blocks(problem.layer.size());
     const double shift = 1e-14;
 
-    interface.second_derivatives(scene.atoms.view(), blocks);
+    interface.second_derivatives(problem.atoms.view(), blocks);
 
-    const Planes x = differences(interface, scene.atoms, &Planes::x, shift);
-    const Planes y = differences(interface, scene.atoms, &Planes::y, shift);
-    const Planes z = differences(interface, scene.atoms, &Planes::z, shift);
+    const Planes x = differences(interface, problem.atoms, &Planes::x, shift);
+    const Planes y = differences(interface, problem.atoms, &Planes::y, shift);
+    const Planes z = differences(interface, problem.atoms, &Planes::z, shift);
     const double tolerance = 2e-7 * largest(blocks);
     ASSERT_GT(tolerance, 0.0);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -103,16 +103,16 @@ TEST(SecondDerivatives, AreTheDifferencesOfTheForces) {
   }
 }
 
-// Claim: the number of threads changes no bit, and an atom at no finite place
-// has no second derivatives.
+// The number of threads changes no bit, and an atom whose position is not
+// finite has no second derivatives.
 TEST(SecondDerivatives, AreTheSameBitsForAnyNumberOfThreads) {
-  scenes::Scene scene(10, 16, 0.5 * scenes::angstrom, 4);
-  scene.atoms.x[7] = std::numeric_limits<double>::quiet_NaN();
-  std::vector<SymmetricBlock> one(scene.layer.size());
-  std::vector<SymmetricBlock> three(scene.layer.size());
+  problems::InterfaceProblem problem(10, 16, 0.5 * problems::angstrom, 4);
+  problem.atoms.x[7] = std::numeric_limits<double>::quiet_NaN();
+  std::vector<SymmetricBlock> one(problem.layer.size());
+  std::vector<SymmetricBlock> three(problem.layer.size());
 
-  interface_of(scene).second_derivatives(scene.atoms.view(), one);
-  interface_of(scene, 0.0, 3).second_derivatives(scene.atoms.view(), three);
+  interface_of(problem).second_derivatives(problem.atoms.view(), one);
+  interface_of(problem, 0.0, 3).second_derivatives(problem.atoms.view(), three);
 
   EXPECT_TRUE(std::isnan(one[7].zz));
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -122,21 +122,22 @@ TEST(SecondDerivatives, AreTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(one[i].yz, three[i].yz);
   }
   one.pop_back();
-  EXPECT_THROW(interface_of(scene).second_derivatives(scene.atoms.view(), one),
-               std::domain_error);
+  EXPECT_THROW(
+      interface_of(problem).second_derivatives(problem.atoms.view(), one),
+      std::domain_error);
 }
 
-// Claim: no atom is softer than asked, one that was not is left as it was, and
-// infinity gives everything back. Tolerance: 3 x 3 eigenvalues in closed form,
-// good to about the root of rounding of the largest.
-TEST(InterfaceCurvature, LimitsTheSoftnessOfEachAtom) {
-  const scenes::Scene scene(10, 16, 0.5 * scenes::angstrom, 5);
-  const std::size_t n = scene.layer.size();
+// No atom is softer than the given limit, one that was not softer is unchanged,
+// and infinity restores the original. Tolerance: 3 x 3 eigenvalues in closed
+// form, accurate to about the root of the roundoff of the largest.
+TEST(InterfaceCurvature, ConvexifiesEachAtom) {
+  const problems::InterfaceProblem problem(10, 16, 0.5 * problems::angstrom, 5);
+  const std::size_t n = problem.layer.size();
   const double bulk = 10.0;
   InterfaceCurvature curvature(n, bulk, false);
-  curvature.take(interface_of(scene), scene.atoms.view());
+  curvature.take(interface_of(problem), problem.atoms.view());
   std::vector<SymmetricBlock> blocks(n);
-  interface_of(scene).second_derivatives(scene.atoms.view(), blocks);
+  interface_of(problem).second_derivatives(problem.atoms.view(), blocks);
   const double rounding = 1e-7 * largest(blocks);
   int softened = 0;
 
@@ -163,13 +164,13 @@ TEST(InterfaceCurvature, LimitsTheSoftnessOfEachAtom) {
   EXPECT_THROW(curvature.limit_negative_curvature(-1.0), std::domain_error);
 }
 
-// Claim: S (k + max(H, 0)) S = k + k_c for every atom. Tolerance as above.
-TEST(InterfaceCurvature, MakesAllAtomsAlike) {
-  const scenes::Scene scene(10, 16, 0.5 * scenes::angstrom, 6);
-  const std::size_t n = scene.layer.size();
+// Verifies S (k + max(H, 0)) S = k + k_c for every atom. Tolerance as above.
+TEST(InterfaceCurvature, EqualisesAllAtoms) {
+  const problems::InterfaceProblem problem(10, 16, 0.5 * problems::angstrom, 6);
+  const std::size_t n = problem.layer.size();
   const double bulk = 10.0;
   InterfaceCurvature curvature(n, bulk, false);
-  curvature.take(interface_of(scene), scene.atoms.view());
+  curvature.take(interface_of(problem), problem.atoms.view());
   curvature.limit_negative_curvature(0.0);
   const Planes step = random_step(n, 1);
 

@@ -1,4 +1,5 @@
-// Claims about md/interface/interface.hpp: what it counts, and what it refuses.
+// Tests of the inspection by md/interface/interface.hpp, and of refused
+// arguments.
 #include "md/interface/interface.hpp"
 
 #include <gtest/gtest.h>
@@ -15,17 +16,17 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
-using scenes::lattice;
-using scenes::paper_atoms;
-using scenes::Planes;
-using scenes::Scene;
+using problems::angstrom;
+using problems::InterfaceProblem;
+using problems::lattice;
+using problems::paper_atoms;
+using problems::Planes;
 
 constexpr double close = 2.2 * angstrom;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A commensurate flat wall, every atom over one of the substrate's, out of
-/// reach at 20 A: 3.9 A from column to column.
+/// A commensurate flat surface with every atom over one of the substrate's, out
+/// of range at 20 A: 3.9 A from column to column.
 struct FlatWall {
   Grid grid = lattice(8, 31.2 * angstrom);
   std::vector<double> heights = std::vector<double>(64);
@@ -35,7 +36,7 @@ struct FlatWall {
 
   Inspection inspect() const {
     return Interface(paper_atoms(), grid, grid, heights)
-        .inspect(atoms.view(), close, scenes::contact_distance);
+        .inspect(atoms.view(), close, problems::contact_distance);
   }
 };
 
@@ -48,13 +49,13 @@ TEST(Inspection, FindsNothingOutOfReach) {
   EXPECT_EQ(found.shortest_distance, infinity);
 }
 
-// Claim: each of four atoms is counted for what it is; the height of an atom
-// over its partner is the shortest distance. Tolerance: eps of it, times 4.
-TEST(Inspection, CountsAMadeUpState) {
+// Each of four atoms is counted in its category; the height of an atom over its
+// partner is the shortest distance. Tolerance: eps of it, times 4.
+TEST(Inspection, CountsAnArtificialState) {
   FlatWall wall;
   wall.atoms.z[3] = 4.3 * angstrom;   // in contact
-  wall.atoms.z[20] = 4.4 * angstrom;  // not
-  wall.atoms.z[21] = -1.5 * angstrom; // through: near one atom
+  wall.atoms.z[20] = 4.4 * angstrom;  // not in contact
+  wall.atoms.z[21] = -1.5 * angstrom; // through the substrate: near one atom
   wall.atoms.x[40] = 1.95 * angstrom; // halfway between two, near both
   wall.atoms.z[40] = 0.9 * angstrom;
 
@@ -66,32 +67,33 @@ TEST(Inspection, CountsAMadeUpState) {
   EXPECT_NEAR(found.shortest_distance / angstrom, 1.5, 1e-14);
 }
 
-TEST(Inspection, CountsAnAtomThatIsNowhereAsThrough) {
+TEST(Inspection, CountsAnAtomAtAnInfinitePositionAsThrough) {
   FlatWall wall;
   wall.atoms.y[5] = std::numeric_limits<double>::quiet_NaN();
 
   EXPECT_EQ(wall.inspect().below_substrate, 1);
 }
 
-// Claim: the counts are those of a loop over all pairs; threads change nothing.
+// The counts are those of a loop over all pairs; the number of threads changes
+// nothing.
 TEST(Inspection, CountsAsAllPairsOneByOne) {
-  const Scene scene(10, 16, 40.0 * angstrom, 21, 2.0 * angstrom);
-  std::vector<double> shortest(scene.layer.size(), infinity);
+  const InterfaceProblem problem(10, 16, 40.0 * angstrom, 21, 2.0 * angstrom);
+  std::vector<double> shortest(problem.layer.size(), infinity);
   int close_pairs = 0;
-  for_all_pairs(scene, [&](std::size_t i, double dx, double dy, double dz) {
+  for_all_pairs(problem, [&](std::size_t i, double dx, double dy, double dz) {
     const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
     shortest[i] = std::min(shortest[i], distance);
     close_pairs += distance < close ? 1 : 0;
   });
   const auto in_contact =
       std::count_if(shortest.begin(), shortest.end(), [](double distance) {
-        return distance < scenes::contact_distance;
+        return distance < problems::contact_distance;
       });
 
   for (const int threads : {1, 3}) {
     const Inspection found =
-        scene.interface(paper_atoms(), threads)
-            .inspect(scene.atoms.view(), close, scenes::contact_distance);
+        problem.interface(paper_atoms(), threads)
+            .inspect(problem.atoms.view(), close, problems::contact_distance);
 
     EXPECT_GT(close_pairs, 0);
     EXPECT_EQ(found.close_pairs, close_pairs);
@@ -102,27 +104,27 @@ TEST(Inspection, CountsAsAllPairsOneByOne) {
   }
 }
 
-// Claim: the height below is the node's at a node and bilinear between, through
-// the seam as well. Tolerance: eps of the heights, times 10.
+// The height below is that of the node at a node and bilinear between nodes,
+// also across the periodic boundary. Tolerance: eps of the heights, times 10.
 TEST(HeightsBelow, AreBilinear) {
-  const Scene scene(10, 10, 0.0, 2);
-  const Interface interface = scene.interface(paper_atoms());
+  const InterfaceProblem problem(10, 10, 0.0, 2);
+  const Interface interface = problem.interface(paper_atoms());
   const auto height = [&](int ix, int iy) {
-    return scene.heights[scene.substrate.index(ix % 10, iy % 10)];
+    return problem.heights[problem.substrate.index(ix % 10, iy % 10)];
   };
   Planes atoms(100);
   const std::vector<double> at_nodes = interface.heights_below(atoms.view());
-  const double spacing = scene.substrate.spacing_x();
+  const double spacing = problem.substrate.spacing_x();
   for (std::size_t i = 0; i < 100; ++i) {
     atoms.x[i] = 0.25 * spacing;
-    atoms.y[i] = 0.5 * spacing - 2.0 * scene.layer.length_y;
+    atoms.y[i] = 0.5 * spacing - 2.0 * problem.layer.length_y;
   }
 
   const std::vector<double> between = interface.heights_below(atoms.view());
 
   for (int iy = 0; iy < 10; ++iy)
     for (int ix = 0; ix < 10; ++ix) {
-      const std::size_t i = scene.layer.index(ix, iy);
+      const std::size_t i = problem.layer.index(ix, iy);
       EXPECT_NEAR(at_nodes[i], height(ix, iy), 1e-25);
       EXPECT_NEAR(between[i],
                   0.375 * (height(ix, iy) + height(ix, iy + 1)) +
@@ -131,7 +133,8 @@ TEST(HeightsBelow, AreBilinear) {
     }
 }
 
-// Claim: the paper's 648 for 400, and the golden mean of other lattices.
+// The number is the paper's 648 for 400, and follows the golden ratio for other
+// lattices.
 TEST(IncommensurateAtoms, AreTheNearestEvenNumber) {
   EXPECT_EQ(incommensurate_atoms(400), 648);
   EXPECT_EQ(incommensurate_atoms(100), 162);

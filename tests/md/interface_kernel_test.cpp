@@ -1,5 +1,4 @@
-// Claims about md/interface/interface_kernel.hpp and
-// md/interface/substrate.hpp.
+// Tests of md/interface/interface_kernel.hpp and md/interface/substrate.hpp.
 #include "md/interface/interface_kernel.hpp"
 #include "md/interface/substrate.hpp"
 
@@ -14,16 +13,16 @@
 namespace asperity::md {
 namespace {
 
-// Claim: processors with and without AVX2 find the same bits. (Without, this
-// test says nothing.)
+// Processors with and without AVX2 give the same bits. (Without AVX2 this test
+// verifies nothing.)
 TEST(SumWindow, GivesTheSameBitsTwoAndFourWide) {
-  const scenes::Scene scene(10, 16, 0.0, 1);
+  const problems::InterfaceProblem problem(10, 16, 0.0, 1);
   for (const double attraction : {0.0, 0.7}) {
-    const Interaction law = scenes::paper_atoms(attraction);
-    const Substrate substrate(scene.substrate, scene.heights, law.cutoff,
+    const Interaction law = problems::paper_atoms(attraction);
+    const Substrate substrate(problem.substrate, problem.heights, law.cutoff,
                               law.distance);
     const std::vector<double> places =
-        scenes::random_numbers(300, 0.0, 16.0, 4);
+        problems::random_numbers(300, 0.0, 16.0, 4);
     for (std::size_t i = 0; i < 100; ++i) {
       const double z = 1.0 + 0.1 * places[3 * i + 2];
       const Window window =
@@ -43,16 +42,16 @@ TEST(SumWindow, GivesTheSameBitsTwoAndFourWide) {
   }
 }
 
-// Claim: an atom that is higher than the cut-off over all it could reach costs
-// nothing, one at d_c hardly more than its circle: strips of four, an overhang
-// of two a row and a quarter of a cell.
+// An atom that is higher than the cut-off above everything within its range
+// costs nothing, one at d_c hardly more than its circle: strips of four, an
+// overhang of two per row and a quarter of a cell.
 TEST(Substrate, ListsLittleBeyondTheReach) {
-  const scenes::Scene scene(10, 16, 0.0, 1);
-  const double spacing = scene.substrate.spacing_x();
-  const Substrate substrate(scene.substrate, std::vector<double>(256),
-                            10.0 * scenes::angstrom, spacing);
-  const double reach = 10.0 * scenes::angstrom / spacing;
-  const double height = scenes::contact_distance / spacing;
+  const problems::InterfaceProblem problem(10, 16, 0.0, 1);
+  const double spacing = problem.substrate.spacing_x();
+  const Substrate substrate(problem.substrate, std::vector<double>(256),
+                            10.0 * problems::angstrom, spacing);
+  const double reach = 10.0 * problems::angstrom / spacing;
+  const double height = problems::contact_distance / spacing;
   const double radius = std::sqrt(reach * reach - height * height);
 
   const std::size_t listed =

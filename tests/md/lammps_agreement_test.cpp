@@ -1,7 +1,7 @@
-// Claim: at small slopes the block computed by LAMMPS and our own answer alike.
-// They share the pair law and nothing else: LAMMPS finds its own pairs, has
-// bonds for the crystal, every atom of its block, and another minimiser.
-// Skipped where the Debian package lammps is not installed.
+// Verifies that LAMMPS and our own engine agree at small slopes. They have only
+// the pair law in common: LAMMPS finds its own pairs, has bonds for the
+// crystal, every atom of its block, and another minimiser. Skipped where the
+// Debian package lammps is not installed.
 #include "base/child_process.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/lammps/lammps_block.hpp"
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "tests/md/lammps_scenes.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md {
 namespace {
@@ -23,7 +23,7 @@ constexpr int points = 24;
 constexpr int cells = 12;
 constexpr double modulus = 77.2e9 / (1.0 - 0.25 * 0.25); // E* [Pa]
 
-/// Our own answer, far below the other's residual.
+/// The solution of our own engine, far below the residual of the other.
 struct OwnAnswer {
   std::vector<double> pressure;
   double nominal_pressure = 0.0;
@@ -66,8 +66,8 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// Root mean square about the mean: how unevenly the load is borne, which is
-/// what the block's stiffness decides.
+/// Root mean square about the mean: the variation of the load between atoms,
+/// which depends on the stiffness of the block.
 double fluctuation(std::vector<double> values) {
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
                       static_cast<double>(values.size());
@@ -85,14 +85,14 @@ protected:
 
   ~LammpsAgreement() override {
     std::filesystem::remove_all(
-        scenes::small_request(points, cells, 0.0).scratch);
+        problems::small_request(points, cells, 0.0).scratch);
   }
 };
 
-// Tolerance: 0.3 % of p at the same u is what the engines are held to. What is
-// left is that bonds turn and stretch where our springs are linear.
+// Tolerance: 0.3 % of p at the same u is the required agreement of the engines.
+// The difference is that bonds rotate and stretch where our springs are linear.
 TEST_F(LammpsAgreement, PressureAgainstGapIsThatOfTheGreenBlock) {
-  const AtomRequest request = scenes::small_request(points, cells, 0.05);
+  const AtomRequest request = problems::small_request(points, cells, 0.05);
   const auto lammps = make_lammps_contact(request);
 
   for (int step = 0; step < 2; ++step) {
@@ -108,11 +108,11 @@ TEST_F(LammpsAgreement, PressureAgainstGapIsThatOfTheGreenBlock) {
   }
 }
 
-// Claim: where strains are small, so is every difference. What tells a wrong
-// stiffness is how unevenly the load is borne. Tolerance: strains are of the
-// order of p/E*, 0.003, and move a pressure by a third of themselves.
+// Where strains are small, so is every difference. The variation of the load
+// reveals a wrong stiffness. Tolerance: strains are of the order of p/E*,
+// 0.003, and change a pressure by a third of themselves.
 TEST_F(LammpsAgreement, MapsAreTheSameWhereStrainsAreSmall) {
-  AtomRequest request = scenes::small_request(points, cells, 0.02);
+  AtomRequest request = problems::small_request(points, cells, 0.02);
   request.settings.tolerance = 1e-5;
 
   const AtomStep found = make_lammps_contact(request)->solve(

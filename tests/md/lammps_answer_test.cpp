@@ -1,5 +1,5 @@
-// Claims about md/lammps/lammps_answer.hpp: what LAMMPS wrote is read whole or
-// refused, and a log that is still being written is never misread.
+// Tests of md/lammps/lammps_answer.hpp: the output of LAMMPS is read completely
+// or refused, and a log that is still being written is read correctly.
 #include "md/lammps/lammps_answer.hpp"
 #include "md/lammps/lammps_input.hpp"
 #include "md/lammps/lammps_units.hpp"
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "tests/md/lammps_scenes.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md {
 namespace {
@@ -68,8 +68,8 @@ protected:
     return text;
   }
 
-  LammpsBlock block = lammps_block(scenes::small_request(8, 1, 0.05));
-  std::filesystem::path folder = scenes::small_request(8, 1, 0.05).scratch;
+  LammpsBlock block = lammps_block(problems::small_request(8, 1, 0.05));
+  std::filesystem::path folder = problems::small_request(8, 1, 0.05).scratch;
 };
 
 TEST_F(LammpsAnswerFiles, AreReadInSi) {
@@ -88,7 +88,7 @@ TEST_F(LammpsAnswerFiles, AreReadInSi) {
   EXPECT_DOUBLE_EQ(answer.pair_energy, 0.25 * metal::energy);
 }
 
-TEST_F(LammpsAnswerFiles, MissingOrCutShortAreRefusedByName) {
+TEST_F(LammpsAnswerFiles, MissingOrTruncatedAreRefusedByName) {
   const auto refusal = [&] {
     try {
       read_answer(block, folder);
@@ -107,7 +107,7 @@ TEST_F(LammpsAnswerFiles, MissingOrCutShortAreRefusedByName) {
   expect_named(lammps_file::answer);
   write(lammps_file::answer, whole);
   expect_named(lammps_file::contact);
-  // Not the numbering of the block.
+  // not in the numbering of the block
   std::string shifted = dump(65, 3);
   shifted.erase(shifted.find("\n1 "),
                 shifted.find("\n2 ") - shifted.find("\n1 "));

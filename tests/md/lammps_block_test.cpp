@@ -1,4 +1,4 @@
-// Claims about md/lammps/lammps_block.hpp: what LAMMPS is told is the central
+// Tests of md/lammps/lammps_block.hpp: the input of LAMMPS is the central
 // crystal of md/lattice/crystal.hpp and the pair law of
 // md/interface/interaction.hpp. The bonds are read back from the text of the
 // data file, as LAMMPS does.
@@ -14,7 +14,7 @@
 #include <random>
 #include <sstream>
 
-#include "tests/md/lammps_scenes.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md {
 namespace {
@@ -23,7 +23,7 @@ constexpr int points = 8;
 constexpr int cells = 3;
 
 LammpsBlock small_block() {
-  return lammps_block(scenes::small_request(points, cells, 0.05));
+  return lammps_block(problems::small_request(points, cells, 0.05));
 }
 
 struct BondType {
@@ -123,7 +123,7 @@ double cell_energy(const LammpsBlock& block,
   return sum;
 }
 
-// Tolerance: some 10^4 terms of 1e-16 of the sum, added one to the other.
+// Tolerance: some 10^4 terms of 1e-16 of the sum, added one after the other.
 TEST(LammpsBlockData, BondsStoreTheEnergyOfTheCells) {
   const LammpsBlock block = small_block();
   const DataFile data = read(data_file(block, 10e-10));
@@ -142,7 +142,7 @@ TEST(LammpsBlockData, BondsStoreTheEnergyOfTheCells) {
 
 // Tolerance: printed with 17 digits.
 TEST(LammpsBlockData, AtomsAreTheCrystalAndTheSurface) {
-  const AtomRequest request = scenes::small_request(points, cells, 0.05);
+  const AtomRequest request = problems::small_request(points, cells, 0.05);
   const LammpsBlock block = lammps_block(request);
 
   const DataFile data = read(data_file(block, 10e-10));
@@ -163,9 +163,9 @@ TEST(LammpsBlockData, AtomsAreTheCrystalAndTheSurface) {
   }
 }
 
-// Claim: between the points of the table, too, the force is that of
-// pair_term(). Tolerance: a straight line in r^2 misses the middle of a step d
-// by d^2/8 times the second derivative of (r^2)^-7, relative 7 d^2/r^4.
+// Between the points of the table, too, the force is that of pair_term().
+// Tolerance: a linear interpolation in r^2 has in the middle of a step d the
+// error d^2/8 times the second derivative of (r^2)^-7, relative 7 d^2/r^4.
 TEST(LammpsBlockTable, InterpolatedInTheSquareIsThePairLaw) {
   const Interaction interaction = small_block().interaction;
   std::istringstream text(pair_table(interaction));
@@ -199,10 +199,10 @@ TEST(LammpsBlockTable, InterpolatedInTheSquareIsThePairLaw) {
   }
 }
 
-/// The refusal of a request that something was done to.
+/// The refusal of a request after a change.
 template <class Spoil>
 std::string refusal(const Spoil& spoil) {
-  AtomRequest request = scenes::small_request(points, cells, 0.05);
+  AtomRequest request = problems::small_request(points, cells, 0.05);
   spoil(request);
   try {
     lammps_block(request);
@@ -212,7 +212,7 @@ std::string refusal(const Spoil& spoil) {
   return "none";
 }
 
-TEST(LammpsBlockRefusals, SayWhatLammpsCannotBe) {
+TEST(LammpsBlockRefusals, NameWhatLammpsCannotDo) {
   const auto expect = [](const std::string& message, const char* words) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };

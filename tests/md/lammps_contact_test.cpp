@@ -1,7 +1,7 @@
-// Claims about md/lammps/lammps_contact.hpp that need no second engine: both
-// controls give one curve, its energy is its work, any number of processes the
-// same answer, and a step that fails says why. Skipped where the Debian package
-// lammps is not installed.
+// Tests of md/lammps/lammps_contact.hpp without a second engine: both controls
+// give one curve, the energy is the work of the load, any number of processes
+// gives the same solution, and a step that fails states the reason. Skipped
+// where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
 #include "md/engines.hpp"
 #include "md/lammps/lammps_contact.hpp"
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tests/md/lammps_scenes.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md {
 namespace {
@@ -31,13 +31,13 @@ protected:
     std::filesystem::remove_all(request.scratch);
   }
 
-  AtomRequest request = scenes::small_request(12, 6, 0.05);
+  AtomRequest request = problems::small_request(12, 6, 0.05);
 };
 
-/// Smallest u the curve is asked at; contact is light to moderate there.
+/// Smallest u of the curve; contact is light to moderate there.
 constexpr double gap = 0.2e-10;
 
-// Tolerance: p falls by 2.3 in 1e-10 m, and a residual of 1e-4 leaves u
+// Tolerance: p decreases by 2.3 in 1e-10 m, and a residual of 1e-4 leaves u
 // uncertain by 1e-4 of that.
 TEST_F(LammpsContactTest, BothControlsGiveOneCurve) {
   const auto contact = make_lammps_contact(request);
@@ -54,9 +54,9 @@ TEST_F(LammpsContactTest, BothControlsGiveOneCurve) {
   EXPECT_NEAR(held.nominal_pressure / pressed.nominal_pressure, 1.0, 3e-4);
 }
 
-// Claim: the energy stored on the way from one gap to a smaller one is the work
-// of the pressure, dE/du = -p. Tolerance: the residual, 1e-4, of p; Simpson's
-// rule over two steps of 0.1 angstrom misses (2.3 * 0.1)^4 / 180.
+// The energy stored between one gap and a smaller one is the work of the
+// pressure, dE/du = -p. Tolerance: the residual, 1e-4, of p; Simpson's rule
+// over two steps of 0.1 angstrom has the error (2.3 * 0.1)^4 / 180.
 TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
   const auto contact = make_lammps_contact(request);
   constexpr double step = 0.1e-10;
@@ -76,7 +76,7 @@ TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
   EXPECT_NEAR((energy(2) - energy(0)) / work, 1.0, 2e-4);
 }
 
-// Tolerance: two answers within the residual of the same one.
+// Tolerance: two solutions within the residual of the same one.
 TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
   if (program_on_path("mpirun").empty())
     GTEST_SKIP() << "mpirun is not installed";
@@ -128,8 +128,8 @@ TEST_F(LammpsContactTest, OutOfReachThereIsNoPressure) {
   EXPECT_EQ(step.interface_energy, 0.0);
 }
 
-// Claim: a block that is pressed down and touches nothing is in no balance. Its
-// atoms start 4 angstrom over the substrate and end beyond the cut-off here.
+// A block that is loaded and touches nothing is not in balance. Its atoms start
+// 4 angstrom above the substrate and end beyond the cut-off here.
 TEST_F(LammpsContactTest, ALoadIsNotInBalanceOutOfReach) {
   request.settings.cutoff = 3.9e-10;
   request.settings.contact_distance = 3.3e-10;
@@ -143,7 +143,7 @@ TEST_F(LammpsContactTest, ALoadIsNotInBalanceOutOfReach) {
   EXPECT_FALSE(step.note.empty());
 }
 
-TEST_F(LammpsContactTest, AStepThatFailsSaysWhy) {
+TEST_F(LammpsContactTest, AFailedStepStatesTheReason) {
   request.settings.max_evaluations = 5;
   const auto contact = make_lammps_contact(request);
 

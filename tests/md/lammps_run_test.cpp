@@ -1,6 +1,6 @@
-// Claims about md/lammps/lammps_run.hpp: LAMMPS is found along PATH or asked
-// for by its package, and how it ended is told in its own words. What needs the
-// program is skipped where the Debian package lammps is not installed.
+// Tests of md/lammps/lammps_run.hpp: LAMMPS is found along PATH or its package
+// is named, and its own error message is reported. Tests that need the program
+// are skipped where the Debian package lammps is not installed.
 #include "base/child_process.hpp"
 #include "input/input_error.hpp"
 #include "md/lammps/lammps_run.hpp"
@@ -50,7 +50,7 @@ protected:
   if (program_on_path("lmp").empty())                                          \
   GTEST_SKIP() << "lmp is not installed (Debian package lammps)"
 
-TEST_F(LammpsRunTest, AMissingProgramIsAskedForByItsPackage) {
+TEST_F(LammpsRunTest, NamesThePackageOfAMissingProgram) {
   ::setenv("PATH", folder.c_str(), 1);
 
   EXPECT_EQ(refusal(1), "[md] engine = \"lammps\" needs the program lmp; "
@@ -64,8 +64,9 @@ TEST_F(LammpsRunTest, AMissingProgramIsAskedForByItsPackage) {
       << refusal(1);
 }
 
-// An MPI that was started in this process would take LAMMPS for its own rank.
-TEST_F(LammpsRunTest, SeesNothingOfAnMpiOfThisProcess) {
+// LAMMPS must not see an MPI that this process has started, or it would regard
+// itself as one of its ranks.
+TEST_F(LammpsRunTest, IsIndependentOfAnMpiOfThisProcess) {
   ::setenv("PMIX_RANK", "0", 1);
   ::setenv("OMPI_COMM_WORLD_SIZE", "7", 1);
   ::setenv("ASPERITY_SEEN", "yes", 1);
@@ -93,7 +94,7 @@ TEST_F(LammpsRunTest, VersionIsADate) {
   EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(version[0]))) << version;
 }
 
-TEST_F(LammpsRunTest, FailureIsToldByLammpsOwnLine) {
+TEST_F(LammpsRunTest, FailureHasTheMessageOfLammps) {
   NEEDS_LAMMPS();
   write("wrong.in", "units metal\natom_style no_such_style\n");
 
@@ -108,7 +109,7 @@ TEST_F(LammpsRunTest, FailureIsToldByLammpsOwnLine) {
       << run.note;
 }
 
-TEST_F(LammpsRunTest, IsStoppedWhenAskedTo) {
+TEST_F(LammpsRunTest, IsStoppedOnRequest) {
   NEEDS_LAMMPS();
   write("long.in", "units metal\nshell sleep 1000\n");
   int questions = 0;

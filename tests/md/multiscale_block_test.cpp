@@ -56,7 +56,7 @@ void for_atoms(const MultiscaleBlock& block, const Act& act) {
 
 using Gradient = std::array<std::array<double, 3>, 3>;
 
-/// The state u = gradient (r - r_top); periods are not closed.
+/// The displacement u = gradient (r - r_top), which is not periodic.
 std::vector<double> homogeneous(const MultiscaleBlock& block,
                                 const Gradient& gradient) {
   std::vector<double> state(block.size());
@@ -75,11 +75,11 @@ INSTANTIATE_TEST_SUITE_P(Lattices, EveryLattice,
                                            mechanics::AtomLattice::born,
                                            mechanics::AtomLattice::central));
 
-// Claim: the patch test. No homogeneous strain or rotation pulls at an atom
-// inside, hanging atoms between levels or not. Tolerance: rounding of sums of
-// 81 terms, relative to the force of one spring so stretched. Lateral strains
-// do not fit the period and the plate: atoms within two coarse spacings of
-// either are left out.
+// The patch test. A homogeneous strain or rotation causes no force on an atom
+// inside, with and without hanging atoms between levels. Tolerance: roundoff of
+// sums of 81 terms, relative to the force of one spring under this strain.
+// Lateral strains do not fit the period and the plate: atoms within two coarse
+// spacings of either are excluded.
 TEST_P(EveryLattice, PassesThePatchTest) {
   const MultiscaleBlock block = block_of(GetParam(), 32, 32, 3, 2);
   const double coarse = 4 * spacing;
@@ -108,9 +108,9 @@ TEST_P(EveryLattice, PassesThePatchTest) {
   }
 }
 
-// Claim: u_z and u_x linear in height, which the period and the plate admit,
-// leave all but the lowest layer at peace, and their energy is the continuum's,
-// volume (C_11 e_zz^2 + C_44 g_xz^2) / 2, for any levels. Tolerance: rounding.
+// u_z and u_x linear in height, which the period and the plate allow, cause no
+// force except on the lowest layer, and their energy is that of the continuum,
+// volume (C_11 e_zz^2 + C_44 g_xz^2) / 2, for any levels. Tolerance: roundoff.
 TEST_P(EveryLattice, CompressesAndShearsAsTheContinuum) {
   const Crystal crystal = crystal_of(GetParam());
   const double shear_modulus =
@@ -146,9 +146,9 @@ TEST_P(EveryLattice, CompressesAndShearsAsTheContinuum) {
   }
 }
 
-// Claim: forces are minus the gradient of the energy, hanging atoms, plate and
-// all. A central difference of a quadratic has no error but rounding: eps E
-// over the energy's change, some 1e-9 here.
+// Forces are minus the gradient of the energy, including those of hanging atoms
+// and of the plate. A central difference of a quadratic function has no error
+// but roundoff: eps E over the change of the energy, some 1e-9 here.
 TEST_P(EveryLattice, ForcesAreMinusTheGradient) {
   const MultiscaleBlock block = block_of(GetParam(), 8, 12, 3, 2);
   std::vector<double> state = random_state(block, 1);
@@ -179,8 +179,9 @@ TEST_P(EveryLattice, ForcesAreMinusTheGradient) {
   }
 }
 
-// Claim: nothing changes when the whole block and its plate rise, nor the net
-// force, which is zero. Tolerance: rounding of the raised heights.
+// A uniform displacement of block and plate along z changes neither the energy
+// nor the net force, which is zero. Tolerance: roundoff of the displaced
+// heights.
 TEST_P(EveryLattice, IsInvariantUnderTranslationInHeight) {
   const MultiscaleBlock block = block_of(GetParam(), 8, 8, 2, 3);
   std::vector<double> state = random_state(block, 3);
@@ -207,9 +208,9 @@ TEST_P(EveryLattice, IsInvariantUnderTranslationInHeight) {
               1e-11 * largest_magnitude(forces));
 }
 
-// Claim: the cells' mass is all there. One level weighs atoms x layers; what
-// hangs between levels is on the coarse atoms. Exact in binary.
-TEST(MultiscaleBlock, WeighsWhatItsCellsWeigh) {
+// The total mass is that of the cells. One level has the mass of atoms x
+// layers; the mass of hanging atoms is on the coarse atoms. Exact in binary.
+TEST(MultiscaleBlock, HasTheMassOfItsCells) {
   for (const int levels : {1, 2, 3}) {
     const MultiscaleBlock block =
         block_of(mechanics::AtomLattice::isotropic, 16, 8, levels, 5);
@@ -225,7 +226,7 @@ TEST(MultiscaleBlock, WeighsWhatItsCellsWeigh) {
   }
 }
 
-// Claim: the number of threads changes no bit.
+// Verifies that the number of threads changes no bit.
 TEST(MultiscaleBlock, HasTheSameBitsForAnyThreads) {
   const MultiscaleBlock one =
       block_of(mechanics::AtomLattice::isotropic, 16, 16, 3, 3, 1);
@@ -241,7 +242,7 @@ TEST(MultiscaleBlock, HasTheSameBitsForAnyThreads) {
   EXPECT_EQ(same_forces, forces);
 }
 
-TEST(MultiscaleBlock, RefusesWhatDoesNotDivide) {
+TEST(MultiscaleBlock, RefusesIndivisibleSizes) {
   const auto complaint = [](auto call) -> std::string {
     try {
       call();

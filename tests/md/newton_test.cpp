@@ -1,5 +1,5 @@
-// Claims about md/minimise/newton.hpp and the second derivatives of
-// md/contact/green_system.hpp: Newton's method ends in the balance of L-BFGS,
+// Tests of md/minimise/newton.hpp and of the second derivatives of
+// md/contact/green_system.hpp: Newton's method converges to the state of L-BFGS
 // with far fewer evaluations.
 #include "base/maximum.hpp"
 #include "md/contact/green_system.hpp"
@@ -26,31 +26,31 @@ struct Held {
   Load::Kind kind;
 };
 
-/// Rough enough that atoms lie on slopes and some lie softly.
-class EveryHold : public ::testing::TestWithParam<Held> {
+/// Rough enough that atoms lie on slopes and some have a small stiffness.
+class EveryLoadKind : public ::testing::TestWithParam<Held> {
 protected:
-  EveryHold()
-      : system(SurfaceStiffness(scenes::paper_crystal(), contact.layer(), 16,
+  EveryLoadKind()
+      : system(SurfaceStiffness(problems::paper_crystal(), contact.layer(), 16,
                                 GetParam().modes),
                contact.interface()) {
     system.set_load(GetParam().kind == Load::Kind::height
-                        ? Load{Load::Kind::height, 4.0 * scenes::angstrom}
+                        ? Load{Load::Kind::height, 4.0 * problems::angstrom}
                         : Load{Load::Kind::nominal_pressure, 0.05 * modulus});
   }
 
   std::vector<double> start() const {
-    return system.undeformed(contact.highest() + 3.0 * scenes::angstrom);
+    return system.undeformed(contact.highest() + 3.0 * problems::angstrom);
   }
 
-  /// What may move, at random [m].
+  /// A random displacement of what may move [m].
   std::vector<double> step(double most, unsigned seed) const {
     std::vector<double> step =
-        scenes::random_numbers(system.size(), -most, most, seed);
+        problems::random_numbers(system.size(), -most, most, seed);
     system.shorten(step, infinity);
     return step;
   }
 
-  scenes::RoughContact contact{.rms_height = 1.5 * scenes::angstrom};
+  problems::RoughContact contact{.rms_height = 1.5 * problems::angstrom};
   GreenSystem system;
 };
 
@@ -61,9 +61,9 @@ double dot(std::span<const double> left, std::span<const double> right) {
   return sum;
 }
 
-// Claim: curvature times a step is what the step takes off the forces.
+// The curvature times a step is the reduction of the forces by the step.
 // Tolerance: of the largest force, as in interface_curvature_test.
-TEST_P(EveryHold, CurvatureIsTheDifferenceOfTheForces) {
+TEST_P(EveryLoadKind, CurvatureIsTheDifferenceOfTheForces) {
   std::vector<double> state = start();
   for (std::size_t i = 0; const double part : step(2e-11, 1))
     state[i++] += part;
@@ -89,9 +89,9 @@ TEST_P(EveryHold, CurvatureIsTheDifferenceOfTheForces) {
                 1e-6 * most);
 }
 
-// Claim: P is symmetric and positive, as conjugate gradients need it.
-// Tolerance: rounding of sums over all unknowns.
-TEST_P(EveryHold, PreconditionerIsSymmetricAndPositive) {
+// P is symmetric and positive, as conjugate gradients require. Tolerance:
+// roundoff of sums over all unknowns.
+TEST_P(EveryLoadKind, PreconditionerIsSymmetricAndPositive) {
   system.linearise(start());
   const std::vector<double> first = step(1.0, 3);
   const std::vector<double> second = step(1.0, 4);
@@ -106,10 +106,10 @@ TEST_P(EveryHold, PreconditionerIsSymmetricAndPositive) {
               1e-12 * dot(first, of_first));
 }
 
-// Claim: the balance is that of L-BFGS. Tolerance: both leave a residual of
-// 1e-9, and the softest wave of these blocks is not 1e3 softer than a pair, so
-// forces agree to 1e-6 of the mean and energies to their rounding.
-TEST_P(EveryHold, EndsWhereLbfgsDoes) {
+// The state is that of L-BFGS. Tolerance: both leave a residual of 1e-9, and
+// the softest wave of these blocks is at most 1e3 times softer than a pair, so
+// that forces agree to 1e-6 of the mean and energies to their roundoff.
+TEST_P(EveryLoadKind, EndsWhereLbfgsDoes) {
   RelaxationSettings settings;
   settings.tolerance = 1e-9;
   settings.contact_stiffness = 20.0;
@@ -123,15 +123,15 @@ TEST_P(EveryHold, EndsWhereLbfgsDoes) {
   ASSERT_TRUE(newton.converged) << newton.note;
   EXPECT_LE(newton.residual, settings.tolerance);
   EXPECT_NEAR(newton.energy / lbfgs.energy, 1.0, 1e-9);
-  const std::vector<double> judge = normal_forces(system, by_lbfgs);
+  const std::vector<double> reference = normal_forces(system, by_lbfgs);
   const std::vector<double> forces = normal_forces(system, by_newton);
   double mean = 0.0;
-  for (const double force : judge)
-    mean += std::abs(force) / static_cast<double>(judge.size());
-  for (std::size_t i = 0; i < judge.size(); ++i)
-    EXPECT_NEAR(forces[i], judge[i], 1e-6 * mean);
+  for (const double force : reference)
+    mean += std::abs(force) / static_cast<double>(reference.size());
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    EXPECT_NEAR(forces[i], reference[i], 1e-6 * mean);
   const Inspection found = system.interface().inspect(
-      layer_of(system, by_newton), 2.2e-10, scenes::contact_distance);
+      layer_of(system, by_newton), 2.2e-10, problems::contact_distance);
   EXPECT_EQ(found.below_substrate, 0);
   EXPECT_EQ(found.close_pairs, 0);
   EXPECT_LT(newton.evaluations, lbfgs.evaluations);
@@ -139,8 +139,8 @@ TEST_P(EveryHold, EndsWhereLbfgsDoes) {
   EXPECT_GE(newton.products, newton.linearisations);
 }
 
-// Claim: no atom moves farther than it may in one step.
-TEST_P(EveryHold, KeepsToTheLargestStep) {
+// No atom moves farther than allowed in one step.
+TEST_P(EveryLoadKind, KeepsToTheLargestStep) {
   const std::vector<double> from = start();
   std::vector<double> state = from;
   RelaxationSettings settings;
@@ -158,9 +158,10 @@ TEST_P(EveryHold, KeepsToTheLargestStep) {
     EXPECT_LE(std::abs(state[i] - from[i]), 1e-12 * (1.0 + 1e-3));
 }
 
-// Claim: an atom that would move too far is shortened alone. Tolerance: what
-// is held is taken out again, at most the means of the one atom's step.
-TEST_P(EveryHold, ShortensOneAtomAlone) {
+// The step of an atom that would move too far is shortened without changing the
+// others. Tolerance: what is prescribed is subtracted again, at most the means
+// of the step of one atom.
+TEST_P(EveryLoadKind, ShortensOneAtomAlone) {
   std::vector<double> moved = step(1e-13, 5);
   moved[2 * contact.layer().size() + 9] = 1e-9;
   const std::vector<double> before = moved;
@@ -176,16 +177,16 @@ TEST_P(EveryHold, ShortensOneAtomAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Loads, EveryHold,
+    Loads, EveryLoadKind,
     ::testing::Values(Held{AtomModes::vector, Load::Kind::nominal_pressure},
                       Held{AtomModes::vector, Load::Kind::height},
                       Held{AtomModes::normal, Load::Kind::nominal_pressure},
                       Held{AtomModes::normal, Load::Kind::height}));
 
-TEST(RelaxByNewton, StopsWhenTheWatchSaysSo) {
-  const scenes::RoughContact contact;
-  GreenSystem system(SurfaceStiffness(scenes::paper_crystal(), contact.layer(),
-                                      16, AtomModes::vector),
+TEST(RelaxByNewton, StopsOnRequest) {
+  const problems::RoughContact contact;
+  GreenSystem system(SurfaceStiffness(problems::paper_crystal(),
+                                      contact.layer(), 16, AtomModes::vector),
                      contact.interface());
   system.set_load({Load::Kind::nominal_pressure, 1e9});
   std::vector<double> state = system.undeformed(contact.highest() + 4e-10);

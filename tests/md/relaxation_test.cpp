@@ -1,6 +1,6 @@
-// Claims about md/minimise/relaxation.hpp, on systems whose balance is known in
-// closed form: it is found, within the step that is allowed, and giving up is
-// said.
+// Tests of md/minimise/relaxation.hpp with systems whose balance is known in
+// closed form: it is found, within the allowed step, and non-convergence is
+// reported.
 #include "md/minimise/relaxation.hpp"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace asperity::md {
 namespace {
 
-using scenes::Separate;
+using problems::Separate;
 
-/// Springs of stiffness 1 .. 1e4, balanced at x_i = i.
+/// Springs of stiffness 1 .. 1e4 in balance at x_i = i.
 Separate springs(std::size_t count) {
   const auto stiffness = [count](std::size_t i) {
     return std::pow(10.0, 4.0 * static_cast<double>(i) /
@@ -33,7 +33,8 @@ Separate springs(std::size_t count) {
           }};
 }
 
-/// A weight i + 1 on a wall of force 12 x^-13: balance at (12/(i+1))^(1/13).
+/// A weight i + 1 against a repulsive force 12 x^-13: balance at
+/// (12/(i+1))^(1/13).
 Separate walls(std::size_t count) {
   return {count,
           [](std::size_t i, double x) {
@@ -52,8 +53,8 @@ RelaxationSettings unit_settings() {
   return settings;
 }
 
-// Claim: a residual of 1e-9 leaves each spring of stiffness >= 1 within
-// 1e-9 sqrt(50) of its balance.
+// A residual of 1e-9 leaves each spring of stiffness >= 1 within 1e-9 sqrt(50)
+// of its balance.
 TEST(Relax, FindsTheBalanceOfSprings) {
   const Separate system = springs(50);
   std::vector<double> state = system.undeformed(0.0);
@@ -68,7 +69,7 @@ TEST(Relax, FindsTheBalanceOfSprings) {
     EXPECT_NEAR(state[i], static_cast<double>(i), 1e-8);
 }
 
-// Claim: a preconditioner that is the inverse needs one step.
+// A preconditioner that is the exact inverse needs one step.
 TEST(Relax, TakesTheStepOfAnExactInverse) {
   const Separate system(
       5, [](std::size_t, double x) { return 1.5 * (x - 1.0) * (x - 1.0); },
@@ -83,9 +84,10 @@ TEST(Relax, TakesTheStepOfAnExactInverse) {
   EXPECT_EQ(answer.evaluations, 2);
 }
 
-// Claim: falling from afar onto the wall, whose stiffness rises by 1e9 on the
-// way, ends in balance. The curvature there is 156 x^-14 > 10.
-TEST(Relax, LandsOnASteepWall) {
+// The approach from a distance to the repulsive force, whose stiffness
+// increases by 1e9 on the way, ends in balance. The curvature there is 156
+// x^-14 > 10.
+TEST(Relax, ConvergesAtASteepRepulsion) {
   const Separate system = walls(20);
   RelaxationSettings settings = unit_settings();
   settings.largest_step = 0.3;
@@ -100,7 +102,7 @@ TEST(Relax, LandsOnASteepWall) {
                 std::pow(12.0 / static_cast<double>(i + 1), 1.0 / 13.0), 1e-9);
 }
 
-// Claim: the first state that is tried lies within the allowed step.
+// The first state that is tried lies within the allowed step.
 TEST(Relax, KeepsToTheLargestStep) {
   const Separate system = springs(50);
   RelaxationSettings settings = unit_settings();
@@ -118,7 +120,7 @@ TEST(Relax, KeepsToTheLargestStep) {
   EXPECT_NEAR(longest, 0.01, 1e-12);
 }
 
-TEST(Relax, SaysWhenItsEvaluationsAreUsedUp) {
+TEST(Relax, ReportsWhenItsEvaluationsAreExhausted) {
   const Separate system = springs(50);
   RelaxationSettings settings = unit_settings();
   settings.max_evaluations = 7;
@@ -133,8 +135,8 @@ TEST(Relax, SaysWhenItsEvaluationsAreUsedUp) {
       << answer.note;
 }
 
-// Claim: forces that point uphill are noticed, and the state is given back.
-TEST(Relax, SaysWhenThereIsNoWayDown) {
+// Forces that point uphill are detected, and the initial state is returned.
+TEST(Relax, ReportsWhenNoStepDecreasesTheEnergy) {
   const Separate system(
       5, [](std::size_t, double x) { return 0.5 * x * x; },
       [](std::size_t, double x) { return x; });
@@ -148,7 +150,7 @@ TEST(Relax, SaysWhenThereIsNoWayDown) {
   EXPECT_EQ(state, system.undeformed(1.0));
 }
 
-TEST(Relax, SaysWhenTheStartHasNoEnergy) {
+TEST(Relax, ReportsAStartWithoutEnergy) {
   const Separate system = walls(3);
   std::vector<double> state = system.undeformed(0.0);
 
@@ -158,7 +160,7 @@ TEST(Relax, SaysWhenTheStartHasNoEnergy) {
   EXPECT_NE(answer.note.find("not finite"), std::string::npos) << answer.note;
 }
 
-TEST(Relax, StopsWhenTheWatchSaysSo) {
+TEST(Relax, StopsOnRequest) {
   const Separate system = springs(50);
   std::vector<double> state = system.undeformed(0.0);
   std::vector<Progress> seen;
@@ -182,7 +184,7 @@ TEST(ResidualOf, IsTheRootMeanSquareOverTheContactForce) {
   EXPECT_DOUBLE_EQ(residual_of({0.0, 5.0}, forces), 0.5);
 }
 
-TEST(Relax, IsNotInBalanceWhereNothingTouches) {
+TEST(Relax, IsNotInBalanceWithoutContact) {
   Separate system(
       3, [](std::size_t, double) { return 0.0; },
       [](std::size_t, double) { return 0.0; });
@@ -195,7 +197,7 @@ TEST(Relax, IsNotInBalanceWhereNothingTouches) {
   EXPECT_EQ(answer.residual, std::numeric_limits<double>::infinity());
 }
 
-TEST(Relax, RefusesSettingsWithoutSense) {
+TEST(Relax, RefusesInvalidSettings) {
   const Separate system = springs(5);
   std::vector<double> state = system.undeformed(0.0);
   RelaxationSettings settings = unit_settings();

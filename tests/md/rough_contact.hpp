@@ -1,7 +1,7 @@
 #pragma once
 
-// A small rough contact for the tests of whole systems: a few long waves under
-// a block of the paper's atoms.
+// A small rough contact for the tests of complete systems: a few long waves
+// under a block of the paper's atoms.
 
 #include "md/contact/explicit_system.hpp"
 
@@ -12,7 +12,7 @@
 
 #include "tests/md/small_interface.hpp"
 
-namespace asperity::md::scenes {
+namespace asperity::md::problems {
 
 constexpr double atom_mass = 197.0 * 1.66053906660e-27; // kg
 
@@ -21,7 +21,7 @@ inline Crystal paper_crystal() {
 }
 
 struct RoughContact {
-  int atoms = 16; ///< a side
+  int atoms = 16; ///< per side
   int levels = 1;
   int layers = 6;
   double rms_height = 1.0 * angstrom;
@@ -34,7 +34,8 @@ struct RoughContact {
     return lattice(incommensurate_atoms(atoms), atoms * layer_spacing);
   }
 
-  /// Waves of wavenumber 1 and 2 in both directions, random phases, mean 0.
+  /// Waves of wavenumber 1 and 2 in both directions, with random phases and
+  /// mean 0.
   std::vector<double> heights() const {
     const Grid grid = substrate();
     const std::vector<double> phases =
@@ -82,4 +83,4 @@ struct RoughContact {
   }
 };
 
-} // namespace asperity::md::scenes
+} // namespace asperity::md::problems

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-namespace asperity::md::scenes {
+namespace asperity::md::problems {
 
-/// Unknowns with an energy each: E = sum of energy(i, x_i). The contact force
-/// is 1 N, so residuals are root mean square forces.
+/// Unknowns with one energy each: E = sum of energy(i, x_i). The contact force
+/// is 1 N, so that residuals are root mean square forces.
 class Separate final : public System {
 public:
   using Term = std::function<double(std::size_t, double)>;
@@ -67,4 +67,4 @@ private:
   Grid grid_{1, 1, 1.0, 1.0};
 };
 
-} // namespace asperity::md::scenes
+} // namespace asperity::md::problems

@@ -1,5 +1,5 @@
-// Claims about md/lattice/slab_symbol.hpp: the composed slab is the eliminated
-// block, and shows the modulus of the continuum to long waves.
+// Tests of md/lattice/slab_symbol.hpp: the composed slab equals the eliminated
+// block, and has the modulus of the continuum for long waves.
 #include "md/lattice/slab_symbol.hpp"
 
 #include <Eigen/Core>
@@ -29,8 +29,9 @@ Crystal crystal_of(mechanics::AtomLattice lattice) {
 
 using WideCell = std::array<Real, 24 * 24>;
 
-/// The cell with the rounding of its rows' sums taken out: moved as a whole it
-/// costs nothing, which a wave of a thousand atoms would notice at 1e-11.
+/// The cell with row sums that are exactly zero: without this a uniform
+/// displacement would cost energy at the level of roundoff, which a wave of a
+/// thousand atoms would show at 1e-11.
 WideCell invariant_cell(const Crystal& crystal) {
   const CellStiffness cell = cell_stiffness(crystal);
   WideCell wide{};
@@ -45,7 +46,8 @@ WideCell invariant_cell(const Crystal& crystal) {
   return wide;
 }
 
-/// One layer of cells, its faces 0 (lower) and 1, from the corners' phases.
+/// One layer of cells between the planes 0 (lower) and 1, from the phases of
+/// the corners.
 Matrix face_block(const WideCell& cell, double angle_x, double angle_y,
                   std::size_t face, std::size_t other_face) {
   const auto angle = [&](std::size_t corner) {
@@ -63,7 +65,7 @@ Matrix face_block(const WideCell& cell, double angle_x, double angle_y,
   return block;
 }
 
-/// The judge: Gauss's elimination from the clamped top, layer by layer, in
+/// The reference: Gaussian elimination from the clamped top, layer by layer, in
 /// extended precision, then the multiplication by i.
 Matrix eliminated(const Crystal& crystal, double angle_x, double angle_y,
                   int cells) {
@@ -95,9 +97,9 @@ double difference(const SymmetricBlock& block, const Matrix& expected) {
 
 class AnyCrystal : public ::testing::TestWithParam<mechanics::AtomLattice> {};
 
-// Claim: composition of powers of two is the elimination layer by layer, at
-// any number of layers and wave. Tolerance: some 9 compositions of 3 x 3 blocks
-// of a few dozen roundings each, 6e-15 seen.
+// The composition by powers of two equals the elimination layer by layer, for
+// any number of layers and any wave. Tolerance: some 9 compositions of 3 x 3
+// blocks of a few dozen roundings each, 6e-15 measured.
 TEST_P(AnyCrystal, IsTheBlockEliminatedLayerByLayer) {
   const Crystal crystal = crystal_of(GetParam());
   const SlabSymbol symbol(crystal);
@@ -115,8 +117,8 @@ TEST_P(AnyCrystal, IsTheBlockEliminatedLayerByLayer) {
   EXPECT_LT(worst, 5e-14);
 }
 
-// Claim: at rest in the plane the slab is springs in series: C_11 a^2 / (n a)
-// normally, C_44 a^2 / (n a) laterally. One rounding a composition.
+// At zero wavevector the slab is springs in series: C_11 a^2 / (n a) normally,
+// C_44 a^2 / (n a) laterally. Tolerance: one rounding per composition.
 TEST_P(AnyCrystal, IsASeriesOfSpringsWithoutAWave) {
   const Crystal crystal = crystal_of(GetParam());
   const double nu = crystal.poisson_ratio;
@@ -133,9 +135,9 @@ TEST_P(AnyCrystal, IsASeriesOfSpringsWithoutAWave) {
   EXPECT_NEAR(block.yy * cells / (shear * spacing), 1.0, 1e-13);
 }
 
-// Claim: the half-space meets long waves with its closed form; what is missing
-// falls as theta^2 (the lattice's dispersion), at most theta^2 / 10.
-TEST_P(AnyCrystal, ShowsItsContactModulusToLongWaves) {
+// The half-space has its closed form for long waves; the difference decreases
+// as theta^2 (the lattice's dispersion), at most theta^2 / 10.
+TEST_P(AnyCrystal, HasItsContactModulusForLongWaves) {
   const Crystal crystal = crystal_of(GetParam());
   const SlabSymbol symbol(crystal);
 
@@ -153,8 +155,9 @@ INSTANTIATE_TEST_SUITE_P(Lattices, AnyCrystal,
                                            mechanics::AtomLattice::born,
                                            mechanics::AtomLattice::central));
 
-// Claim: the bands of the design, for the paper's E and nu, in every direction.
-TEST(IsotropicCrystal, ShowsTheContinuumUpToATenthOfTheSpacing) {
+// Verifies the bounds of the design, for the paper's E and nu, in every
+// direction.
+TEST(IsotropicCrystal, AgreesWithTheContinuumUpToATenthOfTheSpacing) {
   const Crystal crystal = crystal_of(mechanics::AtomLattice::isotropic);
   const SlabSymbol symbol(crystal);
   const auto ratio = [&](double angle, double direction) {
@@ -169,8 +172,8 @@ TEST(IsotropicCrystal, ShowsTheContinuumUpToATenthOfTheSpacing) {
   EXPECT_NEAR(ratio(0.4, 0.0), 0.996, 0.001);
 }
 
-// Claim: a slab as deep as its longest wave is the half-space to 0.04 % in
-// kind: tanh-like corrections of 4 (2 pi)^2 exp(-4 pi) = 5e-4.
+// A slab as deep as its longest wave equals the half-space to 0.04 %:
+// corrections of the type tanh, 4 (2 pi)^2 exp(-4 pi) = 5e-4.
 TEST(IsotropicCrystal, IsAHalfSpaceAtTheDepthOfItsLongestWave) {
   const SlabSymbol symbol(crystal_of(mechanics::AtomLattice::isotropic));
   const double angle = 2.0 * std::numbers::pi / 400.0;
@@ -183,7 +186,7 @@ TEST(IsotropicCrystal, IsAHalfSpaceAtTheDepthOfItsLongestWave) {
   EXPECT_LT(excess, 0.0006);
 }
 
-TEST(SymmetricBlock, IsUndoneByItsInverse) {
+TEST(SymmetricBlock, IsInvertedByItsInverse) {
   const SymmetricBlock block{4.0, 3.0, 5.0, 0.5, -1.0, 0.75};
 
   const SymmetricBlock inverted = inverse(block, 0.25, 2.0);

@@ -10,14 +10,15 @@
 #include <span>
 #include <vector>
 
-namespace asperity::md::scenes {
+namespace asperity::md::problems {
 
 constexpr double angstrom = 1e-10;
 constexpr double milli_electron_volt = 1.602176634e-22;
 constexpr double contact_distance = 4.3615 * angstrom; // d_c
 constexpr double layer_spacing = 2.6 * angstrom;       // a
 
-/// eps = 74.4 meV, r_0 = 3.28 A, a cut-off of 10 A with its last one tapered.
+/// eps = 74.4 meV, r_0 = 3.28 A, a cut-off of 10 A whose last angstrom is
+/// tapered.
 inline Interaction paper_atoms(double attraction = 0.0) {
   return {74.4 * milli_electron_volt, 3.28 * angstrom, 10.0 * angstrom,
           9.0 * angstrom, attraction};
@@ -48,16 +49,16 @@ struct Planes {
   LayerForces forces() { return {x, y, z}; }
 };
 
-/// A layer about `height` over a rough wall, displaced at random by up to
+/// A layer about `height` over a rough substrate, displaced at random by up to
 /// `displacement` [m].
-struct Scene {
+struct InterfaceProblem {
   Grid layer;
   Grid substrate;
   std::vector<double> heights;
   Planes atoms;
 
-  Scene(int layer_points, int substrate_points, double displacement,
-        unsigned seed, double height = 3.6 * angstrom)
+  InterfaceProblem(int layer_points, int substrate_points, double displacement,
+                   unsigned seed, double height = 3.6 * angstrom)
       : layer(lattice(layer_points, layer_points * layer_spacing)),
         substrate(lattice(substrate_points, layer.length_x)),
         heights(random_numbers(substrate.size(), -angstrom, angstrom, seed)),
@@ -75,25 +76,25 @@ struct Scene {
   }
 };
 
-/// Calls take(i, dx, dy, dz) for atom i and each substrate atom, from that one
-/// to the atom, x and y to the nearest image [m].
+/// Calls take(i, dx, dy, dz) for atom i and each substrate atom, with the
+/// vector from the latter to the atom, x and y to the nearest image [m].
 template <class Take>
-void for_all_pairs(const Scene& scene, const Take& take) {
-  const Grid& layer = scene.layer;
-  const Grid& substrate = scene.substrate;
+void for_all_pairs(const InterfaceProblem& problem, const Take& take) {
+  const Grid& layer = problem.layer;
+  const Grid& substrate = problem.substrate;
   for (std::size_t i = 0; i < layer.size(); ++i) {
     const auto column =
         static_cast<double>(i % static_cast<std::size_t>(layer.points_x));
     const auto row =
         static_cast<double>(i / static_cast<std::size_t>(layer.points_x));
-    const double x = column * layer.spacing_x() + scene.atoms.x[i];
-    const double y = row * layer.spacing_y() + scene.atoms.y[i];
+    const double x = column * layer.spacing_x() + problem.atoms.x[i];
+    const double y = row * layer.spacing_y() + problem.atoms.y[i];
     for (int jy = 0; jy < substrate.points_y; ++jy)
       for (int jx = 0; jx < substrate.points_x; ++jx)
         take(i, std::remainder(x - jx * substrate.spacing_x(), layer.length_x),
              std::remainder(y - jy * substrate.spacing_y(), layer.length_y),
-             scene.atoms.z[i] - scene.heights[substrate.index(jx, jy)]);
+             problem.atoms.z[i] - problem.heights[substrate.index(jx, jy)]);
   }
 }
 
-} // namespace asperity::md::scenes
+} // namespace asperity::md::problems

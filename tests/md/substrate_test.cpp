@@ -1,4 +1,4 @@
-// Claim about md/interface/substrate.hpp: a window holds every partner within
+// Tests of md/interface/substrate.hpp: a window contains every partner within
 // the reach, for any ratio of reach and spacing. The squares of some ratios
 // round to the other side of an integer when they are computed in another way.
 #include "md/interface/substrate.hpp"
@@ -14,7 +14,7 @@
 namespace asperity::md {
 namespace {
 
-using scenes::angstrom;
+using problems::angstrom;
 
 /// A substrate of points x points atoms under a reach, in lengths of `unit`.
 struct Lattice {
@@ -37,7 +37,7 @@ Offsets offsets_in(const Window& window, double spacing) {
 }
 
 void expect_all_partners(const Lattice& lattice) {
-  const Grid grid = scenes::lattice(lattice.points, lattice.length);
+  const Grid grid = problems::lattice(lattice.points, lattice.length);
   const std::vector<double> flat(grid.size(), 0.0);
   const Substrate substrate(grid, flat, lattice.reach, lattice.unit);
   const double reach = lattice.reach / grid.spacing_x();
@@ -59,8 +59,8 @@ void expect_all_partners(const Lattice& lattice) {
   }
 }
 
-// Cells of 74 and of 170 atoms, whose reach is 5, 10 and 6 times the spacing
-// of the substrate to the last digit and whose squares round to both sides.
+// Cells of 74 and of 170 atoms, whose reach is 5, 10 and 6 times the spacing of
+// the substrate to the last digit and whose squares round to either side.
 TEST(Substrate, HoldsAllPartnersWhereTheSquareOfTheRatioRounds) {
   for (const double reach : {7.4e-10, 14.8e-10})
     expect_all_partners({120, 74 * 2.4e-10, reach, 3.4e-10});

@@ -1,5 +1,5 @@
-// Claims about md/lattice/surface_stiffness.hpp: the symbol of every wavevector
-// lands where the transforms expect it, and K and its inverse belong together.
+// Tests of md/lattice/surface_stiffness.hpp: the symbol of every wavevector is
+// stored where the transforms expect it, and K and its inverse are consistent.
 #include "md/lattice/surface_stiffness.hpp"
 
 #include <gtest/gtest.h>
@@ -65,13 +65,15 @@ double dot(const Planes& left, const Planes& right) {
   return sum;
 }
 
-/// The judge: layers of cells, atom by atom, every cell with its 24 unknowns.
+/// The reference: layers of cells, atom by atom, every cell with its 24
+/// unknowns.
 class PlainBlock {
 public:
   PlainBlock(int points, int cells)
       : points_(points), cells_(cells), stiffness_(cell_stiffness(crystal)) {}
 
-  /// Forces that hold the block's atoms; planes by height, then axis.
+  /// Forces that keep the atoms of the block in place; planes by height, then
+  /// axis.
   std::vector<double> forces(const std::vector<double>& u) const {
     std::vector<double> f(u.size(), 0.0);
     for (int cell = 0; cell < points_ * points_ * cells_; ++cell)
@@ -97,9 +99,9 @@ private:
   CellStiffness stiffness_;
 };
 
-// Claim: with one layer of cells nothing is eliminated, so K u is the force of
-// the cells on the lower atoms, summed cell by cell: every sign, swap and
-// place of the symbol is in it.
+// With one layer of cells nothing is eliminated, so that K u is the force of
+// the cells on the lower atoms, summed cell by cell: this verifies every sign,
+// permutation and position of the symbol.
 TEST(SurfaceStiffness, IsTheSumOverCellsForOneLayer) {
   const Grid layer = layer_of(8);
   SurfaceStiffness stiffness(crystal, layer, 1, AtomModes::vector);
@@ -119,9 +121,9 @@ TEST(SurfaceStiffness, IsTheSumOverCellsForOneLayer) {
   EXPECT_NEAR(energy / work, 1.0, rounding);
 }
 
-// Claim: over three layers of cells K is the Schur complement: with the inner
-// atoms relaxed (conjugate gradients on the plain block, to 1e-14), the forces
-// on the lower ones are K u. Tolerance: that of the inner solution.
+// Over three layers of cells K is the Schur complement: with the inner atoms
+// relaxed (conjugate gradients on the plain block, to 1e-14), the forces on the
+// lower ones are K u. Tolerance: that of the inner solution.
 TEST(SurfaceStiffness, IsTheBlockWithItsInsideRelaxed) {
   const Grid layer = layer_of(6);
   const int cells = 3;
@@ -157,7 +159,8 @@ TEST(SurfaceStiffness, IsTheBlockWithItsInsideRelaxed) {
     before = now;
   }
 
-  // Without its mean force: the uniform displacement is the caller's.
+  // Without its mean force: the uniform displacement is determined by the
+  // caller.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double sum = 0.0;
     for (std::size_t i = 0; i < u.n; ++i)
@@ -171,7 +174,7 @@ TEST(SurfaceStiffness, IsTheBlockWithItsInsideRelaxed) {
 
 class BothModes : public ::testing::TestWithParam<AtomModes> {};
 
-TEST_P(BothModes, SolveUndoesStiffnessAndContactTogether) {
+TEST_P(BothModes, SolveInvertsStiffnessAndContactTogether) {
   const Grid layer = layer_of(10);
   SurfaceStiffness stiffness(crystal, layer, 10, GetParam());
   const ContactStiffness contact{0.3, 1.2};
@@ -194,7 +197,7 @@ TEST_P(BothModes, SolveUndoesStiffnessAndContactTogether) {
     EXPECT_NEAR(back.values[i], u.values[i], rounding * 1e-10);
 }
 
-TEST_P(BothModes, LeavesTheUniformDisplacementAlone) {
+TEST_P(BothModes, LeavesTheUniformDisplacementUnchanged) {
   const Grid layer = layer_of(10);
   SurfaceStiffness stiffness(crystal, layer, 10, GetParam());
   Planes u(layer);
@@ -212,8 +215,8 @@ INSTANTIATE_TEST_SUITE_P(Modes, BothModes,
                          ::testing::Values(AtomModes::vector,
                                            AtomModes::normal));
 
-// Claim: the normal mode is the vector mode with no tangential force: the
-// force K_n u_z, alone, displaces by u_z.
+// The normal mode is the vector mode without tangential force: the force K_n
+// u_z, alone, gives the displacement u_z.
 TEST(NormalModes, HaveNoTangentialForce) {
   const Grid layer = layer_of(8);
   SurfaceStiffness normal(crystal, layer, 8, AtomModes::normal);

@@ -14,9 +14,10 @@
 
 #include "tests/md/small_interface.hpp"
 
-namespace asperity::md::scenes {
+namespace asperity::md::problems {
 
-/// Waves in four directions that share no symmetry, of the asked rms slope.
+/// Waves in four directions without a common symmetry, of the requested rms
+/// slope.
 inline std::vector<double> waves(const Grid& grid, double rms_slope) {
   struct Wave {
     int x;
@@ -67,4 +68,4 @@ inline AtomRequest small_request(int points, int cells, double rms_slope) {
   return request;
 }
 
-} // namespace asperity::md::scenes
+} // namespace asperity::md::problems
