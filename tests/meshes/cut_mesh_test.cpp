@@ -1,4 +1,4 @@
-// Claims about meshes/cut_mesh.hpp.
+// Tests of meshes/cut_mesh.hpp.
 #include "meshes/cut_mesh.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/hanging_mesh.hpp"
@@ -28,8 +28,8 @@ std::size_t count_of(const BlockMesh& mesh, FaceGroup group) {
                     [&](const auto& face) { return face.group == group; }));
 }
 
-// Claim: cut everywhere, a mesh is the one with twice the cells along x, y and
-// z: same places (powers of two, so to the bit), same groups of faces.
+// A mesh in which every cell is cut is the one with twice the cells along x, y
+// and z: same positions (powers of two, so to the bit), same groups of faces.
 TEST(CutMesh, CutEverywhereIsTheFinerMesh) {
   BlockMesh coarse = layered_mesh({4, 2, 4.0, 2.0}, {1.0, 2.0});
   coarse.refine_below = {3.0};
@@ -48,10 +48,11 @@ TEST(CutMesh, CutEverywhereIsTheFinerMesh) {
   EXPECT_GT(test::smallest_jacobian(cut), 0.0);
 }
 
-// Claim: 16 cells a side, m = 2: by hand from (M.2) levels of edge 1 to depth 2
-// and 2 to depth 8, then 4 to 16; a level of n cells a side and k layers brings
-// n^2 k cells and, its last layer of vertices being the next level's with
-// hanging ones between, (n + 1)^2 k vertices. No vertex is made twice.
+// Verifies the counts of a hanging mesh of 16 cells per side, m = 2, against
+// (M.2): levels of edge 1 to depth 2 and 2 to depth 8, then 4 to 16. A level of
+// n cells per side and k layers has n^2 k cells and, since its last layer of
+// vertices is that of the next level with hanging ones between, (n + 1)^2 k
+// vertices. No vertex exists twice.
 TEST(CutMesh, CountsTheLevelsOfAHangingMesh) {
   const BlockMesh cut = cut_mesh(hanging_mesh({16, 16, 16.0, 16.0}, 16.0, 2));
 
@@ -65,8 +66,8 @@ TEST(CutMesh, CountsTheLevelsOfAHangingMesh) {
   EXPECT_NEAR(test::volume_of(cut), 4096.0, 4096.0 * 1e3 * eps);
 }
 
-// Claim: every listed face belongs to one cell still, and children keep their
-// parent's group.
+// Every listed face still belongs to one cell, and children keep the group of
+// their parent.
 TEST(CutMesh, KeepsFacesAndGroups) {
   BlockMesh coarse = layered_mesh({2, 2, 2.0, 2.0}, {1.0, 1.0});
   coarse.group_names = {"near", "far"};
@@ -85,7 +86,8 @@ TEST(CutMesh, KeepsFacesAndGroups) {
     EXPECT_TRUE(boundary.contains(facet_key(cut.shape, face.vertices)));
 }
 
-// Claim: a skewed cell is cut at the means of its corners, by hand.
+// A skewed cell is cut at the means of its corners; the expected values are
+// computed separately.
 TEST(CutMesh, CutsAtTheMeans) {
   BlockMesh one = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
   one.vertices[7] = {3.0, 5.0, 9.0};

@@ -1,5 +1,5 @@
-// Claim: geometry_files() finds what a geometry includes, directly and through
-// an included file, once each, and nothing else.
+// Verifies that geometry_files() finds the files that a geometry includes,
+// directly and through an included file, once each, and nothing else.
 #include "meshes/geometry_files.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Claims about meshes/gmsh_block.hpp; the ball has its own in gmsh_inclusion.
+// Tests of meshes/gmsh_block.hpp; those of the spherical inclusion are in
+// gmsh_inclusion.
 #include "meshes/gmsh_block.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
@@ -23,7 +24,8 @@ using mechanics::MeshGeometry;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double length = 1e-6;
 
-/// A cube of 1 um, cells of 0.1 um at the face and 0.25 um far from it.
+/// A cube of 1 um with cells of 0.1 um at the contact surface and 0.25 um far
+/// from it.
 GmshBlock cube(MeshGeometry geometry, MeshCells cells) {
   GmshBlock block;
   block.geometry = geometry;
@@ -66,9 +68,9 @@ GmshBlock any_block(MeshCells cells) {
   return block;
 }
 
-/// No cell inverted, the box filled, all six sides filled, sides matching.
-/// Tolerance: eps for each of the sums' terms.
-void expect_sound(const GmshBlock& block) {
+/// No cell is inverted, the cells fill the box, the groups fill all six sides,
+/// and periodic sides match. Tolerance: eps for each of the terms of the sums.
+void expect_valid(const GmshBlock& block) {
   const BlockMesh mesh = gmsh_block(block);
 
   RC_LOG() << quality_text(mesh_quality(mesh));
@@ -89,23 +91,24 @@ void expect_sound(const GmshBlock& block) {
                                              : BlockSides::free);
 }
 
-// RapidCheck's hundred blocks would take a quarter of a minute: fewer, unless
-// the environment says how many.
+// The default of a hundred blocks would take a quarter of a minute: fewer,
+// unless the environment states the number.
 const int fewer_blocks = setenv("RC_PARAMS", "max_success=20", 0);
 
-TEST(GmshBlock, OfHexahedraIsSoundForAnyNumbers) {
+TEST(GmshBlock, OfHexahedraIsValidForAnySizes) {
   ASSERT_EQ(fewer_blocks, 0);
-  EXPECT_TRUE(rc::check([] { expect_sound(any_block(MeshCells::hexahedra)); }));
+  EXPECT_TRUE(rc::check([] { expect_valid(any_block(MeshCells::hexahedra)); }));
 }
 
-TEST(GmshBlock, OfTetrahedraIsSoundForAnyNumbers) {
+TEST(GmshBlock, OfTetrahedraIsValidForAnySizes) {
   EXPECT_TRUE(
-      rc::check([] { expect_sound(any_block(MeshCells::tetrahedra)); }));
+      rc::check([] { expect_valid(any_block(MeshCells::tetrahedra)); }));
 }
 
-// Claim: no cell is a bad one: hexahedra keep above the corner of a cube's fan,
-// 1/sqrt(3), less its slant where the box is no cube (twice as long on one
-// axis, it is 1/sqrt(6)); gmsh's optimiser keeps tetrahedra above 0.2.
+// Verifies that no cell is of poor quality: hexahedra stay above the corner of
+// the divided cube, 1/sqrt(3), less its skew where the box is not a cube
+// (1/sqrt(6) if it is twice as long along one axis); gmsh's optimiser keeps
+// tetrahedra above 0.2.
 TEST(GmshBlock, HasNoBadCells) {
   for (const auto geometry : {MeshGeometry::block, MeshGeometry::indentation,
                               MeshGeometry::layered, MeshGeometry::inclusion}) {
@@ -118,7 +121,7 @@ TEST(GmshBlock, HasNoBadCells) {
 }
 
 /// The longest edge of the contact faces with a vertex within the radius of the
-/// middle, and of those wholly beyond twice that.
+/// middle, and of those entirely beyond twice that.
 EdgeRange near_and_far_edges(const BlockMesh& mesh, double radius) {
   EdgeRange edges{0.0, 0.0};
   for (const BoundaryFace& face : mesh.faces) {
@@ -139,9 +142,10 @@ EdgeRange near_and_far_edges(const BlockMesh& mesh, double radius) {
   return edges;
 }
 
-// Claim: under the indenter the face is as fine as asked, and coarser away from
-// it. Tolerance: hexahedra to rounding; a tetrahedron's edge may be sqrt(2)
-// times the size asked, and as much shorter where it is refined by its ends.
+// Under the indenter the contact surface is as fine as requested, and coarser
+// away from it. Tolerance: hexahedra to roundoff; the edge of a tetrahedron may
+// be sqrt(2) times the requested size, and shorter by as much where it is
+// refined by its ends.
 TEST(GmshBlock, IsFineUnderTheIndenter) {
   GmshBlock block = cube(MeshGeometry::indentation, MeshCells::hexahedra);
   block.size_at_contact = 0.05 * length;
@@ -157,8 +161,8 @@ TEST(GmshBlock, IsFineUnderTheIndenter) {
   EXPECT_GT(tetrahedra.largest, 2.0 * block.size_at_contact);
 }
 
-// Claim: interfaces are planes of vertices to the bit and no cell crosses one:
-// the groups fill the box between them. Tolerance: sums of rounding.
+// Interfaces are planes of vertices to the bit and no cell crosses one: the
+// groups fill the box between them. Tolerance: sums of roundoff.
 TEST(GmshBlock, HasItsInterfacesExactly) {
   for (const auto cells : {MeshCells::hexahedra, MeshCells::tetrahedra}) {
     const GmshBlock block = cube(MeshGeometry::layered, cells);
@@ -183,10 +187,11 @@ TEST(GmshBlock, HasItsInterfacesExactly) {
   }
 }
 
-// Claim: (M.5): layers of a block start and end near the sizes asked for, and
-// grow evenly. Tolerance: a cell's size is that of its middle, half a growth
-// off its ends', and the count is rounded up by less than one in ten.
-TEST(GmshBlock, GrowsFromTheContactFace) {
+// Verifies (M.5): the layers of a block start and end near the requested sizes
+// and grow evenly. Tolerance: the size of a cell is that of its middle, half a
+// ratio from those of its ends, and the count is rounded up by less than one in
+// ten.
+TEST(GmshBlock, GrowsFromTheContactSurface) {
   GmshBlock block = cube(MeshGeometry::block, MeshCells::hexahedra);
   block.size_at_contact = 0.05 * length;
   const MeshQuality quality = mesh_quality(gmsh_block(block));
@@ -196,9 +201,9 @@ TEST(GmshBlock, GrowsFromTheContactFace) {
   EXPECT_NEAR(quality.edges.largest / length, 0.25, 0.2 * 0.25);
 }
 
-// Claim: a block with something in its middle is its own image when turned half
-// round. Tolerance: gmsh steps along a curve by its length, integrated to 1e-8.
-TEST(GmshBlock, OfHexahedraIsTheSameTurnedRound) {
+// A block with an inclusion in its middle is invariant under rotation by 180
+// degrees. Tolerance: gmsh divides a curve by its length, integrated to 1e-8.
+TEST(GmshBlock, OfHexahedraIsInvariantUnderHalfATurn) {
   for (const auto geometry :
        {MeshGeometry::indentation, MeshGeometry::inclusion}) {
     const BlockMesh mesh = gmsh_block(cube(geometry, MeshCells::hexahedra));
@@ -228,8 +233,8 @@ bool are_equal(const BlockMesh& a, const BlockMesh& b) {
          a.cell_group == b.cell_group && as_pairs(a) == as_pairs(b);
 }
 
-// Claim: same numbers, same bits, whatever was meshed between and from however
-// many threads.
+// The same arguments give the same bits, whatever was meshed in between and
+// with any number of threads.
 TEST(GmshBlock, IsTheSameEachTime) {
   for (const auto cells : {MeshCells::hexahedra, MeshCells::tetrahedra}) {
     const GmshBlock block = cube(MeshGeometry::inclusion, cells);
@@ -247,7 +252,7 @@ TEST(GmshBlock, IsTheSameEachTime) {
   }
 }
 
-TEST(GmshBlock, RefusesImpossibleNumbersInWords) {
+TEST(GmshBlock, RefusesImpossibleNumbers) {
   const auto refusal = [](MeshGeometry geometry, double GmshBlock::*member,
                           double value) {
     GmshBlock block = cube(geometry, MeshCells::hexahedra);

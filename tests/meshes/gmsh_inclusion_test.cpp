@@ -1,4 +1,4 @@
-// Claims about the ball of meshes/gmsh_block.hpp.
+// Tests of the spherical inclusion of meshes/gmsh_block.hpp.
 #include "meshes/gmsh_block.hpp"
 
 #include <gtest/gtest.h>
@@ -40,10 +40,10 @@ std::set<unsigned int> vertices_of_group(const BlockMesh& mesh, int group) {
   return vertices;
 }
 
-// Claim: cells conform to the ball: what ball and block share lies on the
-// sphere, the ball's other vertices inside and the block's outside.
-// Tolerance: OpenCASCADE's and the built-in kernel's surfaces are good to 1e-9
-// of the block.
+// The cells conform to the sphere: the vertices common to inclusion and block
+// lie on it, the other vertices of the inclusion inside and those of the block
+// outside. Tolerance: the surfaces of OpenCASCADE and of the built-in kernel
+// are accurate to 1e-9 of the block.
 TEST(GmshInclusion, ConformsToTheSphere) {
   for (const auto cells : {MeshCells::hexahedra, MeshCells::tetrahedra}) {
     const BlockMesh mesh = with_ball(cells, 0.1 * length);
@@ -74,11 +74,12 @@ double missing_volume(MeshCells cells, double size) {
   return 1.0 - test::volume_of(with_ball(cells, size), 1) / exact;
 }
 
-// Claim: the ball's volume converges from below, to second order: faces of
-// size h miss caps of height h^2 / (8 R). Sizes cut the box around the ball
-// (0.9 of the block wide) into 6, 12 and 24. Tolerance: the next order, h^4,
-// brings (h/R)^2 / 4 of the error or 0.03 to the first of the two orders.
-TEST(GmshInclusion, OfHexahedraConvergesToTheBall) {
+// The volume of the inclusion converges from below, at second order: faces of
+// size h miss caps of height h^2 / (8 R). The sizes divide the box around the
+// inclusion (0.9 of the block wide) into 6, 12 and 24. Tolerance: the next
+// order, h^4, contributes (h/R)^2 / 4 of the error or 0.03 to the first of the
+// two orders.
+TEST(GmshInclusion, OfHexahedraConvergesToTheSphere) {
   const double coarse =
       missing_volume(MeshCells::hexahedra, 0.9 / 6.0 * length);
   const double middle =
@@ -90,9 +91,9 @@ TEST(GmshInclusion, OfHexahedraConvergesToTheBall) {
   EXPECT_NEAR(std::log2(middle / fine), 2.0, 0.03);
 }
 
-// Claim: so it does in tetrahedra. Tolerance: these are laid anew for each
-// size, which leaves their mean size uncertain by a tenth (two in log2 h^2).
-TEST(GmshInclusion, OfTetrahedraConvergesToTheBall) {
+// The same with tetrahedra. Tolerance: their positions differ for each size,
+// which leaves their mean size uncertain by a tenth (two in log2 h^2).
+TEST(GmshInclusion, OfTetrahedraConvergesToTheSphere) {
   const double coarse = missing_volume(MeshCells::tetrahedra, 0.12 * length);
   const double fine = missing_volume(MeshCells::tetrahedra, 0.06 * length);
 

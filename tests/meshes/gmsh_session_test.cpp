@@ -1,4 +1,4 @@
-// Claims about meshes/gmsh_session.hpp.
+// Tests of meshes/gmsh_session.hpp.
 #include "meshes/gmsh_session.hpp"
 
 #include <gmsh.h>
@@ -20,9 +20,9 @@ std::string refusal(const std::function<void()>& work) {
   return "accepted";
 }
 
-// Claim: what gmsh says is what the caller hears, and the next session starts
-// afresh (a model left half built would still have its point).
-TEST(InGmsh, SpeaksInGmshsWordsAndRecovers) {
+// Verifies that gmsh's message reaches the caller and that the next session
+// starts empty (an incomplete model would still have its point).
+TEST(InGmsh, ReportsGmshsMessageAndRecovers) {
   EXPECT_EQ(refusal([] {
               gmsh::model::geo::addPoint(0, 0, 0, 0, 7);
               gmsh::model::mesh::setTransfiniteCurve(99, 3);
@@ -38,7 +38,7 @@ TEST(InGmsh, SpeaksInGmshsWordsAndRecovers) {
   EXPECT_TRUE(entities.empty());
 }
 
-TEST(InGmsh, LetsOurOwnRefusalsThrough) {
+TEST(InGmsh, PassesOurOwnRefusalsOn) {
   EXPECT_EQ(refusal([] { throw std::domain_error("ours"); }), "ours");
 }
 

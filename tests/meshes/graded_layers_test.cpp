@@ -1,4 +1,4 @@
-// Claims about meshes/graded_layers.hpp.
+// Tests of meshes/graded_layers.hpp.
 #include "meshes/graded_layers.hpp"
 
 #include <gtest/gtest.h>
@@ -25,10 +25,11 @@ std::string refusal(double surface_thickness, double growth, double depth) {
   return "";
 }
 
-// Claim: the depth is met, the surface layer kept, no ratio exceeds the growth
-// asked for. Tolerance: the last layer takes up the rounding of a sum of n
-// terms, at most n eps depth, which is largest for the 512 equal layers.
-TEST(GradedLayers, ReachTheDepthWithoutBeingCoarserThanAsked) {
+// The layers end at the depth, the surface layer has its thickness, and no
+// ratio exceeds the requested one. Tolerance: the last layer contains the
+// roundoff of a sum of n terms, at most n eps depth, which is largest for the
+// 512 equal layers.
+TEST(GradedLayers, ReachTheDepthWithinTheGradingRatio) {
   for (const double growth : {1.0, 1.05, 1.2, 1.5, 2.0})
     for (const double ratio : {1.5, 2.0, 3.7, 16.0, 341.33, 512.0}) {
       const double surface = 0.3e-9;
@@ -47,8 +48,8 @@ TEST(GradedLayers, ReachTheDepthWithoutBeingCoarserThanAsked) {
     }
 }
 
-// Claim: a depth that is a geometric sum needs no fitting: 1 + 2 + 4 + 8 = 15.
-TEST(GradedLayers, KeepAGrowthThatFits) {
+// A depth that is a geometric sum needs no fitting: 1 + 2 + 4 + 8 = 15.
+TEST(GradedLayers, KeepARatioThatFits) {
   const std::vector<double> thickness = graded_layers(1.0, 2.0, 15.0);
 
   ASSERT_EQ(thickness.size(), 4u);
@@ -56,7 +57,8 @@ TEST(GradedLayers, KeepAGrowthThatFits) {
     EXPECT_NEAR(thickness[i], std::ldexp(1.0, static_cast<int>(i)), 1e-13);
 }
 
-// Claim: no layer is wasted: with one fewer the growth would exceed the asked.
+// The number of layers is the smallest possible: with one fewer the grading
+// ratio would exceed the requested one.
 TEST(GradedLayers, AreAsFewAsTheGrowthAllows) {
   const std::vector<double> thickness = graded_layers(1.0, 1.2, 512.0);
 
@@ -69,7 +71,7 @@ TEST(GradedLayers, OfOneLayerAreTheDepth) {
   EXPECT_EQ(graded_layers(2.0, 1.2, 2.0), std::vector<double>{2.0});
 }
 
-TEST(GradedLayers, RefuseImpossibleBlocksInWords) {
+TEST(GradedLayers, RefuseImpossibleBlocks) {
   EXPECT_NE(refusal(1.0, 1.2, 0.5).find("depth"), std::string::npos);
   EXPECT_NE(refusal(1.0, 1.2, 1.2).find("at least 1.5 thicknesses"),
             std::string::npos);
@@ -80,7 +82,7 @@ TEST(GradedLayers, RefuseImpossibleBlocksInWords) {
   EXPECT_NE(refusal(1.0, std::nan(""), 8.0).find("growth"), std::string::npos);
 }
 
-/// Layers, and the sums above each face of theirs.
+/// The layers, and the depths of all their faces.
 struct Stack {
   std::vector<double> thickness;
   std::vector<double> faces;
@@ -102,10 +104,10 @@ bool is_one_of(const std::vector<double>& depths, double depth) {
   });
 }
 
-// Claim: a face on every interface, the depth met, no layer thicker than the
-// growth allows or thinner than half the one above, save a material that is
-// itself so thin. Tolerance: rounding of sums of some 100 terms, and of the
-// last layer before an interface, which takes it up.
+// Each interface is a face of layers, the layers end at the depth, and no layer
+// is thicker than the ratio allows or thinner than half the one above, except
+// in a material that is itself so thin. Tolerance: roundoff of sums of some 100
+// terms, and of the last layer before an interface, which contains it.
 TEST(GradedLayersWithInterfaces, MeetEachInterfaceWithoutSlivers) {
   for (const double growth : {1.0, 1.2, 2.0})
     for (const std::vector<double>& interfaces :
@@ -131,8 +133,8 @@ TEST(GradedLayersWithInterfaces, MeetEachInterfaceWithoutSlivers) {
     }
 }
 
-// Claim: where a coating is no room for the surface layer it is cut evenly and
-// no layer is coarser than asked.
+// A coating that is thinner than the surface layer is divided evenly, and no
+// layer is coarser than requested.
 TEST(GradedLayersWithInterfaces, CutAThinCoatingEvenly) {
   EXPECT_EQ(stack(1.0, 1.2, {0.25}, 10.0).thickness.front(), 0.25);
   EXPECT_EQ(stack(1.0, 1.2, {1.0}, 10.0).thickness.front(), 1.0);

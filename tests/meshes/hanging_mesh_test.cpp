@@ -1,4 +1,4 @@
-// Claims about meshes/hanging_mesh.hpp.
+// Tests of meshes/hanging_mesh.hpp.
 #include "meshes/hanging_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// The layers of one column after the cuts, by the rule of block_mesh.hpp:
-/// thickness and number of halvings, the contact face's first.
+/// thickness and number of cuts, starting at the contact surface.
 struct Layer {
-  double top = 0.0; ///< nearer the contact face
+  double top = 0.0; ///< nearer to the contact surface
   double bottom = 0.0;
   int cuts = 0;
 };
@@ -51,10 +51,11 @@ double coarse_edge(const BlockMesh& mesh) {
   return mesh.vertices[cell[1]][0] - mesh.vertices[cell[0]][0];
 }
 
-// Claim: after the cuts the face has the cells asked for, every level m or
-// m + 1 through its thickness, neighbours differ by one cut, the depth is met,
-// boxes are cubes to 1 / (2 m). Tolerance: eps for each of the sum's terms.
-TEST(HangingMesh, HasTheLevelsAskedFor) {
+// After the cuts the contact surface has the requested cells, every level is m
+// or m + 1 cells thick, neighbours differ by one cut, the layers end at the
+// depth, and boxes are cubes to 1 / (2 m). Tolerance: eps for each of the terms
+// of the sum.
+TEST(HangingMesh, HasTheRequestedLevels) {
   const bool holds = rc::check([] {
     const int cells_a_level = *rc::gen::inRange(1, 7);
     const int points = *rc::gen::inRange(1, 4) * (1 << *rc::gen::inRange(1, 8));
@@ -93,9 +94,9 @@ TEST(HangingMesh, HasTheLevelsAskedFor) {
   EXPECT_TRUE(holds);
 }
 
-// Claim: 64 cells a side, as deep as wide, m = 4: by hand from (M.2) d = 4, 12
-// (and 32, which would leave the coarse cells of edge 8 the last 32: four).
-TEST(HangingMesh, FollowsM2ByHand) {
+// Verifies (M.2) for 64 cells per side, as deep as wide, m = 4: d = 4, 12 (and
+// 32, which would leave the coarse cells of edge 8 the last 32: four).
+TEST(HangingMesh, FollowsM2) {
   const BlockMesh mesh = hanging_mesh({64, 64, 64.0, 64.0}, 64.0, 4);
 
   EXPECT_EQ(mesh.refine_below, (std::vector<double>{32.0, 12.0, 4.0}));
@@ -103,8 +104,8 @@ TEST(HangingMesh, FollowsM2ByHand) {
   EXPECT_EQ(coarse_edge(mesh), 8.0);
 }
 
-// Claim: a shallow block is the uniform mesh, and a deep one of few cells has
-// two coarse cells a side.
+// A shallow block is the uniform mesh, and a deep one of few cells has two
+// coarse cells per side.
 TEST(HangingMesh, StopsWhereTheBlockEnds) {
   const BlockMesh shallow = hanging_mesh({16, 16, 16.0, 16.0}, 4.0, 4);
   const BlockMesh deep = hanging_mesh({16, 32, 16.0, 32.0}, 300.0, 4);
@@ -115,7 +116,7 @@ TEST(HangingMesh, StopsWhereTheBlockEnds) {
   EXPECT_NEAR(test::volume_of(deep) / (16.0 * 32.0 * 300.0), 1.0, 1e3 * eps);
 }
 
-TEST(HangingMesh, RefusesOddCountsInWords) {
+TEST(HangingMesh, RefusesOddCounts) {
   const auto refusal = [](int points_x, int points_y, int cells_a_level) {
     try {
       hanging_mesh({points_x, points_y, 1.0, 1.0}, 1.0, cells_a_level);

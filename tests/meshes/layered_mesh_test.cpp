@@ -1,4 +1,4 @@
-// Claims about meshes/layered_mesh.hpp.
+// Tests of meshes/layered_mesh.hpp.
 #include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
 
@@ -25,7 +25,8 @@ std::string refusal(const Grid& face, const std::vector<double>& thickness) {
   return "accepted";
 }
 
-/// The side of the box a face lies on, from its vertices' places alone.
+/// The side of the box on which a face lies, from the positions of its vertices
+/// alone.
 FaceGroup side_of(const BlockMesh& mesh, const BoundaryFace& face) {
   const auto all_have = [&](std::size_t d, double value) {
     for (const unsigned int vertex : face.vertices)
@@ -46,9 +47,9 @@ FaceGroup side_of(const BlockMesh& mesh, const BoundaryFace& face) {
   return all_have(2, mesh.depth) ? FaceGroup::far_boundary : FaceGroup::sides;
 }
 
-// Claim: whatever the counts, no cell is inverted, the cells fill the box, each
-// face is of the group its place says and the groups fill its six sides.
-// Tolerance: eps for each of the sums' terms.
+// For any counts no cell is inverted, the cells fill the box, each face has the
+// group of its position, and the groups fill the six sides of the box.
+// Tolerance: eps for each of the terms of the sums.
 TEST(LayeredMesh, FillsTheBox) {
   const bool holds = rc::check([] {
     const Grid face{*rc::gen::inRange(1, 7), *rc::gen::inRange(1, 7), 3e-9,
@@ -81,9 +82,9 @@ TEST(LayeredMesh, FillsTheBox) {
   EXPECT_TRUE(holds);
 }
 
-// Claim: vertices lie at the layers' depths, columns are equal, x is fastest.
+// Vertices lie at the depths of the layers, columns are equal, x is fastest.
 // Tolerance: eps of the sum of three thicknesses and of one division.
-TEST(LayeredMesh, HasTheLayersAskedFor) {
+TEST(LayeredMesh, HasTheRequestedLayers) {
   const std::vector<double> thickness = {1.0, 1.5, 2.25};
   const Grid face{3, 2, 6.0, 8.0};
 
@@ -103,7 +104,7 @@ TEST(LayeredMesh, HasTheLayersAskedFor) {
       }
 }
 
-// Claim: cells are in deal.II's order: bit d of a corner's number says on which
+// Cells are in deal.II's order: bit d of the number of a corner states on which
 // side of the cell it is along d.
 TEST(LayeredMesh, NumbersCornersLexicographically) {
   const BlockMesh mesh =
@@ -119,7 +120,7 @@ TEST(LayeredMesh, NumbersCornersLexicographically) {
         }
 }
 
-TEST(LayeredMesh, RefusesImpossibleArgumentsInWords) {
+TEST(LayeredMesh, RefusesImpossibleArguments) {
   EXPECT_NE(refusal({0, 2, 1.0, 1.0}, {1.0}).find("points_x"),
             std::string::npos);
   EXPECT_NE(refusal({2, 2, 1.0, -1.0}, {1.0}).find("length_y"),

@@ -1,5 +1,6 @@
-// Claims about what a mesh file may take of the machine (meshes/mesh_file.hpp),
-// and about meshes that go from one process to another (meshes/mesh_bytes.hpp).
+// Tests of the resources that a mesh file may use (meshes/mesh_file.hpp), and
+// of meshes that are passed from one process to another
+// (meshes/mesh_bytes.hpp).
 #include "meshes/gmsh_file.hpp"
 #include "meshes/mesh_bytes.hpp"
 #include "meshes/mesh_file.hpp"
@@ -29,8 +30,8 @@ std::string answer_to(const std::string& ending, const std::string& text,
   return "accepted";
 }
 
-// Claim: what comes from the other process is the mesh to the last bit.
-TEST(ReadMeshFile, IsWhatGmshMadeInAnotherProcess) {
+// The mesh from the other process is the same to the last bit.
+TEST(ReadMeshFile, EqualsTheMeshOfTheOtherProcess) {
   const std::string here =
       bytes_of(gmsh_file(coated, 1e-3, BlockSides::periodic));
   const std::string there =
@@ -40,9 +41,9 @@ TEST(ReadMeshFile, IsWhatGmshMadeInAnotherProcess) {
   EXPECT_GT(here.size(), 1000U);
 }
 
-// Claim: a file that would keep gmsh busy for ever is refused, and the limit is
+// A file that would keep gmsh busy without end is refused, and the limit is
 // named.
-TEST(ReadMeshFile, EndsAnEndlessFile) {
+TEST(ReadMeshFile, StopsAnEndlessFile) {
   const std::string words =
       answer_to(".geo", "For i In {1:1e15}\n  x = i;\nEndFor\n",
                 {.wall_time = 1.0, .memory = std::uintmax_t{8} << 30});
@@ -54,8 +55,8 @@ TEST(ReadMeshFile, EndsAnEndlessFile) {
       << words;
 }
 
-// Claim: so is one with more cells than the memory has room for.
-TEST(ReadMeshFile, EndsAFileThatTakesAllMemory) {
+// So is a file with more cells than fit into the memory.
+TEST(ReadMeshFile, StopsAFileThatNeedsAllMemory) {
   const std::string words =
       answer_to(".geo",
                 "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
@@ -69,7 +70,7 @@ TEST(ReadMeshFile, EndsAFileThatTakesAllMemory) {
   EXPECT_NE(words.find("0.625 GiB"), std::string::npos) << words;
 }
 
-TEST(MeshBytes, AreRefusedWhereTheyAreCutOffOrGoOn) {
+TEST(MeshBytes, AreRefusedIfTruncatedOrTooLong) {
   const std::string bytes = bytes_of(gmsh_file(coated, 1.0, BlockSides::free));
 
   EXPECT_EQ(bytes_of(mesh_of_bytes(bytes)), bytes);

@@ -1,4 +1,4 @@
-// Claims about meshes/mesh_file.hpp: each broken file is answered by name.
+// Tests of meshes/mesh_file.hpp: each invalid file is refused with its mistake.
 #include "meshes/mesh_file.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,8 @@ std::string answer_to_text(const std::string& ending, const std::string& text,
   return found;
 }
 
-/// Of a .msh 2.2: two tetrahedra, 1 2 3 4 on the contact face 1 2 3 and 2 5 3 4
-/// behind it, held at 3 4 5.
+/// The parts of a .msh 2.2 file: two tetrahedra, 1 2 3 4 on the contact face 1
+/// 2 3 and 2 5 3 4 behind it, clamped at 3 4 5.
 struct Parts {
   std::string names = "2 1 \"contact\"\n2 2 \"fixed\"\n3 3 \"block\"\n";
   int n_names = 3;
@@ -59,11 +59,11 @@ void expect_answer(const Parts& parts, const std::string& words,
   EXPECT_NE(found.find(words), std::string::npos) << found;
 }
 
-TEST(ReadMeshFileRefuses, NothingOfTheSoundOne) {
+TEST(ReadMeshFileRefuses, NothingOfAValidFile) {
   expect_answer({}, "accepted");
 }
 
-TEST(ReadMeshFileRefuses, FilesThatAreNone) {
+TEST(ReadMeshFileRefuses, FilesThatAreNoMesh) {
   EXPECT_EQ(answer("none.msh"), "none.msh: there is no such file");
   EXPECT_NE(answer_to_text(".stl", "solid").find("from a .msh or a .geo"),
             std::string::npos);
@@ -74,7 +74,7 @@ TEST(ReadMeshFileRefuses, FilesThatAreNone) {
             std::string::npos);
 }
 
-TEST(ReadMeshFileRefuses, AUnitOfNothing) {
+TEST(ReadMeshFileRefuses, AnInvalidUnit) {
   try {
     read_mesh_file("tests/meshes/data/coated.geo", 0.0, BlockSides::free);
     FAIL();
@@ -113,7 +113,7 @@ TEST(ReadMeshFileRefuses, CellsOfOtherKinds) {
                        "tetrahedra");
 }
 
-TEST(ReadMeshFileRefuses, CellsTurnedInsideOut) {
+TEST(ReadMeshFileRefuses, InvertedCells) {
   Parts inverted;
   inverted.elements = "1 2 2 1 1 1 2 3\n2 2 2 2 2 3 4 5\n"
                       "3 4 2 3 1 1 2 3 4\n4 4 2 3 1 5 2 3 4\n";
@@ -121,14 +121,14 @@ TEST(ReadMeshFileRefuses, CellsTurnedInsideOut) {
   expect_answer(inverted, "cell 1 at (0.5, 0.5, 0.5) m is inverted");
 }
 
-TEST(ReadMeshFileRefuses, AContactFaceThatIsNotFlat) {
+TEST(ReadMeshFileRefuses, AContactSurfaceThatIsNotFlat) {
   Parts bent;
   bent.nodes = "1 0 0 0\n2 1 0 0.01\n3 0 1 0\n4 0 0 1\n5 1 1 1\n";
 
   expect_answer(bent, "not flat: its vertex 1 at (1, 0, 0.01) m is 0.01 m off");
 }
 
-TEST(ReadMeshFileRefuses, GroupsThatContradict) {
+TEST(ReadMeshFileRefuses, ContradictoryGroups) {
   Parts inside; // 2 3 4 is between the two cells
   inside.elements += "5 2 2 2 3 2 3 4\n";
   inside.n_elements = 5;
@@ -161,8 +161,8 @@ Physical Volume("hard") = {1};
             std::string::npos);
 }
 
-// Claim: what is no box cannot be periodic, and a box whose sides differ
-// neither.
+// A block that is not a box cannot be periodic, nor can a box whose sides
+// differ.
 TEST(ReadMeshFileRefuses, PeriodicSidesThatDontMatch) {
   expect_answer({}, "a periodic block needs the face", BlockSides::periodic);
   EXPECT_NE(answer_to_text(".geo", R"(
@@ -179,7 +179,7 @@ Physical Volume("box") = {1};
             std::string::npos);
 }
 
-/// Replaces a random word of the text by an awkward one, or removes or doubles
+/// Replaces a random word of the text by an invalid one, or removes or repeats
 /// a random line.
 std::string damaged(std::string text, std::mt19937& random) {
   const auto up_to = [&random](std::size_t n) { return random() % n; };
@@ -199,8 +199,8 @@ std::string damaged(std::string text, std::mt19937& random) {
                       awkward[up_to(awkward.size())]);
 }
 
-// Claim: whatever is damaged, the file is read or refused by name (expected by
-// answer_to_text), and nothing else happens: gmsh itself ends by a signal in
+// However the file is damaged, it is read or refused by name (expected by
+// answer_to_text), and nothing else happens: gmsh itself ends by a signal for
 // some of these.
 TEST(ReadMeshFileRefuses, AnyDamage) {
   std::mt19937 random(1);
@@ -212,7 +212,7 @@ TEST(ReadMeshFileRefuses, AnyDamage) {
     SCOPED_TRACE(text);
     accepted += answer_to_text(".msh", text) == "accepted" ? 1 : 0;
   }
-  EXPECT_GT(accepted, 1); // a damage to the held face's tag, for example
+  EXPECT_GT(accepted, 1); // damage to the tag of the clamped face, for example
   EXPECT_LT(accepted, 20);
 }
 

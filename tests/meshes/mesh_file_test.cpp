@@ -1,5 +1,5 @@
-// Claims about meshes/mesh_file.hpp: what it reads. What it refuses has
-// mesh_file_refusals.
+// Tests of meshes/mesh_file.hpp with valid files. Those with invalid ones are
+// in mesh_file_refusals.
 #include "meshes/gmsh_session.hpp"
 #include "meshes/mesh_file.hpp"
 
@@ -30,9 +30,9 @@ std::set<FaceGroup> groups_of(const BlockMesh& mesh) {
   return groups;
 }
 
-// Claim: a .geo is meshed, scaled to metres, its contact face moved to the
-// origin and turned down, x and y kept: counts, extents, volumes and areas are
-// those of the file's text. Tolerance: rounding of sums.
+// A .geo is meshed and scaled to metres, its contact surface is moved to the
+// origin and turned down, and x and y are unchanged: counts, extents, volumes
+// and areas are those of the text of the file. Tolerance: roundoff of sums.
 TEST(ReadMeshFile, MeshesAGeometry) {
   const BlockMesh mesh = read_mesh_file(coated, mm, BlockSides::periodic);
 
@@ -56,9 +56,9 @@ TEST(ReadMeshFile, MeshesAGeometry) {
         EXPECT_GE(mesh.vertices[vertex][2], 0.5 * mm - 1e-15);
 }
 
-// Claim: mirrored along z only: the file's corner of smallest x and y stays the
-// mesh's (told by a longer cell there). The graded edges differ by more than
-// sound sides may, so they are aligned.
+// The mesh is mirrored along z only: the corner of smallest x and y stays that
+// of the file (identified by a longer cell there). The graded edges differ by
+// more than valid sides may, so that they are aligned.
 TEST(ReadMeshFile, KeepsTheFilesXAndY) {
   const std::string path = testing::TempDir() + "asperity_mesh_file_xy.msh";
   in_gmsh([&] {
@@ -80,8 +80,8 @@ TEST(ReadMeshFile, KeepsTheFilesXAndY) {
   EXPECT_NEAR(*std::next(places.begin()), 4.0 * 8.0 / 15.0, 1e-7);
 }
 
-// Claim: the four ways gmsh writes a mesh read as one. Tolerance: 16 digits may
-// be an ulp off.
+// The four formats in which gmsh writes a mesh are read as one mesh. Tolerance:
+// 16 digits may be wrong by one ulp.
 TEST(ReadMeshFile, ReadsEveryVersion) {
   const BlockMesh expected = read_mesh_file(punch, 1.0, BlockSides::free);
   for (const double version : {2.2, 4.1})
@@ -107,9 +107,10 @@ TEST(ReadMeshFile, ReadsEveryVersion) {
     }
 }
 
-// Claim: a cylinder's round side is `sides`, its ends the discs' area less the
-// segments a polygon misses: with edges of at most 0.5, at most 1/24 of it.
-TEST(ReadMeshFile, TakesABlockThatIsNoBox) {
+// The curved side of a cylinder is `sides`; its ends have the area of the discs
+// less the segments that a polygon misses: with edges of at most 0.5, at most
+// 1/24 of it.
+TEST(ReadMeshFile, ReadsABlockOtherThanABox) {
   const BlockMesh mesh = read_mesh_file(punch, 2e-9, BlockSides::free);
 
   EXPECT_EQ(groups_of(mesh),
@@ -124,7 +125,8 @@ TEST(ReadMeshFile, TakesABlockThatIsNoBox) {
   EXPECT_GT(test::smallest_jacobian(mesh), 0.0);
 }
 
-// Claim: so is a wedge's, though two of its three sides are planes of the box.
+// So are the sides of a wedge, although two of its three sides are planes of
+// the box.
 TEST(ReadMeshFile, CallsNoSideOfAWedgeLeftOrFront) {
   const std::string path = testing::TempDir() + "asperity_mesh_file_wedge.geo";
   std::ofstream(path) << R"(

@@ -1,7 +1,7 @@
 #pragma once
 
-// Volumes and areas of a mesh, for the tests of meshes: worked out from the
-// vertices alone, by roads the makers of meshes don't use.
+// Volumes and areas of a mesh, for the tests of meshes: computed from the
+// vertices alone by algorithms that the sources do not use.
 
 #include "meshes/block_mesh.hpp"
 
@@ -50,8 +50,8 @@ inline double hexahedron_jacobian(const BlockMesh& mesh, std::size_t cell,
   return triple(tangent[0], tangent[1], tangent[2]);
 }
 
-/// Its volume; a hexahedron's by two Gauss points a direction, exact because
-/// the Jacobian is quadratic in each.
+/// The volume of a cell; that of a hexahedron by two Gauss points per
+/// direction, which is exact because the Jacobian is quadratic in each.
 inline double cell_volume(const BlockMesh& mesh, std::size_t cell) {
   if (mesh.shape == CellShape::tetrahedron) {
     const auto& v = mesh.cells[cell];
@@ -78,7 +78,7 @@ inline double volume_of(const BlockMesh& mesh, int group = -1) {
   return sum;
 }
 
-/// Of flat faces, by the triangles of each.
+/// The area of flat faces, by the triangles of each.
 inline double area_of(const BlockMesh& mesh, FaceGroup group) {
   double sum = 0.0;
   for (const BoundaryFace& face : mesh.faces) {
@@ -98,7 +98,7 @@ inline double area_of(const BlockMesh& mesh, FaceGroup group) {
   return sum;
 }
 
-/// At the corners of all cells: negative where a cell is turned inside out.
+/// The Jacobian at the corners of all cells: negative where a cell is inverted.
 inline double smallest_jacobian(const BlockMesh& mesh) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {

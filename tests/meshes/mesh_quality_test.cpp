@@ -1,4 +1,4 @@
-// Claims about meshes/mesh_quality.hpp.
+// Tests of meshes/mesh_quality.hpp.
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/mesh_quality.hpp"
@@ -23,8 +23,8 @@ BlockMesh one_tetrahedron(const std::array<Place, 4>& corners) {
   return mesh;
 }
 
-// Claim: (M.3) is 1 for any box and sin(angle) for a sheared one.
-// Tolerance: rounding of a determinant.
+// (M.3) is 1 for any box and sin(angle) for a sheared one. Tolerance: roundoff
+// of a determinant.
 TEST(CellShapeOf, HexahedraIsTheSineOfTheirShear) {
   BlockMesh mesh = layered_mesh({1, 1, 3.0, 2.0}, {0.1});
   EXPECT_NEAR(cell_shape(mesh, 0), 1.0, 1e-15);
@@ -35,19 +35,19 @@ TEST(CellShapeOf, HexahedraIsTheSineOfTheirShear) {
   EXPECT_NEAR(cell_shape(mesh, 0), std::sin(angle), 1e-15);
 }
 
-// Claim: it is the worst corner: one moved half the way to its opposite along
-// the space diagonal, where the edges are e_d - (1, 1, 1) / 2, by hand.
+// The shape is that of the worst corner: one is moved half the way to its
+// opposite along the space diagonal, where the edges are e_d - (1, 1, 1) / 2.
 TEST(CellShapeOf, HexahedraIsTheWorstCorners) {
   BlockMesh mesh = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
   mesh.vertices[7] = {0.5, 0.5, 0.5};
 
-  // The determinant of the identity less a matrix of rank one: 1 - 3/2.
+  // The determinant of the identity minus a matrix of rank one: 1 - 3/2.
   const double length = std::sqrt(0.75);
   EXPECT_NEAR(cell_shape(mesh, 0), -0.5 / (length * length * length), 1e-15);
 }
 
-// Claim: (M.4) is 1 for the regular tetrahedron, 0 for a flat one, and for the
-// corner of a cube 12 (1/2)^(2/3) / 9, by hand; inverted, all change sign.
+// (M.4) is 1 for the regular tetrahedron, 0 for a flat one, and 12 (1/2)^(2/3)
+// / 9 for the corner of a cube; for inverted cells all change sign.
 TEST(CellShapeOf, TetrahedraIsTheirMeanRatio) {
   const Place a = {1, 1, 1}, b = {-1, -1, 1}, c = {-1, 1, -1}, d = {1, -1, -1};
   const Place o = {0, 0, 0}, x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
@@ -59,8 +59,8 @@ TEST(CellShapeOf, TetrahedraIsTheirMeanRatio) {
   EXPECT_EQ(cell_shape(one_tetrahedron({o, x, y, {1, 1, 0}}), 0), 0.0);
 }
 
-// Claim: counts are those after the cuts, edges are of the finest cells at the
-// face and of the coarsest overall, by hand: levels as in CutMesh.
+// Counts are those after the cuts, and edges those of the finest cells at the
+// contact surface and of the coarsest overall, with levels as in CutMesh.
 TEST(MeshQualityOf, AHangingMeshCountsItsCuts) {
   const MeshQuality quality =
       mesh_quality(hanging_mesh({16, 16, 16e-9, 16e-9}, 16e-9, 2));
@@ -73,7 +73,7 @@ TEST(MeshQualityOf, AHangingMeshCountsItsCuts) {
   EXPECT_NEAR(quality.mean_shape, 1.0, 1e-12);
 }
 
-// Claim: the worst cell is found, with its place; the mean is over all cells.
+// The worst cell is found with its position; the mean is over all cells.
 TEST(MeshQualityOf, ASkewedMeshNamesItsWorstCell) {
   BlockMesh mesh = layered_mesh({3, 1, 3.0, 1.0}, {1.0});
   mesh.vertices[7][0] += 0.75; // corner (3, 1, 0) of the last cell only
@@ -84,7 +84,8 @@ TEST(MeshQualityOf, ASkewedMeshNamesItsWorstCell) {
 
   EXPECT_EQ(quality.worst_cell, 2u);
   EXPECT_NEAR(quality.worst_place[0], 2.5 + 0.75 / 8.0, 1e-15);
-  // Two edges of 1.25 where there was 1 (3-4-5), the determinant unchanged.
+  // Two edges of 1.25 where there was 1 (3-4-5), with the determinant
+  // unchanged.
   EXPECT_NEAR(quality.smallest_shape, 0.64, 1e-15);
   EXPECT_NEAR(quality.mean_shape, (1.0 + 1.0 + 0.64) / 3.0, 1e-15);
   EXPECT_EQ(quality.cells_per_group, (std::vector<std::size_t>{1, 2}));
@@ -95,7 +96,7 @@ TEST(MeshQualityOf, ASkewedMeshNamesItsWorstCell) {
             "0.5, 0.5) m)");
 }
 
-TEST(MeshQualityOf, TetrahedraSpeaksOfTheirMeanRatio) {
+TEST(MeshQualityOf, TetrahedraNamesTheirMeanRatio) {
   const MeshQuality quality = mesh_quality(one_tetrahedron(
       {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 5.0}}}));
 
@@ -106,7 +107,7 @@ TEST(MeshQualityOf, TetrahedraSpeaksOfTheirMeanRatio) {
   EXPECT_NE(quality_text(quality).find("mean ratio"), std::string::npos);
 }
 
-TEST(MeshQualityOf, NothingIsRefused) {
+TEST(MeshQualityOf, AnEmptyMeshIsRefused) {
   EXPECT_THROW(mesh_quality(BlockMesh{}), std::domain_error);
 }
 

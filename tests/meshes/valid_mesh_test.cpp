@@ -1,5 +1,5 @@
-// Claims about meshes/valid_mesh.hpp and meshes/matching_sides.hpp: each way a
-// mesh can be broken, on a small one, is named.
+// Tests of meshes/valid_mesh.hpp and meshes/matching_sides.hpp: each possible
+// mistake of a mesh, in a small one, is named.
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/matching_sides.hpp"
@@ -31,7 +31,7 @@ BlockMesh cube() {
   return layered_mesh({2, 2, 2e-9, 2e-9}, {1e-9, 1e-9});
 }
 
-/// A cube in five tetrahedra, whose opposite faces have crossing diagonals.
+/// A cube of five tetrahedra whose opposite faces have crossing diagonals.
 BlockMesh five_tetrahedra() {
   BlockMesh mesh = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
   mesh.shape = CellShape::tetrahedron;
@@ -55,14 +55,14 @@ void expect_answer(const BlockMesh& mesh, const std::string& part,
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-TEST(RequireSound, AcceptsWhatTheMakersMake) {
+TEST(RequireValid, AcceptsGeneratedMeshes) {
   EXPECT_EQ(answer(cube()), "accepted");
   EXPECT_EQ(answer(hanging_mesh({16, 16, 1e-6, 1e-6}, 2e-6, 2)), "accepted");
   EXPECT_EQ(answer(five_tetrahedra(), BlockSides::free), "accepted");
 }
 
-// Claim: rounding far above that of any file of 16 digits is no mistake.
-TEST(RequireSound, ForgivesRounding) {
+// Roundoff far above that of any file with 16 digits is not a mistake.
+TEST(RequireValid, ToleratesRoundoff) {
   BlockMesh mesh = cube();
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     mesh.vertices[i][i % 3] += i % 2 == 0 ? 5e-19 : -5e-19;
@@ -70,7 +70,7 @@ TEST(RequireSound, ForgivesRounding) {
   EXPECT_EQ(answer(mesh), "accepted");
 }
 
-TEST(RequireSound, NamesListsThatDontFit) {
+TEST(RequireValid, NamesInconsistentLists) {
   BlockMesh no_vertex = cube();
   no_vertex.cells[3][2] = 27;
   BlockMesh no_group = cube();
@@ -93,7 +93,7 @@ TEST(RequireSound, NamesListsThatDontFit) {
   expect_answer(cut, "hanging nodes");
 }
 
-TEST(RequireSound, NamesInvertedAndFlatCells) {
+TEST(RequireValid, NamesInvertedAndFlatCells) {
   BlockMesh inverted = cube();
   inverted.vertices[13] = {-1e-9, 1e-9, 1e-9};
   BlockMesh turned = five_tetrahedra();
@@ -109,10 +109,10 @@ TEST(RequireSound, NamesInvertedAndFlatCells) {
   expect_answer(flat, "cell 0 at (5e-10, 5e-10, 0) m is flat");
 }
 
-TEST(RequireSound, NamesVerticesNotJoined) {
+TEST(RequireValid, NamesVerticesNotJoined) {
   BlockMesh unused = cube();
   unused.vertices.push_back({1e-9, 2e-9, 3e-9});
-  // The upper cells get a vertex of their own at the middle.
+  // The upper cells get a separate vertex at the middle.
   BlockMesh cracked = cube();
   cracked.vertices.push_back(cracked.vertices[13]);
   for (std::size_t cell = 4; cell < 8; ++cell)
@@ -124,7 +124,7 @@ TEST(RequireSound, NamesVerticesNotJoined) {
                 "vertices 13 and 27 are both at (1e-09, 1e-09, 1e-09)");
 }
 
-TEST(RequireSound, NamesFacesThatDontClose) {
+TEST(RequireValid, NamesSurfacesThatAreNotClosed) {
   BlockMesh open = cube();
   open.faces.erase(open.faces.begin());
   BlockMesh twice = cube();
@@ -145,7 +145,7 @@ TEST(RequireSound, NamesFacesThatDontClose) {
   expect_answer(three, "cells 0, 8 and 9 share one facet");
 }
 
-TEST(RequireSound, NamesMissingGroups) {
+TEST(RequireValid, NamesMissingGroups) {
   const auto without = [](FaceGroup group) {
     BlockMesh mesh = cube();
     for (BoundaryFace& face : mesh.faces)
@@ -161,7 +161,7 @@ TEST(RequireSound, NamesMissingGroups) {
   EXPECT_EQ(answer(without(FaceGroup::back), BlockSides::free), "accepted");
 }
 
-TEST(RequireSound, NamesAContactFaceThatIsNotFlat) {
+TEST(RequireValid, NamesAContactSurfaceThatIsNotFlat) {
   BlockMesh bent = cube();
   bent.vertices[4][2] = 1e-11;
   BlockMesh below = cube();
@@ -177,9 +177,9 @@ TEST(RequireSound, NamesAContactFaceThatIsNotFlat) {
   expect_answer(below, "vertex 0 at (0, 0, -2e-09) m lies on the wrong side");
 }
 
-// Claim: a piece that touches nothing fixed is named: two blocks, one above the
-// other, and the lower one's top no longer fixed.
-TEST(RequireSound, NamesLoosePieces) {
+// A piece that is not connected to the fixed boundary is named: two blocks, one
+// above the other, and the upper boundary of the lower one is no longer fixed.
+TEST(RequireValid, NamesUnsupportedPieces) {
   BlockMesh loose = layered_mesh({1, 1, 1.0, 1.0}, {1.0});
   const BlockMesh other = loose;
   for (BoundaryFace& face : loose.faces)
@@ -202,7 +202,7 @@ TEST(RequireSound, NamesLoosePieces) {
                 BlockSides::free);
 }
 
-TEST(RequireSound, NamesPeriodicFacesThatDontMatch) {
+TEST(RequireValid, NamesPeriodicFacesThatDontMatch) {
   BlockMesh moved = cube();
   moved.vertices[11][2] = 1.2e-9; // (2, 0, 1): of right and of front
   BlockMesh finer = cube();
@@ -220,8 +220,8 @@ TEST(RequireSound, NamesPeriodicFacesThatDontMatch) {
   EXPECT_EQ(answer(moved, BlockSides::free), "accepted");
 }
 
-// Claim: aligned, sides that differ by up to 1e-6 match, corners too; beyond
-// that they are refused.
+// After alignment sides that differ by up to 1e-6 match, including the corners;
+// larger differences are refused.
 TEST(AlignSides, MovesSidesOntoOneAnother) {
   BlockMesh mesh = cube();
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
