@@ -1,5 +1,5 @@
-// Claims about reports/pages/agreement.hpp: a foreign result beside ours has a
-// number for each difference, in the page and in both files.
+// Tests of reports/pages/agreement.hpp: a result of another program, compared
+// with ours, has a number for each difference, in the page and in both files.
 #include "reports/pages/agreement.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ constexpr double excess = 0.01; // of the foreign area and pressure
 class AgreementOfTwo : public ReportFolder {
 protected:
   AgreementOfTwo() : ours(synthetic::rough_result(rough, 2)), theirs(ours) {
-    theirs.case_text.clear(); // as another program writes it
+    theirs.case_text.clear(); // as in a file of another program
     results::MethodRecord foreign = ours.methods[1];
     foreign.name = "mybem";
     foreign.kind = "bem";
@@ -51,8 +51,8 @@ protected:
   std::vector<ReportEntry> entries;
 };
 
-// Claim: the differences of a method that is ours but for known changes are
-// these changes, at every load of each realisation. Tolerance: roundoff.
+// For a method that is ours except for known changes, the differences are these
+// changes, at every load of each realisation. Tolerance: roundoff.
 TEST_F(AgreementOfTwo, IsMeasured) {
   const std::vector<Agreement> found = agreements();
   ASSERT_EQ(found.size(), 1U);
@@ -76,8 +76,8 @@ TEST_F(AgreementOfTwo, IsMeasured) {
   EXPECT_GT(fields, 0);
 }
 
-// Claim: page, JSON and CSV show them; the deviation from the theory is drawn
-// with the theory of our result, and the difference of the maps is a figure.
+// Page, JSON and CSV contain them; the deviation from the theory is drawn with
+// the theory of our result, and the difference of the maps is a figure.
 TEST_F(AgreementOfTwo, IsShown) {
   agreements();
   EXPECT_TRUE(write_report(entries, folder).empty());
@@ -95,8 +95,8 @@ TEST_F(AgreementOfTwo, IsShown) {
             std::string::npos);
 }
 
-// Claim: results of runs that were interrupted before the first step of any
-// method have a report, alone and beside each other, without a comparison.
+// Results of runs that were interrupted before the first step of any method
+// have a report, alone and together, without a comparison.
 TEST_F(AgreementOfTwo, IsNoneOfRunsWithoutSteps) {
   for (results::Result* result : {&ours, &theirs})
     for (results::MethodRecord& method : result->methods)
@@ -110,7 +110,7 @@ TEST_F(AgreementOfTwo, IsNoneOfRunsWithoutSteps) {
   EXPECT_EQ(text_of(folder / "comparison.json"), "[]\n");
 }
 
-// Claim: what cannot be compared is named and has no number.
+// What cannot be compared is named and has no number.
 TEST_F(AgreementOfTwo, IsRefusedWithAReason) {
   theirs.contact_modulus *= 2.0;
   EXPECT_EQ(agreements().at(0).problem, "another E*");

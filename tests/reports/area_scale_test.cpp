@@ -1,5 +1,5 @@
-// Claims about reports/analysis/area_scale.hpp: the factor between two whole
-// curves is found, over the loads that are named.
+// Tests of reports/analysis/area_scale.hpp: the factor between two entire
+// curves is found over the stated loads.
 #include "reports/analysis/area_scale.hpp"
 #include "reports/pages/report.hpp"
 
@@ -16,10 +16,10 @@ Deviation row(double pressure, double area, double theory) {
   return {pressure, 0.0, 0.0, area, theory};
 }
 
-// By hand: theory 1, 2, 3, 4 and method 2, 3, 3, 4, all over 10: the products
-// add up to 33 and the squares to 30. Lighter half: 8/5; heavier: 25/25.
-// Residuals of all: 0.9, 0.8, -0.3, -0.4 over 10. Tolerance: rounding.
-TEST(AreaScale, EqualsTheLeastSquaresDoneByHand) {
+// Theory 1, 2, 3, 4 and method 2, 3, 3, 4, all over 10: the products sum to 33
+// and the squares to 30. Lighter half: 8/5; heavier: 25/25. Residuals of all:
+// 0.9, 0.8, -0.3, -0.4 over 10. Tolerance: roundoff.
+TEST(AreaScale, EqualsTheExplicitLeastSquares) {
   const std::vector<Deviation> rows{
       row(1.0, 0.2, 0.1),          row(2.0, 0.3, 0.2),
       row(2.5, not_a_number, 0.2), row(2.7, 0.0, 0.2),
@@ -61,8 +61,8 @@ TEST(AreaScale, IsNoneThroughTwoLoads) {
   EXPECT_NE(none.factor.reason, "");
 }
 
-// Claim: a summary has the factor that the synthetic "fem" was made with, where
-// its area is not cut off at 1, and says over which loads it was taken.
+// A summary has the factor with which the synthetic "fem" was made, where its
+// area is not limited to 1, and states over which loads it was taken.
 TEST(AreaScale, IsAQuantityOfAMethod) {
   const cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 2);

@@ -1,5 +1,5 @@
-// Claims about reports/analysis/at_load.hpp: what a curve has at a load is what
-// the formula it was made of has there, and what is not there is said.
+// Tests of reports/analysis/at_load.hpp: the value of a curve at a load is that
+// of the formula from which it was made, and a missing value has a reason.
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/verdict.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 const std::string header = "quantity,value,unit,uncertainty,source\n";
 
 // The "fem" is the theory with its area times 1.25, its fitted area times 1.5,
-// and its gap moved by 0.02 h_rms, times 0.8 and 1 in the two realisations.
+// and its gap shifted by 0.02 h_rms, times 0.8 and 1 in the two realisations.
 class AtLoad : public ::testing::Test {
 protected:
   AtLoad() {
@@ -27,7 +27,7 @@ protected:
             1.5 * contact.area_fraction(point.nominal_pressure);
   }
 
-  /// The numbers of one name, by the method.
+  /// The numbers of one name, for each method.
   const Estimate& at(const std::string& name, std::size_t method) {
     result.reference = header + name + ",1,1,0,s\n";
     summary = summarize(result, rough);
@@ -40,12 +40,12 @@ protected:
   Summary summary;
 };
 
-// Claim: between two rows the curve is the formula's. Tolerance: 16 rows to
-// 500 are 0.41 apart in ln p; a monotone cubic with slopes by differences is of
-// second order at least, 0.41^2/8 of the second derivative of ln A, which erf
-// keeps below 0.1 at these loads: 2e-3. The gap's second derivative is
-// 0.2 h_rms: 4e-3 h_rms.
-TEST_F(AtLoad, IsWhatTheFormulaHasThere) {
+// Between two rows the curve is that of the formula. Tolerance: 16 rows to 500
+// are 0.41 apart in ln p; a monotone cubic with slopes by differences is of
+// second order at least, 0.41^2/8 of the second derivative of ln A, which for
+// erf is below 0.1 at these loads: 2e-3. The gap's second derivative is 0.2
+// h_rms: 4e-3 h_rms.
+TEST_F(AtLoad, IsTheValueOfTheFormula) {
   const double pressure = 0.0129 * synthetic::contact_modulus;
   const double height = *rough.surface.rms_height;
   const double area = contact.area_fraction(pressure);
@@ -61,9 +61,9 @@ TEST_F(AtLoad, IsWhatTheFormulaHasThere) {
               4e-3);
 }
 
-// Claim: an excess is a ratio of two curves at one pressure, so what the
-// interpolation misses falls out: both are the same function but for a factor.
-// Tolerance: rounding of exp and ln.
+// An excess is a ratio of two curves at one pressure, so that the error of the
+// interpolation cancels: both are the same function except for a factor.
+// Tolerance: roundoff of exp and ln.
 TEST_F(AtLoad, HasTheExcessTheMethodWasMadeWith) {
   EXPECT_NEAR(at("area_excess@p=0.003 E*", 1).value, 0.25, 1e-12);
   EXPECT_NEAR(at("area_excess_fit@p=0.003 E*", 1).value, 0.5, 1e-12);
@@ -87,7 +87,7 @@ TEST_F(AtLoad, LeavesOutWhatAMethodDoesNotAnswer) {
   EXPECT_TRUE(summarize(result, rough).published[0].ours.empty());
 }
 
-TEST_F(AtLoad, SaysWhyThereIsNoNumber) {
+TEST_F(AtLoad, StatesWhyThereIsNoNumber) {
   const Estimate beyond = at("area_fraction@p=0.2 E*", 1);
   EXPECT_FALSE(beyond.has_value());
   EXPECT_EQ(beyond.remark,
@@ -96,8 +96,8 @@ TEST_F(AtLoad, SaysWhyThereIsNoNumber) {
             "no area_fraction_moment at p/E* = 0.0005 on the loading path");
 }
 
-// Claim: an expectation at a load is judged like any other.
-TEST_F(AtLoad, IsJudged) {
+// An expectation at a load has a verdict like any other.
+TEST_F(AtLoad, HasAVerdict) {
   cases::Case expecting = rough;
   expecting.expectations = {
       {"area_excess@p=0.003 E*", 0.2, 0.3, {"fem"}},
@@ -105,12 +105,12 @@ TEST_F(AtLoad, IsJudged) {
       {"area_excess@p=0.9 E*", 0.3, 0.4, {"fem"}},
   };
 
-  const Summary judged = summarize(result, expecting);
+  const Summary checked = summarize(result, expecting);
 
-  ASSERT_EQ(judged.verdicts.size(), 3U);
-  EXPECT_EQ(judged.verdicts[0].outcome, Outcome::ok);
-  EXPECT_EQ(judged.verdicts[1].outcome, Outcome::failed);
-  EXPECT_EQ(judged.verdicts[2].outcome, Outcome::missing);
+  ASSERT_EQ(checked.verdicts.size(), 3U);
+  EXPECT_EQ(checked.verdicts[0].outcome, Outcome::ok);
+  EXPECT_EQ(checked.verdicts[1].outcome, Outcome::failed);
+  EXPECT_EQ(checked.verdicts[2].outcome, Outcome::missing);
 }
 
 } // namespace

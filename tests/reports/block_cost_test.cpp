@@ -1,5 +1,5 @@
-// Claim: where a whole block was solved the page shows what it cost beside the
-// condensed one; where none was there is no such table.
+// Verifies that the page shows the cost of a full 3-D block beside that of the
+// condensed one, and that there is no such table without a full block.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -25,7 +25,7 @@ results::Result with_whole_block(results::Result result) {
   return result;
 }
 
-TEST_F(BlockCost, StandsOnThePageOfAWholeBlock) {
+TEST_F(BlockCost, IsOnThePageOfAFullBlock) {
   write(with_whole_block(synthetic::rough_result(rough, 1)));
 
   const std::string html = text_of(folder / "report.html");
@@ -35,7 +35,7 @@ TEST_F(BlockCost, StandsOnThePageOfAWholeBlock) {
     EXPECT_NE(html.find(number), std::string::npos) << number;
 }
 
-/// The cells of the table's row of that name.
+/// The cells of the row of that name.
 std::vector<std::string> row_of(const std::string& html,
                                 const std::string& name) {
   std::size_t place = html.find("Cost of the full 3-D model");
@@ -49,8 +49,9 @@ std::vector<std::string> row_of(const std::string& html,
   return cells;
 }
 
-// Claim: times and iterations are summed over realisations and steps and told
-// for a step, set-ups are summed; methods of a face alone stand beside.
+// Times and iterations are summed over realisations and steps and stated per
+// step; set-up times are summed; methods without a full block are listed
+// beside.
 TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
   results::Result result = synthetic::rough_result(rough, 2);
   results::MethodRecord whole = result.methods[1];
@@ -76,7 +77,7 @@ TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
 
   const std::vector<std::string> expected{"fem.whole", "12345", "4 s",   "4",
                                           "17.5",      "2",     "8.5 s", "–"};
-  EXPECT_EQ(row_of(html, "fem.whole"), expected); // sixteen steps a curve
+  EXPECT_EQ(row_of(html, "fem.whole"), expected); // sixteen steps per curve
   for (const char* name : {"fem", "halfspace"}) {
     const std::vector<std::string> row = row_of(html, name);
     ASSERT_EQ(row.size(), expected.size()) << name;
@@ -85,7 +86,7 @@ TEST_F(BlockCost, IsOfAllRealisationsBesideTheOthers) {
   }
 }
 
-TEST_F(BlockCost, IsNotThereWithoutOne) {
+TEST_F(BlockCost, IsAbsentWithoutAFullBlock) {
   write(synthetic::rough_result(rough, 1));
 
   EXPECT_EQ(text_of(folder / "report.html").find("Cost of the full 3-D model"),

@@ -1,6 +1,6 @@
-// Claims about report.html as a browser sees it, in headless Chromium where it
-// is installed: verdicts and pictures are there, figures can be explored, and
-// nothing comes from elsewhere.
+// Tests of report.html as a browser shows it, in headless Chromium where it is
+// installed: verdicts and pictures are there, figures can be explored, and
+// nothing is loaded from elsewhere.
 #include "reports/explore/explore_data.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ bool has_chromium() {
   return std::system("command -v chromium > /dev/null 2>&1") == 0;
 }
 
-// What stands between `before` and the next `after`, everywhere in `text`.
+// The text between `before` and the next `after`, everywhere in `text`.
 std::vector<std::string> all_between(const std::string& text,
                                      const std::string& before,
                                      const std::string& after) {
@@ -53,8 +53,8 @@ protected:
     write(result);
   }
 
-  /// The document after it was loaded, as the browser writes it out again. The
-  /// browser may use nothing but the folder and is killed after a minute.
+  /// The document after it was loaded, as the browser writes it. The browser
+  /// may use nothing but the folder and is killed after a minute.
   std::string dom_of(const fs::path& page) const {
     const std::string dom = (folder / "dom.html").string();
     const std::string command =
@@ -83,8 +83,8 @@ protected:
   }
 };
 
-// Claim: three verdicts are ok and one is not, by construction, and each
-// drawn figure is a picture within the page.
+// Three verdicts are ok and one is not, by construction, and each drawn figure
+// is a picture within the page.
 TEST_F(Browser, ShowsEveryVerdictAndFigure) {
   const std::string dom = dom_of(folder / "report.html");
 
@@ -99,7 +99,7 @@ TEST_F(Browser, ShowsEveryVerdictAndFigure) {
   EXPECT_EQ(dom.find("could not be drawn"), std::string::npos);
 }
 
-// Claim: scripts are those of the page itself, links lead to its own sections.
+// Scripts are those of the page itself, and links lead to its own sections.
 TEST_F(Browser, RefersToNothingElsewhere) {
   const std::string dom = dom_of(folder / "report.html");
 
@@ -115,7 +115,7 @@ TEST_F(Browser, RefersToNothingElsewhere) {
   }
 }
 
-/// Addresses that the browser asked for, without those of its own services.
+/// Addresses that the browser requested, without those of its own services.
 std::vector<std::string> requests_in(const std::string& log) {
   std::vector<std::string> requests;
   for (const std::string& address : all_between(log, "\"url\":\"", "\"")) {
@@ -127,9 +127,9 @@ std::vector<std::string> requests_in(const std::string& log) {
   return requests;
 }
 
-// Claim: the page makes no request, and its policy forbids those of anything
-// that would get into it, as well as scripts that are not its own. Without the
-// policy the same page does both, so that the test can tell.
+// The page makes no request, and its policy forbids requests of anything that
+// would get into it, as well as scripts that are not its own. Without the
+// policy the same page does both, which shows that the test can detect it.
 TEST_F(Browser, MakesNoRequestAndRunsNoForeignScript) {
   const std::string foreign =
       "<img src=\"http://asperity.invalid/picture\"/><script>document.body."
@@ -176,7 +176,7 @@ protected:
       GTEST_SKIP() << "libjs-chart.js is not installed; ./asperity installs it";
   }
 
-  /// What the script `collect` returns in the page.
+  /// The result of the script `collect` in the page.
   nlohmann::json found_in_page(const std::string& collect) const {
     std::string page = without_policy(text_of(folder / "report.html"));
     page.insert(page.rfind("</body>"), probe_script(collect));
@@ -189,9 +189,9 @@ protected:
   }
 };
 
-// Claim: the figure was drawn, and the values shown when hovering are those of
-// its table: the separations exactly, the pressures, of which the table holds
-// the logarithm, to 10 digits.
+// The figure is drawn, and the values shown when hovering are those of its
+// table: the separations exactly, the pressures, of which the table holds the
+// logarithm, to 10 digits.
 TEST_F(Exploring, ShowsTheValuesOfTheTable) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const context = "
@@ -233,8 +233,8 @@ TEST_F(Exploring, ShowsTheValuesOfTheTable) {
   EXPECT_EQ(found.at("tip").get<std::string>().find("theory: ("), 0U);
 }
 
-// Claim: a curve can be hidden, an axis made linear, a part enlarged, and all
-// of that undone.
+// A curve can be hidden, an axis made linear, a part enlarged, and all of that
+// undone.
 TEST_F(Exploring, HidesCurvesChangesAxesAndZooms) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const chart = "
@@ -258,7 +258,8 @@ TEST_F(Exploring, HidesCurvesChangesAxesAndZooms) {
   EXPECT_EQ(found.at("again"), found.at("whole"));
 }
 
-// Claim: an axis without a range of its own holds the intervals of its points.
+// The range of an axis without a given range contains the intervals of its
+// points.
 TEST_F(Exploring, ShowsWholeIntervals) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const {panel, "
@@ -276,9 +277,9 @@ TEST_F(Exploring, ShowsWholeIntervals) {
   EXPECT_EQ(found.at("above"), 0);
 }
 
-// Claim: without a mouse, the arrow keys show the values of the curves, space
-// hides a curve, plus enlarges and 0 resets; in a map they show values, too.
-TEST_F(Exploring, AnswersTheKeyboard) {
+// Without a mouse, the arrow keys show the values of the curves, space hides a
+// curve, plus enlarges and 0 resets; in a map the arrow keys show values, too.
+TEST_F(Exploring, RespondsToTheKeyboard) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const {parts: "
       "[view]} = await figure('maps-fem'); const press = (one, key) => "
@@ -308,8 +309,8 @@ TEST_F(Exploring, AnswersTheKeyboard) {
       << found.at("map");
 }
 
-// Claim: the slider changes the map, and each map holds the values of the
-// result: within half of its 2047 steps.
+// The slider changes the map, and each map holds the values of the result:
+// within half of its 2047 steps.
 TEST_F(Exploring, ShowsTheMapOfTheLoadOfTheSlider) {
   const nlohmann::json found = found_in_page(
       "const {parts: [view]} = await figure('maps-fem'); const state = async "
@@ -356,7 +357,7 @@ TEST_F(Browser, PrintsAPdf) {
   EXPECT_GT(pdf.size(), 20'000U);
 }
 
-TEST_F(Browser, SaysOnceThatTheLibraryIsMissing) {
+TEST_F(Browser, ReportsOnceThatTheLibraryIsMissing) {
   ::setenv("ASPERITY_CHART_JS", "/no/such/file.js", 1);
   write(result);
   ::unsetenv("ASPERITY_CHART_JS");
@@ -369,9 +370,9 @@ TEST_F(Browser, SaysOnceThatTheLibraryIsMissing) {
   EXPECT_EQ(std::ssize(all_between(dom, "<img ", ">")), n_pictures());
 }
 
-// Claim: the browser can draw every picture it was given. A script that the
-// test adds to a copy asks for their widths in pixels: those of figures.hpp,
-// at least 480; 0 is what cannot be decoded.
+// The browser can draw every picture of the page. A script that the test adds
+// to a copy reads their widths in pixels: those of figures.hpp, at least 480; 0
+// means that it cannot be decoded.
 TEST_F(Browser, CanDrawEveryPicture) {
   std::string probe = without_policy(text_of(folder / "report.html"));
   probe.insert(probe.rfind("</body>"),

@@ -1,4 +1,4 @@
-// Claims about reports/analysis/certified.hpp and the table that shows it.
+// Tests of reports/analysis/certified.hpp and of its table.
 #include "reports/analysis/certified.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ results::Result with_bounds(results::Result result) {
   return result;
 }
 
-// Claim: the largest bound of all realisations is relative to their own rms
-// height; steps that did not converge or have no load do not count.
+// The largest bound of all realisations is relative to their own rms height;
+// steps that did not converge or have no load do not count.
 TEST_F(CertifiedSteps, AreCountedWithTheLargestBound) {
   const results::Result result = with_bounds(synthetic::rough_result(rough, 2));
   const auto& points = result.methods[1].realizations[1].points;
@@ -46,9 +46,9 @@ TEST_F(CertifiedSteps, AreCountedWithTheLargestBound) {
   EXPECT_EQ(found.pressure, points[points.size() - 2].nominal_pressure);
 }
 
-// Claim: a method without bounds is shown as submitted beside certified ones,
-// and a result without any bound has no such table.
-TEST_F(CertifiedSteps, StandInTheReport) {
+// A method without bounds is shown as submitted beside certified ones, and a
+// result without any bound has no such table.
+TEST_F(CertifiedSteps, AreInTheReport) {
   results::Result result = with_bounds(synthetic::rough_result(rough, 2));
   result.methods.push_back(result.methods[1]);
   result.methods.back().name = "foreign";

@@ -1,5 +1,5 @@
-// Claims about reports/analysis/claims.hpp and height_figure.hpp, on curves and
-// surfaces whose answers are known beforehand.
+// Tests of reports/analysis/claims.hpp and height_figure.hpp with curves and
+// surfaces whose results are known beforehand.
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/figures/height_figure.hpp"
@@ -36,17 +36,17 @@ protected:
   results::Result result = synthetic::rough_result(rough, 1);
 };
 
-// Claim: (16) at 0.38, to the digits of an independent quadrature.
+// (16) at 0.38, to the digits of an independent quadrature.
 TEST_F(Claims, HaveTheTheorysEpsilon) {
   EXPECT_NEAR(of("theory", "epsilon").value, 5.496775152921, 1e-11);
   EXPECT_FALSE(of("fem", "epsilon").has_value());
 }
 
-// Claim: a curve whose pressure at equal gap is e^{1/4} of the theory's, and
-// leaves that by straight ramps below 0.5 and above 1.5 h_rms, is said to have
-// that offset and to part where the ramps reach 10 %. Rounding: rows are at the
-// theory's own gaps, and straight between, as the ramps are.
-TEST_F(Claims, FindWhereTheoryIsLeft) {
+// A curve whose pressure at equal gap is e^{1/4} times that of the theory, and
+// departs from that linearly below 0.5 and above 1.5 h_rms, has that offset and
+// departs where the deviation reaches 10 %. Tolerance: roundoff, since rows are
+// at the gaps of the theory and linear between, as the deviation is.
+TEST_F(Claims, FindTheDepartureFromTheory) {
   const double height =
       scales_of(result, rough, result.methods[1], 0).rms_height;
   const auto theory = result.methods[0].realizations[0].points;
@@ -65,9 +65,9 @@ TEST_F(Claims, FindWhereTheoryIsLeft) {
   EXPECT_NEAR(of("fem", "departure_low").value, 0.25, 1e-12);
 }
 
-// Claim: a curve that is the theory's but for a factor of the pressure never
-// parts from it, and says so. Rounding.
-TEST_F(Claims, FindNoPartingWhereThereIsNone) {
+// A curve that equals the theory except for a factor of the pressure has no
+// departure within the load range, and the result says so. Tolerance: roundoff.
+TEST_F(Claims, FindNoDepartureWhereThereIsNone) {
   for (results::CurvePoint& row : fem_points())
     row.mean_gap = CurveFunction(result.methods[0].realizations[0].points)
                        .gap(row.nominal_pressure);
@@ -80,7 +80,7 @@ TEST_F(Claims, FindNoPartingWhereThereIsNone) {
             "no departure within the load range, or no agreement at u = h_rms");
 }
 
-// Claim: at the lightest load the shortfall is what was taken off the gap.
+// At the lightest load the shortfall is what was subtracted from the gap.
 TEST_F(Claims, MeasureTheShortfallOfTheGap) {
   const double height =
       scales_of(result, rough, result.methods[1], 0).rms_height;
@@ -90,8 +90,8 @@ TEST_F(Claims, MeasureTheShortfallOfTheGap) {
   EXPECT_NEAR(of("fem", "gap_shortfall").value, 0.3, 1e-12);
 }
 
-// Claim: exactly proportional rows have no deviation, and one that is 6 % too
-// large among n has 0.06 (1 - 1/n)/(1 + 0.06/n). Rounding only.
+// Exactly proportional rows have no deviation, and one that is 6 % too large
+// among n has 0.06 (1 - 1/n)/(1 + 0.06/n). Tolerance: roundoff.
 TEST_F(Claims, MeasureTheAreasLine) {
   int n = 0;
   for (results::CurvePoint& row : fem_points()) {
@@ -109,8 +109,8 @@ TEST_F(Claims, MeasureTheAreasLine) {
             fem_points().back().area_fraction_corrected);
 }
 
-// Claim: the synthetic surface has exactly the spectrum of its formula,
-// H = 0.95. Rings average over wavevectors of unequal length: 0.03.
+// The synthetic surface has exactly the spectrum of its formula, H = 0.95.
+// Rings average over wavevectors of unequal length: 0.03.
 TEST_F(Claims, MeasureTheSurface) {
   EXPECT_NEAR(of("fem", "fractal_dimension").value, 2.05, 0.03);
   EXPECT_NEAR(of("fem", "rms_height").value, 34e-9, 1e-22);
@@ -119,10 +119,10 @@ TEST_F(Claims, MeasureTheSurface) {
   EXPECT_FALSE(of("theory", "rms_height").has_value());
 }
 
-// Claim: the theory of the formula has the asperity model's gap at its lightest
-// load: put back into the model it gives that load. Tolerance: of the root, 40
-// bits. And it has the expected height of the case's own cell.
-TEST_F(Claims, HaveTheTailOfASurfaceWithoutEnd) {
+// The theory of the formula has the gap of the asperity model at its lightest
+// load: inserted into the model it gives that load. Tolerance: that of the
+// root, 40 bits. It also has the expected height of the cell of the case.
+TEST_F(Claims, HaveTheTailOfAnInfiniteSurface) {
   const theory::HeightSpectrum spectrum =
       synthetic::contact_of(rough.surface).spectrum();
   const auto& first = result.methods[0].realizations[0].points.front();
@@ -148,8 +148,8 @@ TEST_F(Claims, AreExplained) {
   EXPECT_EQ(meaning_of("of_my_own"), "");
 }
 
-// Claim: the drawn density integrates to 1 over its bins, and its second
-// moment is h_rms^2, to the digits printed and the bins' own width^2/12.
+// The drawn density integrates to 1 over its bins, and its second moment is
+// h_rms^2, to the printed digits and the bins' own width^2/12.
 TEST_F(Claims, DrawADensityOfHeights) {
   const ReportEntry entry = entry_of(result, rough);
 

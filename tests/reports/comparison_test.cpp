@@ -1,5 +1,5 @@
-// Claims about reports/analysis/comparison.hpp: what lies between rows, what is
-// refused, and what a deviation is.
+// Tests of reports/analysis/comparison.hpp: values between rows, refused
+// curves, and deviations.
 #include "reports/analysis/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ CurvePoint row(double pressure, double gap, double area) {
   return point;
 }
 
-// u = u_0 ln(p_0/p), A = 2e-9 p: straight in the coordinates of the header.
+// u = u_0 ln(p_0/p), A = 2e-9 p: linear in the coordinates of the header.
 std::vector<CurvePoint> reference_rows(int count) {
   std::vector<CurvePoint> rows;
   for (int i = 0; i < count; ++i) {
@@ -33,8 +33,8 @@ std::vector<CurvePoint> reference_rows(int count) {
   return rows;
 }
 
-// Claim: what is straight in ln p stays exact between rows, for few rows and
-// many. Tolerance: rounding of exp and ln at ln A = -6, 1e-14.
+// A curve that is linear in ln p is exact between rows, for few rows and many.
+// Tolerance: roundoff of exp and ln at ln A = -6, 1e-14.
 TEST(CurveFunction, IsExactBetweenRowsOfAnExponential) {
   for (const int count : {2, 3, 4, 7}) {
     const CurveFunction curve(reference_rows(count));
@@ -55,10 +55,10 @@ TEST(CurveFunction, DoesNotExtrapolate) {
   EXPECT_TRUE(std::isnan(CurveFunction({}).gap(1e6)));
 }
 
-// Claim: on an exponential a shift of u by s u_0 is a relative difference s of
-// p to first order, at the ends of the other curve too, and rows beyond them do
-// not count. Tolerance: u_ref is differenced over 1e-3 of ln p, where it is
-// straight; rounding of the difference, 1e-16/1e-3.
+// On an exponential a shift of u by s u_0 is a relative difference s of p to
+// first order, at the ends of the other curve too, and rows beyond them do not
+// count. Tolerance: u_ref is differenced over 1e-3 of ln p, where it is linear;
+// roundoff of the difference, 1e-16/1e-3.
 TEST(PressureDifference, IsTheShiftOverTheDecay) {
   const CurveFunction reference(reference_rows(5));
   std::vector<CurvePoint> rows = reference_rows(6);
@@ -70,10 +70,10 @@ TEST(PressureDifference, IsTheShiftOverTheDecay) {
   EXPECT_TRUE(std::isnan(largest_pressure_difference({}, reference)));
 }
 
-// Claim: only rows with 0.3 < u/h_rms < 1.5 count, and rows the reference does
-// not reach are left out. u/h_rms of the rows here: 0.2, 1.0, 1.4, 1.7 with
-// offsets 0.5, 0.03, -0.05, 0.5 of h_rms. Tolerance: rounding.
-TEST(LargestGapDeviation, LooksOnlyAtTheRangeItNames) {
+// Only rows with 0.3 < u/h_rms < 1.5 count, and rows outside the range of the
+// reference are excluded. u/h_rms of the rows here: 0.2, 1.0, 1.4, 1.7 with
+// offsets 0.5, 0.03, -0.05, 0.5 of h_rms. Tolerance: roundoff.
+TEST(LargestGapDeviation, UsesOnlyItsStatedRange) {
   const std::vector<Deviation> rows{
       {1.0, 0.2 * rms_height, 0.7 * rms_height, 0.0, 0.0},
       {1.0, 1.0 * rms_height, 1.03 * rms_height, 0.0, 0.0},
@@ -85,7 +85,7 @@ TEST(LargestGapDeviation, LooksOnlyAtTheRangeItNames) {
   EXPECT_TRUE(std::isnan(largest_gap_deviation({}, rms_height)));
 }
 
-// Claim: the mean over rows up to 15 % counted area, others ignored.
+// The excess is the mean over rows up to 15 % counted area; others are ignored.
 TEST(LightLoadAreaExcess, AveragesTheLightRows) {
   const std::vector<Deviation> rows{{1.0, 0.0, 0.0, 0.02 * 1.2, 0.02},
                                     {2.0, 0.0, 0.0, 0.10 * 1.3, 0.10},

@@ -1,5 +1,5 @@
-// Claims about reports/numbers/determined.hpp: a fitted number without a
-// meaning or without a meaningful interval is shown nowhere, and the reason is.
+// Tests of reports/numbers/determined.hpp: a fitted number without a meaning or
+// without a meaningful interval is shown nowhere, but the reason is.
 #include "reports/analysis/verdict.hpp"
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/report.hpp"
@@ -56,8 +56,8 @@ TEST(Determined, LeavesNeitherValueNorIntervalOfWhatItIsNot) {
   EXPECT_EQ(determined(set, gamma_range).value, 0.4);
 }
 
-/// A "fem" whose mean gap falls 1.3 h_rms an e-fold, around 1 h_rms: its slope
-/// is a straight line and no gamma.
+/// A "fem" whose mean gap decreases by 1.3 h_rms per e-fold of the pressure,
+/// around 1 h_rms: its slope is a straight line but not a gamma.
 class NoGamma : public ReportFolder {
 protected:
   NoGamma() {
@@ -75,7 +75,7 @@ protected:
   results::Result result = synthetic::rough_result(rough, 1);
 };
 
-TEST_F(NoGamma, StandsNowhereAsAResult) {
+TEST_F(NoGamma, IsNotAResult) {
   const Summary summary = summarize(result, rough);
   const Estimate& gamma = summary.methods[1].quantities.at("gamma_slope");
   ASSERT_FALSE(gamma.has_value());

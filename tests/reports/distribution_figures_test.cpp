@@ -1,5 +1,5 @@
-// Claims about the figures of pressures, gaps and areas: the numbers drawn are
-// those of the maps, on the grid they were made on.
+// Tests of the figures of pressures, gaps and areas: the drawn numbers are
+// those of the maps, on their own grid.
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 #include "theory/persson/pressure_distribution.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// The numbers of a figure's data by the curve's name.
+/// The numbers of a figure's data by the name of the curve.
 std::map<std::string, Rows> curves_of(const Figure& figure) {
   std::map<std::string, Rows> curves;
   std::istringstream lines(figure.data);
@@ -41,7 +41,7 @@ std::map<std::string, Rows> curves_of(const Figure& figure) {
 class Distributions : public ::testing::Test {
 protected:
   Distributions() {
-    // a grid of its own, coarser than the surface's
+    // another grid, coarser than that of the surface
     fields.step = 3;
     fields.grid = {100, 100, 10e-6, 10e-6};
     fields.pressure.assign(fields.grid.size(), 0.0);
@@ -59,9 +59,9 @@ protected:
   results::Fields fields;
 };
 
-// Claim: pressures that are spread as (20) with G~ = 0.64 G are said to have
-// r = 0.64, and the curve drawn is that (20). Full contact, where (20) is a
-// Gaussian and its quantiles are those of erf; p = 8 spreads.
+// Pressures that are distributed as (20) with G~ = 0.64 G have r = 0.64, and
+// the drawn curve is that (20). Full contact, where (20) is a Gaussian and its
+// quantiles are those of erf; p is 8 standard deviations.
 TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
   const double stress =
       synthetic::contact_modulus * result.surfaces[0].rms_slope;
@@ -69,7 +69,7 @@ TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
   const double spread = std::sqrt(2.0 * variance);
   const double mean = 8.0 * spread;
   fields.nominal_pressure = mean;
-  double quantile = -5.0; // marched by the density: dz = dshare/density
+  double quantile = -5.0; // integrated with the density: dz = dshare/density
   const auto n = static_cast<double>(fields.grid.size());
   for (double& pressure : fields.pressure) {
     const double share =
@@ -92,17 +92,18 @@ TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
     if (!name.starts_with("(20)"))
       continue;
     ASSERT_EQ(rows.size(), 161U);
-    for (const auto& row : rows) // to a per cent of G, 2 % of the top
+    for (const auto& row : rows) // to one per cent of G, 2 % of the maximum
       EXPECT_NEAR(row[2] / stress,
                   theory::pressure_density(row[1] * stress, mean, variance),
                   0.02 / (spread * std::sqrt(6.28)));
   }
 }
 
-// Claim: P_u is that of the nodes that are apart: u = 1 to 3 h_rms in equal
-// shares on 60 % of the face has the density 0.3/h_rms there, and what is
-// closed, at zero, pressed in, or atoms closer than their distance, is said.
-TEST_F(Distributions, OfGapsAreOfWhatIsApart) {
+// P_u is that of the nodes without contact: u = 1 to 3 h_rms in equal parts on
+// 60 % of the surface has the density 0.3/h_rms there. What is excluded is
+// stated: nodes in contact, at zero gap, with penetration, or atoms closer than
+// their distance.
+TEST_F(Distributions, OfGapsAreOfNodesWithoutContact) {
   const double height = result.surfaces[0].rms_height;
   const std::size_t apart = fields.gap.size() * 6 / 10;
   for (std::size_t i = 0; i < fields.gap.size(); ++i) {
@@ -122,12 +123,12 @@ TEST_F(Distributions, OfGapsAreOfWhatIsApart) {
   for (const auto& [name, rows] : curves_of(figures[0]))
     for (const auto& row : rows)
       if (row[1] > 1.1) {
-        EXPECT_NEAR(row[2], 0.3, 0.003); // a node more or less of 150 a bin
+        EXPECT_NEAR(row[2], 0.3, 0.003); // one node more or less of 150 per bin
       }
 }
 
-// Claim: maps are drawn on their own grid and measured in the surface the
-// method ran on; a map whose size is not that of its grid is not drawn.
+// Maps are drawn on their own grid and measured in the surface of the method; a
+// map whose size is not that of its grid is not drawn.
 TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   fields.pressure[5] = 1e6;
   fields.gap[7] = 1e-9;
@@ -143,7 +144,7 @@ TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   EXPECT_TRUE(pressure_distribution_figures(made).empty());
 }
 
-TEST_F(Distributions, OfAMapThatPullsAreDrawnWithoutACurve) {
+TEST_F(Distributions, OfATensileMapAreDrawnWithoutACurve) {
   fields.pressure.assign(fields.grid.size(), -1e6);
   fields.pressure[5] = 2e6;
 
@@ -155,7 +156,7 @@ TEST_F(Distributions, OfAMapThatPullsAreDrawnWithoutACurve) {
 }
 
 // The "fem" is the theory with 1.25 times its area, here fitted 1.5 times.
-TEST_F(Distributions, OfAreasStandAgainstTheTheory) {
+TEST_F(Distributions, OfAreasAreDrawnAgainstTheTheory) {
   for (results::CurvePoint& point : result.methods[1].realizations[0].points)
     point.area_fraction_fit = 1.5 * synthetic::contact_of(rough.surface)
                                         .area_fraction(point.nominal_pressure);

@@ -1,5 +1,5 @@
-// Claims about reports/numbers/estimate.hpp: lines, their errors, and
-// intervals that cover what they promise.
+// Tests of reports/numbers/estimate.hpp: lines, their errors, and the coverage
+// of intervals.
 #include "reports/numbers/estimate.hpp"
 #include "reports/numbers/number_text.hpp"
 
@@ -11,10 +11,10 @@
 namespace asperity::reports {
 namespace {
 
-// Claim: slope, intercept and errors of the four points (0,1) (1,3) (2,2)
-// (3,5). By hand: slope 11/10, intercept 11/10, residual squares 2.7,
-// slope error sqrt(1.35/5). Tolerance: rounding.
-TEST(FitLine, EqualsTheSumsDoneByHand) {
+// Slope, intercept and errors of the four points (0,1) (1,3) (2,2) (3,5): slope
+// 11/10, intercept 11/10, residual squares 2.7, slope error sqrt(1.35/5).
+// Tolerance: roundoff.
+TEST(FitLine, EqualsTheExplicitSums) {
   const std::vector<double> x{0.0, 1.0, 2.0, 3.0};
   const std::vector<double> y{1.0, 3.0, 2.0, 5.0};
 
@@ -28,8 +28,8 @@ TEST(FitLine, EqualsTheSumsDoneByHand) {
   EXPECT_NEAR(fit.largest_residual, 1.3, 1e-14);
 }
 
-// Claim: whatever a curve gives, there is a line or none; nothing is thrown.
-TEST(FitLine, IsNoneThroughWhatIsNoLine) {
+// For any curve there is a line or none; nothing is thrown.
+TEST(FitLine, IsNoneWithoutALine) {
   const std::vector<double> one{1.0};
   const std::vector<double> same{2.0, 2.0, 2.0};
   const std::vector<double> rising{1.0, 2.0, 3.0};
@@ -42,8 +42,8 @@ TEST(FitLine, IsNoneThroughWhatIsNoLine) {
   EXPECT_TRUE(std::isnan(fit_line(broken, rising).intercept));
 }
 
-// Claim: Student's t for 1 and 2 degrees of freedom, whose quantiles are
-// closed: tan(pi 0.475), and 2 a sqrt(2/(4 b)) with a = .475, b = a^2.
+// Student's t for 1 and 2 degrees of freedom, whose quantiles are closed:
+// tan(pi 0.475), and 2 a sqrt(2/(4 b)) with a = .475, b = a^2.
 TEST(StudentHalfWidth, EqualsTheClosedQuantiles) {
   const double one = std::tan(std::acos(-1.0) * 0.475);
   const double alpha = 0.975 * 0.025 * 4.0;
@@ -54,9 +54,9 @@ TEST(StudentHalfWidth, EqualsTheClosedQuantiles) {
   EXPECT_TRUE(std::isnan(student_half_width(1.0, 0)));
 }
 
-// Claim: the interval covers the truth in 95 % of ensembles, also for three
+// The interval covers the exact value in 95 % of ensembles, also for three
 // realisations. Tolerance: 3 sigma of 4000 trials, 3 sqrt(.95 .05/4000) = 1 %.
-TEST(MeanOverRealizations, CoversTheTruthAsOftenAsItSays) {
+TEST(MeanOverRealizations, CoversTheExactValueAsOftenAsStated) {
   std::mt19937_64 generator(20080101);
   std::normal_distribution<double> gamma(0.4, 0.03);
   const int trials = 4000;
@@ -74,7 +74,7 @@ TEST(MeanOverRealizations, CoversTheTruthAsOftenAsItSays) {
   }
 }
 
-TEST(MeanOverRealizations, SaysWhenTheIntervalIsOnlyTheFitsOwn) {
+TEST(MeanOverRealizations, ReportsAnIntervalOfTheFitAlone) {
   const std::vector<FittedValue> one{{0.41, 0.01, 2}};
 
   const Estimate estimate = mean_over_realizations(one);
@@ -97,7 +97,7 @@ TEST(MeanOverRealizations, LeavesOutAndCountsFitsWithoutAnswer) {
   EXPECT_EQ(mean_over_realizations(none).remark, "too few rows");
 }
 
-// Claim: a large share without an interval is printed in full digits, not as
+// A large percentage without an interval is printed in full digits, not as
 // 1.2e+02 %.
 TEST(PercentText, HasNoExponent) {
   Estimate estimate;

@@ -1,5 +1,5 @@
-// Claims about reports/analysis/exact.hpp: curves made from the textbook's
-// formulas, written out here, have no error; a known offset is the error found.
+// Tests of reports/analysis/exact.hpp: curves from textbook formulas, which are
+// written out here, have no error; a known offset is the error that is found.
 #include "reports/analysis/exact.hpp"
 
 #include <gtest/gtest.h>
@@ -61,8 +61,7 @@ results::Result wave_result(double gap_offset, double area_offset) {
   return result_of(points);
 }
 
-// Claim: the largest offset, 0.9 of the given one, is the error. Tolerance:
-// rounding.
+// The largest offset, 0.9 of the given one, is the error. Tolerance: roundoff.
 TEST(ExactQuantities, FindTheOffsetFromWestergaard) {
   const MethodSummary none = summary_of(wave_result(0.0, 0.0), wave_case());
   const MethodSummary some = summary_of(wave_result(-1e-3, 0.02), wave_case());
@@ -74,8 +73,8 @@ TEST(ExactQuantities, FindTheOffsetFromWestergaard) {
   EXPECT_EQ(none.quantities.count("approach_error"), 0U);
 }
 
-// Hertz on a periodic square: approach a^2/R less S F/(pi E* L), the mean gap
-// falling from the height of the crest.
+// Hertz on a periodic square: approach a^2/R minus S F/(pi E* L), where the
+// mean gap decreases from the height of the crest.
 results::Result sphere_result(double stretch) {
   const double side = 1e-3;
   const double radius = 10e-3;
@@ -111,8 +110,9 @@ TEST(ExactQuantities, FindTheRelativeErrorOfHertz) {
   EXPECT_NEAR(some.quantities.at("contact_radius_error").value, 0.03, 1e-12);
 }
 
-// Claim: a strength and a depth 2 % and 5 % off Hertz's 0.620 p_0 and 0.481 a
-// (nu = 0.3; Johnson, Sec. 4.2) are found to be. Tolerance: printed digits.
+// A maximum stress and a depth that are 2 % and 5 % off Hertz's 0.620 p_0 and
+// 0.481 a (nu = 0.3; Johnson, Sec. 4.2) have these errors. Tolerance: printed
+// digits.
 TEST(ExactQuantities, FindTheErrorOfTheStressInside) {
   cases::Case sphere = sphere_case();
   sphere.material.poisson_ratio = 0.3;
@@ -136,7 +136,7 @@ TEST(ExactQuantities, FindTheErrorOfTheStressInside) {
             0U);
 }
 
-// Claim: rows that did not converge are not held against anything.
+// Rows that did not converge have no error.
 TEST(ExactQuantities, LeaveOutFailedRows) {
   results::Result result = wave_result(0.0, 0.0);
   auto& points = result.methods.front().realizations.front().points;
@@ -148,10 +148,11 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
   EXPECT_NEAR(summary.quantities.at("mean_gap_error").value, 0.0, 1e-13);
 }
 
-// Claim: the 2-D wave is known at every load: near Hertz's limit, which is low
-// by some 0.75 P^(2/3) of itself, near the limit of full contact, whose open
-// area is low by up to 0.5 (1 - P) of itself, and between the two where both
-// are far off. Tolerance: those shares, and a tenth of them for "some".
+// The 2-D wave has an exact solution at every load: near Hertz's limit, which
+// is too small by some relative 0.75 P^(2/3), near the limit of full contact,
+// whose open area is too small by up to a relative 0.5 (1 - P), and between the
+// two where neither limit applies. Tolerance: these fractions, and a tenth of
+// them for "some".
 TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
   mechanics::SurfaceSpec surface = wave_case().surface;
   surface.kind = mechanics::SurfaceKind::wave_2d;
@@ -177,10 +178,10 @@ TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
   EXPECT_EQ(exact(1.0).mean_gap, 0.0);
 }
 
-// Claim: rows made of the light end's closed forms differ from the truth at
-// P = 0.001 by what the ends are known to lack: 0.75 P^(2/3) of the area, 0.65
-// P^(4/3) amplitudes of the gap, "some" a tenth of either.
-TEST(ExactQuantities, JudgeTheGapOfTheTwoDimensionalWave) {
+// Rows from the closed forms of the light end differ from the exact solution at
+// P = 0.001 by the known error of these forms: 0.75 P^(2/3) of the area, 0.65
+// P^(4/3) amplitudes of the gap, to a tenth of either.
+TEST(ExactQuantities, HaveTheErrorOfTheTwoDimensionalWave) {
   cases::Case egg_box = wave_case();
   egg_box.surface.kind = mechanics::SurfaceKind::wave_2d;
   const double load = 1e-3;
@@ -192,7 +193,7 @@ TEST(ExactQuantities, JudgeTheGapOfTheTwoDimensionalWave) {
       1e-12 / (4.0 * std::pow(std::numbers::pi, 2)) / amplitude;
   const double full = std::numbers::sqrt2 * std::numbers::pi * contact_modulus *
                       amplitude / 1e-6;
-  const double crest = 0.5 * load * full * 1e-12; // two crests a cell
+  const double crest = 0.5 * load * full * 1e-12; // two crests per cell
   results::CurvePoint point;
   point.nominal_pressure = load * full;
   point.area_fraction_corrected = area;

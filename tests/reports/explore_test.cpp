@@ -1,6 +1,6 @@
-// Claims about reports/explore: the browser's curves are those of the gnuplot
-// script, packed maps unpack to what was packed, and no text of a result can
-// end the element of the page that holds it.
+// Tests of reports/explore: the curves in the browser are those of the gnuplot
+// script, packed maps are unpacked unchanged, and no text of a result can end
+// the element of the page that holds it.
 #include "reports/explore/chart_of_script.hpp"
 #include "reports/explore/explore_data.hpp"
 #include "reports/figures/figures.hpp"
@@ -69,7 +69,7 @@ TEST(ChartOfScript, ReadsIntervalsAxesAndMarks) {
   EXPECT_EQ(panel.curves.at(0).low, 3);
 }
 
-// Claim: a band has the corners of its own block, on the axes of the chart.
+// A band has the corners of its own block, on the axes of the chart.
 TEST(ChartOfScript, ReadsBands) {
   const std::string script =
       "plot 'a-bands.csv' index 1 using 1:2 with filledcurves closed "
@@ -89,8 +89,8 @@ TEST(ChartOfScript, ReadsBands) {
   EXPECT_FALSE(chart_of_script(script, header, "\n\n\na,b\n"));
 }
 
-// Claim: named ticks, a logarithmic second axis, lines over the whole height
-// with their names, and ranges that end at the edge.
+// Named ticks, a logarithmic second axis, lines over the full height with their
+// names, and ranges that end at the edge are read.
 TEST(ChartOfScript, ReadsNamesLinesAndEdges) {
   const auto chart = chart_of_plot(
       "set xtics ('soft, thick' 0, 'hard' 1)\nset logscale y2\nset arrow from "
@@ -114,7 +114,7 @@ TEST(ChartOfScript, ReadsNamesLinesAndEdges) {
   EXPECT_EQ(panel.marks[1].high, 2.0);
 }
 
-// Claim: intervals of y, and areas between two columns of the table.
+// Intervals of y and areas between two columns of the table are read.
 TEST(ChartOfScript, ReadsIntervalsOfYAndAreas) {
   const auto chart = chart_of_plot(
       "plot 'a.csv' using ($2==0 ? $3 : NaN):3:5 with filledcurves linecolor "
@@ -132,7 +132,7 @@ TEST(ChartOfScript, ReadsIntervalsOfYAndAreas) {
   EXPECT_EQ(curves.at(1).high, 5);
 }
 
-// Claim: settings hold from panel to panel until they are unset.
+// Settings remain valid from panel to panel until they are unset.
 TEST(ChartOfScript, ReadsEveryPanel) {
   const auto chart = chart_of_plot(
       "set multiplot layout 1,2\nset logscale x\nset yrange [0:1]\nplot x with "
@@ -150,8 +150,8 @@ TEST(ChartOfScript, ReadsEveryPanel) {
   EXPECT_FALSE(chart->panels[1].y.high);
 }
 
-// Claim: a figure of which a part is not understood has no chart at all,
-// because a chart with a missing curve would mislead.
+// A figure of which a part is not understood has no chart at all, because a
+// chart with a missing curve would mislead.
 TEST(ChartOfScript, RefusesWhatItDoesNotUnderstand) {
   const std::string good = "plot 0 with lines";
   ASSERT_TRUE(chart_of_plot(good));
@@ -170,7 +170,7 @@ TEST(ChartOfScript, RefusesWhatItDoesNotUnderstand) {
   EXPECT_FALSE(chart_of_plot(""));
 }
 
-// Claim: every figure of a report on a rough surface can be explored.
+// Every figure of a report on a rough surface can be explored.
 TEST(ChartOfScript, UnderstandsEveryFigureOfAReport) {
   const cases::Case rough = synthetic::contact_case();
   const results::Result result = synthetic::rough_result(rough, 3);
@@ -238,8 +238,8 @@ std::vector<int> steps_of(const PackedMap& map, std::size_t columns) {
   return steps;
 }
 
-// Claim: each value is within half a step of what was packed; only the least
-// value is step 0, also beside a value that is far smaller than a step.
+// Each value is within half a step of the packed one; only the smallest value
+// is step 0, also beside a value that is far smaller than a step.
 TEST(PackedMap, IsWithinHalfAStep) {
   std::vector<double> values{0.0,          1e-9, 3.0, -0.0, 2.9, 0.1,
                              std::nan(""), 1.5,  0.7, 3.0,  0.0, 1.0};

@@ -1,5 +1,5 @@
-// Claims about reports/numbers/fits.hpp: fits recover what synthetic curves
-// were made with, and the windows leave out what is not exponential.
+// Tests of reports/numbers/fits.hpp: fits recover the parameters of synthetic
+// curves, and the windows exclude what is not exponential.
 #include "reports/numbers/fits.hpp"
 
 #include <gtest/gtest.h>
@@ -45,8 +45,8 @@ std::vector<CurvePoint> exponential(double from, double to, int count,
   return points;
 }
 
-// Claim: an exact exponential gives back its gamma and beta, whole curve used.
-// Tolerance: rounding of logarithms over ten rows.
+// The gamma and beta of an exact exponential are recovered with the entire
+// curve. Tolerance: roundoff of logarithms over ten rows.
 TEST(FitSlope, RecoversAnExactExponential) {
   const SlopeFit fit = fit_slope(exponential(2e-3, 0.1, 10), scales);
 
@@ -57,8 +57,8 @@ TEST(FitSlope, RecoversAnExactExponential) {
   EXPECT_NEAR(fit.window.pressure_low, 2e-3 * scales.contact_modulus, 1e-6);
 }
 
-// Claim: a finite block ends the exponential near 2 h_rms; rows beyond are not
-// in the window, though here they lie on a line of their own that is wider.
+// A finite block ends the exponential near 2 h_rms; rows beyond are not in the
+// window, although here they lie on a longer line of their own.
 TEST(FitSlope, LeavesOutTheFiniteSizeTail) {
   std::vector<CurvePoint> points = exponential(2e-3, 0.1, 10);
   for (const double pressure : log_spaced(1e-5, 1e-3, 8))
@@ -70,10 +70,10 @@ TEST(FitSlope, LeavesOutTheFiniteSizeTail) {
   EXPECT_EQ(fit.window.points, 10);
 }
 
-// Claim: where the curve bends towards contact the window ends. The bend is
-// made of u -> u + 0.3 x^2 (x in e-folds beyond p = 0.02 E*): the first row
-// beyond moves by 0.3 * 0.43^2 = 0.055 h_rms, above the 0.5 % allowed, so the
-// slope is within (0.005 h over a window of 1 h) a few per cent of the truth.
+// The window ends where the curve bends towards contact. The bend is u -> u +
+// 0.3 x^2 (x in e-folds beyond p = 0.02 E*): the first row beyond moves by 0.3
+// * 0.43^2 = 0.055 h_rms, above the 0.5 % allowed, so that the slope is within
+// (0.005 h over a window of 1 h) a few per cent of the exact one.
 TEST(FitSlope, EndsWhereNearContactBendsTheCurve) {
   std::vector<CurvePoint> points;
   for (const double pressure : log_spaced(2e-3, 0.15, 11)) {
@@ -90,9 +90,9 @@ TEST(FitSlope, EndsWhereNearContactBendsTheCurve) {
   EXPECT_LE(fit.window.largest_deviation, 0.005);
 }
 
-// Claim: with independent scatter the fit's own 95 % interval holds the truth
-// in 95 % of curves. Window fixed by construction (scatter far below 0.5 %).
-// Tolerance: 3 sigma of 2000 trials, 1.5 %.
+// With independent scatter the 95 % interval of the fit contains the exact
+// value for 95 % of curves. The window is fixed by construction (scatter far
+// below 0.5 %). Tolerance: 3 sigma of 2000 trials, 1.5 %.
 TEST(FitSlope, ItsOwnIntervalCoversUnderIndependentScatter) {
   std::mt19937_64 generator(11);
   std::normal_distribution<double> scatter(0.0, 1e-3);
@@ -104,8 +104,8 @@ TEST(FitSlope, ItsOwnIntervalCoversUnderIndependentScatter) {
     for (CurvePoint& point : points)
       point.mean_gap += scatter(generator) * scales.rms_height;
     const SlopeFit fit = fit_slope(points, scales);
-    const auto covers = [](const FittedValue& fitted, double truth) {
-      return std::abs(fitted.value - truth) <=
+    const auto covers = [](const FittedValue& fitted, double exact) {
+      return std::abs(fitted.value - exact) <=
              student_half_width(fitted.standard_error,
                                 fitted.degrees_of_freedom);
     };
@@ -116,9 +116,9 @@ TEST(FitSlope, ItsOwnIntervalCoversUnderIndependentScatter) {
   EXPECT_NEAR(covered_beta / static_cast<double>(trials), 0.95, 0.0147);
 }
 
-// Claim: scatter of 3 % of h_rms does not pass the 0.5 % gate; the gate opens
-// by doubling and says how far.
-TEST(FitSlope, OpensItsGateForScatterAndSaysSo) {
+// Scatter of 3 % of h_rms exceeds the limit of 0.5 %; the limit is doubled
+// until a fit exists, and the result states it.
+TEST(FitSlope, WidensItsLimitForScatterAndReportsIt) {
   const SlopeFit fit = fit_slope(exponential(2e-3, 0.1, 12, 0.03), scales);
 
   EXPECT_EQ(fit.reason, "");
@@ -126,11 +126,11 @@ TEST(FitSlope, OpensItsGateForScatterAndSaysSo) {
   EXPECT_LE(fit.window.largest_deviation, fit.window.tolerance);
 }
 
-// Claim: a window further in does not win by being straighter. The curve here
-// has slope 0.4 outside u = 1.4 h_rms, where its rows are 0.7 % of h_rms off by
-// turns, which the first gate refuses, and is a line of slope 0.5 inside.
-// Tolerance: 0.7 % of h_rms at either end of 1.5 e-folds.
-TEST(FitSlope, PrefersTheOuterStretchToAStraighterInnerOne) {
+// A window further in is not preferred for being straighter. The curve here has
+// slope 0.4 outside u = 1.4 h_rms, where its rows alternate by 0.7 % of h_rms,
+// which the first limit refuses, and is a line of slope 0.5 inside. Tolerance:
+// 0.7 % of h_rms at either end of 1.5 e-folds.
+TEST(FitSlope, PrefersTheOuterRangeToAStraighterInnerOne) {
   std::vector<CurvePoint> points;
   for (int i = 0; i < 4; ++i)
     points.push_back(row(std::exp(-8.0 + 0.5 * i),
@@ -145,7 +145,7 @@ TEST(FitSlope, PrefersTheOuterStretchToAStraighterInnerOne) {
   EXPECT_NEAR(fit.window.tolerance, 0.01, 1e-15);
 }
 
-TEST(FitSlope, SaysWhyThereIsNoFit) {
+TEST(FitSlope, StatesWhyThereIsNoFit) {
   const std::vector<CurvePoint> short_curve = exponential(0.01, 0.02, 3);
   std::vector<CurvePoint> staircase;
   for (int i = 0; i < 6; ++i)
@@ -158,9 +158,9 @@ TEST(FitSlope, SaysWhyThereIsNoFit) {
   EXPECT_TRUE(std::isnan(fit_slope(staircase, scales).gamma_slope.value));
 }
 
-// Claim: a load that was solved several times is a point several times: the
-// line is through the others too, and there is none through it alone.
-TEST(FitSlope, TakesALoadThatIsThereSeveralTimes) {
+// A load that was solved several times is several points: the line is fitted to
+// the others too, and there is none through this load alone.
+TEST(FitSlope, AcceptsRepeatedLoads) {
   std::vector<CurvePoint> points(4, row(1.1e-3, 2.0));
   EXPECT_NE(fit_slope(points, scales).reason, "");
 
@@ -185,9 +185,9 @@ TEST(LoadingRows, LeavesOutUnloadingFailedAndEmptyRows) {
   EXPECT_LT(rows[0].nominal_pressure, rows[1].nominal_pressure);
 }
 
-// Claim: (10)'s parameter comes back from curves made with it, for any split.
-// The split here is not the theory's, only linear in gamma. Tolerance:
-// rounding.
+// The parameter of (10) is recovered from curves made with it, for any split.
+// The split here is not that of the theory, only linear in gamma. Tolerance:
+// roundoff.
 TEST(FitParameter, RecoversTheParameterACurveWasMadeWith) {
   const GapTheory theory = [](double nominal_pressure) {
     const double reduced = nominal_pressure / scales.contact_modulus;
@@ -207,8 +207,8 @@ TEST(FitParameter, RecoversTheParameterACurveWasMadeWith) {
   EXPECT_NEAR(fit.window.largest_deviation, 0.0, 1e-12);
 }
 
-// Claim: two rows are no fit, nor is a theory in which gamma changes nothing.
-TEST(FitParameter, SaysWhyThereIsNoFit) {
+// There is no fit to two rows, nor with a theory that does not depend on gamma.
+TEST(FitParameter, StatesWhyThereIsNoFit) {
   const GapTheory theory = [](double) { return GapSplit{20e-9, 10e-9}; };
   const GapTheory blind = [](double) { return GapSplit{20e-9, 20e-9}; };
   const std::vector<CurvePoint> points = exponential(2e-3, 0.1, 3);
@@ -221,8 +221,8 @@ TEST(FitParameter, SaysWhyThereIsNoFit) {
       std::isnan(fit_parameter(points, scales, blind).gamma_theory.value));
 }
 
-// Claim: rows whose area is not known to be above 0 bend no line: with them the
-// intercept would be 0.
+// Rows whose area is not known to be above 0 do not change the line: with them
+// the intercept would be 0.
 TEST(FitArea, LeavesOutAnAreaOfZero) {
   std::vector<CurvePoint> points;
   for (const double x : log_spaced(1e-3, 0.06, 6)) {
@@ -239,8 +239,8 @@ TEST(FitArea, LeavesOutAnAreaOfZero) {
       "fewer than 3 load steps whose area is known and grows with the load");
 }
 
-// Claim: for Persson's own area, erf(sqrt2 x), the limit is sqrt(8/pi), to the
-// 0.1 % that the header promises.
+// For Persson's own area, erf(sqrt2 x), the limit is sqrt(8/pi), to the 0.1 %
+// that the header states.
 TEST(FitArea, FindsPerssonsCoefficientInPerssonsArea) {
   std::vector<CurvePoint> points;
   for (const double reduced : log_spaced(1e-4, 0.05, 14)) {
@@ -259,8 +259,8 @@ TEST(FitArea, FindsPerssonsCoefficientInPerssonsArea) {
   EXPECT_LE(fit.window.pressure_high, 0.02 * scales.contact_modulus);
 }
 
-// Claim: area that falls off linearly, A = 2.2 x (1 - 0.8 A), gives back 2.2.
-// Tolerance: rounding, the model is the line itself.
+// An area that falls off linearly, A = 2.2 x (1 - 0.8 A), gives 2.2. Tolerance:
+// roundoff, the model is the line itself.
 TEST(FitArea, RecoversALinearFallOff) {
   std::vector<CurvePoint> points;
   for (const double x : log_spaced(1e-3, 0.1, 8)) {

@@ -1,5 +1,5 @@
-// Claims about reports/figures/gnuplot.hpp: words stay words, and what goes
-// wrong is said.
+// Tests of reports/figures/gnuplot.hpp: texts are never commands, and failures
+// are reported.
 #include "base/read_file.hpp"
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/journal_figures.hpp"
@@ -38,8 +38,8 @@ protected:
   fs::path folder = fs::temp_directory_path() / "asperity-gnuplot-test";
 };
 
-// Claim: a title that would run a command, by quote, by backquote or by
-// markup, runs none and is shown letter by letter, but for the quote's shape.
+// A title that would run a command, by quote, by backquote or by markup, runs
+// none and is shown letter by letter, except for the shape of the quote.
 TEST_F(Drawing, ShowsHostileTitlesAsTheyAre) {
   for (const std::string title :
        {"'; system('touch owned'); '", "`touch owned`", "a_b^c{d}@e~f"}) {
@@ -57,8 +57,7 @@ TEST_F(Drawing, ShowsHostileTitlesAsTheyAre) {
   }
 }
 
-// Claim: a name that could end the quotes it stands in is an error, whoever
-// made it.
+// A name that could end the quotes around it is an error in any case.
 TEST_F(Drawing, RefusesNamesThatAreNoFileWords) {
   for (const std::string name :
        {"", "a.b", "a'; system('touch owned'); '", "a/../b", "A", "a b"}) {
@@ -72,14 +71,14 @@ TEST_F(Drawing, RefusesNamesThatAreNoFileWords) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST_F(Drawing, SaysWhatGnuplotRefused) {
+TEST_F(Drawing, ReportsTheMessageOfGnuplot) {
   const DrawnFigure figure = drawn("plot no_such_function(x)\n");
 
   EXPECT_TRUE(figure.svg.empty());
   EXPECT_NE(figure.problem.find("no_such_function"), std::string::npos);
 }
 
-// Claim: gnuplot leaves neither its messages nor a temporary in the folder.
+// gnuplot leaves neither its messages nor a temporary file in the folder.
 TEST_F(Drawing, LeavesThreeFilesAndNothingElse) {
   drawn("plot 'trial.csv' using 1:2 with lines notitle\n");
 
@@ -91,8 +90,8 @@ TEST_F(Drawing, LeavesThreeFilesAndNothingElse) {
   EXPECT_EQ(files, 3U);
 }
 
-// Claim: the drawings have the width that was asked for, in their own units;
-// a wide figure has that of two columns and 6 mm.
+// The drawings have the requested width, in their own units; a wide figure has
+// that of two columns and 6 mm.
 TEST_F(Drawing, HasTheWidthOfTheJournal) {
   Figure figure;
   figure.name = "trial";
@@ -124,8 +123,8 @@ double margin_in(const std::string& script, const std::string& name) {
   return std::stod(script.substr(at + words.size()));
 }
 
-// Claim: the plot covers at least 60 % of the figure, whatever legend and
-// second axes it has, and the text of a PDF has the size that is asked for.
+// The plot covers at least 60 % of the figure, for any legend and second axes,
+// and the text of a PDF has the requested size.
 TEST_F(Drawing, GivesMostOfAJournalFigureToThePlot) {
   const std::string title = " title 'p/E* = 0.00133, A/A_0 = 0.0947, r = 0.13'";
   const std::string curves = "plot x" + title + ", 2*x" + title + ", 3*x" +
@@ -164,8 +163,8 @@ std::string refusal(const std::vector<std::string>& endings,
   return "";
 }
 
-/// Returns the vertical place of a text in a drawing [px], counted downwards. A
-/// curve has its name before the legend has it, too.
+/// Returns the vertical position of a text in a drawing [px], counted
+/// downwards. The name of a curve occurs before the legend, too.
 double place_of(const std::string& svg, const std::string& text) {
   const std::size_t start = svg.rfind("translate(", svg.rfind(text));
   return start == std::string::npos
@@ -173,7 +172,7 @@ double place_of(const std::string& svg, const std::string& text) {
              : std::stod(svg.substr(svg.find(',', start) + 1));
 }
 
-// Claim: a legend of several rows does not cover the label of the axis.
+// A legend of several rows does not cover the label of the axis.
 TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
   Figure figure;
   figure.name = "trial";

@@ -1,5 +1,5 @@
-// Claims about reports: no curve, map, surface or table of a result, however
-// degenerate, ends a report; what cannot be worked out says so.
+// Tests of reports with degenerate results: no curve, map, surface or table of
+// a result ends a report, and what cannot be determined has a reason.
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
 
@@ -25,7 +25,7 @@ struct Hostile {
   std::function<void(Result&)> change;
 };
 
-/// Changes every row of every method but the theory's.
+/// Changes every row of every method except the theory.
 std::function<void(Result&)> of_rows(std::function<void(CurvePoint&)> change) {
   return [change](Result& result) {
     for (results::Curve& curve : result.methods.at(1).realizations)
@@ -34,7 +34,7 @@ std::function<void(Result&)> of_rows(std::function<void(CurvePoint&)> change) {
   };
 }
 
-/// Changes every kept map.
+/// Changes every saved map.
 std::function<void(Result&)>
 of_maps(std::function<void(results::Fields&)> change) {
   return [change](Result& result) {
@@ -43,7 +43,7 @@ of_maps(std::function<void(results::Fields&)> change) {
   };
 }
 
-/// Changes every surface and says its statistics as they would be measured.
+/// Changes every surface and states its statistics as they would be measured.
 std::function<void(Result&)>
 of_surfaces(std::function<void(results::SurfaceRecord&)> change) {
   return [change](Result& result) {
@@ -191,7 +191,7 @@ protected:
     rough.adhesion_study.emplace();
   }
 
-  /// A report is written of each, and its summary is JSON.
+  /// Writes a report of each; its summary is JSON.
   void write_all(const std::vector<Hostile>& all) {
     const Result whole = synthetic::rough_result(rough, 2);
     for (const Hostile& hostile : all) {
@@ -247,8 +247,9 @@ TEST_F(HostileResult, OfExactShapesIsReported) {
   }
 }
 
-// Claim: what does not exist is said, in words, where it is looked for.
-TEST_F(HostileResult, SaysWhatIsNotDetermined) {
+// Verifies that the reason of a missing number is stated where a reader looks
+// for it.
+TEST_F(HostileResult, ReportsWhatIsNotDetermined) {
   Result result = synthetic::rough_result(rough, 1);
   for (CurvePoint& point : result.methods[1].realizations[0].points)
     point.mean_gap = 0.0; // complete contact at every load

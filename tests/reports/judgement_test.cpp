@@ -1,5 +1,4 @@
-// Claims about reports/analysis/judgement.hpp: each verdict, and where one ends
-// and the next begins.
+// Tests of reports/analysis/judgement.hpp: each verdict and its limits.
 #include "reports/analysis/judgement.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +23,7 @@ const cases::ReferenceValue excused{"gamma", 0.4, "1", 0.05, "paper", "secret"};
 const cases::ReferenceValue exact{"pi", 4.0, "1", 0.0, "formula", ""};
 const cases::ReferenceValue nothing{"u", 0.0, "1", 0.01, "paper", ""};
 
-// The digit printed and our interval are added up, no less and no more.
+// The printed digit and our interval are added, no less and no more.
 TEST(Judgement, AddsTheTwoUncertainties) {
   EXPECT_EQ(words(printed, ours(0.4499)), "reproduced");
   EXPECT_EQ(words(printed, ours(0.4501)), "differs by 13 %");
@@ -32,7 +31,8 @@ TEST(Judgement, AddsTheTwoUncertainties) {
   EXPECT_EQ(words(printed, ours(0.3399, 0.01)), "differs by 16 %");
 }
 
-// Claim: what is said is never less than the difference: 0.0501/4 is 1.2525 %.
+// The stated difference is never less than the actual one: 0.0501/4 is 1.2525
+// %.
 TEST(Judgement, RoundsTheDistanceUp) {
   EXPECT_EQ(words(exact, ours(4.0)), "reproduced");
   EXPECT_EQ(words(exact, ours(4.0501)), "differs by 1.3 %");
@@ -41,8 +41,8 @@ TEST(Judgement, RoundsTheDistanceUp) {
   EXPECT_EQ(words(nothing, ours(0.0234)), "differs by 0.024");
 }
 
-// A wide interval agrees with anything, so that agreeing says nothing; one that
-// is wide and still does not agree says that the numbers differ.
+// A wide interval agrees with anything, so that agreement means nothing; a wide
+// one that does not agree shows that the numbers differ.
 TEST(Judgement, IsInconclusiveWithinAWideInterval) {
   EXPECT_EQ(words(printed, ours(0.5, 0.079)), "reproduced");
   EXPECT_EQ(words(printed, ours(0.5, 0.081)),
@@ -57,7 +57,7 @@ TEST(Judgement, IsInconclusiveWithinAWideInterval) {
             Reproduction::inconclusive);
 }
 
-TEST(Judgement, SaysWhyOnlyOfWhatIsNotMet) {
+TEST(Judgement, StatesTheReasonOnlyIfNotMet) {
   EXPECT_EQ(words(excused, ours(0.42)), "reproduced");
   EXPECT_EQ(words(excused, ours(0.5)), "not reproducible: secret");
   EXPECT_EQ(words(excused, ours(not_a_number)), "not reproducible: secret");
@@ -65,7 +65,7 @@ TEST(Judgement, SaysWhyOnlyOfWhatIsNotMet) {
             Reproduction::not_reproducible);
 }
 
-// What the case sets is not found again, however near it is.
+// An input of the case is not counted as reproduced, however near it is.
 TEST(Judgement, TakesNoCreditForAnInput) {
   Estimate set = ours(0.4);
   set.is_input = true;
@@ -73,8 +73,8 @@ TEST(Judgement, TakesNoCreditForAnInput) {
   EXPECT_EQ(judge_published(printed, set).reproduction, Reproduction::input);
 }
 
-// Nor for a number to which the case was fitted; one that is missed all the
-// same is missed.
+// Neither is a number to which the case was fitted; if it is missed, it is
+// counted as missed.
 TEST(Judgement, TakesNoCreditForWhatTheCaseWasFittedTo) {
   cases::ReferenceValue fitted = printed;
   fitted.input = "q_0 of [surface]";

@@ -1,6 +1,6 @@
-// Claims about the report on a collection: every published number is there with
-// its verdict, whatever the part; a series of parts is one section; pages link
-// to each other; a browser shows it all.
+// Tests of the report on a collection: every published number has its verdict
+// in each part; a series of parts is one section; pages link to each other; a
+// browser shows all of it.
 #include "reports/pages/paper_report.hpp"
 #include "reports/pages/readme_text.hpp"
 
@@ -43,7 +43,7 @@ protected:
     two.status = "interrupted";
   }
 
-  /// Each part's own report where it is asked for, then the one on all.
+  /// Writes the report of each part where it is requested, then that on all.
   std::string page_of(const std::vector<std::string>& names,
                       const std::string& title = "",
                       bool is_part_drawn = false) {
@@ -67,10 +67,10 @@ protected:
   std::vector<std::string> problems;
 };
 
-TEST_F(PaperReport, JudgesEveryPublishedNumber) {
+TEST_F(PaperReport, HasAVerdictForEveryPublishedNumber) {
   const std::string page = page_of({"polymer"});
 
-  // theory's epsilon, and the slope by both methods on one number
+  // epsilon of the theory, and the slope of both methods on one number
   EXPECT_EQ(count(page, ">reproduced</td>"), 3);
   EXPECT_EQ(count(page, "<td rowspan=\"2\">gamma_slope<"), 1);
   EXPECT_EQ(count(page, ">differs by "), 1); // the synthetic 25 %
@@ -89,7 +89,7 @@ TEST_F(PaperReport, JudgesEveryPublishedNumber) {
   EXPECT_NE(page.find("The gap &amp; the load."), std::string::npos);
 }
 
-// Claim: a number that a wide interval of ours agrees with is not counted as
+// A number with which a wide interval of ours agrees is not counted as
 // reproduced. Two realisations whose areas are 10 % apart have a wide one.
 TEST_F(PaperReport, CountsNoAgreementByAWideInterval) {
   one.reference = "quantity,value,unit,uncertainty,source\n"
@@ -107,9 +107,9 @@ TEST_F(PaperReport, CountsNoAgreementByAWideInterval) {
       std::string::npos);
 }
 
-// Claim: paper.json has what the page has: each number once with its verdicts,
+// paper.json has the content of the page: each number once with its verdicts,
 // the parts, and the counts of the banner.
-TEST_F(PaperReport, IsThereForPrograms) {
+TEST_F(PaperReport, IsWrittenForPrograms) {
   const std::string page = page_of({"polymer", "atoms"});
 
   const auto json = nlohmann::json::parse(text_of(folder / "paper.json"));
@@ -148,15 +148,14 @@ TEST_F(PaperReport, LinksNumbersSectionsAndReports) {
             std::string::npos);
 }
 
-// Claim: parts that differ by the number at their end share a section and its
-// figures.
+// Parts that differ by the number at their end share a section and its figures.
 TEST_F(PaperReport, JoinsASeriesOfParts) {
   const std::string apart = page_of({"size", "shape"});
   const std::string joined = page_of({"size-1", "size-2"});
 
   EXPECT_EQ(count(apart, "<h2 id=\"s"), 2); // beside claims and provenance
   EXPECT_EQ(count(joined, "<h2 id=\"s"), 1);
-  EXPECT_EQ(count(joined, "<img "), 3); // one gap, a spectrum each
+  EXPECT_EQ(count(joined, "<img "), 3); // one gap, and a spectrum each
   EXPECT_EQ(count(joined, "report.html\">"), 2);
   EXPECT_TRUE(fs::exists(folder / "figures/size/pressure-gap.svg"));
   EXPECT_TRUE(problems.empty()) << problems.front();
@@ -165,12 +164,12 @@ TEST_F(PaperReport, JoinsASeriesOfParts) {
   EXPECT_EQ(section_of("-4"), "-4");
 }
 
-TEST_F(PaperReport, SaysThatARunWasQuick) {
+TEST_F(PaperReport, StatesThatARunWasQuick) {
   EXPECT_EQ(page_of({"a"}).find("A quick run"), std::string::npos);
   EXPECT_NE(page_of({"a"}, quick_mark).find("A quick run"), std::string::npos);
 }
 
-TEST_F(PaperReport, SaysThatAPictureIsNotThere) {
+TEST_F(PaperReport, ReportsAMissingPicture) {
   const ReportEntry entry = entry_of(one, rough);
   const PaperPart part{"a", folder / "nowhere", readme, figures, entry};
 
@@ -180,7 +179,7 @@ TEST_F(PaperReport, SaysThatAPictureIsNotThere) {
   EXPECT_EQ(count(text_of(folder / "report.html"), "could not be drawn"), 2);
 }
 
-// Claim: a figure that the result does not have is named, not left out.
+// A figure that the result does not have is named and not omitted.
 TEST_F(PaperReport, NamesAFigureThatIsMissing) {
   const PaperPart part{
       "a", folder, readme, {"adhesion-height"}, entry_of(one, rough)};
@@ -191,14 +190,14 @@ TEST_F(PaperReport, NamesAFigureThatIsMissing) {
   EXPECT_EQ(undrawn.front(), "adhesion-height: this result has no such figure");
 }
 
-TEST_F(PaperReport, TakesAReadmeApart) {
+TEST_F(PaperReport, ParsesAReadme) {
   EXPECT_EQ(plain_paragraphs("# A `b`\n\n\nc **d**\ne\n"),
             (std::vector<std::string>{"A b", "c d e"}));
   EXPECT_EQ(paragraph_on(readme, "Claim"), "The gap & the load.");
   EXPECT_EQ(paragraph_on(readme, "Figure"), "");
 }
 
-// Claim: a browser finds every row, and asks nobody for anything.
+// A browser shows every row and makes no request.
 TEST_F(PaperReport, OpensInABrowser) {
   if (std::system("command -v chromium > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "chromium is not installed; ./asperity test installs it";

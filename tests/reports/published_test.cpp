@@ -1,5 +1,5 @@
-// Claims about published values: each stands beside ours wherever a method has
-// a quantity of its name, and is said to be alone where none has.
+// Tests of published values: each is compared with ours wherever a method has a
+// quantity of its name, and is reported to have no counterpart where none has.
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
@@ -28,8 +28,9 @@ protected:
   results::Result result = synthetic::rough_result(rough, 2);
 };
 
-// The theory is not held against itself: area_excess is the "fem" alone.
-TEST_F(Published, StandBesideTheMethodsThatAnswer) {
+// The theory is not compared with itself: area_excess is that of the "fem"
+// alone.
+TEST_F(Published, AreListedBesideTheMethods) {
   const Summary summary = summarize(result, rough);
 
   ASSERT_EQ(summary.published.size(), 4U);
@@ -43,7 +44,7 @@ TEST_F(Published, StandBesideTheMethodsThatAnswer) {
   EXPECT_TRUE(summary.published[2].ours.empty());
 }
 
-// Claim: what is published judges nothing.
+// Published values have no effect on verdicts.
 TEST_F(Published, ChangeNoVerdict) {
   const Summary with = summarize(result, rough);
   result.reference.clear();
@@ -77,7 +78,7 @@ OurValue ours(const std::string& method, double number) {
   return one;
 }
 
-TEST(PublishedLine, ReadsAsPromised) {
+TEST(PublishedLine, HasTheDocumentedFormat) {
   EXPECT_EQ(published_line({{"gamma_slope", 0.4, "1", 0.05, "A"},
                             {ours("fem", 0.4461), ours("theory", 0.448)}}),
             "paper      gamma_slope          0.4 +- 0.05: fem 0.4461, theory "
@@ -106,15 +107,15 @@ TEST_F(Published, AreInTheSummaryForPrograms) {
   EXPECT_TRUE(json[2]["ours"].empty());
 }
 
-// Claim: a program finds the verdict of every method in the words of the page,
-// the best of them beside the number, why it cannot be, and the line of the
+// A program finds the verdict of every method in the words of the page, the
+// best of them beside the number, why there is none, and the line of the
 // terminal.
-TEST_F(Published, AreJudgedForPrograms) {
+TEST_F(Published, HaveVerdictsForPrograms) {
   result.reference = "quantity,value,unit,uncertainty,source,why\n"
                      "gamma_slope,0.4,1,0.5,A,\n"
                      "area_excess,0.5,1,0.01,B,\n"
                      "height,14e-9,m,5e-10,C,never stated\n"
-                     "gamma_theory,0.38,1,0.1,D,\n"; // the theory is given it
+                     "gamma_theory,0.38,1,0.1,D,\n"; // an input of the theory
 
   const Summary summary = summarize(result, rough);
   const auto json = nlohmann::json::parse(summary_json(summary))["published"];
@@ -123,7 +124,7 @@ TEST_F(Published, AreJudgedForPrograms) {
   EXPECT_EQ(json[0]["ours"][1]["verdict"], "reproduced");
   EXPECT_EQ(json[0]["why"], "");
   EXPECT_EQ(json[0]["line"], published_line(summary.published[0]));
-  // the synthetic 0.25 misses 0.5 by half of it
+  // the synthetic 0.25 differs from 0.5 by half of it
   EXPECT_EQ(json[1]["verdict"], "differs");
   EXPECT_EQ(json[1]["ours"][0]["words"], "differs by 50 %");
   EXPECT_EQ(json[2]["verdict"], "not_reproducible");
@@ -133,8 +134,8 @@ TEST_F(Published, AreJudgedForPrograms) {
   EXPECT_EQ(json[3]["verdict"], "reproduced");
 }
 
-// Claim: the page has a row a value, its source below, and says in words where
-// nothing of ours stands beside it.
+// The page has one row per value with its source below, and states where none
+// of our methods has a counterpart.
 TEST_F(Published, AreOnThePage) {
   write(result, "no-such-gnuplot");
   pugi::xml_document page;

@@ -1,5 +1,5 @@
-// Claims about series of ever finer settings, held against series made by
-// formula: c h^p has the order p and the limit it was made with.
+// Tests of series of ever finer settings, against series from a formula: c h^p
+// has the order p and the limit with which it was made.
 #include "reports/analysis/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace asperity::reports {
 namespace {
 
-// Claim: any power law meets two points, so that they determine none.
+// Any power law passes through two points, so that they determine none.
 TEST(PowerLawThroughTwoPoints, IsNotDetermined) {
   const std::vector<double> x{1.0, 2.0, 4.0};
   const std::vector<double> y{3.0, 12.0, 48.0};
@@ -27,7 +27,7 @@ double between(double low, double high, int draw) {
   return low + (high - low) * draw / 1000.0;
 }
 
-// Claim: any power law is found again. Tolerance: rounding of logarithms.
+// Verifies that any power law is recovered. Tolerance: roundoff of logarithms.
 RC_GTEST_PROP(PowerLaws, AreFoundAgain, ()) {
   const double exponent = between(-4.0, 4.0, *rc::gen::inRange(0, 1001));
   const double factor = between(0.1, 10.0, *rc::gen::inRange(0, 1001));
@@ -42,7 +42,7 @@ RC_GTEST_PROP(PowerLaws, AreFoundAgain, ()) {
   RC_ASSERT(std::abs(law.factor / factor - 1.0) < 1e-11);
 }
 
-// Claim: order and limit of c h^p come out, also where the spacings are not in
+// Order and limit of c h^p are recovered, also where the spacings are not in
 // one ratio. Tolerance: 40 bits of the root, seven digits lost where the
 // differences are small beside the values.
 RC_GTEST_PROP(RefinementLimits, AreFoundAgain, ()) {
@@ -63,7 +63,7 @@ RC_GTEST_PROP(RefinementLimits, AreFoundAgain, ()) {
   RC_ASSERT(std::abs(found.values[1] + limit) < 1e-6 * std::pow(1.0 / 64, 0.6));
 }
 
-// Claim: a series that goes to and fro is not extrapolated; the finest stands
+// A series that oscillates is not extrapolated; the limit is the finest value
 // with the last difference as its uncertainty.
 TEST(RefinementLimit, OfAnIrregularSeriesIsItsFinest) {
   const std::vector<double> spacings{4.0, 2.0, 1.0};
@@ -77,7 +77,7 @@ TEST(RefinementLimit, OfAnIrregularSeriesIsItsFinest) {
   EXPECT_NEAR(found.uncertainty, 0.1, 1e-15);
 }
 
-// Claim: differences that grow have no order.
+// Differences that grow have no order.
 TEST(ObservedOrder, NeedsFallingDifferences) {
   const std::array spacings{4.0, 2.0, 1.0};
 
@@ -86,7 +86,7 @@ TEST(ObservedOrder, NeedsFallingDifferences) {
   EXPECT_NEAR(observed_order(spacings, 4.0, 1.0), 2.0, 1e-10);
 }
 
-// Claim: an answer that is missing at one load has no error.
+// A value that is missing at one load has no error.
 TEST(RmsDifference, OfAMissingValueIsMissing) {
   const std::array one{1.0, not_a_number};
   const std::array other{1.0, 2.0};
@@ -97,8 +97,8 @@ TEST(RmsDifference, OfAMissingValueIsMissing) {
               std::sqrt(2.0), 1e-15);
 }
 
-// Claim: every pair is on the front or undercut by one that is, and along the
-// front what costs more errs less.
+// Every pair is on the Pareto front or dominated by one that is, and along the
+// front the error decreases as the cost increases.
 RC_GTEST_PROP(ParetoFront, UndercutsEverythingElse, ()) {
   const auto draws = *rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(0, 20), rc::gen::inRange(0, 20)));

@@ -1,6 +1,6 @@
 #pragma once
 
-// A folder to write a report into, removed at the end of the test unless
+// A folder for a report, removed at the end of the test unless
 // ASPERITY_KEEP_REPORTS is set.
 
 #include "reports/pages/report.hpp"
@@ -34,7 +34,7 @@ protected:
   }
 
   ~ReportFolder() override {
-    std::error_code ignored; // of a browser that still tidies up
+    std::error_code ignored; // of a browser that is still removing its files
     if (std::getenv("ASPERITY_KEEP_REPORTS") == nullptr)
       std::filesystem::remove_all(folder, ignored);
   }

@@ -1,5 +1,6 @@
-// Claims about reports/pages/report.hpp: the folder holds what is promised, the
-// page stands alone, says every verdict, and survives a missing gnuplot.
+// Tests of reports/pages/report.hpp: the folder has the documented content, the
+// page is self-contained, states every verdict, and is written without gnuplot,
+// too.
 #include "reports/explore/explore_data.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/pdf_page.hpp"
@@ -37,10 +38,10 @@ TEST_F(Report, HoldsPageFiguresScriptsAndData) {
   EXPECT_LT(fs::file_size(folder / "report.html"), 5'000'000U);
 }
 
-// Claim: the page is well-formed and names nothing outside itself: the only
+// The page is well-formed and refers to nothing outside itself: the only
 // addresses are the names of the pictures' XML namespaces, and comments of the
 // packaged library.
-TEST_F(Report, StandsAlone) {
+TEST_F(Report, IsSelfContained) {
   write(synthetic::rough_result(rough, 2));
   const std::string html = text_of(folder / "report.html");
 
@@ -62,9 +63,9 @@ TEST_F(Report, StandsAlone) {
               0U);
 }
 
-// Claim: each verdict stands in the page by word, beside method and quantity,
-// and the banner counts those that are not met: one of four, by construction.
-TEST_F(Report, SaysEveryVerdict) {
+// Each verdict is written in the page beside method and quantity, and the
+// banner counts those that are not met: one of four, by construction.
+TEST_F(Report, StatesEveryVerdict) {
   write(synthetic::rough_result(rough, 2));
   pugi::xml_document document;
   document.load_string(text_of(folder / "report.html").c_str());
@@ -86,7 +87,7 @@ TEST_F(Report, SaysEveryVerdict) {
                rough.title.c_str());
 }
 
-// Claim: the first table has a row a method, its description below it.
+// The first table has one row per method with its description below.
 TEST_F(Report, DescribesEveryMethod) {
   write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
   pugi::xml_document document;
@@ -102,7 +103,7 @@ TEST_F(Report, DescribesEveryMethod) {
                        "condensed Q1 block, penalty"}));
 }
 
-TEST_F(Report, IsWrittenWithoutGnuplotAndSaysSo) {
+TEST_F(Report, IsWrittenWithoutGnuplotAndReportsIt) {
   const std::vector<std::string> problems =
       write(synthetic::rough_result(rough, 1), "no-such-gnuplot");
 
@@ -137,8 +138,8 @@ TEST_F(Report, ShowsFailedStepsInterruptedRunsAndDirtySources) {
   EXPECT_EQ(html.find("residual stands", remarks), std::string::npos);
 }
 
-// Claim: what a step's note says is not determined stands in the page once,
-// with the number of steps, and what else it says does not.
+// The page states once what the note of a step reports as not determined, with
+// the number of steps, and not what else the note says.
 TEST_F(Report, ListsWhatIsNotDetermined) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (const std::size_t step : {0u, 1u, 2u})
@@ -157,8 +158,8 @@ TEST_F(Report, ListsWhatIsNotDetermined) {
   EXPECT_STREQ(row.node().last_child().text().get(), "3");
 }
 
-// Claim: a converged step whose note speaks of observables alone is no step
-// with a note: it is counted in that table and not listed.
+// A converged step whose note concerns observables alone is not a step with a
+// note: it is counted in that table and not listed.
 TEST_F(Report, ListsNoStepForItsObservablesAlone) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.methods[1].realizations[0].points[1].note =
@@ -173,10 +174,9 @@ TEST_F(Report, ListsNoStepForItsObservablesAlone) {
             std::string::npos);
 }
 
-// Claim: a map that no histogram can be made of, pressures whose sum is beyond
-// a double, costs its figure, which says why, and neither the report nor the
-// other figures.
-TEST_F(Report, OutlivesAFigureThatCannotBeComputed) {
+// A map without a histogram, because the sum of its pressures exceeds a double,
+// has no figure but a reason; the report and the other figures are complete.
+TEST_F(Report, IsWrittenWithoutAFigureThatCannotBeComputed) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (results::Fields& fields : result.methods[1].realizations[0].fields)
     fields.pressure.assign(fields.pressure.size(), 1e308);
@@ -193,9 +193,9 @@ TEST_F(Report, OutlivesAFigureThatCannotBeComputed) {
   EXPECT_TRUE(fs::exists(folder / "figures" / "area-pressure.svg"));
 }
 
-// Claim: a curve whose fits cannot be computed is reported without them, with
-// the reason.
-TEST_F(Report, OutlivesQuantitiesThatCannotBeComputed) {
+// A curve whose fits cannot be computed is reported without them, with the
+// reason.
+TEST_F(Report, IsWrittenWithoutQuantitiesThatCannotBeComputed) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.contact_modulus = -1.0;
 
@@ -205,7 +205,7 @@ TEST_F(Report, OutlivesQuantitiesThatCannotBeComputed) {
   EXPECT_NE(html.find("fem: an analysis failed: fits: "), std::string::npos);
 }
 
-// Claim: the case comes back from the result's own text.
+// The case is read from the text in the result itself.
 TEST_F(Report, ReadsTheCaseFromTheResult) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.case_text = text_of("cases/polymer/case.toml");
@@ -217,8 +217,8 @@ TEST_F(Report, ReadsTheCaseFromTheResult) {
   EXPECT_NE(html.find("<td>fem.hard</td><td>kappa<small>"), std::string::npos);
 }
 
-// Claim: the histogram has as many rows as bins with something in them, not
-// one a bin from 0 to a load that is a million times that of full contact.
+// The histogram has as many rows as occupied bins, not one per bin from 0 to a
+// load that is a million times that of full contact.
 TEST_F(Report, DrawsALoadFarBeyondFullContact) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (results::MethodRecord& method : result.methods)
@@ -232,7 +232,7 @@ TEST_F(Report, DrawsALoadFarBeyondFullContact) {
             std::size_t{1} << 20);
 }
 
-// Claim: figures of exact shapes do not overwrite each other's files.
+// Figures of exact shapes do not overwrite each other's files.
 TEST_F(Report, KeepsTheFiguresOfExactShapesApart) {
   results::Result result = synthetic::rough_result(rough, 1);
   rough.surface.kind = mechanics::SurfaceKind::wave_1d;
@@ -255,7 +255,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// Claim: what was used is cited, each source once, and nothing else.
+// Each method and program that was used is cited once, and nothing else.
 TEST_F(Report, CitesWhatWasUsed) {
   results::Result result = synthetic::rough_result(rough, 1);
   result.provenance = {{"program", "asperity 0.1.0"},
@@ -278,8 +278,8 @@ TEST_F(Report, CitesWhatWasUsed) {
   EXPECT_EQ(count(sources, "{"), count(sources, "}"));
 }
 
-// Claim: no text of a result file ends the element that holds it, in a
-// heading, a table, a figure or the data of a script.
+// No text of a result file ends the element that holds it, in a heading, a
+// table, a figure or the data of a script.
 TEST_F(Report, ShowsHostileNamesAsTheyAre) {
   const std::string hostile =
       "</script></title><script>alert(1)</script><!-- ]]>&amp;\"'";
@@ -302,8 +302,8 @@ TEST_F(Report, ShowsHostileNamesAsTheyAre) {
                hostile.c_str());
 }
 
-// Claim: the print version is unfolded and has no scripts; what prints it is
-// known to be missing before anything is printed.
+// The print version is unfolded and has no scripts; a missing program for
+// printing is reported before anything is printed.
 TEST_F(Report, HasAVersionForPrint) {
   const results::Result result = synthetic::rough_result(rough, 1);
   const ReportEntry entry = entry_of(result, rough);

@@ -1,5 +1,5 @@
-// Claims about reports/figures/series.hpp: a variant that lies on its method is
-// drawn as one with it, one that can be told from it is not.
+// Tests of reports/figures/series.hpp: a variant that coincides with its method
+// is drawn with it as one curve, one that differs visibly is not.
 #include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Change = std::function<void(results::CurvePoint&)>;
 
-// "fem" beside "fem.hard", a copy of it with one row changed.
+// "fem" and "fem.hard", a copy of it with one row changed.
 std::vector<Series> series_with_variant(const Change& change,
                                         const std::string& name = "fem.hard") {
   const cases::Case rough = synthetic::contact_case();
@@ -34,7 +34,7 @@ bool is_variant_drawn(const Change& change) {
   return series_with_variant(change)[2].is_drawn;
 }
 
-TEST(SeriesOfAVariant, IsDrawnOnlyWhereItCanBeTold) {
+TEST(SeriesOfAVariant, IsDrawnOnlyWhereItDiffers) {
   const double rms_height = 34e-9; // of the synthetic surface
 
   EXPECT_FALSE(is_variant_drawn([](auto&) {}));
@@ -53,8 +53,8 @@ TEST(SeriesOfAVariant, IsDrawnOnlyWhereItCanBeTold) {
   }));
 }
 
-// Claim: the band is Student's 95 % interval of the mean, 12.706 s/sqrt(2) for
-// two realisations, and there is none for one.
+// The band is Student's 95 % interval of the mean, 12.706 s/sqrt(2) for two
+// realisations, and there is none for one.
 TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
   const cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 2);
@@ -72,7 +72,7 @@ TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
   EXPECT_FALSE(std::isfinite(single.back().rows[5].area_interval));
 }
 
-TEST(SeriesOfAVariant, StandsInTheLegendOfItsMethod) {
+TEST(SeriesOfAVariant, IsInTheLegendOfItsMethod) {
   const std::vector<Series> joined = series_with_variant([](auto&) {});
 
   EXPECT_EQ(joined[1].legend, "fem, fem.hard");
@@ -80,8 +80,8 @@ TEST(SeriesOfAVariant, StandsInTheLegendOfItsMethod) {
   EXPECT_TRUE(joined[1].is_drawn);
 }
 
-// Claim: two methods with the same numbers are both drawn; neither is the
-// other's variant.
+// Two methods with the same numbers are both drawn; neither is a variant of the
+// other.
 TEST(SeriesOfAVariant, IsNotEveryMethodThatAgrees) {
   const std::vector<Series> both =
       series_with_variant([](auto&) {}, "halfspace");

@@ -1,5 +1,5 @@
-// Claim: the page says what was skipped, why and at what cost, a number that is
-// not known as a dash, and has no such section where nothing was.
+// Verifies that the page lists what was skipped with reason and cost, shows an
+// unknown number as a dash, and has no such section where nothing was skipped.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -33,7 +33,7 @@ TEST_F(SkippedSection, IsOnThePageWhereSomethingWas) {
             std::string::npos);
 }
 
-TEST_F(SkippedSection, IsNotThereWhereNothingWas) {
+TEST_F(SkippedSection, IsAbsentWhereNothingWas) {
   write(synthetic::rough_result(rough, 1));
 
   EXPECT_EQ(text_of(folder / "report.html").find("What was not computed"),

@@ -1,5 +1,5 @@
-// Claims about the figures of the stress below the face: a whole block shows
-// its own numbers with those of its pressure beside, other methods theirs.
+// Tests of the figures of the stress below the surface: a full 3-D block shows
+// its own numbers beside those from its pressure, other methods the latter.
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 
@@ -69,7 +69,7 @@ TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
   EXPECT_NE(strength.caption.find("full 3-D model"), std::string::npos);
 }
 
-TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
+TEST_F(StressFigures, DoNotMentionAbsentFullBlocks) {
   result.tables[0].columns.resize(3);
 
   const Figure strength = figures().front();
@@ -78,8 +78,8 @@ TEST_F(StressFigures, SayNothingOfWholeBlocksWhereNoneIs) {
   EXPECT_EQ(strength.caption.find("full 3-D model"), std::string::npos);
 }
 
-// Claim: in the browser the section has a map per load, its lowest row first;
-// without a table of loads, it has that of the section.
+// In the browser the section has a map per load, its lowest row first; without
+// a table of loads, it has that of the section.
 TEST_F(StressFigures, HaveASectionPerLoad) {
   const double modulus = synthetic::contact_modulus;
   ASSERT_TRUE(figures()[1].stack);
@@ -112,8 +112,8 @@ TEST_F(StressFigures, HaveASectionPerLoad) {
   EXPECT_EQ(stack.frames[1].maps[0].low, 2.0);
 }
 
-// Claim: a place without stress is not the strongest, and the section says
-// where its numbers are from.
+// A point without stress is not the maximum, and the section states the origin
+// of its numbers.
 TEST_F(StressFigures, LeaveOutPlacesWithoutStress) {
   const std::vector<Figure> all = figures();
 

@@ -1,5 +1,5 @@
-// Claims about what a report makes of a study's tables: the named numbers, from
-// tables made of power laws, and which figures are drawn.
+// Tests of the report on the tables of a study: the named numbers, from tables
+// of power laws, and the drawn figures.
 #include "reports/analysis/study_quantities.hpp"
 #include "reports/figures/figures.hpp"
 
@@ -43,7 +43,7 @@ results::Table gaps(int load) {
            {"density", "1/m", {2e7, 1e6}}}};
 }
 
-/// The loads stand heavy first.
+/// The loads are in descending order.
 results::Result studied_result() {
   results::Result result;
   result.contact_modulus = 2e9;
@@ -90,7 +90,7 @@ MethodSummary summary_of(const results::Result& result,
 }
 
 // Tolerance: a few roundings of a power. zeta = 3 lies between rows: a power
-// law is straight there.
+// law is linear there.
 TEST(StudyQuantities, AreReadAtAMagnification) {
   const std::string area = "area_fraction@p=1 MPa@zeta=3";
   const std::string gap = "reduced_mean_gap@p=0.0015 E*@zeta=3";
@@ -104,7 +104,7 @@ TEST(StudyQuantities, AreReadAtAMagnification) {
   EXPECT_NEAR(quantities.at(ratio).value, 1.0 / 64.0, 1e-16);
 }
 
-TEST(StudyQuantities, SayWhyThereIsNone) {
+TEST(StudyQuantities, StateWhyThereIsNone) {
   const std::string load = "area_fraction@p=2 MPa@zeta=3";
   const std::string beyond = "area_fraction@p=1 MPa@zeta=9";
 
@@ -124,8 +124,8 @@ TEST(StudyQuantities, SayWhyThereIsNone) {
             "the study of adhesion was not run");
 }
 
-// By hand: u(1 MPa)/u(3 MPa) = 2/4. eps(1) = e^{-gamma_Euler/2}, printed in
-// the reference numbers to 12 digits.
+// u(1 MPa)/u(3 MPa) = 2/4. eps(1) = e^{-gamma_Euler/2}, printed in the
+// reference numbers to 12 digits.
 TEST(StudyQuantities, HaveNamesOfTheirOwn) {
   const auto quantities = summary_of(studied_result()).quantities;
 

@@ -1,4 +1,4 @@
-// Claims about reports/analysis/summary.hpp: from a whole result to named
+// Tests of reports/analysis/summary.hpp: from an entire result to named
 // numbers.
 #include "reports/analysis/summary.hpp"
 
@@ -20,7 +20,7 @@ double value_of(const Summary& summary, const std::string& method,
 }
 
 // The synthetic method is the theory with its area times 1.25 and its gap
-// moved by 0.02 h_rms times 0.8, 1, 1.2 in the three realisations.
+// shifted by 0.02 h_rms times 0.8, 1, 1.2 in the three realisations.
 class RoughSummary : public ::testing::Test {
 protected:
   const cases::Case rough = synthetic::contact_case();
@@ -28,7 +28,7 @@ protected:
   const Summary summary = summarize(result, rough);
 };
 
-// Tolerances: rounding; rows of both curves are at the same pressures.
+// Tolerances: roundoff; rows of both curves are at the same pressures.
 TEST_F(RoughSummary, FindsWhatTheMethodWasMadeWith) {
   EXPECT_NEAR(value_of(summary, "fem", "area_excess"), 0.25, 1e-12);
   EXPECT_NEAR(value_of(summary, "fem", "gap_deviation"), 0.02 * 1.2, 1e-12);
@@ -39,8 +39,8 @@ TEST_F(RoughSummary, FindsWhatTheMethodWasMadeWith) {
   EXPECT_EQ(value_of(summary, "fem", "iterations_max"), 35.0);
 }
 
-// Claim: the interval of the mean is Student's, 4.30265 s/sqrt(3) with s = 0.2
-// times the mean.
+// The interval of the mean is Student's, 4.30265 s/sqrt(3) with s = 0.2 times
+// the mean.
 TEST_F(RoughSummary, MeanDeviationHasTheIntervalOfTheMean) {
   const Estimate& mean =
       summary.methods.back().quantities.at("mean_gap_deviation");
@@ -49,8 +49,8 @@ TEST_F(RoughSummary, MeanDeviationHasTheIntervalOfTheMean) {
   EXPECT_EQ(mean.realizations, 3);
 }
 
-// Claim: the theory's fitted slope lies within 10 % of its own limit u_0/h_rms
-// of (18): the window keeps off the inflection, where the slope is 19 % above.
+// The fitted slope of the theory lies within 10 % of its limit u_0/h_rms of
+// (18): the window excludes the inflection, where the slope is 19 % above.
 TEST_F(RoughSummary, SlopeOfTheTheoryIsNearItsOwnLimit) {
   const RealizationFits& fits = summary.methods.front().fits.front();
 
@@ -61,7 +61,7 @@ TEST_F(RoughSummary, SlopeOfTheTheoryIsNearItsOwnLimit) {
   EXPECT_NEAR(fits.slope.gamma_slope.value / limit, 1.0, 0.10);
 }
 
-// Claim: the h_rms and h' of the formula are those of the theory's quadrature.
+// The h_rms and h' of the formula are those of the theory's quadrature.
 TEST_F(RoughSummary, ScalesOfTheFormulaAreThoseOfItsSpectrum) {
   const theory::HeightSpectrum spectrum =
       synthetic::contact_of(rough.surface).spectrum();
@@ -73,8 +73,8 @@ TEST_F(RoughSummary, ScalesOfTheFormulaAreThoseOfItsSpectrum) {
   EXPECT_NEAR(scales.rms_slope / spectrum.rms_slope(), 1.0, 1e-12);
 }
 
-// Claim: a case that gives its slope has the same scales as one that gives the
-// height which goes with it.
+// A case that states its slope has the same scales as one that states the
+// corresponding height.
 TEST_F(RoughSummary, SlopeAndHeightAreInterchangeable) {
   cases::Case by_slope = rough;
   const SurfaceScales scales =
@@ -88,10 +88,10 @@ TEST_F(RoughSummary, SlopeAndHeightAreInterchangeable) {
   EXPECT_NEAR(again.rms_height / *rough.surface.rms_height, 1.0, 1e-12);
 }
 
-// Claim: the fit of (10)'s gamma by the heights' own spectrum gives back the
-// gamma of a curve made from that spectrum. The maps here are not of exactly
-// the formula's spectrum, so the curve is made anew. Tolerance: rounding of
-// two transforms and of shells told apart to 1e-9.
+// The fit of the gamma of (10) with the spectrum of the heights recovers the
+// gamma of a curve made from that spectrum. The maps here do not have exactly
+// the spectrum of the formula, so that the curve is made from them. Tolerance:
+// roundoff of two transforms and of shells separated to 1e-9.
 TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
   results::Result own = synthetic::rough_result(rough, 1);
   const std::vector<theory::SpectrumShell> shells =
@@ -108,7 +108,7 @@ TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
               contact.gap_decay_length() / own.surfaces.front().rms_height,
               1e-8);
 
-  // the same where the surface is the method's own, and the case's another
+  // the same for a method with its own surface, different from that of the case
   own.methods[1].realizations[0].own_surface = own.surfaces[0];
   for (double& height : own.surfaces[0].heights)
     height *= 3.0;
@@ -116,9 +116,9 @@ TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
               1e-8);
 }
 
-// Claim: a method is measured in the surface it ran on. With half the h_rms
-// and slope the same curve has twice the gamma, half the kappa and, its maps
-// being as they were, twice the penetration. Tolerance: rounding.
+// A method is measured in its own surface. With half the h_rms and slope the
+// same curve has twice the gamma, half the kappa and, since its maps are
+// unchanged, twice the penetration. Tolerance: roundoff.
 TEST_F(RoughSummary, MeasuresAMethodInItsOwnSurface) {
   results::Result own = synthetic::rough_result(rough, 1);
   own.methods[1].realizations[0].fields[0].gap[5] = -1e-9;

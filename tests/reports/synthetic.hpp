@@ -1,7 +1,7 @@
 #pragma once
 
-// A result as a run would leave it, made of formulas: the theory's own curves
-// on random surfaces, and "methods" that differ from it by known amounts.
+// A result like that of a run, made of formulas: the theory's own curves on
+// random surfaces, and "methods" that differ from it by known amounts.
 
 #include "results/types/result.hpp"
 #include "theory/persson/persson.hpp"
@@ -18,7 +18,8 @@ namespace asperity::reports::synthetic {
 inline constexpr double area_factor = 1.25; // of the "fem" over theory
 inline constexpr double gap_shift = 0.02;   // of the "fem", in h_rms
 
-/// The formula's curve, its gap shifted (in h_rms) and its area scaled.
+/// The curve of the formula with its gap shifted (in h_rms) and its area
+/// scaled.
 inline results::Curve curve(const theory::PerssonContact& contact, double shift,
                             double area_scale) {
   results::Curve curve;
@@ -40,8 +41,8 @@ inline results::Curve curve(const theory::PerssonContact& contact, double shift,
   return curve;
 }
 
-/// Maps that look like contact: the pressure grows with the height above a
-/// plane that rises from load to load.
+/// Maps similar to contact: the pressure grows with the height above a plane
+/// that rises from load to load.
 inline results::Fields fields(const results::SurfaceRecord& surface, int step,
                               double nominal_pressure, double level) {
   results::Fields maps;
@@ -62,7 +63,7 @@ inline results::Fields fields(const results::SurfaceRecord& surface, int step,
   return maps;
 }
 
-/// Theory from the formula and a "fem" on `realizations` surfaces.
+/// The theory of the formula and a "fem" on `realizations` surfaces.
 inline results::Result rough_result(const cases::Case& rough,
                                     int realizations) {
   results::Result result;

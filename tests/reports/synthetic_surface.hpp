@@ -1,7 +1,7 @@
 #pragma once
 
-// The case and the surfaces that the synthetic results are made of: a random
-// surface of exactly the case's spectrum, and its theory.
+// The case and the surfaces of the synthetic results: a random surface of
+// exactly the spectrum of the case, and its theory.
 
 #include "base/fourier.hpp"
 #include "cases/types/case.hpp"
@@ -41,7 +41,7 @@ inline cases::Case contact_case() {
   rough.expectations = {
       {"gamma_slope", 0.35, 0.45, {"fem", "theory"}},
       {"gap_deviation", -INFINITY, 0.05, {"fem"}},
-      {"kappa", 2.6, 3.0, {"fem"}}, // on purpose out of reach
+      {"kappa", 2.6, 3.0, {"fem"}}, // out of reach on purpose
   };
   return rough;
 }
@@ -107,8 +107,8 @@ inline theory::PerssonContact contact_of(const mechanics::SurfaceSpec& spec) {
           contact_modulus, gamma};
 }
 
-/// Shells of a map by another road than the fit's: the full DFT's rows, each
-/// with its own |q|, no symmetry used but F(-q) = conj F(q).
+/// Shells of a map by another algorithm than that of the fit: the rows of the
+/// full DFT, each with its own |q|, with no symmetry but F(-q) = conj F(q).
 inline std::vector<theory::SpectrumShell>
 shells_by_sum(const results::SurfaceRecord& surface) {
   const RealFourier fourier(surface.grid);

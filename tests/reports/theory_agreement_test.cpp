@@ -1,6 +1,5 @@
-// Claims about reports/pages/theory_agreement.hpp: a surface that the theory
-// does not describe is named as such at the top of the report, with the
-// numbers.
+// Tests of reports/pages/theory_agreement.hpp: a surface that the theory does
+// not describe is named as such at the top of the report, with the numbers.
 #include "reports/pages/report.hpp"
 #include "reports/pages/theory_agreement.hpp"
 
@@ -26,11 +25,11 @@ protected:
 };
 
 // The synthetic "fem" has 1.25 of the theory's area and 0.02 h_rms of its gap.
-TEST_F(TheoryAgreement, SaysNothingWhereTheTheoryHolds) {
+TEST_F(TheoryAgreement, HasNoWarningWhereTheTheoryHolds) {
   EXPECT_TRUE(sentences().empty());
 }
 
-TEST_F(TheoryAgreement, SaysThatTheAreaIsAnother) {
+TEST_F(TheoryAgreement, ReportsAnotherArea) {
   for (results::CurvePoint& row : rows())
     row.area_fraction_corrected = std::min(1.0, 10.0 * row.area_fraction);
 
@@ -49,7 +48,7 @@ TEST_F(TheoryAgreement, SaysThatTheAreaIsAnother) {
             std::string::npos);
 }
 
-TEST_F(TheoryAgreement, SaysThatTheSeparationIsAnother) {
+TEST_F(TheoryAgreement, ReportsAnotherSeparation) {
   for (results::CurvePoint& row : rows())
     row.mean_gap += 0.3 * result.surfaces[0].rms_height;
 

@@ -1,5 +1,5 @@
-// Claims about reports/analysis/verdict.hpp: what is ok, what is not, and that
-// each form of telling it is well formed. Golden where the form is the promise.
+// Tests of reports/analysis/verdict.hpp: the verdicts, and that each output of
+// them is well-formed. Golden tests where the format itself is documented.
 #include "reports/analysis/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,8 @@ TEST(Judge, TakesTheEndsOfTheBandAndNothingBeyond) {
   EXPECT_EQ(verdict_of(0.5, -infinity, 0.6).outcome, Outcome::ok);
 }
 
-// Claim: what the interval of +- 0.02 leaves open is undecided, on either side
-// of either end of 0.35..0.45.
+// What the interval of +- 0.02 leaves open is undecided, on either side of
+// either end of 0.35..0.45.
 TEST(Judge, LeavesUndecidedWhatReachesOverAnEnd) {
   EXPECT_EQ(verdict_of(0.431, 0.35, 0.45).outcome, Outcome::undecided);
   EXPECT_EQ(verdict_of(0.469, 0.35, 0.45).outcome, Outcome::undecided);
@@ -71,7 +71,7 @@ TEST(Judge, LeavesUndecidedWhatReachesOverAnEnd) {
   EXPECT_EQ(verdict_of(0.4, 0.39, 0.41).outcome, Outcome::undecided);
 }
 
-// Claim: undecided is not passed unless the case says so.
+// Undecided does not pass unless the case says so.
 TEST(Judge, PassesTheUndecidedOnlyWhereTheCaseDoes) {
   cases::Expectation strict = expect("gamma_slope", 0.35, 0.45);
   cases::Expectation lenient = strict;
@@ -94,8 +94,8 @@ TEST(Judge, PassesTheUndecidedOnlyWhereTheCaseDoes) {
   EXPECT_FALSE(summary.all_ok());
 }
 
-// Claim: no expectation, or none that was judged, is nothing checked.
-TEST(Judge, SaysThatNothingWasChecked) {
+// Without an expectation, or if none could be evaluated, nothing was checked.
+TEST(Judge, ReportsThatNothingWasChecked) {
   Summary summary;
   EXPECT_NE(why_nothing_checked(summary).find("states no expectation"),
             std::string::npos);
@@ -111,9 +111,9 @@ TEST(Judge, SaysThatNothingWasChecked) {
             std::string::npos);
 }
 
-// A run told to leave a method out is not at fault for lacking it; a run that
-// was cut short may be.
-TEST(Judge, SkipsAMethodThatWasLeftOutOnPurpose) {
+// A run from which a method was excluded does not fail because of it; a run
+// that was interrupted may.
+TEST(Judge, SkipsAnExcludedMethod) {
   const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
   std::vector<cases::Expectation> expectations{expect("gamma_slope", 0.0, 1.0)};
   expectations.front().methods = {"md"};
@@ -129,7 +129,7 @@ TEST(Judge, SkipsAMethodThatWasLeftOutOnPurpose) {
   EXPECT_NE(junit_xml({&complete, 1}).find("<skipped"), std::string::npos);
 }
 
-TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
+TEST(Judge, CountsMissingNumbersWithTheReason) {
   const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
   std::vector<cases::Expectation> expectations{
       expect("gamma_theory", 0.0, 1.0), expect("approach_error", 0.0, 1.0),
@@ -146,7 +146,7 @@ TEST(Judge, CountsWhatIsNotThereAsMissingAndSaysWhy) {
   EXPECT_EQ(verdicts[2].estimate.remark, "the method is not in the result");
 }
 
-TEST(CheckLine, ReadsAsPromised) {
+TEST(CheckLine, HasTheDocumentedFormat) {
   EXPECT_EQ(check_line(verdict_of(0.4123, 0.35, 0.45)),
             "ok         fem            gamma_slope          0.4123 +- 0.02 in "
             "0.35..0.45");
@@ -169,7 +169,7 @@ Summary nasty_summary() {
   return summary;
 }
 
-// Claim: a strict parser reads it back, names unharmed, counts right.
+// A strict parser reads it back, with names unchanged and counts correct.
 TEST(JunitXml, IsWellFormedWhateverTheNames) {
   const std::vector<Summary> summaries{nasty_summary()};
 
@@ -186,8 +186,8 @@ TEST(JunitXml, IsWellFormedWhateverTheNames) {
   EXPECT_EQ(document.select_nodes("//failure[@message]").size(), 1U);
 }
 
-// Claim: each test case carries its value, its band and its share of the CPU
-// time, and one without a value has no number.
+// Each test case has its value, its band and its part of the CPU time, and one
+// without a value has no number.
 TEST(JunitXml, CarriesValuesBandsAndTimes) {
   Summary summary = nasty_summary();
   summary.methods[0].cost.cpu_time = 6.0;
@@ -214,9 +214,9 @@ TEST(JunitXml, CarriesValuesBandsAndTimes) {
       6.0);
 }
 
-// Claim: the JSON parses, a number that does not exist is null, and the names
-// a program would look for are there.
-TEST(SummaryJson, SaysNullForWhatDoesNotExist) {
+// The JSON can be parsed, a number that does not exist is null, and the
+// documented names are there.
+TEST(SummaryJson, HasNullForMissingNumbers) {
   const auto json = nlohmann::json::parse(summary_json(nasty_summary()));
 
   EXPECT_EQ(json["format"], "asperity-summary");

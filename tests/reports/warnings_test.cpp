@@ -1,6 +1,6 @@
-// Claims about reports/analysis/warnings.hpp: each assumption that a surface
-// does not meet is said at the top of the page with its number, once, and a
-// surface that meets them is left alone.
+// Tests of reports/analysis/warnings.hpp: each assumption that a surface
+// violates is reported once at the top of the page with its number, and a
+// surface that satisfies them has no warning.
 #include "reports/analysis/warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -57,8 +57,8 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
                                   "rms slope 0.9 (limit: 0.5).");
 }
 
-// Claim: curves without any contact are a warning and no failure of a figure;
-// if one step has a load, or none converged, there is no such warning.
+// Curves without any contact are a warning and not a failure of a figure; if
+// one step has a load, or none converged, there is no such warning.
 TEST_F(Warnings, NameCurvesWithoutContact) {
   std::erase_if(result.methods, [](const results::MethodRecord& method) {
     return method.kind == "theory";
@@ -90,7 +90,7 @@ TEST_F(Warnings, NameCurvesWithoutContact) {
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
 }
 
-// Claim: finite elements that lock are named if the result holds them.
+// Finite elements that lock are named if the result contains them.
 TEST_F(Warnings, NameElementsThatLock) {
   rough.material.poisson_ratio = 0.4999;
   cases::MethodSpec fem{.name = "fem", .settings = mechanics::FemSettings{}};
@@ -107,8 +107,8 @@ TEST_F(Warnings, NameElementsThatLock) {
             std::string::npos);
 }
 
-// Claim: the moments are means over the realisations: one odd draw of two does
-// not warn, and a realisation without the number is not in the mean.
+// The moments are means over the realisations: one unusual realisation of two
+// causes no warning, and a realisation without the number is not in the mean.
 TEST_F(Warnings, AreOfTheMeanOverRealizations) {
   result.surfaces[0].skewness = 1.2;
   result.surfaces[1].skewness = -1.2;
@@ -117,9 +117,9 @@ TEST_F(Warnings, AreOfTheMeanOverRealizations) {
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"not_gaussian"});
 }
 
-// Claim: a checkerboard of nodes is not resolved, and pairs of shifted lines
-// are scan lines on a measured map, but not on a random surface.
-TEST_F(Warnings, SeeWhatIsNotResolvedAndScanLines) {
+// A checkerboard of nodes is not resolved; pairs of shifted lines are scan
+// lines on a measured map, but not on a random surface.
+TEST_F(Warnings, DetectUnresolvedSlopesAndScanLines) {
   results::SurfaceRecord& surface = result.surfaces[0];
   const Grid& grid = surface.grid;
   for (int iy = 0; iy < grid.points_y; ++iy)
@@ -148,8 +148,8 @@ TEST_F(Warnings, AreNoneOfExactShapesOrWithoutASurface) {
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
 }
 
-// Claim: page, summary.json and the run's own facts carry them.
-TEST_F(Warnings, StandAtTheTopOfThePageAndInTheSummary) {
+// Page, summary.json and the facts of the run contain them.
+TEST_F(Warnings, AreAtTheTopOfThePageAndInTheSummary) {
   result.provenance.emplace_back("window", "rms height 8 nm became 3 nm");
   for (results::SurfaceRecord& surface : result.surfaces)
     surface.kurtosis = 59.0;

@@ -1,6 +1,5 @@
-// Claims about reports/analysis/two_surfaces.hpp: two surfaces that nothing is
-// pressed on are the faces of one contact, whose roughness adds up as it
-// should.
+// Tests of reports/analysis/two_surfaces.hpp: two surfaces without a mechanical
+// method are those of one contact, whose roughness is their sum.
 #include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/height_figure.hpp"
@@ -16,15 +15,15 @@
 namespace asperity::reports {
 namespace {
 
-class TwoFaces : public ::testing::Test {
+class TwoSurfaces : public ::testing::Test {
 protected:
-  TwoFaces() {
+  TwoSurfaces() {
     result.methods.pop_back(); // theory alone
     for (results::SurfaceRecord& face : result.surfaces)
       measure(face);
   }
 
-  // As a run does.
+  // As in a run.
   static void measure(results::SurfaceRecord& face) {
     face.spectrum.clear();
     for (const auto& shell :
@@ -42,9 +41,9 @@ protected:
   results::Result result = synthetic::rough_result(rough, 2);
 };
 
-// Claim: heights add up node by node; by Parseval the sum's h_rms is that of
-// its heights. Rounding.
-TEST_F(TwoFaces, AddUpNodeByNode) {
+// Heights are added node by node; by Parseval the h_rms of the sum is that of
+// its heights. Tolerance: roundoff.
+TEST_F(TwoSurfaces, AreAddedNodeByNode) {
   const auto sum = sum_of_two_surfaces(result);
 
   ASSERT_TRUE(sum);
@@ -60,18 +59,18 @@ TEST_F(TwoFaces, AddUpNodeByNode) {
               1.0, 1e-12);
 }
 
-// Claim: independent faces have C_0 + C_1. Tolerance: a shell of n modes, n/2
-// of them free, is off by the mean of as many cosines of random angles,
-// 1/sqrt(n), and by as much again for Gaussian amplitudes; of some 70 shells
-// some 20 have 8 modes, which leaves 0.02 of the mean, three times that here.
-TEST_F(TwoFaces, HaveTheSumOfTheirSpectra) {
+// Independent surfaces have C_0 + C_1. Tolerance: a shell of n modes, n/2 of
+// them independent, has the error of the mean of as many cosines of random
+// angles, 1/sqrt(n), and as much again for Gaussian amplitudes; of some 70
+// shells some 20 have 8 modes, which leaves 0.02 of the mean, three times that
+// here.
+TEST_F(TwoSurfaces, HaveTheSumOfTheirSpectra) {
   EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 1.0, 0.06);
 }
 
-// Claim: a face on itself has 4 C = 2 (C + C), on half of its mould C/4 = 0.2
-// (C
-// + C/4). Rounding.
-TEST_F(TwoFaces, AreToldFromFacesThatFitIntoEachOther) {
+// A surface on itself has 4 C = 2 (C + C), on half of its negative C/4 = 0.2 (C
+// + C/4). Tolerance: roundoff.
+TEST_F(TwoSurfaces, AreDistinguishedFromMatchingSurfaces) {
   result.surfaces[1] = result.surfaces[0];
   EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 2.0, 1e-12);
 
@@ -81,16 +80,16 @@ TEST_F(TwoFaces, AreToldFromFacesThatFitIntoEachOther) {
   EXPECT_NEAR(ratio(*sum_of_two_surfaces(result)), 0.2, 1e-12);
 }
 
-TEST_F(TwoFaces, AreNoneWhereSomethingIsPressed) {
+TEST_F(TwoSurfaces, AreNoneWithAMechanicalMethod) {
   EXPECT_FALSE(sum_of_two_surfaces(synthetic::rough_result(rough, 2)));
   EXPECT_FALSE(sum_of_two_surfaces(synthetic::rough_result(rough, 3)));
   result.surfaces[1].heights.clear();
   EXPECT_FALSE(sum_of_two_surfaces(result));
 }
 
-// Claim: the report has the maps, the third distribution and the third
-// spectrum, and not where there is one surface.
-TEST_F(TwoFaces, AreDrawnWithTheirSum) {
+// The report has the maps, the third distribution and the third spectrum, but
+// not where there is one surface.
+TEST_F(TwoSurfaces, AreDrawnWithTheirSum) {
   const ReportEntry pair = entry_of(result, rough);
 
   const auto maps = two_faces_figure(pair);
