@@ -1,5 +1,5 @@
-// Claims about robustness/axes.hpp and robustness/matrix.hpp: every label is a
-// bin of its axis, a filter takes what it names, and counts add up.
+// Tests of robustness/axes.hpp and robustness/matrix.hpp: every label is a bin
+// of its axis, a filter selects what it names, and the counts sum to the total.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ TEST(Axes, HoldEveryLabelOfEveryInstance) {
   }
 }
 
-TEST(Axes, FilterTakesWhatItNames) {
+TEST(Axes, FilterSelectsWhatItNames) {
   const InstanceFilter slabs("slab");
   const InstanceFilter stiff("penalty=1e+06..1e+09");
   int n_slabs = 0;
@@ -41,7 +41,7 @@ TEST(Axes, FilterTakesWhatItNames) {
   EXPECT_GT(n_slabs, 0);
 }
 
-TEST(Axes, FilterSaysWhatThereIs) {
+TEST(Axes, FilterListsTheChoices) {
   try {
     InstanceFilter("law=soft");
     FAIL();

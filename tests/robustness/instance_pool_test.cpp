@@ -1,5 +1,5 @@
-// Claims about robustness/instance_pool.hpp and the line a report travels in:
-// every instance is reported once, whatever the processes do.
+// Tests of robustness/instance_pool.hpp and of the line with which a report is
+// sent: every instance is reported once, whatever happens to the processes.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -31,7 +31,7 @@ std::map<int, InstanceReport> run(int count, const PoolSettings& settings,
   return reports;
 }
 
-InstanceReport sound(const Instance& instance) {
+InstanceReport verified(const Instance& instance) {
   InstanceReport report;
   report.index = instance.index;
   report.iterations = 10 * instance.index;
@@ -40,22 +40,22 @@ InstanceReport sound(const Instance& instance) {
 
 TEST(InstancePool, ReportsEveryInstanceOnceFromAnyNumberOfProcesses) {
   for (const int processes : {1, 3, 50}) {
-    const auto reports = run(20, {processes, 60.0}, sound);
+    const auto reports = run(20, {processes, 60.0}, verified);
 
     ASSERT_EQ(reports.size(), 20u);
     for (const auto& [index, report] : reports)
       EXPECT_EQ(report.iterations, 10 * index);
   }
-  EXPECT_TRUE(run(0, {2, 60.0}, sound).empty());
+  EXPECT_TRUE(run(0, {2, 60.0}, verified).empty());
 }
 
-TEST(InstancePool, OutlivesCrashes) {
+TEST(InstancePool, SurvivesCrashes) {
   const auto reports = run(12, {2, 60.0}, [](const Instance& instance) {
     if (instance.index == 0 || instance.index == 7)
       std::abort();
     if (instance.index == 11)
       std::_Exit(5);
-    return sound(instance);
+    return verified(instance);
   });
 
   ASSERT_EQ(reports.size(), 12u);
@@ -67,11 +67,11 @@ TEST(InstancePool, OutlivesCrashes) {
   EXPECT_EQ(reports.at(11).reason, "exit code 5");
 }
 
-TEST(InstancePool, StopsAnInstanceWithoutEnd) {
+TEST(InstancePool, StopsAnEndlessInstance) {
   const auto reports = run(6, {2, 0.2}, [](const Instance& instance) {
     for (volatile bool is_running = instance.index == 3; is_running;) {
     }
-    return sound(instance);
+    return verified(instance);
   });
 
   ASSERT_EQ(reports.size(), 6u);
@@ -79,11 +79,11 @@ TEST(InstancePool, StopsAnInstanceWithoutEnd) {
   EXPECT_EQ(reports.at(5).outcome, Outcome::verified);
 }
 
-TEST(InstancePool, RefusesNoTime) {
-  EXPECT_THROW(run(1, {1, 0.0}, sound), std::domain_error);
+TEST(InstancePool, RefusesAnInvalidTimeLimit) {
+  EXPECT_THROW(run(1, {1, 0.0}, verified), std::domain_error);
 }
 
-TEST(InstanceReport, ComesOutOfItsLineAsItWentIn) {
+TEST(InstanceReport, IsReadBackUnchanged) {
   InstanceReport report;
   report.index = 12;
   report.outcome = Outcome::check_failed;

@@ -1,5 +1,6 @@
-// Claims about robustness/instance.hpp and robustness/instance_surface.hpp: an
-// instance is its seed and its index, and the axes reach their ends.
+// Tests of robustness/instance.hpp and robustness/instance_surface.hpp: an
+// instance follows from its seed and its index, and the axes cover their
+// ranges.
 #include "surfaces/maps/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,8 @@ TEST(Instance, IsItsSeedAndItsIndex) {
   EXPECT_THROW(draw_instance(7, -1), std::domain_error);
 }
 
-// What a seed means never changes: the numbers of one instance, as first drawn.
+// The meaning of a seed never changes: the numbers of one instance as first
+// drawn.
 TEST(Instance, KeepsItsMeaning) {
   const Instance instance = draw_instance(1, 48);
   EXPECT_EQ(name_of(instance.family), "condensed-q1");
@@ -63,7 +65,7 @@ TEST(Instance, ReachesTheEndsOfItsAxes) {
   EXPECT_EQ(paths.size(), 4u);
   EXPECT_EQ(threads.size(), 3u);
   EXPECT_EQ(pairs.size(), 4u);
-  // 4000 even draws miss the last hundredth of a range with e^-40.
+  // 4000 uniform draws miss the last hundredth of a range with e^-40.
   EXPECT_LT(least.length, 1.6e-12);
   EXPECT_GT(most.length, 6e5);
   EXPECT_EQ(least.hurst, 0.0);
@@ -80,8 +82,8 @@ TEST(Instance, ReachesTheEndsOfItsAxes) {
   EXPECT_GT(most.thickness, 9.2);
 }
 
-// Half of the axes of a case's instance are its own, and the flawed stay
-// flawed.
+// Half of the axes of a perturbed instance are those of the case, and invalid
+// ones stay invalid.
 TEST(Instance, IsPerturbedAboutACase) {
   Instance base;
   base.length = 3e-6;
@@ -97,12 +99,13 @@ TEST(Instance, IsPerturbedAboutACase) {
       EXPECT_GT(instance.load, 0.0);
     }
   }
-  // 3 sigma of a fair coin, and the few blocks of atoms with their own length.
+  // 3 sigma of a binomial distribution with p = 1/2, and the few atomistic
+  // blocks with their own length.
   EXPECT_NEAR(own, n_instances / 2, 3.0 * std::sqrt(n_instances / 4.0) + 25.0);
 }
 
-// Tolerance: rounding of a transform and a scaling.
-TEST(InstanceSurface, HasTheSlopeThatWasAsked) {
+// Tolerance: roundoff of a transform and a scaling.
+TEST(InstanceSurface, HasTheRequestedSlope) {
   for (const Shape shape :
        {Shape::rough, Shape::wave, Shape::paraboloid, Shape::spike, Shape::step,
         Shape::sawtooth, Shape::terraces, Shape::checkerboard}) {
@@ -118,7 +121,7 @@ TEST(InstanceSurface, HasTheSlopeThatWasAsked) {
   }
 }
 
-TEST(InstanceSurface, OfTheNastyShapesIsWhatItSays) {
+TEST(InstanceSurface, OfExtremeShapesIsAsDocumented) {
   const auto heights_of = [](Shape shape) {
     Instance instance;
     instance.shape = shape;

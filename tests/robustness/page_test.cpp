@@ -1,5 +1,5 @@
-// Claims about robustness/page.hpp and robustness/locking.hpp: what a run
-// leaves says how it ended, and Q1 locks where Q2 does not.
+// Tests of robustness/page.hpp and robustness/locking.hpp: the output of a run
+// states how it ended, and Q1 locks where Q2 does not.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -29,7 +29,7 @@ Matrix small_matrix() {
 const RunWords words{"asperity robustness --seed 2", "abc", "a machine", 1.0,
                      2};
 
-TEST(Page, NamesTheInstanceThatEndedOtherwise) {
+TEST(Page, NamesTheInstanceWithAnotherOutcome) {
   const std::string page = page_of(small_matrix(), words, {});
 
   EXPECT_NE(page.find("50 problem instances: 49 converged and verified, 0 "
@@ -52,7 +52,7 @@ TEST(Tables, HoldTheSameCounts) {
   EXPECT_EQ(root["others"][0]["check"], "energy");
 }
 
-// The reason, which is quoted, may hold commas; others must not be lost.
+// The reason, which is quoted, may contain commas; no other column may.
 TEST(Tables, HaveAsManyColumnsAsHeads) {
   InstanceResult result{draw_instance(2, 0), {}};
   result.report.reason = "no commas";
@@ -62,9 +62,9 @@ TEST(Tables, HaveAsManyColumnsAsHeads) {
             std::count(head.begin(), head.end(), ','));
 }
 
-// Claim: first order locks: every wave on every block is stiffer by more than
-// half at nu = 0.4999, and by 4 % at most up to 0.3. Second order shows a
-// quarter of that or less, wherever first order locks.
+// First-order elements lock: every wave on every block is stiffer by more than
+// half at nu = 0.4999, and by 4 % at most up to 0.3. Second order has a quarter
+// of that or less, wherever first order locks.
 TEST(Locking, IsOfFirstOrder) {
   int n_locked = 0;
   for (const LockingRow& row : locking_table()) {

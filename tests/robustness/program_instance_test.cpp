@@ -1,6 +1,6 @@
-// Claims about robustness/program_instance.cpp and robustness/written_case.hpp:
-// a instance goes through the program itself, and what the program gets wrong
-// is seen.
+// Tests of robustness/program_instance.cpp and robustness/written_case.hpp: an
+// instance runs through the program itself, and errors of the program are
+// detected.
 #include <gtest/gtest.h>
 
 #include "robustness/kinds.hpp"
@@ -60,8 +60,8 @@ TEST(ProgramInstance, IsRefusedWithEveryFlaw) {
   }
 }
 
-// A gap that is off by ten tolerances, a program that fails and one that
-// leaves no result behind.
+// A gap that is wrong by ten tolerances, a program that fails and one that
+// leaves no result.
 TEST(ProgramInstance, FailsByName) {
   const Instance instance = instance_of(Family::halfspace, Path::program);
   InstanceReport library =

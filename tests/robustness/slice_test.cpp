@@ -1,6 +1,6 @@
-// Claim: a slice of the stability matrix has nothing but instances that
-// converged and were verified, and instances that were refused with a reason.
-// The whole is run by `asperity robustness`.
+// Verifies that all instances of a slice of the stability matrix converged and
+// were verified, or were refused with a reason. `asperity robustness` runs the
+// entire matrix.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace asperity::robustness {
 namespace {
 
-TEST(Slice, HoldsNothingElse) {
+TEST(Slice, HasNoOtherOutcome) {
   int verified = 0;
   int refused = 0;
   for (int index = 0; index < 160; ++index) {
@@ -18,7 +18,8 @@ TEST(Slice, HoldsNothingElse) {
     if (instance.family == Family::full_block)
       continue;
     instance.points = std::min(instance.points, 32);
-    instance.path = Path::library; // the program's: robustness/program_instance
+    instance.path = Path::library; // for those of the program see
+                                   // robustness/program_instance
     const InstanceReport report = run_instance(within_reach(instance));
     EXPECT_TRUE(is_good(report.outcome))
         << name_of(report.outcome) << " " << report.check << ": "
@@ -47,9 +48,9 @@ TEST(Slice, RefusesEveryFlaw) {
     }
 }
 
-// Thin slabs with a free back, which both iterations leave unsolved: the
-// solver's active set answers them.
-TEST(Slice, HoldsPlates) {
+// Thin slabs with a free far boundary, for which both iterations stagnate: the
+// active set of the solver solves them.
+TEST(Slice, SolvesPlates) {
   for (const int index : {519, 944, 1738}) {
     const InstanceReport report = run_instance(draw_instance(1, index));
 
@@ -58,9 +59,10 @@ TEST(Slice, HoldsPlates) {
   }
 }
 
-// Flat faces of second order held apart from a hard wall, which the solver
-// once pressed with 1e13 Pa: its own rounding hid the error.
-TEST(Slice, LeavesAFlatFaceApart) {
+// Flat surfaces with second-order elements, held apart from hard contact, to
+// which the solver once assigned a pressure of 1e13 Pa because roundoff
+// concealed its error.
+TEST(Slice, KeepsAFlatSurfaceSeparated) {
   for (const int index : {739, 928}) {
     const InstanceReport report = run_instance(draw_instance(101, index));
 
@@ -70,9 +72,9 @@ TEST(Slice, LeavesAFlatFaceApart) {
   }
 }
 
-// A flawed instance that nothing is wrong with is not refused, and that is
-// seen.
-TEST(Slice, SeesWhatWasNotRefused) {
+// An instance with a flaw that is in fact valid is not refused, which must be
+// detected.
+TEST(Slice, DetectsAMissingRefusal) {
   Instance instance;
   instance.family = Family::flawed;
   instance.flaw = Flaw::none;
@@ -84,7 +86,7 @@ TEST(Slice, SeesWhatWasNotRefused) {
 }
 
 // Small blocks with every unknown: one of each order.
-TEST(Slice, HoldsFullBlocks) {
+TEST(Slice, SolvesFullBlocks) {
   for (const int index : {0, 1}) {
     Instance instance;
     instance.index = index;

@@ -1,4 +1,4 @@
-// Claims about robustness/verify_observables.hpp: a true answer passes, and
+// Tests of robustness/verify_observables.hpp: a correct solution passes, and
 // each number that is not finite or out of its range is named.
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ protected:
   contact::ContactSolution answer_;
 };
 
-TEST_F(VerifyObservables, HoldOfAnAnswer) {
+TEST_F(VerifyObservables, PassACorrectSolution) {
   EXPECT_EQ(found(), "");
 }
 
@@ -77,7 +77,7 @@ results::CurvePoint good_row() {
   return row;
 }
 
-// Each member that a row may have wrong, with the values it must not have.
+// Each member of a row, with the values that it must not have.
 TEST(VerifyRow, NamesWhatIsOutOfItsRange) {
   using Row = results::CurvePoint;
 

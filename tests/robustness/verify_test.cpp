@@ -1,5 +1,5 @@
-// Claims about robustness/verify.hpp: a true answer passes, and each check
-// fails by its own name on an answer with that one thing broken.
+// Tests of robustness/verify.hpp: a correct solution passes, and each check
+// fails by its own name on a solution with exactly that error.
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -47,7 +47,7 @@ protected:
         {mechanics::Control::nominal_pressure, pressure});
   }
 
-  /// The name of the first check that fails on the answer as it is now.
+  /// The name of the first check that fails on the present solution.
   std::string failing_check() const {
     contact::FourierOperator elasticity = half_space();
     const auto failure =
@@ -58,7 +58,7 @@ protected:
     return failure ? failure->check : "";
   }
 
-  /// A node in contact, and one far from it.
+  /// A node in contact and one far from it.
   std::size_t touching() const { return 0; }
 
   std::size_t apart() const { return 16; }
@@ -69,7 +69,7 @@ protected:
   ContactSolution answer_;
 };
 
-TEST_F(Verify, PassesATrueAnswer) {
+TEST_F(Verify, PassesACorrectSolution) {
   ASSERT_TRUE(answer_.converged);
   ASSERT_GT(answer_.pressure[touching()], 0.0);
   ASSERT_EQ(answer_.pressure[apart()], 0.0);
@@ -80,17 +80,17 @@ TEST_F(Verify, PassesATrueAnswer) {
                            summary_of(asked_, solved(load))));
 }
 
-TEST_F(Verify, SeesWhatIsNotANumber) {
+TEST_F(Verify, DetectsWhatIsNotANumber) {
   answer_.gap[apart()] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(failing_check(), "finite");
 }
 
-TEST_F(Verify, SeesATensilePressure) {
+TEST_F(Verify, DetectsATensilePressure) {
   answer_.pressure[apart()] = -1e-12;
   EXPECT_EQ(failing_check(), "pressure sign");
 }
 
-TEST_F(Verify, SeesAPressureOnWhatIsKeptApart) {
+TEST_F(Verify, DetectsAPressureOnASeparatedSurface) {
   contact::FourierOperator elasticity = half_space();
   const double above_the_crest = 0.0101;
   const auto failure =
@@ -102,13 +102,13 @@ TEST_F(Verify, SeesAPressureOnWhatIsKeptApart) {
   EXPECT_EQ(failure->check, "apart");
 }
 
-TEST_F(Verify, SeesALoadThatIsNotBorne) {
+TEST_F(Verify, DetectsALoadThatIsNotBalanced) {
   for (double& pressure : answer_.pressure)
     pressure *= 1.0 + 1e-9;
   EXPECT_EQ(failing_check(), "balance");
 }
 
-TEST_F(Verify, SeesAMeanGapThatIsNotTheAskedOne) {
+TEST_F(Verify, DetectsAnotherMeanGap) {
   contact::FourierOperator elasticity = half_space();
   const auto failure = verify_step(
       asked_, {mechanics::Control::mean_gap, answer_.mean_gap + 1e-8}, answer_,
@@ -119,15 +119,15 @@ TEST_F(Verify, SeesAMeanGapThatIsNotTheAskedOne) {
   EXPECT_EQ(failure->check, "balance");
 }
 
-TEST_F(Verify, SeesAGapThatDoesNotBelongToThePressure) {
+TEST_F(Verify, DetectsAGapThatDoesNotBelongToThePressure) {
   answer_.gap[apart()] += 1e-8;
   EXPECT_EQ(failing_check(), "gap field");
 }
 
-// Claim: a pressure that is a hundredth too high at one node of the contact,
-// and the load is borne, has a duality gap beyond the tolerance. NaN in the
-// answer is no bound.
-TEST_F(Verify, SeesAPressureThatIsNotTheAnswer) {
+// A pressure that is a hundredth too high at one node of the contact, at the
+// right load, has a duality gap beyond the tolerance. NaN in the solution gives
+// no bound.
+TEST_F(Verify, DetectsAWrongPressure) {
   contact::FourierOperator elasticity = half_space();
   EXPECT_FALSE(verify_certificate(asked_, answer_, elasticity));
   ContactSolution moved = answer_;
@@ -142,15 +142,15 @@ TEST_F(Verify, SeesAPressureThatIsNotTheAnswer) {
   EXPECT_FALSE(verify_certificate(asked_, answer_, elasticity));
 }
 
-// The whole answer is pushed into the surface, mean gap and all.
-TEST_F(Verify, SeesAnOverlap) {
+// The entire solution is displaced into the surface, including the mean gap.
+TEST_F(Verify, DetectsAnOverlap) {
   for (double& gap : answer_.gap)
     gap -= 1e-8;
   answer_.mean_gap -= 1e-8;
   EXPECT_EQ(failing_check(), "overlap");
 }
 
-TEST_F(Verify, SeesPressureAcrossAGap) {
+TEST_F(Verify, DetectsPressureAcrossAGap) {
   for (double& gap : answer_.gap)
     gap += 1e-8;
   answer_.mean_gap += 1e-8;
@@ -170,21 +170,21 @@ protected:
   StepSummary more_ = summary_of(asked_, solved(1.01 * load));
 };
 
-TEST_F(VerifyPair, SeesAGapThatOpensUnderLoad) {
+TEST_F(VerifyPair, DetectsAGapThatGrowsUnderLoad) {
   more_.separation = less_.separation + 1e-8;
   EXPECT_EQ(failing_pair(), "monotone gap");
 }
 
-TEST_F(VerifyPair, SeesAnAreaThatShrinksUnderLoad) {
+TEST_F(VerifyPair, DetectsAnAreaThatShrinksUnderLoad) {
   more_.area = less_.area - 3.0 / 1024.0;
   EXPECT_EQ(failing_pair(), "monotone area");
   less_.may_lose_contact = more_.may_lose_contact = true;
   EXPECT_EQ(failing_pair(), "");
 }
 
-// A hundredth of what the energy gains by p du is outside its bounds, whose
-// slopes are a hundredth apart.
-TEST_F(VerifyPair, SeesEnergyThatNoLoadPutIn) {
+// A hundredth of the change p du of the energy is outside its bounds, whose
+// slopes differ by a hundredth.
+TEST_F(VerifyPair, DetectsEnergyWithoutWork) {
   const double gained = more_.energy - less_.energy;
   more_.energy += 0.011 * gained;
   EXPECT_EQ(failing_pair(), "energy");
@@ -192,7 +192,7 @@ TEST_F(VerifyPair, SeesEnergyThatNoLoadPutIn) {
   EXPECT_EQ(failing_pair(), "energy");
 }
 
-TEST_F(VerifyPair, SeesAnotherAnswerInOtherUnits) {
+TEST_F(VerifyPair, DetectsAnotherSolutionInOtherUnits) {
   StepSummary scaled = less_;
   scaled.mean_gap *= 1e3;
   scaled.tolerance *= 1e3;
