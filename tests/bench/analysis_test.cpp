@@ -1,5 +1,5 @@
-// Claims about the analysis of a benchmark, held against runs made by formula:
-// an error c h^p of a known limit, a cost c n^e.
+// Tests of the analysis of a benchmark against runs from a formula: an error c
+// h^p of a known limit, a cost c n^e.
 #include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr double gap_order = 2.0;
 constexpr double area_order = 1.0;
 constexpr double cost_exponent = 2.2;
-constexpr double stiff = 0.01; ///< of the "fem": its own limit's error
+constexpr double stiff = 0.01; ///< of the "fem": error of its own limit
 
 const std::string rough = R"(schema = 1
 title = "rough"
@@ -93,9 +93,9 @@ protected:
   Bench bench = made_up();
 };
 
-// Claim: orders and cost exponent come out as they were put in. Tolerance: 40
-// bits of a root from differences that are 1e-4 of the values; of the slope,
-// rounding, since the limit is the truth.
+// Orders and cost exponent are recovered. Tolerance: 40 bits of a root from
+// differences that are 1e-4 of the values; for the slope roundoff, since the
+// limit is the reference solution.
 TEST_F(BenchAnalysis, FindsOrdersAndCost) {
   const BenchSeries& series = bench.series[0];
 
@@ -106,25 +106,27 @@ TEST_F(BenchAnalysis, FindsOrdersAndCost) {
   EXPECT_NEAR(series.cost.exponent, cost_exponent, 1e-9);
 }
 
-// Claim: an error of its own limit shows against the truth and not against
-// the method's own limit. Tolerance: the sizes of the two are 1e-2 and 5e-5.
-TEST_F(BenchAnalysis, TellsTheMethodsLimitFromTheTruth) {
+// An error of a method's own limit is an error with respect to the reference
+// solution and not with respect to that limit. Tolerance: the magnitudes of the
+// two are 1e-2 and 5e-5.
+TEST_F(BenchAnalysis, DistinguishesTheMethodsLimitFromTheReference) {
   const BenchPoint& finest_fem = bench.points[bench.series[1].points.back()];
 
   EXPECT_NEAR(finest_fem.errors.at("mean_gap"), stiff, 1e-4);
   EXPECT_LT(finest_fem.own_errors.at("mean_gap"), 1e-4);
 }
 
-// Claim: every estimator is compared with the corrected area. 5 h is put in.
+// Every estimator is compared with the corrected area. The data have an error
+// of 5 h.
 TEST_F(BenchAnalysis, HasOneReferenceForAllEstimators) {
   EXPECT_NEAR(bench.points[0].errors.at("area_fraction"), 5.0 / 64, 1e-12);
   EXPECT_EQ(bench.points[0].errors.at("area_fraction_corrected"), 0.0);
 }
 
-// Claim: the front holds the half-space at 64, 128 and 256 points: the finite
-// elements cost as much and err by 0.01 more; the reference's own run at 512
-// points, the most accurate of all, does not compete. Where all answers are
-// exact, only the cheapest remains.
+// The Pareto front contains the half-space at 64, 128 and 256 points: the
+// finite elements cost as much and have an error larger by 0.01; the reference
+// run itself at 512 points, the most accurate of all, is excluded. Where all
+// solutions are exact, only the cheapest remains.
 TEST_F(BenchAnalysis, PutsTheBestSettingsOnTheFront) {
   EXPECT_EQ(bench.fronts.at("mean_gap"), (std::vector<std::size_t>{0, 1, 2}));
   const auto& exact = bench.fronts.at("area_fraction_corrected");
@@ -132,7 +134,7 @@ TEST_F(BenchAnalysis, PutsTheBestSettingsOnTheFront) {
   EXPECT_EQ(bench.points[exact[0]].points, 64);
 }
 
-// Claim: a setting without an answer leaves the others what they are.
+// A setting without a solution does not change the others.
 TEST(BenchAnalysisWithoutAnAnswer, LeavesItOut) {
   Bench bench = made_up();
   BenchPoint& broken = bench.points[4]; // the coarsest of the fem
@@ -146,8 +148,8 @@ TEST(BenchAnalysisWithoutAnAnswer, LeavesItOut) {
   EXPECT_EQ(bench.series[1].cost.points, 2);
 }
 
-// Claim: the page names every setting, also one without an answer and one with
-// marks that HTML would read.
+// The page names every setting, including one without a solution and one with
+// characters that HTML would interpret.
 TEST(BenchPage, NamesEverySetting) {
   Bench bench = made_up();
   bench.points[4].problem = "ended with exit code 2: 3 < 4 points";
@@ -167,7 +169,7 @@ TEST(BenchPage, NamesEverySetting) {
     EXPECT_NE(page.find(point.label), std::string::npos) << point.label;
 }
 
-// Claim: what is not known is null in the file, and numbers come back.
+// An unknown number is null in the file, and numbers are read back.
 TEST_F(BenchAnalysis, IsWrittenAsJson) {
   const auto json = nlohmann::json::parse(bench_json(bench));
 

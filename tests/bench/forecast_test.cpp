@@ -1,5 +1,5 @@
-// Claims about what coarse runs promise of finer ones, held against runs made
-// by formula: an error c h^p, a cost a + b n^e.
+// Tests of the prediction of finer runs from coarse ones, against runs from a
+// formula: an error c h^p, a cost a + b n^e.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,8 @@ constexpr double limit = 2.0;
 constexpr double order = 1.5;
 constexpr double cost_exponent = 2.3;
 
-/// A run whose kappa errs by 30 / n^1.5 and costs 0.5 s and 1e-6 n^2.3.
+/// A run whose kappa has the error 30 / n^1.5 and which costs 0.5 s and 1e-6
+/// n^2.3.
 reports::BenchPoint run_on(int points) {
   reports::BenchPoint run;
   run.points = points;
@@ -30,8 +31,8 @@ Forecast forecast_from(const std::vector<reports::BenchPoint>& coarse) {
   return forecast;
 }
 
-// Claim: order, error and cost at any finer grid. Tolerance: the error is
-// relative to the finest coarse answer, which is off the limit by 4 %.
+// Verifies order, error and cost at any finer grid. Tolerance: the error is
+// relative to the finest coarse solution, which differs from the limit by 4 %.
 TEST(Forecast, FindsOrderErrorAndCost) {
   const Forecast forecast =
       forecast_from({run_on(32), run_on(64), run_on(128)});
@@ -44,8 +45,8 @@ TEST(Forecast, FindsOrderErrorAndCost) {
               1.0, 1e-9);
 }
 
-// Claim: from two runs the order is taken as 1, so the promise of a faster
-// series is too careful and never too bold.
+// From two runs the order is taken as 1, so that the prediction for a faster
+// series is never too small.
 TEST(Forecast, OfTwoRunsIsCareful) {
   const Forecast forecast = forecast_from({run_on(64), run_on(128)});
 
@@ -54,9 +55,9 @@ TEST(Forecast, OfTwoRunsIsCareful) {
   EXPECT_GT(forecast.error("kappa", 1024, 1.0), error);
 }
 
-// Claim: of the layers' growth, second order in its logarithm, a run with half
-// of it tells all: 4/3 of the difference as it is, a quarter of that at half.
-// Tolerance: rounding.
+// For the grading ratio of the layers, of second order in its logarithm, one
+// run with half of it is sufficient: 4/3 of the difference at the given ratio,
+// a quarter of that at half. Tolerance: roundoff.
 TEST(Forecast, AddsTheFloorOfTheLayers) {
   Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
   forecast.growth = 1.2;
@@ -73,7 +74,8 @@ TEST(Forecast, AddsTheFloorOfTheLayers) {
   EXPECT_NEAR(forecast.error("kappa", 4096, 0.5) - before, floor / 4.0, 1e-12);
 }
 
-/// Of runs with an order, held against an exact answer off their limit.
+/// Runs with a given order, compared with an exact solution that differs from
+/// their limit.
 Forecast held_against(double exact_value) {
   const std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64),
                                                 run_on(128)};
@@ -84,10 +86,10 @@ Forecast held_against(double exact_value) {
   return forecast;
 }
 
-// Claim: what the limit of the runs is off the exact solution stays however
-// fine the grid. Tolerance: what is left at 2^20 points, 1e-8 of kappa, and
-// that both errors are relative to the exact value.
-TEST(Forecast, KeepsWhatStaysUnderRefinement) {
+// The difference between the limit of the runs and the exact solution remains
+// on any grid. Tolerance: the remainder at 2^20 points, 1e-8 of kappa, and that
+// both errors are relative to the exact value.
+TEST(Forecast, KeepsErrorsThatRefinementLeaves) {
   const double exact_value = 0.9 * limit;
   const double staying = limit / exact_value - 1.0;
 
@@ -99,14 +101,14 @@ TEST(Forecast, KeepsWhatStaysUnderRefinement) {
               staying + 30.0 * std::pow(128.0, -order) / exact_value, 1e-3);
 }
 
-// Claim: where the runs tend to the exact answer nothing stays. Tolerance:
-// rounding of the order.
+// Where the runs converge to the exact solution nothing remains. Tolerance:
+// roundoff of the order.
 TEST(Forecast, KeepsNothingWhereTheRunsTendToTheExactAnswer) {
   EXPECT_NEAR(held_against(limit).terms.at("kappa").bias, 0.0, 1e-9);
 }
 
-// Claim: of what stays at the case's growth the layers have their part, which
-// half of the growth takes away.
+// Of the error that remains at the grading ratio of the case, the layers
+// contribute a part, which half of the ratio removes.
 TEST(Forecast, CountsTheLayersOnce) {
   std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
   const double layers = 0.04;
@@ -123,10 +125,11 @@ TEST(Forecast, CountsTheLayersOnce) {
   EXPECT_NEAR(forecast.error("kappa", 1 << 20, 0.5), layers / 4.0, 1e-6);
 }
 
-// Claim: what a verification finds beyond the prediction is predicted from
-// then on; it falls with the points at first, and stays where it was found
-// again. A better answer than predicted changes nothing.
-TEST(Forecast, LearnsFromABrokenPromise) {
+// An error that a verification finds beyond the prediction is included from
+// then on; at first it is assumed to decrease with the points, and to remain
+// where it was found again. A solution that is better than predicted changes
+// nothing.
+TEST(Forecast, LearnsFromAMissedTarget) {
   Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
   const double lucky = forecast.error("kappa", 512, 1.0);
 
@@ -143,12 +146,13 @@ TEST(Forecast, LearnsFromABrokenPromise) {
   EXPECT_GT(forecast.error("kappa", 1 << 20, 1.0), 0.02);
 }
 
-// Claim: what a run takes besides its steps may grow with the points too
-// (maps, the stress inside) and is then not taken for a constant.
+// The cost of a run besides its steps may grow with the points too (maps, the
+// stress inside) and is then not treated as constant.
 TEST(Forecast, CountsWhatGrowsBesidesTheSteps) {
   std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
   for (reports::BenchPoint& run : coarse)
-    run.cpu.median += 9.0 * run.phases.solving; // ten times the steps in all
+    run.cpu.median +=
+        9.0 * run.phases.solving; // the steps take ten times as long in total
   coarse.front().cpu.median -= 9.0 * coarse.front().phases.solving;
 
   const Forecast forecast = forecast_from(coarse);
@@ -157,7 +161,7 @@ TEST(Forecast, CountsWhatGrowsBesidesTheSteps) {
   EXPECT_GT(forecast.cpu_time(1024), 9.0 * steps);
 }
 
-// Claim: asked for the area, the estimator that errs least serves.
+// If the area is requested, the estimator with the smallest error is used.
 TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
   Forecast forecast;
   forecast.finest = 64;
@@ -169,10 +173,10 @@ TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
             "area_fraction_corrected");
 }
 
-// Claim: an estimator that converges fast to another area than the corrected
-// count is not taken for it: its bias stays, however fine the grid. Tolerance:
-// the two errors that are granted, 5e-3 and 1e-4 of the area.
-TEST(Forecast, IsNotFooledByABiasedEstimator) {
+// An estimator that converges fast to another area than the corrected count is
+// not preferred: its bias remains on any grid. Tolerance: the two errors that
+// are allowed, 5e-3 and 1e-4 of the area.
+TEST(Forecast, IgnoresABiasedEstimator) {
   std::vector<reports::BenchPoint> coarse;
   for (const int points : {32, 64, 128}) {
     reports::BenchPoint run = run_on(points);
