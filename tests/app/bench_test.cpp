@@ -1,5 +1,5 @@
-// Claims about `asperity bench` and --target-error as a user meets them, on a
-// wave of seconds that has an exact answer.
+// Tests of `asperity bench` and --target-error as a user runs them, with a wave
+// that has an exact solution and takes seconds.
 #include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 
@@ -51,7 +51,7 @@ const Json& series_on(const Json& bench, const std::string& axis) {
   throw std::runtime_error("no series over " + axis);
 }
 
-// Claim: every setting is measured and answers the same every time; transforms
+// Every setting is measured and gives the same result every time; transforms
 // are counted, and their time lies within that of the run.
 TEST_F(Bench, MeasuresEverySetting) {
   const Ended done = run("bench wave.toml --repeats 2 --out b");
@@ -72,7 +72,7 @@ TEST_F(Bench, MeasuresEverySetting) {
   }
 }
 
-/// One run for several claims.
+/// One run for several tests.
 class QuickBench : public Bench {
 protected:
   QuickBench() {
@@ -81,7 +81,7 @@ protected:
 
   void expect_complete_table() const;
   void expect_order_and_front() const;
-  void expect_verified_promise() const;
+  void expect_consistent_target() const;
 
   Ended done_;
 };
@@ -101,10 +101,10 @@ void QuickBench::expect_complete_table() const {
       << "figures can be explored";
 }
 
-// The counted area of a wave is of first order in the spacing, and
-// along each front what costs more errs less. Tolerance: whole nodes of a strip
-// contact round the area by up to a node, which over a factor of four in h
-// moves the slope by less than a half.
+// The counted area of a wave is of first order in the spacing, and along each
+// Pareto front the error decreases as the cost increases. Tolerance: a strip
+// contact of whole nodes rounds the area by up to a node, which over a factor
+// of four in h changes the slope by less than a half.
 void QuickBench::expect_order_and_front() const {
   const Json bench = json();
   const double slope = series_on(
@@ -120,29 +120,30 @@ void QuickBench::expect_order_and_front() const {
     }
 }
 
-void QuickBench::expect_verified_promise() const {
+void QuickBench::expect_consistent_target() const {
   const Json target = json()["targets"][0];
   ASSERT_EQ(target["problem"], "");
   ASSERT_EQ(target["checks"].size(), 1U); // the mean gap, of [expect]
-  for (const Json& promise : target["checks"]) {
-    EXPECT_LT(promise["predicted"], 0.005);
-    EXPECT_GT(promise["found"], 0.0);
-    EXPECT_EQ(promise["is_met"], promise["found"] < 0.005);
+  for (const Json& check : target["checks"]) {
+    EXPECT_LT(check["predicted"], 0.005);
+    EXPECT_GT(check["found"], 0.0);
+    EXPECT_EQ(check["is_met"], check["found"] < 0.005);
   }
 }
 
-// Claims: a table row a setting, each as long as the head; order and front; a
-// promise says what was found, and "met" is what the numbers say.
-TEST_F(QuickBench, IsWholeConsistentAndTrueToItsWord) {
+// The table has one row per setting, each as long as the header; orders and
+// Pareto front are consistent; an error target states what was found, and "met"
+// agrees with the numbers.
+TEST_F(QuickBench, IsCompleteAndConsistent) {
   ASSERT_EQ(done_.exit_code, 0) << done_.output;
 
   expect_complete_table();
   expect_order_and_front();
-  expect_verified_promise();
+  expect_consistent_target();
 }
 
-// Claim: a run for an error is the case with the chosen settings in its text,
-// and its result says whether the promise held.
+// A run with an error target is the case with the chosen settings in its text,
+// and its result states whether the target was met.
 TEST_F(Bench, RunsTheChosenSetting) {
   const Ended done =
       run("run wave.toml --target-error 0.5% --no-report --out r");
@@ -159,10 +160,10 @@ TEST_F(Bench, RunsTheChosenSetting) {
   EXPECT_NE(fact->second.find(": met"), std::string::npos) << fact->second;
 }
 
-// Claim: a broken promise is learnt from. A strip of whole nodes has an area
-// that errs irregularly: the first grid predicted to keep 0.9 % does not, a
-// finer one does, and the result says what was tried.
-TEST_F(Bench, TriesAgainAfterABrokenPromise) {
+// A missed target improves the prediction. The area of a strip of whole nodes
+// has an irregular error: the first grid that is predicted to keep 0.9 % does
+// not, a finer one does, and the result lists the attempts.
+TEST_F(Bench, TriesAgainAfterAMissedTarget) {
   const std::string by_gap = "mean_gap_error = { below = 1e-2";
   std::string by_area = wave;
   by_area.replace(by_area.find(by_gap), by_gap.size(),
@@ -184,8 +185,8 @@ TEST_F(Bench, TriesAgainAfterABrokenPromise) {
       << done.output;
 }
 
-// Claim: the chosen grid carries the case's surface: a length in node spacings
-// is what it was on the case's own grid. Tolerance: the digits of an override.
+// The chosen grid has the surface of the case: a length in node spacings is
+// that on the grid of the case. Tolerance: the digits of an override.
 TEST_F(Bench, KeepsTheSurfaceOnTheChosenGrid) {
   const Ended done =
       run("run wave.toml --target-error 2% --no-report --out r "
@@ -198,8 +199,8 @@ TEST_F(Bench, KeepsTheSurfaceOnTheChosenGrid) {
   EXPECT_NEAR(chosen.surface.wavelength / 0.25e-6, 1.0, 1e-12);
 }
 
-// Claim: methods that --methods leaves out promise nothing and break nothing.
-TEST_F(Bench, PromisesForTheMethodsThatRun) {
+// Methods that --methods excludes neither meet nor miss a target.
+TEST_F(Bench, ChecksTheMethodsThatRun) {
   const Ended done = run("run wave.toml --target-error 1% --no-report --out r "
                          "--set 'fem.contact=\"hard\"' --methods halfspace");
 
@@ -207,13 +208,13 @@ TEST_F(Bench, PromisesForTheMethodsThatRun) {
   EXPECT_EQ(done.output.find("of fem"), std::string::npos) << done.output;
 }
 
-// Claim: what cannot be had is said, not tried.
-TEST_F(Bench, SaysWhatItCannotDo) {
+// An impossible target is reported before anything runs.
+TEST_F(Bench, ReportsWhatItCannotDo) {
   const Ended none = run("run wave.toml --target-error 1e-9 --out r");
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_NE(none.output.find("no setting up to"), std::string::npos);
 
-  // A slab a tenth as thick as the wave is long: no grid makes it the
+  // A slab a tenth as thick as the wave is long: on no grid is it the
   // half-space of Westergaard's solution.
   const Ended thin = run("run wave.toml --target-error 1% --out r "
                          "--set 'halfspace.thickness=\"0.1 length\"'");

@@ -1,5 +1,4 @@
-// Claims about how large a whole block is said to be, held against the block
-// itself.
+// Tests of the predicted size of a full 3-D block against the block itself.
 #include "app/plan/block_size.hpp"
 #include "cases/reader/read_case.hpp"
 #include "fem/plugin.hpp"
@@ -73,10 +72,10 @@ Overrides with(Overrides overrides, const Overrides& more) {
   return overrides;
 }
 
-class WholeBlock : public ::testing::TestWithParam<Overrides> {};
+class FullBlockSize : public ::testing::TestWithParam<Overrides> {};
 
-// Claim: to the unit, for structured meshes and the hexahedra of gmsh.
-TEST_P(WholeBlock, IsCountedBeforeItIsMeshed) {
+// The prediction is exact for structured meshes and the hexahedra of gmsh.
+TEST_P(FullBlockSize, IsCountedBeforeItIsMeshed) {
   const Counted unknowns = unknowns_with(GetParam());
 
   EXPECT_EQ(unknowns.predicted, unknowns.built);
@@ -86,20 +85,21 @@ const Overrides hanging{R"(mesh.kind="hanging")", "mesh.cells_a_level=2"};
 const Overrides gmsh{R"(mesh.kind="gmsh")", R"(mesh.size_at_contact="2 h")"};
 const Overrides q2{R"(fem.element="Q2")"};
 
-INSTANTIATE_TEST_SUITE_P(Structured, WholeBlock,
+INSTANTIATE_TEST_SUITE_P(Structured, FullBlockSize,
                          ::testing::Values(Overrides{}, q2, with_layers,
                                            with(with_layers, q2), hanging,
                                            with(hanging, q2)));
 
-INSTANTIATE_TEST_SUITE_P(ByGmsh, WholeBlock,
+INSTANTIATE_TEST_SUITE_P(ByGmsh, FullBlockSize,
                          ::testing::Values(gmsh, with(gmsh, indented),
                                            with(with(gmsh, indented), q2),
                                            with(with(gmsh, with_layers),
                                                 {R"(mesh.geometry="layered")"}),
                                            with(gmsh, with_inclusion)));
 
-// Claim: gmsh's tetrahedra, which it places itself, within a factor of two.
-TEST(WholeBlockOfTetrahedra, IsCountedWithinAFactorOfTwo) {
+// For gmsh's tetrahedra, whose positions gmsh chooses itself, it is within a
+// factor of two.
+TEST(FullBlockOfTetrahedra, IsCountedWithinAFactorOfTwo) {
   for (const Overrides& shape : {Overrides{}, indented}) {
     const Counted unknowns =
         unknowns_with(with(with(gmsh, {R"(mesh.cells="tetrahedra")"}), shape));

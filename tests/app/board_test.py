@@ -1,5 +1,5 @@
-"""The board: certified, failed and curve-only answers on a static site, whatever
-their authors write into them.
+"""The board: certified, failed and curve-only answers on a static site, for
+any text that their authors write into them.
 
 Arguments: asperity, an empty folder.
 """

@@ -1,5 +1,5 @@
-// Claims about the program beside a cache: a second run, a killed one, two at
-// once, and that nobody can tell the numbers apart.
+// Tests of the program with a cache: a second run, a killed one, two at once.
+// The numbers must not depend on the cache.
 #include <cstdio>
 #include <future>
 
@@ -11,7 +11,7 @@ namespace {
 
 using results::Result;
 
-// Theory once, half-space and fem on two realisations, four loads each.
+// The theory once, half-space and fem on two realisations, four loads each.
 constexpr int all_steps = 4 + 2 * 4 + 2 * 4;
 
 class CachedProgram : public ProgramTest {
@@ -22,7 +22,7 @@ protected:
     return results::read_result(folder / name);
   }
 
-  /// The steps that a run says it computed; -1 if it says nothing.
+  /// The number of steps that a run reports as computed; -1 if it reports none.
   static int computed(const Ended& run) {
     int steps = -1;
     int computed = -1;
@@ -54,9 +54,10 @@ TEST_F(CachedProgram, UnchangedIsReadAndNotComputed) {
   EXPECT_EQ(result("second").status, "complete");
 }
 
-// Claim: what a kill leaves is read, the rest computed; the end is the same,
-// bit by bit. Killed at several moments, so that some fall within a step.
-TEST_F(CachedProgram, AKilledRunGetsItsStepsBack) {
+// The steps that a killed run finished are read and the rest is computed; the
+// result is the same bit for bit. The run is killed at several moments, so that
+// some fall within a step.
+TEST_F(CachedProgram, AKilledRunReusesItsSteps) {
   const std::string long_run = "run small.toml --set surface.points=256 "
                                "--methods halfspace --threads 1 ";
   ASSERT_EQ(run(long_run + "--no-cache --out whole").exit_code, 0);
@@ -85,8 +86,8 @@ TEST_F(CachedProgram, TwoRunsAtOnceAgree) {
   expect_same_bits(result("whole"), result("two"));
 }
 
-// Claim: the operator of a Q2 face is read where only the surface is new, and
-// its set-up is still counted as what it cost.
+// The operator of a Q2 grid is read where only the surface is new, and its
+// set-up is still counted with its cost.
 TEST_F(CachedProgram, AQ2OperatorIsBuiltOnce) {
   const std::string q2 = "--methods fem --set fem.element=Q2 "
                          "--set surface.realizations=1 ";

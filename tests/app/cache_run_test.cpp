@@ -1,5 +1,5 @@
-// Claims about runs beside a cache: which change of a case computes what again,
-// and that what is read is what was computed.
+// Tests of runs with a cache: which change of a case causes which steps to be
+// computed again, and that cached numbers are those that were computed.
 #include "app/cache/case_keys.hpp"
 #include "app/run/run_case.hpp"
 #include "cases/reader/read_case.hpp"
@@ -50,7 +50,7 @@ penalty = "100 E*/h"
 fields = 1
 )";
 
-// Theory once, two elastic methods on two realisations, four loads each.
+// The theory once, two elastic methods on two realisations, four loads each.
 constexpr int a_method = 2 * 4;
 constexpr int all_steps = 4 + 2 * a_method;
 
@@ -63,7 +63,7 @@ protected:
     return run_case(contact_case, {folder / out, {}, false, 1, "", &beside});
   }
 
-  /// The steps that are computed beside the cache of this test.
+  /// The number of steps that are computed with the cache of this test.
   int computed(const Overrides& overrides = {},
                const std::string& out = "out") {
     return run(overrides, cache, out).computed_steps;
@@ -92,8 +92,8 @@ TEST_F(CachedRun, UnchangedIsReadBitByBit) {
   expect_same_bits(result("first"), result("second"), true);
 }
 
-// Titles, reports, comments and the order of keys decide no number.
-TEST_F(CachedRun, WordsChangeNothing) {
+// Titles, reports, comments and the order of keys do not affect any number.
+TEST_F(CachedRun, DescriptionsChangeNothing) {
   computed();
   text.replace(text.find("\"pressed\""), 9, "\"another title\"");
   text.replace(text.find("rms_slope = 0.1\n"), 16, "# steep\n");
@@ -108,12 +108,12 @@ TEST_F(CachedRun, OneMethodsKeyRunsThatMethodAgain) {
   EXPECT_EQ(computed({"halfspace.soft.penalty=50 E*/h"}), a_method);
   EXPECT_EQ(computed({"theory.gamma=0.5"}), 4);
   EXPECT_EQ(computed({"halfspace.tolerance=1e-7"}), 2 * a_method); // inherited
-  EXPECT_EQ(computed(), 0); // the first is still there
+  EXPECT_EQ(computed(), 0); // the first is still in the cache
 }
 
-// Claim: layers reach the half-space, and each of their numbers makes other
-// steps: a stiff coating lifts the mean plane at equal load.
-TEST_F(CachedRun, LayersRunEveryMethodAgainAndAreFelt) {
+// Layers reach the half-space, and a change of any of their numbers computes
+// the steps again: a stiff coating raises the mean plane at equal load.
+TEST_F(CachedRun, LayersRunEveryMethodAgainAndChangeIt) {
   const auto coated = [](const std::string& modulus) {
     return Overrides{"material.layers=[{thickness=\"0.05 length\","
                      "youngs_modulus=\"" +
@@ -156,14 +156,14 @@ TEST_F(CachedRun, AnotherSurfaceOrMaterialRunsAllAgain) {
   EXPECT_EQ(computed({"material.poisson_ratio=0.4"}), all_steps);
 }
 
-TEST_F(CachedRun, RealizationsAreKeptOneByOne) {
+TEST_F(CachedRun, RealizationsAreCachedOneByOne) {
   computed();
 
   EXPECT_EQ(computed({"surface.realizations=3"}), 2 * 4);
 }
 
-// Claim: a method with a number of realisations of its own solves the first
-// ones, finds them in the cache, and never has more than the surface.
+// A method with a smaller number of realisations solves the first ones, finds
+// them in the cache, and never has more than the surface.
 TEST_F(CachedRun, AMethodMaySolveFewerRealizations) {
   const Overrides fewer{"halfspace.soft.realizations=1"};
   EXPECT_EQ(computed(fewer, "fewer"), 4 + a_method + 4);
@@ -177,8 +177,9 @@ TEST_F(CachedRun, AMethodMaySolveFewerRealizations) {
   EXPECT_EQ(result("more").methods.at(2).realizations.size(), 2U);
 }
 
-// Claim: a load at the end costs one step a curve, and the answer is that of a
-// run that never stopped, bit by bit: it starts from the kept state.
+// An additional load at the end costs one step per curve, and the result is
+// that of an uninterrupted run, bit for bit: the step starts from the saved
+// state.
 TEST_F(CachedRun, ALoadAtTheEndCostsOneStep) {
   const std::string three = "\"1e-3 E*\",\"1e-2 E*\",\"2e-2 E*\"";
   const Overrides longer{loads(three + ",\"4e-2 E*\""), "report.fields=0"};
@@ -191,8 +192,9 @@ TEST_F(CachedRun, ALoadAtTheEndCostsOneStep) {
   expect_same_bits(result("whole"), result("longer"));
 }
 
-// A load in the middle changes every load behind it. The state before it is
-// gone; the answer is still that of a run without a cache, bit for bit.
+// A load in the middle changes every later load. The state before it is no
+// longer available; the result is still that of a run without a cache, bit for
+// bit.
 TEST_F(CachedRun, ALoadInTheMiddleRunsWhatFollows) {
   computed({loads("\"1e-3 E*\",\"1e-2 E*\",\"4e-2 E*\""), "report.fields=0"});
   const Overrides other{loads("\"1e-3 E*\",\"2e-2 E*\",\"4e-2 E*\""),
@@ -205,8 +207,8 @@ TEST_F(CachedRun, ALoadInTheMiddleRunsWhatFollows) {
   expect_same_bits(result("whole"), result("other"));
 }
 
-// Maps that were not kept are not there to be read: realisation 0 alone has
-// them, in each of the elastic methods.
+// Maps that were not saved cannot be read: only realisation 0 has them, in each
+// of the elastic methods.
 TEST_F(CachedRun, MoreMapsCostTheirSteps) {
   computed();
 
@@ -218,8 +220,8 @@ TEST_F(CachedRun, MoreMapsCostTheirSteps) {
   EXPECT_EQ(computed({"report.fields=2"}), 0);
 }
 
-// The same name and size, one height that is not the same.
-TEST_F(CachedRun, OtherBytesOfAMapMiss) {
+// The same name and size with one height that differs.
+TEST_F(CachedRun, AChangedMapIsNotInTheCache) {
   const auto write_map = [&](double last) {
     std::ofstream stream(folder / "map.txt");
     for (int i = 0; i < 64; ++i)
@@ -240,7 +242,7 @@ TEST_F(CachedRun, OtherBytesOfAMapMiss) {
   EXPECT_EQ(computed(), 3 * 4);
 }
 
-// Claim: a damaged entry costs its own step, not the run and not the others.
+// A damaged entry costs its own step, not the run and not the other steps.
 TEST_F(CachedRun, ADamagedStepIsComputedAgain) {
   computed({}, "first");
   std::filesystem::path step;
@@ -252,11 +254,12 @@ TEST_F(CachedRun, ADamagedStepIsComputedAgain) {
 
   EXPECT_EQ(run({}, cache, "second").kept_steps, all_steps - 1);
   expect_same_bits(result("first"), result("second"));
-  EXPECT_EQ(computed(), 0); // and is there again
+  EXPECT_EQ(computed(), 0); // it is in the cache again
 }
 
-// Claim: every key that names a file is among those whose bytes decide keys and
-// resuming. A key that is added to the vocabulary fails here until it is.
+// Every key that names a file is among those whose bytes enter the cache keys
+// and are compared on resuming. A new key of the vocabulary fails here until it
+// is added.
 TEST(InputHashes, CoverEveryFileOfTheVocabulary) {
   std::set<std::string> keys;
   for (const cases::Table& table : cases::vocabulary())
@@ -268,9 +271,9 @@ TEST(InputHashes, CoverEveryFileOfTheVocabulary) {
                                          "material.variation.file"}));
 }
 
-// Claim: methods share an operator if they differ in the contact law or the
-// magnification alone. Any other key, written or added to the vocabulary later,
-// separates them.
+// Methods share an operator if they differ only in the contact law or the
+// magnification. Any other key, including keys that are added to the vocabulary
+// later, separates them.
 TEST_F(CachedRun, OnlyTheContactLawSharesAnOperator) {
   const auto of_variant = [this](const std::string& key) {
     const cases::Case read = cases::read_case_text(

@@ -1,5 +1,5 @@
-// Claims about the store: what goes in comes out, what was damaged does not,
-// and the bound holds.
+// Tests of the store: entries are read back, damaged entries are not, and the
+// size limit holds.
 #include "app/cache/cache.hpp"
 #include "base/content_hash.hpp"
 #include "input/input_error.hpp"
@@ -31,7 +31,7 @@ protected:
 
   fs::path file(int number) const { return folder / (key(number) + ".step"); }
 
-  /// As if it had last been used so long ago.
+  /// Sets the time of the last use this far into the past.
   void age(int number, int hours) const {
     fs::last_write_time(file(number), fs::file_time_type::clock::now() -
                                           std::chrono::hours(hours));
@@ -44,7 +44,7 @@ TEST_F(Store, HashesAsTheStandardDoes) {
                                  "b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST_F(Store, GivesBackWhatItWasGiven) {
+TEST_F(Store, ReadsBackWhatItWasGiven) {
   Cache cache(folder, 1000);
   const std::string bytes("\0\xff two \n", 8);
 
@@ -55,8 +55,8 @@ TEST_F(Store, GivesBackWhatItWasGiven) {
   EXPECT_FALSE(cache.read(key(1), entry_kind::state));
 }
 
-// Every byte counts: one that differs, and the entry is gone.
-TEST_F(Store, TakesADamagedEntryForMissingAndRemovesIt) {
+// If any byte differs, the entry is removed.
+TEST_F(Store, TreatsADamagedEntryAsMissingAndRemovesIt) {
   Cache cache(folder, 1000);
   const std::string bytes = "a step";
   cache.write(key(1), entry_kind::step, bytes);
@@ -78,7 +78,7 @@ TEST_F(Store, TakesADamagedEntryForMissingAndRemovesIt) {
       << problems[0];
 }
 
-TEST_F(Store, TakesATruncatedEntryForMissing) {
+TEST_F(Store, TreatsATruncatedEntryAsMissing) {
   Cache cache(folder, 1000);
   for (const std::uintmax_t length : {0u, 10u, 152u, 155u}) {
     cache.write(key(1), entry_kind::step, "a step");
@@ -88,9 +88,9 @@ TEST_F(Store, TakesATruncatedEntryForMissing) {
   }
 }
 
-// Claim: an entry under another's name is not believed: not that of another
-// key, nor that of another kind.
-TEST_F(Store, TakesARenamedEntryForMissing) {
+// An entry under another name is rejected: neither that of another key nor that
+// of another kind is returned.
+TEST_F(Store, TreatsARenamedEntryAsMissing) {
   Cache cache(folder, 1000);
   cache.write(key(1), entry_kind::step, "one");
   cache.write(key(2), entry_kind::step, "two");
@@ -106,9 +106,9 @@ TEST_F(Store, TakesARenamedEntryForMissing) {
   EXPECT_FALSE(cache.read(key(3), entry_kind::state));
 }
 
-// Nine entries of 252 bytes are 2268; the tenth is one too many for 2400, and
-// 0.9 of the bound is left. The first, read again, outlives the second.
-TEST_F(Store, LetsTheLeastRecentlyUsedGoFirst) {
+// Nine entries of 252 bytes are 2268; the tenth exceeds 2400, and 0.9 of the
+// limit is left. The first, read again, outlives the second.
+TEST_F(Store, RemovesTheLeastRecentlyUsedFirst) {
   Cache cache(folder, 2400);
   for (int i = 0; i < 9; ++i) {
     cache.write(key(i), entry_kind::step, std::string(100, 'x'));
@@ -132,7 +132,7 @@ TEST_F(Store, KeepsNothingLargerThanItself) {
   EXPECT_EQ(cache.contents().entries, 0u);
 }
 
-TEST_F(Store, WithoutAPlaceOrRoomIsOff) {
+TEST_F(Store, WithoutAFolderOrSizeIsOff) {
   Cache none;
   Cache homeless("", 1000);
   Cache empty(folder, 0);
@@ -144,8 +144,8 @@ TEST_F(Store, WithoutAPlaceOrRoomIsOff) {
   }
 }
 
-// A folder that cannot be made stops nobody.
-TEST_F(Store, SurvivesAPlaceThatCannotBeWritten) {
+// A folder that cannot be made is ignored.
+TEST_F(Store, IgnoresAFolderThatCannotBeWritten) {
   std::ofstream(folder / "file") << "no folder";
   Cache cache(folder / "file" / "cache", 1000);
 
@@ -169,8 +169,8 @@ TEST_F(Store, ClearsItsOwnFilesAlone) {
   EXPECT_TRUE(fs::exists(folder / "letter.txt"));
 }
 
-// Four processes write and read the same keys at once under a bound that makes
-// them remove each other's: whatever is read is whole.
+// Four processes write and read the same keys at once under a limit that makes
+// them remove each other's entries: every entry that is read is complete.
 TEST_F(Store, ServesSeveralProcessesAtOnce) {
   std::vector<pid_t> children;
   for (int child = 0; child < 4; ++child) {
@@ -194,7 +194,7 @@ TEST_F(Store, ServesSeveralProcessesAtOnce) {
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
   }
-  // One process more looks at all that is there, and the bound holds.
+  // One more process examines all entries, and the limit holds.
   Cache cache(folder, 20000);
   cache.write(key(100), entry_kind::step, "last");
   EXPECT_LE(cache.contents().bytes, 20000u);

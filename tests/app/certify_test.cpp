@@ -1,6 +1,6 @@
-// Claims about `asperity certify`: our own fields are certified to the solver's
-// tolerance, damage shows in the right column, and what has no bound is said to
-// have none.
+// Tests of `asperity certify`: our own fields are certified to the tolerance of
+// the solver, damage appears in the right column, and a field without a bound
+// is reported as such.
 #include "results/result_reader.hpp"
 
 #include <map>
@@ -31,7 +31,7 @@ std::map<std::string, std::vector<Row>> rows_of(const std::string& output) {
   return rows;
 }
 
-/// A case of one method; `surface` and `load` are the lines of these tables.
+/// A case with one method; `surface` and `load` are the lines of these tables.
 std::string case_of(const std::string& surface, const std::string& load,
                     const std::string& method) {
   return "schema = 1\ntitle = \"one load\"\n[surface]\nlength = \"1 um\"\n" +
@@ -54,8 +54,8 @@ protected:
   }
 };
 
-// Fields in single precision have a load error and a complementarity of 1e-7;
-// the mean gap of a row is that of the solver, exact to 1e-8 h_rms.
+// Fields in single precision have a load error and a complementarity error of
+// 1e-7; the mean gap of a row is that of the solver, exact to 1e-8 h_rms.
 TEST_F(CertifyCommand, CertifiesOurOwnFields) {
   const Ended done = run("certify result");
 
@@ -79,7 +79,7 @@ TEST_F(CertifyCommand, CertifiesOurOwnFields) {
       << done.output;
 }
 
-// Claim: so are fields of second-order elements on a surface whose mean,
+// The same holds for fields of second-order elements on a surface whose mean,
 // weighted by the areas of the nodes, is not 0.
 TEST_F(CertifyCommand, CertifiesUnequalNodes) {
   write("sphere.toml", case_of(sphere, small_load, "fem"));
@@ -93,7 +93,7 @@ TEST_F(CertifyCommand, CertifiesUnequalNodes) {
   EXPECT_LT(rows.at("fem").at(0)[9], 1e-6) << done.output;
 }
 
-// Claim: a result is enough: the map of its case need not be there any more.
+// A result is sufficient: the map of its case may be absent.
 TEST_F(CertifyCommand, NeedsNoInputFile) {
   std::string map;
   for (int y = 0; y < 16; ++y) {
@@ -117,8 +117,8 @@ TEST_F(CertifyCommand, NeedsNoInputFile) {
   EXPECT_LT(rows.at("halfspace").at(0)[9], 1e-6) << certified.output;
 }
 
-// Claim: a field without contact has no bound, and the others keep theirs.
-TEST_F(CertifyCommand, GoesOnAfterAFieldWithoutContact) {
+// A field without contact has no bound, and the others keep theirs.
+TEST_F(CertifyCommand, ContinuesAfterAFieldWithoutContact) {
   write("away.toml", case_of(sphere, "mean_gap = [\"9 h_rms\", \"1 h_rms\"]\n",
                              "halfspace"));
   const Ended done = run("run away.toml --no-report --out away");
@@ -133,7 +133,7 @@ TEST_F(CertifyCommand, GoesOnAfterAFieldWithoutContact) {
       << certified.output;
 }
 
-TEST_F(CertifyCommand, HasNothingToSayOfAFileWithoutFields) {
+TEST_F(CertifyCommand, RefusesAFileWithoutFields) {
   const Ended done = run("run small.toml --no-report --out bare --set "
                          "report.fields=0");
   ASSERT_EQ(done.exit_code, 0) << done.output;

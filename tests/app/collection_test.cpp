@@ -1,5 +1,5 @@
-// Claims about collections: what is listed, what runs and where it goes, what
-// --quick lays over a case, and what an interruption leaves.
+// Tests of collections: what is listed, what runs and in which folder, the
+// overrides of --quick, and the state after an interruption.
 #include "results/result_reader.hpp"
 
 #include "tests/app/program.hpp"
@@ -31,8 +31,8 @@ protected:
   bool has(const std::string& file) const { return fs::exists(folder / file); }
 };
 
-// Claim: all parts run, in the order of README.md, each to a folder of its own,
-// and a published number that is far away changes no exit code.
+// All parts run, in the order of README.md, each in its own folder, and a
+// published number that differs widely changes no exit code.
 TEST_F(Collection, RunsEveryPartAndReportsOnAll) {
   const Ended done = run("run mine --methods theory");
 
@@ -49,8 +49,8 @@ TEST_F(Collection, RunsEveryPartAndReportsOnAll) {
   EXPECT_NE(page.find("<a href=\"heavy/report.html\">"), std::string::npos);
 }
 
-// Claim: a part alone, or a folder named by --out, is as with any case.
-TEST_F(Collection, GoesWhereItIsSent) {
+// A single part, or a folder named by --out, is treated as with any case.
+TEST_F(Collection, UsesTheGivenFolder) {
   EXPECT_EQ(run("run mine/light --methods theory").exit_code, 0);
   EXPECT_EQ(run("run mine --methods theory --out there").exit_code, 0);
 
@@ -59,7 +59,7 @@ TEST_F(Collection, GoesWhereItIsSent) {
   EXPECT_TRUE(has("there/report.html"));
 }
 
-// Claim: a mistake in the last part is found before the first runs.
+// A mistake in the last part is found before the first runs.
 TEST_F(Collection, ReadsEveryPartBeforeItRunsOne) {
   write("mine/heavy/reference.csv", "no table\n");
 
@@ -69,7 +69,7 @@ TEST_F(Collection, ReadsEveryPartBeforeItRunsOne) {
   EXPECT_FALSE(has("out"));
 }
 
-// Claim: a figure that no report has is an error before anything runs.
+// A figure that no report has is an error before anything runs.
 TEST_F(Collection, RefusesAMisspeltFigure) {
   write("mine/collection.toml", "parts = [\"light\", \"heavy\"]\n"
                                 "[figures]\nlight = [\"presure-gap\"]\n");
@@ -83,7 +83,7 @@ TEST_F(Collection, RefusesAMisspeltFigure) {
   EXPECT_FALSE(has("out"));
 }
 
-// Claim: quick.set lies under --set, and what was quick says so.
+// quick.set is applied before --set, and results of a quick run state it.
 TEST_F(Collection, RunsQuickly) {
   const Ended done =
       run("run mine --quick --methods halfspace --set surface.realizations=1");
@@ -101,9 +101,9 @@ TEST_F(Collection, RunsQuickly) {
             std::string::npos);
 }
 
-// Claim: what was stopped is there and reported on; --resume does the rest,
-// also the parts that had not begun.
-TEST_F(Collection, GoesOnAfterAnInterruption) {
+// After an interruption the finished parts are there and reported; --resume
+// runs the rest, including the parts that had not begun.
+TEST_F(Collection, ContinuesAfterAnInterruption) {
   const std::string long_run =
       "run mine --methods halfspace --set surface.points=512 ";
   const Ended stopped = interrupt(long_run, "out/mine/light/result.journal");

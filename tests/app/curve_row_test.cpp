@@ -1,6 +1,5 @@
-// Claims about app/methods/curve_row.hpp: no map ends a run. Whatever the
-// fields are, there is a row, and what it does not have is NaN with a reason in
-// its note.
+// Tests of app/methods/curve_row.hpp: no map ends a run. For any fields there
+// is a row, in which a missing number is NaN with a reason in the note.
 #include "app/methods/curve_row.hpp"
 #include "results/types/curve_columns.hpp"
 
@@ -21,7 +20,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using PressureAt = std::function<double(int node)>;
 
-/// The row of a solution with these pressures [Pa], gap 1 nm where they are 0.
+/// The row of a solution with these pressures [Pa] and a gap of 1 nm where they
+/// are 0.
 results::CurvePoint row_of(const PressureAt& pressure_at) {
   SurfaceOfCase surface;
   surface.record.grid = {points, points, 1e-6, 1e-6};
@@ -42,9 +42,9 @@ bool is_named(const results::CurvePoint& row, const std::string& column) {
   return row.note.find(column + " is not determined: ") != std::string::npos;
 }
 
-// Claim: open, full, uniform, a single node, a checkerboard, one node that is
-// not finite, all of them, the ends of a double: each has a row, in which a
-// number that was read off the maps is finite, or NaN and named in the note.
+// Open, full, uniform, a single node, a checkerboard, one node that is not
+// finite, all of them, the limits of a double: each has a row, in which a
+// number from the maps is finite, or NaN and named in the note.
 TEST(CurveRow, OfAnyFieldsIsARow) {
   const std::vector<PressureAt> fields{
       [](int) { return 0.0; },
@@ -74,9 +74,8 @@ TEST(CurveRow, OfAnyFieldsIsARow) {
   }
 }
 
-// Claim: the note is what a reader needs, and a row without a gap in it has
-// none.
-TEST(CurveRow, SaysWhatIsNotDetermined) {
+// Verifies the text of the note; a row without a missing number has none.
+TEST(CurveRow, ReportsWhatIsNotDetermined) {
   const results::CurvePoint one =
       row_of([](int node) { return node == 7 ? 1e6 : 0.0; });
   EXPECT_TRUE(is_named(one, "area_fraction_corrected")) << one.note;
@@ -88,8 +87,8 @@ TEST(CurveRow, SaysWhatIsNotDetermined) {
   EXPECT_EQ(row_of([](int node) { return 1e6 + node; }).note, "");
 }
 
-// Claim: a step with a number that is not finite where the curve or the maps
-// need one did not converge, and leaves no such map behind; any other stays.
+// A step with a number that is not finite where the curve or the maps need one
+// did not converge, and no such map is saved; any other step is unchanged.
 TEST(CurveRow, OfANonFiniteStepDidNotConverge) {
   const auto answer_of = [](double mean_gap, double gap) {
     StepAnswer answer;

@@ -1,4 +1,4 @@
-// Claims about the comparison of two results, on rows made by hand.
+// Tests of the comparison of two results with artificial rows.
 #include "app/run/difference.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ CurvePoint row() {
   return point;
 }
 
-/// The difference of the row above from one that is changed.
+/// The difference between the row above and a changed one.
 MethodDifference difference_after(void (*change)(CurvePoint&),
                                   double tolerance = 0.0) {
   CurvePoint changed = row();
@@ -72,7 +72,7 @@ TEST(Difference, IsRelativeToTheLargerNumberAndTheWorstColumn) {
   EXPECT_EQ(found.rows_listed[1].step, 1);
 }
 
-// Claim: a gap of nearly nothing does not blow a small difference up.
+// A very small gap does not make a small difference large.
 TEST(Difference, OfMeanGapsIsRelativeToTheRoughnessAtLeast) {
   CurvePoint closed = row();
   closed.mean_gap = 1e-15;
@@ -93,7 +93,7 @@ TEST(Difference, OfANumberFromNoneIsInfinite) {
   EXPECT_EQ(found.largest.relative, std::numeric_limits<double>::infinity());
 }
 
-TEST(Difference, LooksAtTheSolverOnlyWithoutATolerance) {
+TEST(Difference, ComparesTheSolverOnlyWithoutATolerance) {
   const auto change = [](CurvePoint& point) {
     point.iterations = 5;
     point.residual = 1e-9;
@@ -103,7 +103,7 @@ TEST(Difference, LooksAtTheSolverOnlyWithoutATolerance) {
   EXPECT_EQ(difference_after(change, 1e-12).rows_that_differ, 0);
 }
 
-TEST(Difference, TellsTheBuildWithoutCountingIt) {
+TEST(Difference, ReportsTheBuildWithoutCountingIt) {
   ComparedSide one = side_with(row());
   ComparedSide other = side_with(row());
   one.result->provenance = {{"commit", "abc"}, {"started", "yesterday"}};

@@ -1,4 +1,4 @@
-"""Problems that are handed out, and answers that come back: what a developer of
+"""Problems that are published, and answers that are submitted: what a developer of
 another code does with the program, with numpy and h5py alone.
 
 Arguments: asperity, an empty folder.
@@ -63,7 +63,7 @@ def problem_of(name, material="", load=LOADS, method=""):
 
 
 def solved(problem):
-    """The pressures by the program itself, as another code's answer."""
+    """The pressures of the program itself, as the answer of another code."""
     out = problem.parent / "solved"
     asperity("run", problem / "case.toml", "--set", "report.fields=100", "--no-report",
              "--out", out)
@@ -101,7 +101,7 @@ def imported(problem, folder, expected=0):
 
 
 def check_problem(problem):
-    """The folder speaks for itself: schema, checksums, the equations."""
+    """The folder is self-contained: schema, checksums, the equations."""
     statement = json.loads((problem / "problem.json").read_text())
     jsonschema.validate(statement,
                         json.loads((problem / "problem.schema.json").read_text()))
@@ -184,7 +184,7 @@ def check_right_answers(problem, pressures):
 
 
 def check_faults(problem, pressures):
-    """Faults in a submission: what the program says, and its exit code."""
+    """Faults in a submission: the message of the program and its exit code."""
     areas = [(p > 0).mean() for p in pressures]
     for k, (name, sentence, change) in enumerate((
             ("MPa", "it seems to be in MPa", lambda p: 1e-6 * p),
@@ -241,7 +241,7 @@ def check_wrong_results(problem):
 
 def check_layers():
     """A layered slab with loads as mean gaps: the problem is certified with its
-    own body, here and by `certify`; the half-space of E* would not do."""
+    own body, here and by `certify`; the half-space of E* would fail."""
     problem = problem_of("layered", LAYERED,
                          'mean_gap = ["1 h_rms", "0.5 h_rms"]',
                          'thickness = "0.5 length"\ntop = "sliding"')

@@ -1,6 +1,6 @@
 #pragma once
 
-// A folder of its own for each test.
+// A temporary folder for each test.
 
 #include "base/temporary_folder.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace asperity::app {
 
-/// A test with an empty folder to work in, removed at its end.
+/// A test with an empty working folder, removed at its end.
 class FolderTest : public ::testing::Test {
 private:
   TemporaryFolder temporary_{"asperity"};

@@ -1,6 +1,6 @@
-// Claims about the folder of a run: one writer at a time, nothing of an earlier
-// run is taken for the new one's, and what a disk refuses is exit code 4 and
-// costs nothing that was done.
+// Tests of the folder of a run: one writer at a time, nothing of an earlier run
+// is attributed to the new one, and a disk error is exit code 4 and loses
+// nothing that was finished.
 #include "results/result_reader.hpp"
 
 #include <fstream>
@@ -26,7 +26,8 @@ protected:
     return results::read_result(folder / name);
   }
 
-  /// The program beside another one; its words go to a file of its own.
+  /// The program in parallel with another one; its output goes to a separate
+  /// file.
   int run_beside(const std::string& arguments, const std::string& log) const {
     const std::string command = "cd " + folder.string() +
                                 " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
@@ -45,11 +46,11 @@ protected:
   }
 };
 
-// Theory once, half-space and fem on two realisations, four loads each.
+// The theory once, half-space and fem on two realisations, four loads each.
 constexpr std::size_t all_rows = 4 + 2 * 4 + 2 * 4;
 
-// Claim: of two runs that begin at once, with other heights, one refuses or
-// comes after the other; the file is always one run's.
+// Of two runs that begin at once, with other heights, one refuses or follows
+// the other; the file always belongs to one run.
 TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
   int n_refused = 0;
   for (int trial = 0; trial < 8; ++trial) {
@@ -125,7 +126,7 @@ TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
   EXPECT_TRUE(fs::exists(folder / "one/figures/notes.txt"));
 }
 
-// Claim: a result that goes on after its map changed would be two maps' rows.
+// A result that continued after its map changed would contain rows of two maps.
 TEST_F(FolderUse, ResumeRefusesAChangedMap) {
   const auto write_map = [&](double last) {
     std::string text;
@@ -163,13 +164,14 @@ TEST_F(FolderUse, ResumeRefusesAChangedMap) {
   EXPECT_EQ(run("run map.toml --resume --out one").exit_code, 0);
 }
 
-/// A shell that limits the size of files to so many KiB, as a full disk would.
+/// A shell that limits the size of files to this number of KiB, as a full disk
+/// would.
 std::string with_limit(int kibibytes) {
   return "bash -c 'ulimit -f " + std::to_string(kibibytes) +
          "; exec \"$0\" \"$@\"'";
 }
 
-TEST_F(FolderUse, AFullDiskIsAnErrorAndCostsNothing) {
+TEST_F(FolderUse, AFullDiskIsAnErrorAndLosesNothing) {
   const std::string run_it = "run small.toml --no-cache --no-report --out one";
   ASSERT_EQ(run(run_it).exit_code, 0);
   const Result whole = result("one");
@@ -197,7 +199,7 @@ TEST_F(FolderUse, AFolderThatCannotBeMadeIsAnError) {
 }
 
 // As another user, because root may write everywhere.
-TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndCostsNothing) {
+TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndLosesNothing) {
   if (std::system("setpriv --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "setpriv is not installed (Debian package util-linux)";
   ASSERT_EQ(run("run small.toml --no-report --out one").exit_code, 0);
@@ -220,7 +222,7 @@ TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndCostsNothing) {
   expect_same_bits(before, result("one"));
 }
 
-TEST_F(FolderUse, WordsThatCannotBeWrittenAreAnError) {
+TEST_F(FolderUse, OutputThatCannotBeWrittenIsAnError) {
   const std::string command = ASPERITY_PROGRAM " list > /dev/full 2>/dev/null";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 4);

@@ -1,7 +1,7 @@
-"""Result files that other people wrote with h5py: the least that
-docs/reference/results.md asks for is enough, also beside a result of ours, and a hostile
-file is answered by exit code 2 and a message that names the object; it starts
-no program, opens no other file and takes no memory to speak of.
+"""Result files that other programs write with h5py: the minimum that
+docs/reference/results.md requires is sufficient, also beside a result of ours, and a hostile
+file is refused by exit code 2 and a message that names the object; it starts
+no program, opens no other file and takes a negligible amount of memory.
 
 Arguments: asperity, an empty folder.
 """
@@ -40,7 +40,7 @@ WAIT = 100  # seconds: what hangs ends here, and nothing good comes near
 
 
 def write_least(path):
-    """The least that docs/reference/results.md asks for."""
+    """The minimum that docs/reference/results.md requires."""
     with h5py.File(path, "w") as file:
         file.attrs["format"] = "asperity-result"
         file.attrs["format_version"] = 1
@@ -59,7 +59,7 @@ def asperity(arguments, folder):
 
 
 def page_of(folder):
-    """The report: well-formed in what we fill in, so no tag of a name's."""
+    """The report is well-formed in the parts that we fill in: no name adds a tag."""
     return (folder / "report.html").read_text(encoding="utf-8")
 
 
@@ -255,7 +255,7 @@ def check_names(root):
 
 
 def check_hostile_texts(root):
-    """Texts may be anything: they are shown letter by letter."""
+    """Any text is shown letter by letter."""
     folder = root / "texts"
     folder.mkdir()
     evil = "'; system('touch owned'); `touch owned` \"<script>x</script>&amp;"

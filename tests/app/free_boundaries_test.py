@@ -1,4 +1,4 @@
-"""Free boundaries from a map to a report: the half-space presses the map itself,
+"""Free boundaries from a map to a report: the half-space uses the map itself,
 other methods its mirror images; the report compares the two, a second run finds
 every step in the cache, and a Hertzian contact has no periodic images.
 

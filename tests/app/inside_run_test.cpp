@@ -1,5 +1,5 @@
-// Claims about runs of whole blocks that are asked for the stress inside: the
-// result's tables hold the block's own, with and without a cache.
+// Tests of runs of full 3-D blocks with the stress inside: the tables of the
+// result have the block's own values, with and without a cache.
 #include "app/run/run_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
@@ -55,10 +55,11 @@ protected:
   Cache cache{folder / "cache", 100'000'000};
 };
 
-// Claim: the table of a whole block has its curve's own numbers in each row and
-// what its pressure gives beside, the half-space's has the latter alone. On a
-// mesh of eight cells a wave the two differ by far less than their double.
-TEST_F(InsideRun, HasTheBlocksOwnStrongestPoints) {
+// The table of a full block has the numbers of its own curve in each row and
+// those from its pressure beside them; that of the half-space has the latter
+// alone. On a mesh of eight cells per wave the two differ by far less than a
+// factor of two.
+TEST_F(InsideRun, HasTheBlocksOwnMaxima) {
   EXPECT_EQ(run("out").failed_steps, 0);
   const results::Result found = result("out");
 
@@ -79,9 +80,9 @@ TEST_F(InsideRun, HasTheBlocksOwnStrongestPoints) {
   EXPECT_TRUE(other->values("von_mises_from_pressure").empty());
 }
 
-// Claim: the section is the block's own, of the heaviest load, which is neither
-// the first nor the last; the half-space's is of its pressure. Averages at
-// vertices of so coarse a mesh are the peak's to a factor of two.
+// The section is the block's own, at the largest load, which is neither the
+// first nor the last; that of the half-space is from its pressure. Averages at
+// the vertices of such a coarse mesh are within a factor of two of the maximum.
 TEST_F(InsideRun, HasTheBlocksOwnSection) {
   run("out");
   const results::Result found = result("out");
@@ -107,8 +108,8 @@ TEST_F(InsideRun, HasTheBlocksOwnSection) {
   EXPECT_GT(highest, 0.5 * row.von_mises);
 }
 
-// Claim: a run from the cache has the same tables, and steps kept by a run that
-// was not asked for the stress are done again where the section is missing.
+// A run from the cache has the same tables, and steps of a run without the
+// stress are computed again where the section is missing.
 TEST_F(InsideRun, KeepsTheSectionInTheCache) {
   run("before", {});
   EXPECT_EQ(result("before").table("stress-section-fem"), nullptr);

@@ -1,5 +1,5 @@
-// Claims about the commands that scripts use: describe, diff, the options of
-// check, --json and --quiet.
+// Tests of the commands for scripts: describe, diff, the options of check,
+// --json and --quiet.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
@@ -143,7 +143,7 @@ TEST_F(Inspect, CheckPrintsOnlyWhatIsNotMetOrJson) {
   EXPECT_EQ(summary["expectations"][1]["verdict"], "ok");
 }
 
-// Claim: a job server finds a file whatever happened.
+// The file for a job server exists in every case.
 TEST_F(Inspect, CheckWritesJunitAlsoIfACaseCannotBeRead) {
   write("broken.toml", "schema = 1\n");
 
@@ -173,7 +173,8 @@ TEST_F(Inspect, RunAnswersInJsonAndNothingElse) {
   EXPECT_EQ(answer("run small.toml --methods theory --quiet"), "");
 }
 
-// Claim: what was computed is the same to the last byte, times are apart.
+// The computed numbers are the same to the last byte; times are in a separate
+// file.
 TEST_F(Inspect, TablesOfTwoRunsAreTheSame) {
   ASSERT_EQ(run("run small.toml --methods halfspace --no-cache --out a --quiet")
                 .exit_code,

@@ -1,6 +1,6 @@
-// Claims about cases/layered and cases/board/layered: their references are the
-// two classical slopes of the area at light load, with the modulus that the
-// layers show to each wave.
+// Tests of cases/layered and cases/board/layered: their references are the two
+// classical slopes of the area at light load, with the effective modulus of the
+// layers at each wavevector.
 #include "app/methods/continuum_block.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/reference.hpp"
@@ -25,12 +25,12 @@ double reference_of(const std::string& folder, const std::string& quantity) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-// Claim: what presses the surface flat is a pressure of variance sum |h(q)|^2/
-// C(q)^2, whose root over that of the uniform block is the root mean square of
-// E*(q)/E* = 2/(C(q) q E*), weighed by slope. Persson's A/A_0 = erf(p/sqrt(2
-// variance)) then begins with sqrt(8/pi) over it; Bush, Gibson and Thomas have
-// sqrt(2 pi) for sqrt(8/pi). Tolerance: the five digits written, 5e-6/0.2,
-// times 2.5; the midpoint rule's error is below them.
+// The pressure that flattens the surface has the variance sum |h(q)|^2/ C(q)^2,
+// whose root over that of the uniform block is the root mean square of E*(q)/E*
+// = 2/(C(q) q E*), weighted by slope. Persson's A/A_0 = erf(p/sqrt(2 variance))
+// then begins with sqrt(8/pi) over it; Bush, Gibson and Thomas have sqrt(2 pi)
+// for sqrt(8/pi). Tolerance: the five digits written, 5e-6/0.2, times 2.5; the
+// error of the midpoint rule is below them.
 class LayeredCase : public testing::TestWithParam<std::string> {};
 
 TEST_P(LayeredCase, HasTheSlopesOfItsLayers) {
@@ -70,11 +70,11 @@ INSTANTIATE_TEST_SUITE_P(ShippedCases, LayeredCase,
                          testing::Values("cases/layered",
                                          "cases/board/layered"));
 
-// Claim: a rim feels the coating where that is many spacings thick, and what
-// lies below where it is far less than one. Tolerances: q t = 39 hides the
-// bottom below rounding; at q t = 1.6e-4 the coating's share is some q t times
-// the ratio of the moduli.
-TEST(LayeredBlock, ShowsItsRimsTheCoating) {
+// At the contact boundary the coating determines the modulus where it is many
+// spacings thick, and the substrate where it is far thinner than one.
+// Tolerances: at q t = 39 the influence of the substrate is below roundoff; at
+// q t = 1.6e-4 that of the coating is some q t times the ratio of the moduli.
+TEST(LayeredBlock, HasTheModulusOfItsCoatingAtContactBoundaries) {
   mechanics::ElasticBlock block{2e9,
                                 0.3,
                                 std::numeric_limits<double>::infinity(),

@@ -1,4 +1,4 @@
-// Claims about MemoryBudget: what runs beside each other fits into the memory,
+// Tests of MemoryBudget: jobs that run at the same time fit into the memory,
 // and a job that is too large, or of unknown size, runs alone.
 #include "app/sweeps/memory_budget.hpp"
 
@@ -14,8 +14,8 @@
 namespace asperity::app {
 namespace {
 
-/// Runs jobs of these sizes, each in a thread of its own, and returns the
-/// largest number that ran beside each other.
+/// Runs jobs of these sizes, each in its own thread, and returns the largest
+/// number that ran at the same time.
 int largest_number_beside(double total, const std::vector<double>& sizes) {
   MemoryBudget budget(total);
   std::mutex mutex;
@@ -38,7 +38,7 @@ int largest_number_beside(double total, const std::vector<double>& sizes) {
   return largest;
 }
 
-TEST(MemoryBudget, LetsRunBesideEachOtherWhatFits) {
+TEST(MemoryBudget, RunsJobsThatFitAtTheSameTime) {
   EXPECT_LE(largest_number_beside(2.5, std::vector<double>(6, 1.0)), 2);
 }
 

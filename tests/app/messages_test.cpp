@@ -1,5 +1,5 @@
-// Claims about how the program answers mistakes: in words, with exit code 2,
-// and with nothing half-written.
+// Tests of the messages about mistakes: they have exit code 2, and nothing
+// incomplete is written.
 #include <cmath>
 
 #include "tests/app/program.hpp"
@@ -37,8 +37,8 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-// Claim: what does not fit into the memory there is is refused with both
-// numbers, by the run and by its plan, and nothing is written.
+// A run that does not fit into the available memory is refused with both
+// numbers, and so is its plan; nothing is written.
 TEST_F(Messages, RefuseWhatDoesNotFitIntoMemory) {
   write("small.toml", small_case);
   const std::string huge =
@@ -59,9 +59,9 @@ TEST_F(Messages, RefuseWhatDoesNotFitIntoMemory) {
       << planned.output;
 }
 
-// Claim: the plan of ten million steps takes no time to speak of: it would
-// have looked each of them up in the cache. (The processor time is limited by
-// the shell: the plan once took more than ten minutes of it.)
+// The plan of ten million steps takes negligible time, without looking up each
+// of them in the cache. (The shell limits the processor time: the plan once
+// took more than ten minutes of it.)
 TEST_F(Messages, PlanMillionsOfStepsAtOnce) {
   write("small.toml", small_case);
 
@@ -90,9 +90,9 @@ TEST_F(Messages, RefuseABadTableOfReferencesBeforeAnythingRuns) {
   }
 }
 
-// Claim: published values are printed beside ours and never change the end:
-// here no number of ours is anywhere near.
-TEST_F(Messages, CheckPrintsPublishedValuesAndJudgesNothingByThem) {
+// Published values are printed beside ours and never change the exit code: here
+// none of our numbers is near them.
+TEST_F(Messages, CheckPrintsPublishedValuesWithoutVerdicts) {
   write("small.toml",
         small_case + "[expect]\nbeta = { above = 0, methods = [\"theory\"] "
                      "}\n");
@@ -149,8 +149,8 @@ std::string map_text() {
   return text;
 }
 
-// Claim: a map runs without a case file, with loads that bring it from light to
-// nearly full contact; the case that `new` writes of it has the same numbers.
+// A map runs without a case file, with loads from light to nearly full contact;
+// the case that `new` writes of it has the same numbers.
 TEST_F(Messages, AMapRunsWithoutACase) {
   write("map.asc", map_text());
   const Ended ran =
@@ -197,7 +197,7 @@ TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {
   EXPECT_EQ(run("--help").exit_code, 0);
 }
 
-TEST_F(Messages, ListAndSchemaPrintWhatTheyPromise) {
+TEST_F(Messages, ListAndSchemaPrintTheirContent) {
   const Ended listed = run("list");
   for (const char* name : {"polymer", "polymer-nominal", "hertz", "wave-1d",
                            "wave-2d", "self-affine"})
@@ -218,8 +218,8 @@ TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
   EXPECT_EQ(run("check out/strict").exit_code, 1);
 }
 
-// Claim: what was not checked does not pass: neither a case without an
-// expectation nor one whose expectations are all of methods that were left out.
+// A case in which nothing was checked does not pass: neither without an
+// expectation nor if all expectations concern excluded methods.
 TEST_F(Messages, CheckDoesNotPassWhereNothingWasChecked) {
   write("bare.toml", small_case);
   write("partial.toml",
@@ -267,7 +267,7 @@ TEST_F(Messages, ReportWorksFromInsideTheFolder) {
   EXPECT_EQ(run("report result.h5").exit_code, 0);
 }
 
-TEST_F(Messages, ReportOfNothingSaysSo) {
+TEST_F(Messages, ReportOfNothingIsRefused) {
   const Ended lost = run("report nowhere");
 
   EXPECT_EQ(lost.exit_code, 2);

@@ -1,4 +1,4 @@
-// Claims about plans: counts and structure. No test asserts a time.
+// Tests of plans: counts and structure. No test asserts a time.
 #include "app/plan/block_cost.hpp"
 #include "app/plan/block_size.hpp"
 #include "app/plan/plan.hpp"
@@ -94,9 +94,9 @@ TEST_F(PlannedRun, LeavesTheDiskAlone) {
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-// Claim: times add up as written out here by hand. Work of 1/2 s for the
-// program, 1/4 s for the tables, 2 + 6 s and 1 + 3 s shared by two threads, 5 s
-// alone; every number is exact in binary.
+// The times of the parts sum to the total. Work of 1/2 s for the program, 1/4 s
+// for the tables, 2 + 6 s and 1 + 3 s shared by two threads, 5 s alone; every
+// number is exact in binary.
 TEST(PlannedTimes, AddUp) {
   Plan plan;
   plan.threads = 2;
@@ -126,8 +126,8 @@ TEST(PlannedTimes, AddUp) {
   EXPECT_EQ(plan.wall_time, 0.5 + 5.0 + 8.0);
 }
 
-// Claim: a plan's times are those of its parts, and every method that is not
-// in the cache has one.
+// The times of a plan are those of its parts, and every method that is not in
+// the cache has one.
 TEST_F(PlannedRun, HasATimeForEveryPart) {
   const Plan planned = plan();
   Plan added = planned;
@@ -175,9 +175,9 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
   EXPECT_FALSE(find(planned.skipped, "fem on"));
 }
 
-// The plan prints what the block would have without its elimination: three
-// displacements a node, (N + 1)^2 of them on every plane that meshes/ makes.
-TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
+// The plan states the size of the block without elimination: three
+// displacements per node, (N + 1)^2 of them on every plane that meshes/ makes.
+TEST_F(PlannedRun, CountsTheDisplacementsOfTheFullBlock) {
   const cases::Case contact_case = read();
   auto fem =
       std::get<mechanics::FemSettings>(contact_case.methods.at(2).settings);
@@ -193,8 +193,8 @@ TEST_F(PlannedRun, CountsTheDisplacementsOfTheWholeBlock) {
   EXPECT_EQ(cost.unknowns, 3.0 * 33 * 33 * (static_cast<double>(layers) + 1.0));
 }
 
-// Claim: a coating's interface is met by a layer's face, and the layers that
-// takes are counted.
+// The interface of a coating is a face of the layers, and the additional layers
+// are counted.
 TEST_F(PlannedRun, CountsTheLayersOfACoating) {
   const cases::Case coated =
       read({R"(material.layers=[{thickness = "0.1 length", youngs_modulus = )"
@@ -215,8 +215,8 @@ TEST_F(PlannedRun, CountsTheLayersOfACoating) {
             n_layers(read(), fem, scales, grid));
 }
 
-// Claim: a plan with a whole block says how far off it may be.
-TEST_F(PlannedRun, SaysHowGoodItIs) {
+// A plan with a full block states its uncertainty.
+TEST_F(PlannedRun, StatesItsUncertainty) {
   const Plan whole = plan({R"(fem.solver="full")"});
 
   EXPECT_EQ(plan().factor, 2.0);
@@ -225,9 +225,9 @@ TEST_F(PlannedRun, SaysHowGoodItIs) {
             std::string::npos);
 }
 
-// Claim: the model counts. With the same rates, twice the points a side are
-// four times the unknowns and the memory.
-TEST_F(PlannedRun, MemoryGoesWithTheNodes) {
+// The model scales correctly: with the same rates, twice the points per side
+// are four times the unknowns and the memory.
+TEST_F(PlannedRun, MemoryIsProportionalToTheNodes) {
   const cases::Case contact_case = read();
   MachineRates rates(32);
   const Grid small{32, 32, 1e-6, 1e-6};
@@ -244,9 +244,9 @@ TEST_F(PlannedRun, MemoryGoesWithTheNodes) {
   }
 }
 
-// Claim: the result lists what the cache spared, at the cost its own rows say.
-// Tolerance: rounding of a sum of nine times.
-TEST_F(PlannedRun, TheResultSaysWhatTheCacheSpared) {
+// The result lists the work that the cache saved, at the cost in its own rows.
+// Tolerance: roundoff of a sum of nine times.
+TEST_F(PlannedRun, TheResultStatesWhatTheCacheSaved) {
   const RunOptions options{folder / "out", {"halfspace"}, false, 1, "", &cache};
   run_case(read(), options);
   EXPECT_FALSE(
@@ -277,8 +277,8 @@ TEST_F(PlannedRun, IsPrintedAsATable) {
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
 }
 
-// Claim: sizes are written without exponents, and of work that was skipped only
-// the costs that are known.
+// Sizes are written without exponents, and for skipped work only the known
+// costs are listed.
 TEST_F(PlannedRun, IsPrintedWithReadableNumbers) {
   EXPECT_EQ(size_text(4.2e6), "4.2 MB");
   EXPECT_EQ(size_text(2.64e8), "264 MB");

@@ -1,4 +1,4 @@
-// Claims about what a plan warns of and refuses before anything is computed.
+// Tests of what a plan warns of and refuses before anything is computed.
 #include "app/methods/methods.hpp"
 #include "app/plan/plan.hpp"
 #include "cases/reader/read_case.hpp"
@@ -46,8 +46,8 @@ protected:
   }
 };
 
-// Claim: a plan, and the method's description in a result, warn of elements
-// that lock; of others they do not.
+// A plan, and the description of the method in a result, warn of elements that
+// lock and of no others.
 TEST_F(PlanWarnings, AreOfElementsThatLock) {
   const std::vector<std::string> locking{"material.poisson_ratio=0.4999",
                                          "fem.element=Q1"};
@@ -67,7 +67,7 @@ TEST_F(PlanWarnings, AreOfElementsThatLock) {
   EXPECT_TRUE(plan(locking, {"halfspace"}).warnings.empty());
 }
 
-// Claim: a table of factors that is none is refused before anything is planned.
+// An invalid table of factors is refused before anything is planned.
 TEST_F(PlanWarnings, ARefusedTableOfFactorsIsNamed) {
   const std::string file = (folder / "factors.txt").string();
   std::ofstream(file) << "# boxes 2 2 2\n1 2\n";

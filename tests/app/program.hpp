@@ -1,6 +1,6 @@
 #pragma once
 
-// Runs the built program as a user would, in a folder of its own.
+// Runs the built program as a user would, in a temporary folder.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 
 class ProgramTest : public FolderTest {
 protected:
-  /// `before` goes before the program: environment, or "timeout -s KILL 1".
+  /// `before` precedes the program: environment, or "timeout -s KILL 1".
   Ended run(const std::string& arguments,
             const std::string& before = "") const {
     const std::filesystem::path log = folder / "log.txt";
@@ -41,8 +41,9 @@ protected:
             text_of(log)};
   }
 
-  /// The same, with one SIGINT as from Ctrl-C as soon as `file` exists. In a
-  /// background of its own, because timeout(1) may send the signal twice.
+  /// The same, with one SIGINT as from Ctrl-C as soon as `file` exists. The
+  /// program runs in the background, because timeout(1) may send the signal
+  /// twice.
   Ended interrupt(const std::string& arguments, const std::string& file) const {
     write("interrupt.sh", "\"$@\" &\n"
                           "until test -e " +
@@ -59,7 +60,7 @@ protected:
   }
 };
 
-/// A case of seconds: every method, two realisations, four loads.
+/// A case that takes seconds: every method, two realisations, four loads.
 inline const std::string small_case = R"(schema = 1
 title = "small"
 [surface]

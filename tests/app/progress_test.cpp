@@ -1,5 +1,5 @@
-// Claims about the remaining time of a run, with numbers worked out by hand,
-// and about long steps, which are not silent.
+// Tests of the remaining time of a run against values that are computed here,
+// and of messages during long steps.
 #include "app/run/progress.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace asperity::app {
 namespace {
 
-// Two cheap steps of 1 s and two dear ones of 10 s, on two threads.
+// Two short steps of 1 s and two long ones of 10 s, on two threads.
 RemainingWork mixed_work() {
   return {{{"cheap", {2, 1.0}}, {"dear", {2, 10.0}}}, 0.5};
 }
@@ -22,7 +22,7 @@ TEST(RemainingWork, IsThePredictionWhileNothingIsDone) {
   EXPECT_FALSE(mixed_work().seconds_left(11.5, 11.5)) << "the prediction fails";
 }
 
-// Claim: a step counts by its predicted cost, at the speed of those before it.
+// A step counts with its predicted cost, at the speed of the previous ones.
 TEST(RemainingWork, ScalesThePredictionByTheStepsThatAreDone) {
   RemainingWork work = mixed_work();
   work.add_done("cheap", 2); // twice as fast as predicted CPU time
@@ -35,7 +35,8 @@ TEST(RemainingWork, ScalesThePredictionByTheStepsThatAreDone) {
   EXPECT_EQ(work.steps_done(), 4);
 }
 
-// Claim: what little was done, mostly overhead, does not scale the rest.
+// A small amount of finished work, which is mostly overhead, does not scale the
+// rest.
 TEST(RemainingWork, KeepsThePredictionAfterCheapStepsOnly) {
   RemainingWork work({{"theory", {1, 0.01}}, {"block", {1, 100.0}}}, 1.0);
   work.add_done("theory", 1);
@@ -59,15 +60,15 @@ TEST(RemainingWork, CountsStepsWithoutAPrediction) {
   EXPECT_DOUBLE_EQ(work.seconds_left(2.0, 0.0).value(), 6.0);
 }
 
-TEST(RemainingWork, IsToldInReadableUnits) {
+TEST(RemainingWork, HasReadableUnits) {
   EXPECT_EQ(remaining_text(8.2), "about 8 s left");
   EXPECT_EQ(remaining_text(240.0), "about 4 min left");
   EXPECT_EQ(remaining_text(9000.0), "about 2.5 h left");
   EXPECT_EQ(remaining_text(std::nullopt), "longer than predicted");
 }
 
-// Claim: the line of a terminal never reaches its last column, because it could
-// not be drawn over then.
+// A line on a terminal never reaches the last column, because it could not be
+// overwritten then.
 TEST(Progress, DrawsLinesShorterThanTheTerminal) {
   const std::string words = "about 5 s left  halfspace r0 step 5";
 
@@ -80,8 +81,8 @@ TEST(Progress, DrawsLinesShorterThanTheTerminal) {
         << columns;
 }
 
-// Claim: a step that runs on without an answer is mentioned in a pipe. The test
-// waits for the line as long as it takes.
+// A long step is mentioned in a pipe. The test waits for the line as long as
+// necessary.
 TEST(Progress, MentionsALongStepInAPipe) {
   testing::internal::CaptureStdout();
   std::string printed;
@@ -102,7 +103,7 @@ TEST(Progress, MentionsALongStepInAPipe) {
       << printed;
 }
 
-TEST(Progress, IsSilentWhileNothingIsAtWork) {
+TEST(Progress, IsSilentWithoutWork) {
   testing::internal::CaptureStdout();
   {
     Progress progress(mixed_work(), 1.0, std::chrono::milliseconds(1));

@@ -1,9 +1,9 @@
-"""The program under mpirun: rank 0 alone writes, two ranks give one rank's
-curve to 1e-9, and a case that is refused ends all of them. Another number of
+"""The program under mpirun: only rank 0 writes, two ranks give the curve of
+one to 1e-9, and a case that is refused ends all of them. Another number of
 ranks can mean another solver of the linear systems; the contact is therefore
 solved to 1e-10 instead of the default 1e-8.
 
-Arguments: asperity, mpirun, a case, an empty folder. Tolerance: the issue's.
+Arguments: asperity, mpirun, a case, an empty folder. Tolerance: as required.
 """
 import csv
 import glob
@@ -35,7 +35,7 @@ def rows_of(folder):
 
 
 def differences(one, two):
-    """What differs by more than 1e-9 of itself. A column that is missing and a
+    """The numbers that differ by a relative 1e-9. A column that is missing and a
     table without rows are errors, and so is a number that is not finite, but
     for a fit that has too few nodes in contact in both."""
     assert one and len(one) == len(two), (len(one), len(two))
@@ -49,7 +49,7 @@ def differences(one, two):
 
 
 def sections(folder):
-    """The von Mises stress of each section drawn, by its file's name."""
+    """The von Mises stress of each drawn section, by the name of its file."""
     found = {}
     for path in glob.glob(f"{folder}/figures/stress-section-*.csv"):
         with open(path, encoding="utf-8") as file:

@@ -1,5 +1,5 @@
-// Claim: a run that is killed at any moments and resumed ends with the result
-// of one that was not, bit for bit, with a cache and without.
+// Verifies that a run that is killed at any moments and resumed ends with the
+// result of an uninterrupted one, bit for bit, with a cache and without.
 #include "base/child_process.hpp"
 #include "results/result_reader.hpp"
 
@@ -30,9 +30,10 @@ protected:
     return command;
   }
 
-  /// Runs until `n_kills` runs were killed; whenever one comes to its end its
-  /// result is compared, and the next begins anew.
-  /// @return  how many came to their end after a kill
+  /// Runs until `n_kills` runs were killed; whenever one is complete its result
+  /// is compared, and the next one starts from the beginning.
+  ///
+  /// @return  how many were complete after a kill
   int kill_and_resume(int n_kills, bool has_cache, double longest_life) {
     std::mt19937 random(has_cache ? 5 : 6);
     std::uniform_real_distribution<double> life(0.0, longest_life);
@@ -61,7 +62,8 @@ protected:
     return n_ends;
   }
 
-  /// So many kills with a cache, and as many without, of these methods alone.
+  /// This number of kills with a cache, and as many without, of these methods
+  /// alone.
   void expect_same_bits_after(int n_kills, const std::string& methods) {
     methods_ = methods;
     const Ended whole = run("run small.toml --no-cache --no-report --methods " +
@@ -82,8 +84,8 @@ TEST_F(Resume, AHundredKillsChangeNoBit) {
   expect_same_bits_after(8, "fem"); // loads deal.II, half a second each time
 }
 
-// Claim: where the state behind a step is lost, the steps before are computed
-// again; a cold start gives another answer in the last digits.
+// Where the state after a step is lost, the steps before it are computed again;
+// a cold start would give another solution in the last digits.
 TEST_F(Resume, ALostStateIsComputedAgain) {
   namespace fs = std::filesystem;
   const std::string run_it = "run small.toml --methods halfspace --no-report ";
@@ -96,7 +98,7 @@ TEST_F(Resume, ALostStateIsComputedAgain) {
       steps.emplace_back(entry.last_write_time(), entry.path());
     else if (entry.path().extension() == ".state")
       n_states += fs::remove(entry.path());
-  ASSERT_EQ(n_states, 2); // one a realisation
+  ASSERT_EQ(n_states, 2); // one per realisation
   fs::remove(std::max_element(steps.begin(), steps.end())->second);
 
   const Ended done = run(run_it + "--out second");

@@ -1,5 +1,5 @@
-// Claims about the program as a whole: what it writes, how it ends, what a
-// kill costs, what it does not load.
+// Tests of the entire program: what it writes, how it ends, the state after a
+// kill, which module it does not load.
 #include "results/result_reader.hpp"
 
 #include <cmath>
@@ -28,7 +28,7 @@ int steps_in(const Result& result) {
   return steps;
 }
 
-/// The same numbers, whatever they cost.
+/// Verifies equal numbers; the costs may differ.
 void expect_same_curves(const Result& one, const Result& other,
                         double tolerance) {
   ASSERT_EQ(one.methods.size(), other.methods.size());
@@ -48,7 +48,7 @@ void expect_same_curves(const Result& one, const Result& other,
   }
 }
 
-TEST_F(RunCommand, WritesEverythingItPromises) {
+TEST_F(RunCommand, WritesAllDocumentedFiles) {
   const Ended done = run("run small.toml --out result");
 
   ASSERT_EQ(done.exit_code, 0) << done.output;
@@ -65,9 +65,10 @@ TEST_F(RunCommand, WritesEverythingItPromises) {
             std::string::npos);
 }
 
-// Claim: the methods answer the same case. Tolerances: Q2 with eight nodes in
-// the shortest wave is 0.1 % of h_rms off in the gap (docs/numerics/area.md),
-// the penalty adds p/k < 0.01 h_rms here; both methods share the surface.
+// The methods give one solution for a case. Tolerances: Q2 with eight nodes in
+// the shortest wave has an error of 0.1 % of h_rms in the gap
+// (docs/numerics/area.md), the penalty adds p/k < 0.01 h_rms here; both methods
+// share the surface.
 TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
 
@@ -81,8 +82,8 @@ TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
                 0.01 * written.surfaces[0].rms_height);
 }
 
-// Claim: elastic methods answer with the areas of (20) too, within 40 % of the
-// counted one: three estimates of one contact (25 % apart is usual). The theory
+// Elastic methods also state the areas of (20), within 40 % of the counted one:
+// three estimates of one contact (differences of 25 % are usual). The theory
 // has its own.
 TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
@@ -98,7 +99,7 @@ TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
     }
 }
 
-// Jobs on one thread or two: the very same bits.
+// Jobs on one thread and on two give the same bits.
 TEST_F(RunCommand, ThreadsChangeNothing) {
   ASSERT_EQ(run("run small.toml --out one --threads 1").exit_code, 0);
   ASSERT_EQ(run("run small.toml --out two --threads 2").exit_code, 0);
@@ -106,9 +107,9 @@ TEST_F(RunCommand, ThreadsChangeNothing) {
   expect_same_curves(result("one"), result("two"), 0.0);
 }
 
-// A lone job uses its threads inside the transforms: equal to the tolerance
+// A single job uses its threads inside the transforms: equal to the tolerance
 // of the case, 1e-8 h_rms.
-TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingThatCounts) {
+TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingBeyondTheTolerance) {
   const std::string alone =
       "run small.toml --methods halfspace --set surface.realizations=1 ";
   ASSERT_EQ(run(alone + "--out one --threads 1").exit_code, 0);
@@ -117,7 +118,7 @@ TEST_F(RunCommand, ThreadsInsideOneJobChangeNothingThatCounts) {
   expect_same_curves(result("one"), result("two"), 1e-7);
 }
 
-TEST_F(RunCommand, SkipsWhatTheSceneDoesNotNeed) {
+TEST_F(RunCommand, SkipsWhatTheCaseDoesNotNeed) {
   const Ended theory =
       run("run small.toml --methods theory --out theory", "env LD_DEBUG=files");
 
@@ -130,8 +131,8 @@ TEST_F(RunCommand, SkipsWhatTheSceneDoesNotNeed) {
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
 
-// Claim: running again does not destroy what was there.
-TEST_F(RunCommand, KeepsTheLastResultAside) {
+// A new run does not overwrite the previous result.
+TEST_F(RunCommand, KeepsThePreviousResult) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
 
@@ -168,13 +169,13 @@ TEST_F(RunCommand, FollowsAMeanGapAndBack) {
   ASSERT_EQ(points.size(), 3u); // the turning point once
   EXPECT_NEAR(points[0].mean_gap / written.surfaces[0].rms_height, 2.0, 1e-9);
   EXPECT_TRUE(points[2].is_unloading);
-  // No friction, no adhesion: the way back is the way there.
+  // Without friction and adhesion unloading follows the loading curve.
   EXPECT_NEAR(points[2].nominal_pressure / points[0].nominal_pressure, 1.0,
               1e-5);
 }
 
-// Killed with no chance to say goodbye: what was done is there, is read, and
-// is gone on from to the same end.
+// After a kill the finished steps are in the result, which can be read and is
+// resumed to the same end.
 TEST_F(RunCommand, SurvivesAKillAndResumes) {
   const std::string long_run = "run small.toml --set surface.points=256 "
                                "--methods halfspace --threads 1 ";
@@ -184,7 +185,7 @@ TEST_F(RunCommand, SurvivesAKillAndResumes) {
     const Ended killed = run(long_run + "--out killed --resume",
                              std::string("timeout -s KILL ") + seconds);
     if (std::filesystem::exists(folder / "killed/result.h5"))
-      kept = steps_in(result("killed")); // readable, or this throws
+      kept = steps_in(result("killed")); // throws unless it is readable
     if (killed.exit_code == 0)
       break;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Two results held against each other, bit by bit.
+// Comparison of two results, bit by bit.
 
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
@@ -30,7 +30,7 @@ inline void expect_same_rows(const std::vector<results::CurvePoint>& one,
     }
 }
 
-/// Every number of every row and map, bit by bit; what it cost on demand.
+/// Every number of every row and map, bit by bit; the costs if requested.
 inline void expect_same_bits(const results::Result& one,
                              const results::Result& other,
                              bool costs_too = false) {

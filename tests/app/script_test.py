@@ -2,7 +2,7 @@
 """The script ./asperity on checkouts that cannot be written to, and its exit codes.
 
 script_test.py SCRIPT: runs a copy of the script with stubs of cmake, ninja, ctest and dpkg-query.
-As root it becomes another user first, because root may write everywhere.
+If it is root it changes to another user first, because root may write everywhere.
 """
 import os
 import shutil

@@ -1,5 +1,5 @@
-// Claims about the section of a whole block, app/methods/stress_section.hpp:
-// which places the block is asked for, and where its answers end up.
+// Tests of the section of a full 3-D block, app/methods/stress_section.hpp: the
+// requested points, and the positions of the values.
 #include "app/methods/stress_section.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace asperity::app {
 namespace {
 
-/// Answers with a function of the place, and remembers what it was asked.
+/// Returns a function of the position and stores the requested points.
 class KnownBlock final : public fem::FullBlock {
 public:
   const Grid& grid() const override { return grid_; }
@@ -60,9 +60,10 @@ OwnSection at(double x, double depth, bool is_periodic) {
       "fem", 5e6, {1e6, 5e5, std::abs(depth), {x, 0.7, depth}}, is_periodic};
 }
 
-// Claim: the plane goes through the strongest point, four times as deep and six
-// to either side, wrapped into the period; each value stands beside its place.
-TEST(OwnSection, GoesThroughTheStrongestPoint) {
+// The plane contains the point of maximum stress, extends to four times its
+// depth and six to either side, wrapped into the period; each value has its
+// position.
+TEST(OwnSection, ContainsTheMaximum) {
   const KnownBlock block;
 
   const results::Table table =
@@ -85,7 +86,7 @@ TEST(OwnSection, GoesThroughTheStrongestPoint) {
   }
 }
 
-// Claim: beside free sides there is nothing.
+// Beyond free sides there is no value.
 TEST(OwnSection, EndsAtFreeSides) {
   const KnownBlock block;
 
@@ -96,8 +97,8 @@ TEST(OwnSection, EndsAtFreeSides) {
   EXPECT_NEAR(*std::max_element(x.begin(), x.end()), 0.7, 1e-12);
 }
 
-// Claim: a point in the second body is looked at there, one next to the face
-// from a spacing's depth, and no deeper than the block.
+// A point in the second body has its section there; one next to the contact
+// surface is shown from a depth of one spacing, and no deeper than the block.
 TEST(OwnSection, IsOfTheBodyOfThePointAndWithinIt) {
   const KnownBlock block;
   mechanics::ElasticBlock slab = halfspace;

@@ -1,5 +1,5 @@
-// Claims about app/run/stress_tables.hpp: the tables hold Hertz's strongest
-// point, each row of its own map, and a section through it.
+// Tests of app/run/stress_tables.hpp: the tables have Hertz's maximum stress in
+// each row from its own map, and a section through it.
 #include "app/methods/stress_section.hpp"
 #include "app/run/stress_tables.hpp"
 #include "theory/exact/hertz.hpp"
@@ -35,11 +35,11 @@ results::Fields hertz_map(const theory::HertzContact& contact) {
   return map;
 }
 
-// Claim: von Mises 0.620 p_0 and shear 0.310 p_0 at 0.481 a (Johnson, Sec.
-// 4.2; on the axis two principal stresses are equal, so one is half the
-// other). Tolerance: eight nodes a radius, and the neighbours, p_0 2 pi/3
+// Von Mises 0.620 p_0 and shear 0.310 p_0 at 0.481 a (Johnson, Sec. 4.2; on the
+// axis two principal stresses are equal, so that one is half the other).
+// Tolerance: eight nodes per radius, and the periodic images, p_0 2 pi/3
 // (a/L)^2 = 0.8 % of p_0.
-TEST(StressTables, HaveHertzsStrongestPointARow) {
+TEST(StressTables, HaveHertzsMaximumInEachRow) {
   const theory::HertzContact light = theory::hertz_contact(2.0, 5e-3, modulus);
   const theory::HertzContact heavy = theory::hertz_contact(9.0, 5e-3, modulus);
   const std::vector<results::Fields> maps{hertz_map(light), hertz_map(heavy)};
@@ -62,8 +62,8 @@ TEST(StressTables, HaveHertzsStrongestPointARow) {
   }
 }
 
-// Claim: the section goes through that point, and no point of it is stronger
-// by more than the search's 0.1 %; it is symmetric about the axis.
+// The section contains that point, and no value in it is larger by more than
+// the 0.1 % of the search; it is symmetric about the axis.
 TEST(StressTables, HaveASectionThroughThatPoint) {
   const results::Fields map =
       hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));
@@ -91,8 +91,8 @@ TEST(StressTables, HaveASectionThroughThatPoint) {
                 1e-9 * *strongest);
 }
 
-// Claim: the section of a coated block shows its coating and half as much again
-// below, however shallow the strongest point is.
+// The section of a coated block shows its coating and half as much below it,
+// even if the maximum is at a small depth.
 TEST(StressTables, HaveASectionThroughTheCoating) {
   const results::Fields map =
       hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));

@@ -1,5 +1,5 @@
-// Claims about the tables of the theory's studies: what the paper proves of
-// them holds in the columns.
+// Tests of the tables of the theory's studies: the columns have the properties
+// that the paper proves.
 #include "app/run/study_tables.hpp"
 
 #include <gtest/gtest.h>
@@ -34,9 +34,9 @@ cases::MagnificationStudy study() {
   return study;
 }
 
-// Exact: A = A_0 below zeta_0, nothing is hidden at zeta_1. Tolerance of the
-// gap: both sums are good to some 1e-13.
-TEST(StudyTables, OfMagnificationsEndAtTheWholeAndAtNothingHidden) {
+// Exact: A = A_0 below zeta_0, and no roughness is unresolved at zeta_1.
+// Tolerance of the gap: both sums are accurate to some 1e-13.
+TEST(StudyTables, OfMagnificationsEndAtCompleteContactAndFullResolution) {
   const auto contacts = magnified_contacts(rough_contact(), study());
   ASSERT_EQ(contacts.size(), 2U);
   EXPECT_EQ(contacts[1].nominal_pressure(), 4e7);
@@ -55,10 +55,11 @@ TEST(StudyTables, OfMagnificationsEndAtTheWholeAndAtNothingHidden) {
   EXPECT_EQ(table.values("rms_height").back(), 0.0);
 }
 
-// Claim: between two quantiles a = A(zeta) opens the volume by which A u
-// differs, (25) summed up. No tolerance: u_1 rises with a, so the sums with its
-// value at the lower and at the upper end of each step enclose the volume.
-TEST(StudyTables, OfTheDistributionEncloseTheVolumeThatOpens) {
+// Between two quantiles a = A(zeta) the separating volume is the difference of
+// A u, (25) integrated. No tolerance: u_1 increases with a, so that the sums
+// with its value at the lower and at the upper end of each step enclose the
+// volume.
+TEST(StudyTables, OfTheDistributionEncloseTheSeparatingVolume) {
   const auto contacts = magnified_contacts(rough_contact(), study());
   const auto volume = [&](double part) {
     return part * contacts[0].mean_gap(
@@ -82,9 +83,9 @@ TEST(StudyTables, OfTheDistributionEncloseTheVolumeThatOpens) {
   EXPECT_LT(high, 1.03 * low); // a step is at most pi/400 of the area
 }
 
-// Where the open area never percolates there is no leak; where it does, the
-// area at the pore's magnification is the critical one.
-TEST(StudyTables, OfLeaksKnowWhereTheOpenAreaPercolates) {
+// Where the open area never percolates there is no leakage; where it does, the
+// area at the magnification of the constriction is the critical one.
+TEST(StudyTables, OfLeakageFindWhereTheOpenAreaPercolates) {
   cases::MagnificationStudy loads = study();
   loads.nominal_pressures = {{1e7}, {2e9}};
   const auto contacts = magnified_contacts(rough_contact(), loads);
@@ -107,10 +108,11 @@ theory::RoughAdhesion rubber(int steps) {
       steps};
 }
 
-// At the flip both branches bind alike (tolerance: bisection to 1e-9 of the
-// ratio, binding falls by some 3 a ratio). -0.1 of complete contact is what the
-// surrogate was made for, to the printed digits of its q_0.
-TEST(StudyTables, OfAdhesionFindTheFlip) {
+// At the transition both branches have the same binding energy (tolerance:
+// bisection to 1e-9 of the ratio, binding energy decreases by some 3 per unit
+// of the ratio). -0.1 of complete contact is the value for which the surrogate
+// was made, to the printed digits of its q_0.
+TEST(StudyTables, OfAdhesionFindTheTransition) {
   cases::AdhesionStudy ratios;
   ratios.work_of_adhesion = 0.1;
   ratios.from = 0.7;

@@ -15,8 +15,8 @@ import numpy as np
 
 
 def run(program, *words, code=0):
-    """What a command prints, after a check of its exit code; with --json, the
-    answer alone."""
+    """The output of a command, after a check of its exit code; with --json, only the
+    standard output."""
     ended = subprocess.run([program, "surface", *map(str, words)], text=True, check=False,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert ended.returncode == code, f"{words}: {ended.returncode}\n{ended.stdout}{ended.stderr}"
@@ -52,7 +52,7 @@ def check_wave(program, folder):
     scale = ["--length", "10 um", "--height-unit", "nm"]
     answer = json.loads(run(program, map_file, *scale, "--json"))
     found = answer["maps"][0]["parameters"]
-    # The tilt is gone, and both ways find 3 nm/sqrt(2); forward differences see sin(x)/x of it.
+    # The tilt is removed, and both methods find 3 nm/sqrt(2); forward differences see sin(x)/x of it.
     rms = 3e-9 / np.sqrt(2)
     slope = 2 * np.pi * 16 / 10e-6 * rms
     assert abs(found["sq"]["value"] / rms - 1) < 2e-2

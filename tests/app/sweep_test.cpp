@@ -1,5 +1,5 @@
-// Claims about running a sweep: an ordinary result per point, the same numbers
-// as the point by itself, nothing lost by a kill, every point checked.
+// Tests of running a sweep: an ordinary result per point, the same numbers as
+// the single case, nothing lost by a kill, every point checked.
 #include "results/result_reader.hpp"
 
 #include <nlohmann/json.hpp>
@@ -67,8 +67,8 @@ TEST_F(SweepRuns, WritesOneReportOnAllPoints) {
   EXPECT_NE(page.find("Content-Security-Policy"), std::string::npos);
 }
 
-// Claim: a point is an ordinary case: --set gives the same bits, and its folder
-// is a result like any other.
+// A point is an ordinary case: --set gives the same bits, and its folder is a
+// result like any other.
 TEST_F(SweepRuns, HasTheNumbersOfEachPointAlone) {
   ASSERT_EQ(run(small_run + "--no-cache").exit_code, 0);
   ASSERT_EQ(run(small_run + "--no-cache --no-report --set sweep= --set "
@@ -82,8 +82,8 @@ TEST_F(SweepRuns, HasTheNumbersOfEachPointAlone) {
   EXPECT_EQ(run("check " + point(2)).exit_code, 0);
 }
 
-// Claim: a kill at any moment loses no finished point, and --resume computes
-// only what is missing.
+// A kill at any moment loses no finished point, and --resume computes only what
+// is missing.
 TEST_F(SweepRuns, ResumesAfterAKill) {
   run(small_run + "--no-cache --threads 1 --set surface.points=128",
       "timeout -s KILL 1.2");
@@ -103,8 +103,8 @@ TEST_F(SweepRuns, ResumesAfterAKill) {
     EXPECT_EQ(one["status"], "complete");
 }
 
-// Claim: a point whose case has changed is computed again by --resume; the
-// others are kept.
+// A point whose case has changed is computed again by --resume; the others are
+// kept.
 TEST_F(SweepRuns, ResumesWithOtherValues) {
   ASSERT_EQ(run(small_run + "--no-report").exit_code, 0);
 
@@ -119,7 +119,7 @@ TEST_F(SweepRuns, ResumesWithOtherValues) {
             std::string::npos);
 }
 
-TEST_F(SweepRuns, KeepsTheLastSweepAside) {
+TEST_F(SweepRuns, KeepsThePreviousSweep) {
   ASSERT_EQ(run(small_run + "--no-report").exit_code, 0);
 
   EXPECT_EQ(run(small_run + "--no-report").exit_code, 0);
@@ -127,7 +127,7 @@ TEST_F(SweepRuns, KeepsTheLastSweepAside) {
   EXPECT_TRUE(fs::exists(folder / "out/rough/points.previous/003/result.h5"));
 }
 
-// Claim: Ctrl-C ends all points in order; the report says what is missing.
+// Ctrl-C ends all points in order; the report states what is missing.
 TEST_F(SweepRuns, IsInterruptedInOrder) {
   const Ended ended =
       interrupt(small_run + "--no-cache --threads 1 --set surface.points=256",
@@ -141,7 +141,7 @@ TEST_F(SweepRuns, IsInterruptedInOrder) {
             std::string::npos);
 }
 
-// Claim: check judges every point, of a case and of a folder.
+// `check` checks every point, of a case and of a folder.
 TEST_F(SweepRuns, IsCheckedAtEveryPoint) {
   write(
       "rough.toml",
@@ -150,7 +150,7 @@ TEST_F(SweepRuns, IsCheckedAtEveryPoint) {
           "[sweep]\n\"surface.hurst\" = [0.5, 0.8]\n"
           "\"expect.area_scale.below\" = [5, 0.2]\nfem = [\"\"]\n");
   const Ended refused = run("check rough.toml");
-  EXPECT_EQ(refused.exit_code, 2) << refused.output; // fem is no key
+  EXPECT_EQ(refused.exit_code, 2) << refused.output; // fem is not a key
 
   write(
       "rough.toml",
@@ -169,7 +169,7 @@ TEST_F(SweepRuns, IsCheckedAtEveryPoint) {
   EXPECT_EQ(run("check out/rough").exit_code, 1);
 }
 
-// Claim: a dry run names the points, and writes nothing.
+// A dry run names the points and writes nothing.
 TEST_F(SweepRuns, IsPlanned) {
   const Ended planned = run(small_run + "--dry-run");
 
@@ -180,7 +180,7 @@ TEST_F(SweepRuns, IsPlanned) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-// Claim: what is about one case says so, and a point that does not fit into
+// Options for a single case are refused, and a point that does not fit into
 // memory is named; nothing is written.
 TEST_F(SweepRuns, RefusesBeforeItRuns) {
   EXPECT_EQ(run("problem rough.toml").exit_code, 2);
@@ -194,7 +194,7 @@ TEST_F(SweepRuns, RefusesBeforeItRuns) {
   EXPECT_FALSE(fs::exists(folder / "out/rough"));
 }
 
-// Claim: a damaged sweep.json or point is answered, not believed.
+// A damaged sweep.json or point is reported.
 TEST_F(SweepRuns, ReadsDamagedFiles) {
   ASSERT_EQ(run(small_run + "--no-report").exit_code, 0);
   std::ofstream(point(1) + "/result.h5") << "no result";

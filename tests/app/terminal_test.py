@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Claim: on a terminal, every line of the progress fits into one line, and the text after the
-progress stands in a line of its own.
+"""On a terminal, every message of the progress fits into one line, and the text after the
+progress is in a separate line.
 
 Usage: terminal_test.py PROGRAM FOLDER"""
 import fcntl
@@ -23,7 +23,7 @@ halfspace = { contact = "hard" }
 
 
 def text_on_terminal(command, columns):
-    """What the command writes to a terminal of this width."""
+    """The output of the command on a terminal of this width."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     process = subprocess.Popen(command, stdout=slave, stderr=subprocess.STDOUT,

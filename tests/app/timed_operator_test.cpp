@@ -1,5 +1,5 @@
-// Claim: app/methods/timed_operator.hpp changes nothing that a solver asks of
-// the operator, in particular not what decides how it solves.
+// Verifies that app/methods/timed_operator.hpp changes no result that a solver
+// obtains from the operator, in particular none that determines how it solves.
 #include "app/methods/timed_operator.hpp"
 #include "contact/operators/halfspace.hpp"
 
@@ -10,7 +10,7 @@
 namespace asperity::app {
 namespace {
 
-TEST(TimedOperator, AnswersAsTheOperatorItMeasures) {
+TEST(TimedOperator, EqualsTheOperatorThatItMeasures) {
   const Grid grid{64, 64, 1.0, 1.0};
   contact::FourierOperator plain =
       contact::halfspace_operator(grid, {1.0, 0.3, 0.2});

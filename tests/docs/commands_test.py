@@ -28,7 +28,7 @@ def sections(page):
 
 
 def differences(where, here, there):
-    """A line for each name that only one of the program's help and the page has."""
+    """Yields a line for each name that is only in the help of the program or only on the page."""
     for name in sorted(here - there):
         yield f"{where}: {name} is not on the page"
     for name in sorted(there - here):

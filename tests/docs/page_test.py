@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The commands of a page of docs/, run as they are written.
+"""Runs the commands of a page of docs/ as they are written.
 
 page_test.py PROGRAM SOURCE PAGE FOLDER: runs each line of the fenced blocks of
 docs/PAGE.md that begin with ./asperity or python3, and each block marked `python`,
@@ -28,7 +28,7 @@ CLOSE = 0.02
 
 
 def is_same(shown, printed):
-    """Whether a printed line is the one that a page shows."""
+    """True if a printed line is the one that a page shows."""
     some = TOKEN.findall(COUNT.sub("", shown.removesuffix("...")))
     all_of_it = TOKEN.findall(COUNT.sub("", printed))
     if shown.endswith("..."):
@@ -43,7 +43,7 @@ def is_close(shown, printed):
 
 
 def run(program, line, folder):
-    """What a command prints, after a check of its exit code."""
+    """The output of a command, after a check of its exit code."""
     expected = EXIT_CODE.search(line)
     words = shlex.split(line, comments=True)
     programs = {"./asperity": program, "python3": "/usr/bin/python3"} # the one with numpy
@@ -56,7 +56,7 @@ def run(program, line, folder):
 
 
 def run_python(code, folder):
-    """What a block of Python prints, with the module asperity.py at hand."""
+    """The output of a block of Python, with the module asperity.py in its path."""
     (folder / "block.py").write_text(code)
     ended = subprocess.run(["/usr/bin/python3", "block.py"], cwd=folder, text=True, check=False,
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
