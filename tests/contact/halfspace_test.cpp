@@ -79,11 +79,11 @@ TEST(SlabFactor, IsContinuousWhereItsFormulaChanges) {
 }
 
 TEST(SlabFactor, TendsToTheHalfspace) {
-  for (const mechanics::FarBoundary face :
+  for (const mechanics::FarBoundary boundary :
        {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
         mechanics::FarBoundary::pressure}) {
-    EXPECT_NEAR(slab_compliance_factor(25.0, face, 0.45), 1.0, 1e-14);
-    EXPECT_NEAR(slab_compliance_factor(1e6, face, 0.45), 1.0, 1e-14);
+    EXPECT_NEAR(slab_compliance_factor(25.0, boundary, 0.45), 1.0, 1e-14);
+    EXPECT_NEAR(slab_compliance_factor(1e6, boundary, 0.45), 1.0, 1e-14);
   }
 }
 

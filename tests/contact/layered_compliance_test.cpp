@@ -19,9 +19,9 @@ namespace {
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{mechanics::FarBoundary::clamped,
-                               mechanics::FarBoundary::sliding,
-                               mechanics::FarBoundary::pressure};
+constexpr std::array far_boundaries{mechanics::FarBoundary::clamped,
+                                    mechanics::FarBoundary::sliding,
+                                    mechanics::FarBoundary::pressure};
 
 double plane_strain(double youngs_modulus, double poisson_ratio) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
@@ -86,20 +86,20 @@ constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
 // layers.
 TEST(LayeredCompliance, OfEqualLayersEqualsTheSlab) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
-    for (const mechanics::FarBoundary face : far_faces)
+    for (const mechanics::FarBoundary boundary : far_boundaries)
       for (const double x : reduced_wavevectors) {
         const double thickness = 0.7;
         const double q = x / thickness;
         const mechanics::ElasticBlock block =
-            cut_block(3.0, nu, thickness, face);
+            cut_block(3.0, nu, thickness, boundary);
 
         const double found = layered_compliance(q, block);
 
-        const Digits50 exact = 2 *
-                               slab_factor(Digits50(q) * thickness, face, nu) /
-                               (Digits50(block.contact_modulus) * q);
+        const Digits50 exact =
+            2 * slab_factor(Digits50(q) * thickness, boundary, nu) /
+            (Digits50(block.contact_modulus) * q);
         EXPECT_NEAR(static_cast<double>(found / exact), 1.0, 1e-14)
-            << nu << " " << static_cast<int>(face) << " " << x;
+            << nu << " " << static_cast<int>(boundary) << " " << x;
       }
 }
 
@@ -206,8 +206,9 @@ RandomStack any_stack() {
   stack.block.contact_modulus = std::pow(10.0, between(-2.0, 2.0));
   stack.block.poisson_ratio = between(-0.5, 0.499);
   stack.block.thickness = *rc::gen::inRange(0, 4) == 0 ? infinity : 1.2 * depth;
-  stack.block.far_boundary = *rc::gen::elementOf(
-      std::vector<mechanics::FarBoundary>(far_faces.begin(), far_faces.end()));
+  stack.block.far_boundary =
+      *rc::gen::elementOf(std::vector<mechanics::FarBoundary>(
+          far_boundaries.begin(), far_boundaries.end()));
   stack.wavevector = std::pow(10.0, between(-3.0, 4.0)) / depth;
   return stack;
 }
@@ -231,8 +232,8 @@ RC_GTEST_PROP(LayeredCompliance, DecreasesWithEveryModulusAndConstraint, ()) {
   }
   mechanics::ElasticBlock held = stack.block;
   last = 0.0;
-  for (const mechanics::FarBoundary face : far_faces) {
-    held.far_boundary = face;
+  for (const mechanics::FarBoundary boundary : far_boundaries) {
+    held.far_boundary = boundary;
     const double now = layered_compliance(stack.wavevector, held);
     RC_ASSERT(now >= last * (1.0 - 1e-11));
     last = now;

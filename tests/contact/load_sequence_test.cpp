@@ -71,14 +71,14 @@ TEST_F(Sequence, CoarseStartSavesFineIterations) {
 // augmentation, down to a millionth of the stiffness of the grid's waves.
 // Tolerance: each solution is accurate to `tolerance` in the gap.
 TEST_F(Sequence, AugmentsAnyPenalty) {
-  const double wall = cold(0.05).mean_gap;
+  const double hard = cold(0.05).mean_gap;
   for (const double penalty : {1e-6, 1.0, 1e15}) {
     LoadSequence program =
         sequence(mechanics::ContactLaw::augmented, penalty / grid.spacing_x());
     const ContactSolution found = program.solve({Kind::nominal_pressure, 0.05});
 
     ASSERT_TRUE(found.converged) << penalty << ": " << found.note;
-    EXPECT_NEAR(found.mean_gap, wall, 2.0 * tolerance) << penalty;
+    EXPECT_NEAR(found.mean_gap, hard, 2.0 * tolerance) << penalty;
   }
 }
 

@@ -104,10 +104,10 @@ TEST(StressInside, IsHubersFieldInAPlane) {
 TEST(StressInside, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-4;
-  for (const mechanics::FarBoundary face :
+  for (const mechanics::FarBoundary boundary :
        {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
         mechanics::FarBoundary::pressure}) {
-    const StressInside inside(grid, {modulus, 0.3, 0.3, face},
+    const StressInside inside(grid, {modulus, 0.3, 0.3, boundary},
                               oblique_wave(grid, 1, 2));
     for (const double z : {0.05, 0.2}) {
       const StressPlane here = inside.at_depth(z);
@@ -137,10 +137,10 @@ TEST(StressInside, StoresTheWorkDoneOnTheSurface) {
   const double youngs = modulus * (1.0 - nu * nu);
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.05, 0.3, 0.6})
-    for (const mechanics::FarBoundary face :
+    for (const mechanics::FarBoundary boundary :
          {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
           mechanics::FarBoundary::pressure}) {
-      const StressInside inside(grid, {modulus, nu, thickness, face},
+      const StressInside inside(grid, {modulus, nu, thickness, boundary},
                                 oblique_wave(grid, 1, 1));
       const int n = 400;
       double energy = 0.0;
@@ -160,9 +160,10 @@ TEST(StressInside, StoresTheWorkDoneOnTheSurface) {
         energy += weight * mean(density) * thickness / (3.0 * n);
       }
       const double compliance =
-          2.0 * slab_compliance_factor(q * thickness, face, nu) / (modulus * q);
+          2.0 * slab_compliance_factor(q * thickness, boundary, nu) /
+          (modulus * q);
       EXPECT_NEAR(energy / (0.25 * compliance), 1.0, 1e-7)
-          << thickness << " " << static_cast<int>(face);
+          << thickness << " " << static_cast<int>(boundary);
     }
 }
 

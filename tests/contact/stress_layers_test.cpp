@@ -21,9 +21,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array far_faces{mechanics::FarBoundary::clamped,
-                               mechanics::FarBoundary::sliding,
-                               mechanics::FarBoundary::pressure};
+constexpr std::array far_boundaries{mechanics::FarBoundary::clamped,
+                                    mechanics::FarBoundary::sliding,
+                                    mechanics::FarBoundary::pressure};
 constexpr std::array<mechanics::BondedLayer, 2> two_layers{
     {{0.02, 8.0, 0.2}, {0.08, 0.5, 0.45}}};
 
@@ -33,11 +33,11 @@ double plane_strain(double youngs_modulus, double poisson_ratio) {
 
 /// Two layers on a remainder of E = 2, nu = 0.3.
 mechanics::ElasticBlock layered_block(double thickness,
-                                      mechanics::FarBoundary face) {
+                                      mechanics::FarBoundary boundary) {
   return {plane_strain(2.0, 0.3),
           0.3,
           thickness,
-          face,
+          boundary,
           {two_layers.begin(), two_layers.end()}};
 }
 
@@ -81,9 +81,9 @@ TEST(StressInLayers, OfEqualModuliEqualsTheBlock) {
   const Grid grid{16, 24, 1.0, 1.3};
   const std::vector<double> pressure = patch(grid, 0.3);
   for (const double thickness : {0.1, 0.7, infinity})
-    for (const mechanics::FarBoundary face : far_faces) {
+    for (const mechanics::FarBoundary boundary : far_boundaries) {
       const mechanics::ElasticBlock plain{plane_strain(2.0, 0.35), 0.35,
-                                          thickness, face};
+                                          thickness, boundary};
       mechanics::ElasticBlock cut = plain;
       cut.layers = {{0.03, 2.0, 0.35}, {0.04, 2.0, 0.35}};
       const StressInside whole(grid, plain, pressure);
@@ -95,7 +95,7 @@ TEST(StressInLayers, OfEqualModuliEqualsTheBlock) {
           EXPECT_LT(largest_difference(whole.at_depth(depth),
                                        layers.at_depth(depth, side)),
                     2e-13)
-              << thickness << " " << static_cast<int>(face) << " " << depth;
+              << thickness << " " << static_cast<int>(boundary) << " " << depth;
 
       EXPECT_NEAR(layers.strongest().von_mises / whole.strongest().von_mises,
                   1.0, 1e-3); // of the search, which samples other planes
@@ -109,8 +109,9 @@ TEST(StressInLayers, OfEqualModuliEqualsTheBlock) {
 TEST(StressInLayers, IsInBalance) {
   const Grid grid{32, 32, 1.0, 1.0};
   const double h = 1e-5;
-  for (const mechanics::FarBoundary face : far_faces) {
-    const StressInside inside(grid, layered_block(0.3, face), wave(grid, 1, 2));
+  for (const mechanics::FarBoundary boundary : far_boundaries) {
+    const StressInside inside(grid, layered_block(0.3, boundary),
+                              wave(grid, 1, 2));
     for (const double z : {0.01, 0.05, 0.2}) {
       const StressPlane here = inside.at_depth(z);
       const StressPlane below = inside.at_depth(z + h);
@@ -198,8 +199,8 @@ TEST(StressInLayers, StoresTheWorkDoneOnTheSurface) {
   const Grid grid{16, 16, 1.0, 1.0};
   const double q = 2.0 * pi * std::sqrt(2.0);
   for (const double thickness : {0.15, 0.3})
-    for (const mechanics::FarBoundary face : far_faces) {
-      const mechanics::ElasticBlock block = layered_block(thickness, face);
+    for (const mechanics::FarBoundary boundary : far_boundaries) {
+      const mechanics::ElasticBlock block = layered_block(thickness, boundary);
       const StressInside inside(grid, block, wave(grid, 1, 1));
 
       const double energy = energy_of(inside, 0.0, 0.02, 8.0, 0.2) +
@@ -207,7 +208,7 @@ TEST(StressInLayers, StoresTheWorkDoneOnTheSurface) {
                             energy_of(inside, 0.1, thickness, 2.0, 0.3);
 
       EXPECT_NEAR(energy / (0.25 * layered_compliance(q, block)), 1.0, 1e-7)
-          << thickness << " " << static_cast<int>(face);
+          << thickness << " " << static_cast<int>(boundary);
     }
 }
 

@@ -66,7 +66,7 @@ void print_meshes() {
   BlockProblem problem = boxes;
   problem.linear_solver = LinearSolver::multigrid;
   print_curve("multigrid", problem, mechanics::ContactLaw::penalty);
-  print_curve("wall", problem, mechanics::ContactLaw::hard);
+  print_curve("hard", problem, mechanics::ContactLaw::hard);
   problem.top = mechanics::FarBoundary::pressure;
   problem.contact_at = mechanics::ContactPoints::gauss;
   problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));

@@ -27,12 +27,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A commensurate flat surface with every atom over one of the substrate's, out
 /// of range at 20 A: 3.9 A from column to column.
-struct FlatWall {
+struct FlatSurface {
   Grid grid = lattice(8, 31.2 * angstrom);
   std::vector<double> heights = std::vector<double>(64);
   Planes atoms = Planes(64);
 
-  FlatWall() { std::fill(atoms.z.begin(), atoms.z.end(), 20.0 * angstrom); }
+  FlatSurface() { std::fill(atoms.z.begin(), atoms.z.end(), 20.0 * angstrom); }
 
   Inspection inspect() const {
     return Interface(paper_atoms(), grid, grid, heights)
@@ -41,7 +41,7 @@ struct FlatWall {
 };
 
 TEST(Inspection, FindsNothingOutOfReach) {
-  const Inspection found = FlatWall().inspect();
+  const Inspection found = FlatSurface().inspect();
 
   EXPECT_EQ(found.below_substrate, 0);
   EXPECT_EQ(found.close_pairs, 0);
@@ -52,14 +52,14 @@ TEST(Inspection, FindsNothingOutOfReach) {
 // Each of four atoms is counted in its category; the height of an atom over its
 // partner is the shortest distance. Tolerance: eps of it, times 4.
 TEST(Inspection, CountsAnArtificialState) {
-  FlatWall wall;
-  wall.atoms.z[3] = 4.3 * angstrom;   // in contact
-  wall.atoms.z[20] = 4.4 * angstrom;  // not in contact
-  wall.atoms.z[21] = -1.5 * angstrom; // through the substrate: near one atom
-  wall.atoms.x[40] = 1.95 * angstrom; // halfway between two, near both
-  wall.atoms.z[40] = 0.9 * angstrom;
+  FlatSurface flat;
+  flat.atoms.z[3] = 4.3 * angstrom;   // in contact
+  flat.atoms.z[20] = 4.4 * angstrom;  // not in contact
+  flat.atoms.z[21] = -1.5 * angstrom; // through the substrate: near one atom
+  flat.atoms.x[40] = 1.95 * angstrom; // halfway between two, near both
+  flat.atoms.z[40] = 0.9 * angstrom;
 
-  const Inspection found = wall.inspect();
+  const Inspection found = flat.inspect();
 
   EXPECT_EQ(found.below_substrate, 1);
   EXPECT_EQ(found.close_pairs, 3);
@@ -68,10 +68,10 @@ TEST(Inspection, CountsAnArtificialState) {
 }
 
 TEST(Inspection, CountsAnAtomAtAnInfinitePositionAsThrough) {
-  FlatWall wall;
-  wall.atoms.y[5] = std::numeric_limits<double>::quiet_NaN();
+  FlatSurface flat;
+  flat.atoms.y[5] = std::numeric_limits<double>::quiet_NaN();
 
-  EXPECT_EQ(wall.inspect().below_substrate, 1);
+  EXPECT_EQ(flat.inspect().below_substrate, 1);
 }
 
 // The counts are those of a loop over all pairs; the number of threads changes

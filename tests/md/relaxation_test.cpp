@@ -35,7 +35,7 @@ Separate springs(std::size_t count) {
 
 /// A weight i + 1 against a repulsive force 12 x^-13: balance at
 /// (12/(i+1))^(1/13).
-Separate walls(std::size_t count) {
+Separate repulsive(std::size_t count) {
   return {count,
           [](std::size_t i, double x) {
             return std::pow(x, -12.0) + static_cast<double>(i + 1) * x;
@@ -88,7 +88,7 @@ TEST(Relax, TakesTheStepOfAnExactInverse) {
 // increases by 1e9 on the way, ends in balance. The curvature there is 156
 // x^-14 > 10.
 TEST(Relax, ConvergesAtASteepRepulsion) {
-  const Separate system = walls(20);
+  const Separate system = repulsive(20);
   RelaxationSettings settings = unit_settings();
   settings.largest_step = 0.3;
   settings.max_evaluations = 1000;
@@ -151,7 +151,7 @@ TEST(Relax, ReportsWhenNoStepDecreasesTheEnergy) {
 }
 
 TEST(Relax, ReportsAStartWithoutEnergy) {
-  const Separate system = walls(3);
+  const Separate system = repulsive(3);
   std::vector<double> state = system.undeformed(0.0);
 
   const Relaxation answer = relax(system, state, unit_settings());

@@ -17,7 +17,7 @@ class StressFigures : public ::testing::Test {
 protected:
   StressFigures() {
     const double modulus = synthetic::contact_modulus;
-    result.methods = {{"fem", "fem", "a whole block", {}},
+    result.methods = {{"fem", "fem", "a full block", {}},
                       {"halfspace", "halfspace", "a half-space", {}}};
     result.tables = {table("stress-inside-fem",
                            {{"nominal_pressure", {0.01 * modulus}},

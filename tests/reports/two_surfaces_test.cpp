@@ -19,17 +19,17 @@ class TwoSurfaces : public ::testing::Test {
 protected:
   TwoSurfaces() {
     result.methods.pop_back(); // theory alone
-    for (results::SurfaceRecord& face : result.surfaces)
-      measure(face);
+    for (results::SurfaceRecord& surface : result.surfaces)
+      measure(surface);
   }
 
-  // As in a run.
-  static void measure(results::SurfaceRecord& face) {
-    face.spectrum.clear();
+  // Measures the spectrum as a run does.
+  static void measure(results::SurfaceRecord& surface) {
+    surface.spectrum.clear();
     for (const auto& shell :
-         surfaces::spectral_shells({face.grid, face.heights}))
-      face.spectrum.push_back(
-          {shell.wavevector, surfaces::shell_density(shell, face.grid)});
+         surfaces::spectral_shells({surface.grid, surface.heights}))
+      surface.spectrum.push_back(
+          {shell.wavevector, surfaces::shell_density(shell, surface.grid)});
   }
 
   double ratio(const results::SurfaceRecord& sum) const {

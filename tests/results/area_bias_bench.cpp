@@ -70,7 +70,7 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
          int r, Samples& samples, Cost& cost) {
   const surfaces::Statistics size = surfaces::statistics(map);
   const Grid grid{waves * r, waves * r, 1.0, 1.0};
-  const mechanics::ContactInterface wall =
+  const mechanics::ContactInterface hard_contact =
       kernel.penalty > 0.0
           ? mechanics::ContactInterface{mechanics::ContactLaw::penalty,
                                         kernel.penalty / grid.spacing_x()}
@@ -80,7 +80,7 @@ void run(const Kernel& kernel, const surfaces::HeightMap& map, int surface,
   cost.set_up += processor_time() - start;
   contact::LoadSequence sequence(
       std::move(elasticity), every_nth(map.heights, grid.points_x, finest / r),
-      wall, 1e-8 * size.rms_height, 3000);
+      hard_contact, 1e-8 * size.rms_height, 3000);
   for (std::size_t load = 0; load < loads.size(); ++load) {
     start = processor_time();
     const contact::ContactSolution solution = sequence.solve(

@@ -52,7 +52,7 @@ TEST_F(ResultFile, HoldsALongCaseText) {
 
 TEST_F(ResultFile, ReadsBackEveryRowBitForBit) {
   ResultWriter writer(folder_, sample_case());
-  writer.begin_method("fem.hard", "fem", "Q1, a wall");
+  writer.begin_method("fem.hard", "fem", "Q1, hard contact");
   writer.begin_method("a-theory", "theory", "");
   CurvePoint with_gaps = sample_point(3);
   with_gaps.contact_perimeter = none;
@@ -66,7 +66,7 @@ TEST_F(ResultFile, ReadsBackEveryRowBitForBit) {
   ASSERT_EQ(result.methods.size(), 2U);
   EXPECT_EQ(result.methods[0].name, "fem.hard"); // not by the alphabet
   EXPECT_EQ(result.methods[0].kind, "fem");
-  EXPECT_EQ(result.methods[0].description, "Q1, a wall");
+  EXPECT_EQ(result.methods[0].description, "Q1, hard contact");
   EXPECT_TRUE(result.methods[1].realizations.empty());
   ASSERT_EQ(result.methods[0].realizations.size(), 2U);
   EXPECT_TRUE(result.methods[0].realizations[0].points.empty());

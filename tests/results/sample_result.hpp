@@ -64,7 +64,8 @@ inline CurvePoint sample_point(int step) {
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
-  point.note = step % 3 == 2 ? "gave up after " + std::to_string(step) : "";
+  point.note =
+      step % 3 == 2 ? "did not converge after " + std::to_string(step) : "";
   return point;
 }
 

@@ -12,19 +12,19 @@ namespace asperity::theory {
 namespace {
 
 // Times that are dense towards 0, as those of a spectrum are, up to tau = 1.
-MovingBoundary wall_of(int n_steps, auto distance, auto rate) {
-  MovingBoundary wall;
+MovingBoundary boundary_of(int n_steps, auto distance, auto rate) {
+  MovingBoundary boundary;
   for (int i = 0; i <= n_steps; ++i) {
     const double t = std::expm1(3.0 * i / n_steps) / std::expm1(3.0);
-    wall.time.push_back(t);
-    wall.distance.push_back(distance(t));
-    wall.rate.push_back(rate(t));
+    boundary.time.push_back(t);
+    boundary.distance.push_back(distance(t));
+    boundary.rate.push_back(rate(t));
   }
-  return wall;
+  return boundary;
 }
 
-double lost_at_end(const MovingBoundary& wall) {
-  return 1.0 - absorbed_flux(wall).survival.back();
+double lost_at_end(const MovingBoundary& boundary) {
+  return 1.0 - absorbed_flux(boundary).survival.back();
 }
 
 // A boundary at rest leaves P = erf(b/(2 sqrt tau)), by the method of images; f
@@ -33,11 +33,11 @@ double lost_at_end(const MovingBoundary& wall) {
 TEST(AbsorbedFlux, OfABoundaryAtRestIsTheMirrorImage) {
   const double distance = 0.8;
   const auto error = [&](int n) {
-    const MovingBoundary wall = wall_of(
+    const MovingBoundary boundary = boundary_of(
         n, [&](double) { return distance; }, [](double) { return 0.0; });
-    return lost_at_end(wall) - std::erfc(0.5 * distance);
+    return lost_at_end(boundary) - std::erfc(0.5 * distance);
   };
-  const Absorption coarse = absorbed_flux(wall_of(
+  const Absorption coarse = absorbed_flux(boundary_of(
       20, [&](double) { return distance; }, [](double) { return 0.0; }));
 
   EXPECT_NEAR(coarse.flux.back(),
@@ -58,14 +58,14 @@ TEST(AbsorbedFlux, OfABoundaryAtRestIsTheMirrorImage) {
 TEST(AbsorbedFlux, OfASteadyBoundaryIsTheInverseGaussian) {
   for (const double speed : {-0.5, 0.7, 3.0}) {
     const double distance = 1.0;
-    const MovingBoundary wall = wall_of(
+    const MovingBoundary boundary = boundary_of(
         400, [&](double t) { return distance + speed * t; },
         [&](double) { return speed; });
     const double expected = 0.5 * (std::erfc(0.5 * (distance + speed)) +
                                    std::exp(-speed * distance) *
                                        std::erfc(0.5 * (distance - speed)));
 
-    EXPECT_NEAR(lost_at_end(wall) / expected, 1.0, 2e-5) << speed;
+    EXPECT_NEAR(lost_at_end(boundary) / expected, 1.0, 2e-5) << speed;
   }
 }
 
@@ -79,7 +79,7 @@ TEST(AbsorbedFlux, OfASteadyBoundaryIsTheInverseGaussian) {
 // documented.
 TEST(AbsorbedFlux, OfDanielsBoundaryIsASumOfImages) {
   const double d = 1.0, k1 = 0.5, k2 = 0.2;
-  const auto wall_at = [&](double t) {
+  const auto boundary_at = [&](double t) {
     if (t == 0.0)
       return 0.5 * d;
     const double p = k1 * std::exp(-d * d / (4.0 * t));
@@ -90,13 +90,13 @@ TEST(AbsorbedFlux, OfDanielsBoundaryIsASumOfImages) {
   const auto rate_at = [&](double t) {
     const double step = 1e-4 * (t + 1e-3);
     const double low = t > step ? t - step : 0.0;
-    return (wall_at(t + step) - wall_at(low)) / (t + step - low);
+    return (boundary_at(t + step) - boundary_at(low)) / (t + step - low);
   };
-  const double b = wall_at(1.0);
+  const double b = boundary_at(1.0);
   const auto below = [](double x) { return 0.5 * std::erfc(-0.5 * x); };
   const double kept = below(b) - k1 * below(b - d) - k2 * below(b - 2.0 * d);
   const auto error = [&](int n) {
-    return 1.0 - lost_at_end(wall_of(n, wall_at, rate_at)) - kept;
+    return 1.0 - lost_at_end(boundary_of(n, boundary_at, rate_at)) - kept;
   };
 
   const double order = std::log2(error(100) / error(200));

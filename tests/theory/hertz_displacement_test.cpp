@@ -91,16 +91,16 @@ TEST(HertzDisplacement, IsHertzsAtTheSurface) {
       const double load = 2.0 / 3.0 * std::numbers::pi * a * a * peak *
                           (1.0 - std::pow(inside, 3));
 
-      const auto face = hertz_displacement_field(contact, r, 0.0, poisson);
+      const auto surface = hertz_displacement_field(contact, r, 0.0, poisson);
 
-      EXPECT_NEAR(face.axial / hertz_displacement(contact, r), 1.0,
+      EXPECT_NEAR(surface.axial / hertz_displacement(contact, r), 1.0,
                   (1.0 + ratio * ratio) * 1e-15);
       const double inwards =
           r > 0.0 ? (1.0 - 2.0 * poisson) * load /
                         (4.0 * std::numbers::pi * shear_modulus(poisson) * r)
                   : 0.0;
       const double rounding = r > 0.0 ? 1e-15 * (1.0 + 1.0 / ratio) : 0.0;
-      EXPECT_NEAR(face.radial / scale, -inwards / scale, rounding) << ratio;
+      EXPECT_NEAR(surface.radial / scale, -inwards / scale, rounding) << ratio;
     }
 }
 

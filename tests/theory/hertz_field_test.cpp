@@ -45,15 +45,15 @@ TEST(HertzStress, IsInBalance) {
 // tension that cracks glass. Tolerance: roundoff.
 TEST(HertzStress, SatisfiesTheSurfaceConditions) {
   for (const double r : {0.01, 0.5, 0.99, 1.0, 1.5, 4.0}) {
-    const AxisymmetricStress face = hertz_stress(contact, r * a, 0.0, 0.25);
+    const AxisymmetricStress surface = hertz_stress(contact, r * a, 0.0, 0.25);
 
-    EXPECT_NEAR(face.axial / peak, -hertz_pressure(contact, r * a) / peak,
+    EXPECT_NEAR(surface.axial / peak, -hertz_pressure(contact, r * a) / peak,
                 1e-7);
-    EXPECT_NEAR(face.shear / peak, 0.0, 1e-15);
+    EXPECT_NEAR(surface.shear / peak, 0.0, 1e-15);
     if (r >= 1.0) {
       const double tension = 0.5 / 3.0 / (r * r);
-      EXPECT_NEAR(face.radial / peak, tension, 1e-7) << r;
-      EXPECT_NEAR(face.hoop / peak, -tension, 1e-7) << r;
+      EXPECT_NEAR(surface.radial / peak, tension, 1e-7) << r;
+      EXPECT_NEAR(surface.hoop / peak, -tension, 1e-7) << r;
     }
   }
 }
