@@ -105,12 +105,13 @@ private:
 
   /// The CPU time decides, so that a busy machine does not fail an instance.
   bool is_overdue(const Worker& worker) const {
-    constexpr double patience = 10.0; // a waiting process uses no CPU time
+    constexpr double wall_time_factor =
+        10.0; // a waiting process uses no CPU time
     const double waited =
         std::chrono::duration<double>(Clock::now() - worker.since).count();
     return worker.child->cpu_time() - worker.seconds_before >
                settings_.instance_seconds ||
-           waited > patience * settings_.instance_seconds;
+           waited > wall_time_factor * settings_.instance_seconds;
   }
 
   void read_from(Worker& worker) {

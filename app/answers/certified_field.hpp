@@ -12,9 +12,9 @@
 
 namespace asperity::app {
 
-/// Something that was stated about a field, and whether the field bears it out.
+/// A statement about a field, and whether it is true.
 struct Claim {
-  std::string text; ///< whole sentence with the numbers
+  std::string text; ///< sentence with the numbers
   bool holds = true;
 };
 

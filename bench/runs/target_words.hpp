@@ -9,8 +9,8 @@
 
 namespace asperity::app {
 
-/// Prints one line per quantity: "promised 1 %, predicted 0.4 %, found 0.7 %:
-/// kept".
+/// Prints one line per quantity: "target 1 %, predicted 0.4 %, found 0.7 %:
+/// met".
 void print_outcome(const reports::TargetOutcome& outcome);
 
 /// Returns the same for the provenance of a result, including the earlier

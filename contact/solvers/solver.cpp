@@ -17,7 +17,7 @@ namespace {
 /// active-set method takes over. Only plates thinner than length/20 with a
 /// traction-free far boundary, whose compliance falls like q^-4, have been
 /// observed to need more than 60.
-constexpr int patience = 150;
+constexpr int stagnation_iterations = 150;
 
 /// Fraction of a residual that the next ring of nodes takes over, see
 /// BoundaryExtension.
@@ -35,7 +35,7 @@ public:
       best_ = error;
       since_ = iteration;
     }
-    return iteration - since_ > patience;
+    return iteration - since_ > stagnation_iterations;
   }
 
 private:

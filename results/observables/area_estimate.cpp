@@ -15,7 +15,7 @@ namespace {
 
 /// Sums of (A.3) and (A.5) over the pairs of neighbours of which one is in
 /// contact.
-struct Rim {
+struct BoundaryPairs {
   double excess = 0.0; ///< sum of t - 1/2
   std::size_t pairs = 0;
 };
@@ -36,8 +36,8 @@ public:
         pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; }));
   }
 
-  /// Calls visit(node, right, above, across) with the corners of every square of
-  /// neighbours. Squares cross the border, beyond which a node is `beyond`
+  /// Calls visit(node, right, above, across) with the corners of every square
+  /// of neighbours. Squares cross the border, beyond which a node is `beyond`
   /// unless the map is periodic.
   template <class Visit>
   void for_each_square(Visit visit) const {
@@ -47,24 +47,25 @@ public:
         visit(at(ix, iy), at(ix + 1, iy), at(ix, iy + 1), at(ix + 1, iy + 1));
   }
 
-  Rim rim(std::span<const double> gap, double contact_modulus) const {
-    Rim rim;
+  BoundaryPairs boundary(std::span<const double> gap,
+                         double contact_modulus) const {
+    BoundaryPairs boundary;
     const auto add = [&](std::size_t a, std::size_t b, double spacing) {
       if (holds(a) == holds(b) || a == beyond || b == beyond)
         return;
       const std::size_t inside = holds(a) ? a : b;
       const std::size_t outside = holds(a) ? b : a;
-      rim.excess += boundary_share(pressure_[inside], gap[outside], spacing,
-                                   contact_modulus) -
-                    0.5;
-      ++rim.pairs;
+      boundary.excess += boundary_share(pressure_[inside], gap[outside],
+                                        spacing, contact_modulus) -
+                         0.5;
+      ++boundary.pairs;
     };
     for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
                         std::size_t) {
       add(node, right, grid_.spacing_x());
       add(node, above, grid_.spacing_y());
     });
-    return rim;
+    return boundary;
   }
 
 private:
@@ -86,8 +87,9 @@ private:
 };
 
 /// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
-double line_share(const Contact& contact, const Rim& rim, double n) {
-  return (static_cast<double>(contact.n_nodes()) + 0.5 * rim.excess) / n;
+double line_share(const Contact& contact, const BoundaryPairs& boundary,
+                  double n) {
+  return (static_cast<double>(contact.n_nodes()) + 0.5 * boundary.excess) / n;
 }
 
 } // namespace
@@ -117,8 +119,9 @@ double line_area_fraction(const Grid& grid, std::span<const double> pressure,
                           Border border) {
   const Contact contact(grid, pressure, border);
   require_size("gap", gap.size(), grid.size());
-  const double share = line_share(contact, contact.rim(gap, contact_modulus),
-                                  static_cast<double>(grid.size()));
+  const double share =
+      line_share(contact, contact.boundary(gap, contact_modulus),
+                 static_cast<double>(grid.size()));
   return std::clamp(share, 0.0, 1.0);
 }
 
@@ -148,19 +151,17 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
           std::lerp(measured[i].euler, measured[i + 1].euler, share)};
 }
 
-Observed corrected_area_fraction(const Grid& grid,
-                                 std::span<const double> pressure,
-                                 std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients,
-                                 Border border) {
+Observed
+corrected_area_fraction(const Grid& grid, std::span<const double> pressure,
+                        std::span<const double> gap, double contact_modulus,
+                        const AreaCoefficients& coefficients, Border border) {
   const Contact contact(grid, pressure, border);
   require_size("gap", gap.size(), grid.size());
   const auto n = static_cast<double>(grid.size());
-  const Rim rim = contact.rim(gap, contact_modulus);
+  const BoundaryPairs boundary = contact.boundary(gap, contact_modulus);
   const double share =
-      line_share(contact, rim, n) -
-      coefficients.perimeter * static_cast<double>(rim.pairs) / n +
+      line_share(contact, boundary, n) -
+      coefficients.perimeter * static_cast<double>(boundary.pairs) / n +
       coefficients.euler * euler_characteristic(grid, pressure, border) / n;
   const double counted = static_cast<double>(contact.n_nodes()) / n;
   if (share < least_corrected_share * counted)

@@ -160,8 +160,8 @@ double MaugisSphere::pressure(const AdhesiveContact& contact,
       2.0 * sphere_.contact_modulus * root / (pi * sphere_.sphere_radius);
   // arccos[(2a^2 - c^2 - r^2)/(c^2 - r^2)] = 2 atan sqrt[(c^2 - a^2)/(a^2 -
   // r^2)], without cancellation
-  const double rim = std::sqrt((c - a) * (c + a));
-  return hertz - 2.0 / pi * adhesive_stress_ * std::atan2(rim, root);
+  const double annulus = std::sqrt((c - a) * (c + a));
+  return hertz - 2.0 / pi * adhesive_stress_ * std::atan2(annulus, root);
 }
 
 double MaugisSphere::weakest_radius() const {
