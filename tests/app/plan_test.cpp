@@ -74,7 +74,7 @@ const Skipped* find(const std::vector<Skipped>& list, const std::string& what) {
   return found == list.end() ? nullptr : &*found;
 }
 
-TEST_F(PlannedRun, CountsWhatTheCaseAsksFor) {
+TEST_F(PlannedRun, CountsWhatTheCaseRequests) {
   const Plan planned = plan();
 
   ASSERT_EQ(planned.methods.size(), 3u);
@@ -141,7 +141,7 @@ TEST_F(PlannedRun, HasATimeForEveryPart) {
     EXPECT_GT(method.step_time, 0.0) << method.name;
 }
 
-TEST_F(PlannedRun, KnowsWhatTheCacheHas) {
+TEST_F(PlannedRun, CountsWhatTheCacheHas) {
   run_case(read(), {folder / "out", {"halfspace"}, false, 1, "", &cache});
 
   const Plan planned = plan();

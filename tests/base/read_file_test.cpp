@@ -85,7 +85,7 @@ TEST_F(ReadFile, RefusesWhatIsNoRegularFile) {
   ::close(socket);
 }
 
-TEST_F(ReadFile, SaysWhyTheSystemRefuses) {
+TEST_F(ReadFile, StatesWhyTheSystemRefuses) {
   fs::create_symlink("circle", folder_ / "circle");
 
   EXPECT_EQ(complaint(folder_ / "circle"),

@@ -139,7 +139,7 @@ TEST_F(BaseCase, NamesTheFileAMistakeIsIn) {
             "[1]\n");
 }
 
-TEST_F(BaseCase, SaysWhatABaseMustBe) {
+TEST_F(BaseCase, StatesWhatABaseMustBe) {
   write("lost.toml", "base = \"nowhere.toml\"\n");
   write("second.toml", "title = \"A\"\nbase = \"block.toml\"\n");
   write("number.toml", "base = 3\n");

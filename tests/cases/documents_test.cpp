@@ -53,7 +53,7 @@ TEST(JsonSchema, HasEveryKeyOfTheVocabulary) {
   }
 }
 
-TEST(JsonSchema, SaysRangesWordsAndDefaults) {
+TEST(JsonSchema, StatesRangesWordsAndDefaults) {
   const nlohmann::json fem = properties_of("fem");
 
   EXPECT_EQ(schema().at("$schema"),

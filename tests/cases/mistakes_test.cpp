@@ -65,7 +65,7 @@ TEST(Mistakes, NameTheMissingTables) {
             "  case.toml:1: the table [load] is missing\n");
 }
 
-TEST(Mistakes, SayTheTableAKeyBelongsTo) {
+TEST(Mistakes, NameTheTableOfAKey) {
   EXPECT_EQ(mistakes_in({"fem.gamma=0.4"}),
             "  --set: fem.gamma is not a key of this table; it belongs to "
             "[theory]\n");
@@ -78,7 +78,7 @@ TEST(Mistakes, OfAnInheritedKeyAreSaidOnce) {
 
 // One override and one message for every kind of mistake in a case with a rough
 // surface.
-TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
+TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
   const std::vector<std::pair<std::string, std::string>> answers = {
       {"surface.seed=-1", "surface.seed = -1, but must be a whole number >= 0"},
       {"surface.points=12.5",
@@ -155,7 +155,7 @@ TEST(Mistakes, SayWhatIsFoundAndWhatIsAllowed) {
   }
 }
 
-TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
+TEST(Mistakes, NameTheMistakeOfAnExpectation) {
   const std::vector<std::pair<std::string, std::string>> answers = {
       {"expect.gama_slope={ below = 1 }",
        "expect.gama_slope is not a key of this table; nearest: gamma_slope"},
@@ -190,7 +190,7 @@ TEST(Mistakes, SayWhatIsWrongWithAnExpectation) {
     EXPECT_EQ(mistakes_in({entry}), "  --set: " + answer + "\n") << entry;
 }
 
-TEST(Mistakes, SayThatAnExpectationNeedsTheTheory) {
+TEST(Mistakes, StateThatAnExpectationNeedsTheTheory) {
   const std::string mistakes =
       mistakes_in({"theory=", "expect=", "expect.area_excess={ below = 1 }"});
 
@@ -198,7 +198,7 @@ TEST(Mistakes, SayThatAnExpectationNeedsTheTheory) {
                       "theory, but the table [theory] is missing\n");
 }
 
-TEST(Mistakes, SayThatTheWavevectorsAreOutOfOrder) {
+TEST(Mistakes, StateThatTheWavevectorsAreOutOfOrder) {
   EXPECT_EQ(mistakes_in({"surface.wavelength_roll_off=6 um"}),
             "  case.toml:3: surface has its wavevectors in the wrong order: "
             "q_L = 1.25664e+06 1/m, but must not exceed q_0 = 1.0472e+06 "
@@ -214,7 +214,7 @@ TEST(Mistakes, RefuseASecondBodyBesideThePairsModulus) {
       "material.contact_modulus, which is that of both bodies together\n");
 }
 
-TEST(Mistakes, AskForPoissonsRatioOnlyWhereItCounts) {
+TEST(Mistakes, RequirePoissonsRatioOnlyWhereItMatters) {
   const std::vector<std::string> modulus_alone = {
       "material.youngs_modulus=", "material.poisson_ratio=",
       "material.contact_modulus=1e9"};

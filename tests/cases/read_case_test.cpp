@@ -218,7 +218,7 @@ TEST(ReadCase, TakesABandForEachMethod) {
 }
 
 // A theory with the spectrum of a formula builds no surface and needs no grid.
-TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
+TEST(ReadCase, NeedsNoGridForATheoryFromAFormula) {
   const Case read =
       rough({"fem=", "halfspace=", "expect=", "surface.length=",
              "surface.points=", "surface.seed=", "surface.wavelength_long=5 um",
@@ -230,7 +230,7 @@ TEST(ReadCase, AsksATheoryFromAFormulaForNoGrid) {
 }
 
 // A theory with the spectrum of the surface builds it and needs its grid.
-TEST(ReadCase, AsksATheoryOfTheSurfaceForItsGrid) {
+TEST(ReadCase, NeedsTheGridForATheoryOfTheSurface) {
   const std::vector<std::string> theory_alone = {
       "fem=",          "halfspace=",      "expect=",
       "surface.seed=", "surface.points=", "surface.wavelength_short=80 nm"};
@@ -276,7 +276,7 @@ TEST(ReadCase, RoundTripsThroughItsText) {
   EXPECT_NE(case_hash(third), case_hash(first));
 }
 
-TEST(ReadCase, SaysThatAFileIsNotThere) {
+TEST(ReadCase, ReportsAMissingFile) {
   const auto mistakes_in = [](const std::string& path,
                               const std::vector<std::string>& overrides) {
     try {

@@ -54,7 +54,7 @@ TEST(Reference, ReadsTheOptionalColumns) {
   EXPECT_NE(mistakes_of("quantity,value,unit,uncertainty,source,input\n"), "");
 }
 
-TEST(Reference, SaysEveryMistakeWithItsLine) {
+TEST(Reference, NamesEveryMistakeWithItsLine) {
   EXPECT_EQ(mistakes_of(head + "a,x,1,0,s\nb,1,1,-1,s\nc,1\nd,1,,0,\n"
                                "e,1,1,0,\"s\n"),
             "  reference.csv:2: value = x, but must be a number\n"
@@ -70,7 +70,7 @@ TEST(Reference, SaysEveryMistakeWithItsLine) {
 }
 
 // A name with '@' is a quantity at a load or a mistake; any other is free.
-TEST(Reference, KnowsQuantitiesAtALoad) {
+TEST(Reference, ReadsQuantitiesAtALoad) {
   const auto values = read_reference_text(
       head + "area_fraction@p=0.0129 E*,0.1089,1,0,s\nmine,1,1,0,s\n", "r");
 
@@ -81,7 +81,7 @@ TEST(Reference, KnowsQuantitiesAtALoad) {
 }
 
 // A sixth field is there for all lines or for none; it may be empty.
-TEST(Reference, MaySayWhyANumberCannotFollow) {
+TEST(Reference, MayStateWhyANumberCannotFollow) {
   const std::string with_why = "quantity,value,unit,uncertainty,source,why\n";
 
   const auto values = read_reference_text(

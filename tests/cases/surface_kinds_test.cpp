@@ -67,7 +67,7 @@ TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
       "belongs to self-affine, spectrum\n");
 }
 
-TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
+TEST(SurfaceKinds, RequireTheSizeOfAPlainMapOnly) {
   const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
                           "level = \"none\"\nedges = \"periodic\"\n";
 
@@ -84,7 +84,7 @@ TEST(SurfaceKinds, AskAPlainMapForItsSizeAndAGwyddionMapForNone) {
       "remove this key\n");
 }
 
-TEST(SurfaceKinds, AskAMapForItsLevelling) {
+TEST(SurfaceKinds, RequireTheLevellingOfAMap) {
   EXPECT_EQ(mistakes_of(shape_case("kind = \"measured\"\nfile = \"m\"\n")),
             "  case.toml:2: surface.level is missing: none | plane | bow | "
             "sphere | cylinder\n");

@@ -107,7 +107,7 @@ TEST_F(Sweep, RefusesAKeyWithoutATable) {
   expect_mistake("\"sweep.combine\" = [1]\n", {"not a key of the case"});
 }
 
-TEST_F(Sweep, RefusesWhatIsNoListOfValues) {
+TEST_F(Sweep, RefusesWhatIsNotAListOfValues) {
   expect_mistake("surface.hurst = 0.5\n",
                  {"rough.toml:", "surface.hurst = 0.5", "a list of values"});
   expect_mistake("surface.hurst = []\n",

@@ -96,7 +96,7 @@ TEST(TomlLimits, LeaveStringsAndCommentsAlone) {
 }
 
 // A list of two thousand loads and tables of depth 32 are valid.
-TEST(TomlLimits, AllowLargeFilesOfAPerson) {
+TEST(TomlLimits, AllowLargeOrdinaryFiles) {
   EXPECT_EQ(error_of("a = [" + repeated("1.5e-3, ", 2000) + "]"), "accepted");
   EXPECT_EQ(error_of("a = " + repeated("{ a = ", 32) + "1" + repeated("}", 32)),
             "accepted");

@@ -57,7 +57,7 @@ TEST(TomlText, KeepsTheOrderOfTheFile) {
   EXPECT_EQ(file.entries[2].key, "a");
 }
 
-TEST(TomlText, NamesTheLineThatIsNoToml) {
+TEST(TomlText, NamesTheLineThatIsNotToml) {
   EXPECT_EQ(error_of("schema = 1\nlength = 10 um\n"),
             "1 mistake(s) in the case file\n"
             "  case.toml:2: is not TOML: invalid line format (expected "
@@ -104,7 +104,7 @@ TEST(Overrides, AreNamedInTheirMistakes) {
   EXPECT_EQ(file.find("fem")->find("depth")->find("a")->path, "fem.depth.a");
 }
 
-TEST(Overrides, RefuseWhatIsNoKeyAndValue) {
+TEST(Overrides, RefuseInvalidOverrides) {
   const std::string head = "1 mistake(s) in the case file\n  --set: ";
 
   EXPECT_EQ(with_override("", "gamma").mistakes,

@@ -82,7 +82,7 @@ TEST(Units, KeepTheProblemsOwnReferenceUnits) {
   EXPECT_EQ(gap.quantity->reference, mechanics::ReferenceUnit::rms_height);
 }
 
-TEST(Units, SayWhatIsWrongAndWhatIsAllowed) {
+TEST(Units, StateTheMistakeAndWhatIsAllowed) {
   const std::string allowed = "m, mm, um, nm, angstrom, length, h";
 
   EXPECT_EQ(length_from("14 nn").mistake,

@@ -225,7 +225,7 @@ std::string outcome_of(const Instance& instance) {
   }
 }
 
-TEST(HostileInstances, AreVerifiedOrSayWhyNot) {
+TEST(HostileInstances, AreVerifiedOrStateTheReason) {
   const char* const requested = std::getenv("ASPERITY_INSTANCES");
   const unsigned n_instances =
       requested ? static_cast<unsigned>(std::atoi(requested)) : 3000;

@@ -144,7 +144,7 @@ TEST(LayeredCompliance, OfACoatingHasItsClosedForm) {
 // substrate. Tolerances: the coating's lower boundary changes the former by x^2
 // exp(-2x) = 1e-11; the coating changes the latter by x times the ratio of the
 // moduli.
-TEST(LayeredCompliance, GoesFromTheSubstrateToTheCoating) {
+TEST(LayeredCompliance, TendsToTheSubstrateAndToTheCoating) {
   const mechanics::ElasticBlock block =
       coated_halfspace(20e9, 0.2, 2e9, 0.4, 1e-6);
 

@@ -111,7 +111,7 @@ TEST_F(Sequence, FollowsAGapHistory) {
 // Steps under gap control start from one another. A step under the other
 // control does not, since an amount in Pa cannot be extrapolated from amounts
 // in m: it equals that of a new sequence, bit for bit.
-TEST_F(Sequence, StartsAnewWhenTheControlChanges) {
+TEST_F(Sequence, RestartsWhenTheControlChanges) {
   LoadSequence program = sequence(mechanics::ContactLaw::hard);
   int warm_iterations = 0;
   int cold_iterations = 0;

@@ -61,7 +61,7 @@ TEST(NodeBits, HoldTheFlags) {
   }
 }
 
-TEST(NodeBits, KnowThePeriodicNeighbours) {
+TEST(NodeBits, HaveThePeriodicNeighbours) {
   for (const Grid& grid : grids()) {
     const std::vector<std::uint8_t> flags = flags_on(grid);
 

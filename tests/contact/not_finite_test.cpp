@@ -106,7 +106,7 @@ TEST_F(FaultyContact, NoSolverConvergesOnANumberThatIsNotFinite) {
 
 // Verifies that a fault in one load step, also on the coarse grid of its
 // initial guess, has no effect on the next one.
-TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
+TEST_F(FaultyContact, ALoadSequenceContinuesAfterAFault) {
   grid = {64, 64, 1.0, 1.0};
   heights = problems::rough_heights(grid, {});
   tolerance = 1e-9 * problems::rms(heights);
@@ -130,7 +130,7 @@ TEST_F(FaultyContact, ALoadSequenceGoesOnAfterAFault) {
 }
 
 // A step so long that it leaves no node in contact to carry the load.
-TEST_F(FaultyContact, AStepThatCutsEveryPressureIsNoSolution) {
+TEST_F(FaultyContact, AStepWithoutContactIsNotASolution) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
   const mechanics::LoadTarget target{Kind::nominal_pressure, 0.05};
   ContactState state(exact, problem, target, {});
@@ -187,7 +187,7 @@ TEST_F(FaultyContact, ASavedStateThatIsNotFiniteIsRefused) {
 
 // Verifies that the check used by all contact tests rejects solutions with a
 // number that is not finite and fields of another size.
-TEST_F(FaultyContact, TheCheckItselfSeesEachFault) {
+TEST_F(FaultyContact, TheCheckItselfDetectsEachFault) {
   const ContactProblem problem{heights, 0.0, tolerance, 500};
   const ContactSolution good =
       solve_contact(exact, problem, {Kind::nominal_pressure, 0.05});

@@ -202,7 +202,7 @@ TEST_F(RoughSurface, NothingDependsOnUnits) {
   EXPECT_NEAR(other.mean_gap / length, one.mean_gap, 1e-15);
 }
 
-TEST_F(RoughSurface, SaysWhenItDidNotConverge) {
+TEST_F(RoughSurface, ReportsNonConvergence) {
   ContactProblem hurried = problem();
   hurried.max_iterations = 3;
 

@@ -55,7 +55,7 @@ std::vector<double> hertz_map(const Grid& grid,
 // 4.2). Tolerance: a sixteenth of a spacing in the radius, and the periodic
 // images, whose pressure adds p_0 pi (2/3) a^2/L^2 = 1.5 % of p_0, mostly as a
 // hydrostatic pressure.
-TEST(StressInside, IsStrongestWhereHertzSays) {
+TEST(StressInside, HasItsMaximumWhereHertzHasIt) {
   const theory::HertzContact contact = theory::hertz_contact(2.0, 5e-3, 70e9);
   const double a = contact.contact_radius;
   const Grid grid{192, 192, 12.0 * a, 12.0 * a};

@@ -140,7 +140,7 @@ TEST_F(SubmissionFolder, NamesEveryMistake) {
 }
 
 // Each kind of file is read, and others are refused.
-TEST_F(SubmissionFolder, ReadsTextAndRefusesWhatIsNoField) {
+TEST_F(SubmissionFolder, ReadsTextAndRefusesInvalidFields) {
   const auto with_file = [&](const std::string& name) {
     return head + "[[load]]\nnominal_pressure = 2e6\npressure = \"" + name +
            "\"\n";

@@ -32,7 +32,7 @@ protected:
 // interface it is that of the material nearer to the contact surface.
 // Tolerance: roundoff of u times the derivative, and of the position in the
 // cell, 1e-16 times some 1e3.
-TEST_P(SectionOfBentBlock, IsTheStressWhateverTheCells) {
+TEST_P(SectionOfBentBlock, IsTheStressForAnyCells) {
   SectionPlane plane;
   plane.x = {0.9e-6, 0.0, 0.37e-6, 0.5e-6, depth_, 0.123e-6};
   plane.depth = {0.77e-6, 0.0, 0.11e-6, 0.25e-6, interface_, 0.51e-6, depth_};

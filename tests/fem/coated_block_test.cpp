@@ -73,7 +73,7 @@ double rms(const std::vector<double>& heights) {
 // hundred times as much is allowed. Without the augmented-Lagrangian method as
 // fallback, the second step ends after its 200 iterations with an overlap of
 // tenths of h_rms.
-TEST(CoatedBlock, IsSolvedOnAWallWhereTheActiveSetCycles) {
+TEST(CoatedBlock, IsSolvedInHardContactWhereTheActiveSetCycles) {
   const LayeredBlock block = coated_block();
   const std::vector<double> heights = rough_heights(1);
   const double scale = rms(heights);

@@ -163,7 +163,7 @@ Physical Volume("hard") = {1};
 
 // A block that is not a box cannot be periodic, nor can a box whose sides
 // differ.
-TEST(ReadMeshFileRefuses, PeriodicSidesThatDontMatch) {
+TEST(ReadMeshFileRefuses, PeriodicSidesThatDoNotMatch) {
   expect_answer({}, "a periodic block needs the face", BlockSides::periodic);
   EXPECT_NE(answer_to_text(".geo", R"(
 SetFactory("OpenCASCADE");

@@ -202,7 +202,7 @@ TEST(RequireValid, NamesUnsupportedPieces) {
                 BlockSides::free);
 }
 
-TEST(RequireValid, NamesPeriodicFacesThatDontMatch) {
+TEST(RequireValid, NamesPeriodicSidesThatDoNotMatch) {
   BlockMesh moved = cube();
   moved.vertices[11][2] = 1.2e-9; // (2, 0, 1): of right and of front
   BlockMesh finer = cube();

@@ -260,7 +260,7 @@ TEST_F(Exploring, HidesCurvesChangesAxesAndZooms) {
 
 // The range of an axis without a given range contains the intervals of its
 // points.
-TEST_F(Exploring, ShowsWholeIntervals) {
+TEST_F(Exploring, ShowsEntireIntervals) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const {panel, "
       "points} = part; Object.assign(panel.y, {low: undefined, high: "

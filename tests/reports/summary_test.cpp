@@ -142,7 +142,7 @@ TEST_F(RoughSummary, MeasuresAMethodInItsOwnSurface) {
   EXPECT_NEAR(ratio("penetration"), 2.0, 1e-12);
 }
 
-TEST_F(RoughSummary, SaysWhyThereIsNoGammaWithoutHeights) {
+TEST_F(RoughSummary, StatesWhyThereIsNoGammaWithoutHeights) {
   results::Result bare = result;
   for (results::SurfaceRecord& surface : bare.surfaces)
     surface.heights.clear();

@@ -255,7 +255,7 @@ TEST(BuildSurface, NamesTheInvalidKey) {
   EXPECT_THROW(formula_spectrum(surface), std::domain_error);
 }
 
-TEST(BuildSurface, SaysThatATableReachesBeyondTheGrid) {
+TEST(BuildSurface, ReportsATableBeyondTheGrid) {
   const SurfaceSpec surface =
       with_file(SurfaceKind::spectrum, "fine.csv", "1e6 1e-30\n1e9 1e-40\n");
 

@@ -72,7 +72,7 @@ TEST(MapFile, ReadsAPlainMatrixWithTheUnitsOfTheCase) {
   EXPECT_NEAR(map.heights[5], 6e-9, 1e-23);
 }
 
-TEST(MapFile, ReadsAGwyddionFileAsPlainWhenTold) {
+TEST(MapFile, ReadsAGwyddionFileAsPlainOnRequest) {
   const HeightMap map = read(gwyddion, {3.0, 1.0}, MapFormat::plain);
 
   EXPECT_EQ(map.grid.length_x, 3.0);
@@ -110,7 +110,7 @@ std::string message_of(const std::string& text, const MapScale& scale = {},
   return "accepted";
 }
 
-TEST(MapFile, SaysWhichLineIsNotAMatrix) {
+TEST(MapFile, NamesTheLineThatIsNotAMatrix) {
   const MapScale scale{1.0, 1.0};
 
   EXPECT_EQ(message_of("1 2\n3 x4\n", scale),

@@ -96,7 +96,7 @@ TEST(SdfScan, ReadsEveryBinaryTypeWithMissingPoints) {
   EXPECT_NEAR(counts.map.heights[5], 65535e-9, 1e-18);
 }
 
-TEST(SdfScan, SaysWhatIsWrong) {
+TEST(SdfScan, NamesTheMistake) {
   EXPECT_EQ(sdf_refusal(text_header + "1 2 3 4 5\n*\n"),
             "map.sdf: has 5 numbers, but the header says 6");
   EXPECT_EQ(sdf_refusal(text_header + "1 2 3\n4 5 6 7\n*\n"),

@@ -72,7 +72,7 @@ std::string message_of(const std::string& text) {
   return "accepted";
 }
 
-TEST(TabulatedSpectrumReader, SaysWhatIsWrongAndWhere) {
+TEST(TabulatedSpectrumReader, NamesTheMistakeAndItsPlace) {
   EXPECT_EQ(message_of("# only words\n"), "polymer.csv: contains no numbers");
   EXPECT_EQ(message_of("1 2 3\n4 5 6\n"),
             "polymer.csv:1: 3 columns, but must be 2: q [1/m] and C [m^4]");
@@ -94,7 +94,7 @@ TEST(TabulatedSpectrumReader, SaysWhatIsWrongAndWhere) {
             "polymer.csv:1: one row, but a spectrum must have at least two");
 }
 
-TEST(TabulatedSpectrumReader, SaysThatAFileIsMissing) {
+TEST(TabulatedSpectrumReader, ReportsAMissingFile) {
   try {
     read_tabulated_spectrum("no/such/spectrum.csv");
     FAIL() << "a missing file was accepted";

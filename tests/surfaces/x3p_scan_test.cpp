@@ -144,7 +144,7 @@ TEST(X3pScan, ComparesTheChecksums) {
             std::string::npos);
 }
 
-TEST(X3pScan, SaysWhatIsWrong) {
+TEST(X3pScan, NamesTheMistake) {
   const std::string data = numbers_as_bytes(six);
   X3pText document;
   EXPECT_EQ(x3p_refusal(document, data.substr(1)),
