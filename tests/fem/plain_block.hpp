@@ -27,8 +27,7 @@ namespace asperity::fem {
 /// nothing.
 class PlainBlock {
 public:
-  /// @param grid   nodes of the contact surface: cells are `degree` spacings
-  /// wide
+  /// @param grid   nodes of the surface; cells are `degree` spacings wide
   /// @param degree 1 or 2: FE_Q(degree) with QGauss(degree + 1)
   /// @throws std::domain_error  the grid or the block is outside its range
   PlainBlock(const Grid& grid, int degree, const LayeredBlock& block);

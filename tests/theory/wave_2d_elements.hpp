@@ -110,8 +110,8 @@ private:
     }
   }
 
-  /// int 1/r over the rectangle between two corners relative to the origin (A.
-  /// E. H. Love, Phil. Trans. R. Soc. A 228, 377 (1929)).
+  /// int 1/r over the rectangle between two corners relative to the origin
+  /// (A. E. H. Love, Phil. Trans. R. Soc. A 228, 377 (1929)).
   static double rectangle(double x0, double x1, double y0, double y1) {
     const auto corner = [](double x, double y) {
       const double r = std::hypot(x, y);
