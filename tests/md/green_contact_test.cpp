@@ -300,6 +300,9 @@ TEST(GreenContact, RefusesOtherSettings) {
   EXPECT_THROW(make_atomic_contact(rough_request())
                    ->solve(Control::nominal_pressure, 0.0, 0),
                std::domain_error);
+  request = rough_request();
+  request.settings.depth = {0.0, mechanics::ReferenceUnit::length};
+  EXPECT_THROW(make_atomic_contact(request), std::domain_error);
 }
 
 } // namespace
