@@ -144,6 +144,22 @@ TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   EXPECT_TRUE(pressure_distribution_figures(made).empty());
 }
 
+// Claim: the browser's maps are named by their load and are in units of E* h'
+// and h_rms. The factors are typed here.
+TEST_F(Distributions, HaveTheirLoadAndTheirUnitsInTheBrowser) {
+  const double modulus = synthetic::contact_modulus;
+  fields.nominal_pressure = 0.02 * modulus;
+  fields.pressure[5] = 3.0 * modulus * result.surfaces[0].rms_slope;
+  fields.gap[7] = 2.0 * result.surfaces[0].rms_height;
+
+  const std::vector<Figure> figures = map_figures(entry());
+
+  const MapFrame frame = figures.at(0).stack.value().frames.at(0);
+  EXPECT_EQ(frame.title, "p / E* = 0.02");
+  EXPECT_NEAR(frame.maps.at(0).high, 3.0, 1e-12);
+  EXPECT_NEAR(frame.maps.at(1).high, 2.0, 1e-12);
+}
+
 TEST_F(Distributions, OfATensileMapAreDrawnWithoutACurve) {
   fields.pressure.assign(fields.grid.size(), -1e6);
   fields.pressure[5] = 2e6;

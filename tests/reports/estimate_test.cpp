@@ -108,5 +108,17 @@ TEST(PercentText, HasNoExponent) {
   EXPECT_EQ(percent_text(estimate), "0.41 %");
 }
 
+// Claim: an interval is printed to two digits, but with one decimal at most.
+TEST(PercentText, HasOneDecimalAtMost) {
+  Estimate estimate;
+  estimate.value = 0.12345;
+  estimate.half_width = 0.00123;
+  EXPECT_EQ(percent_text(estimate), "+12.3 ± 0.1 %");
+
+  estimate.value = -0.12345;
+  estimate.half_width = 0.234;
+  EXPECT_EQ(percent_text(estimate), "-12 ± 23 %");
+}
+
 } // namespace
 } // namespace asperity::reports

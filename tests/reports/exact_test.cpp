@@ -1,11 +1,15 @@
 // Tests of reports/analysis/exact.hpp: curves from textbook formulas, which are
 // written out here, have no error; a known offset is the error that is found.
 #include "reports/analysis/exact.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace asperity::reports {
 namespace {
@@ -71,6 +75,23 @@ TEST(ExactQuantities, FindTheOffsetFromWestergaard) {
   EXPECT_NEAR(some.quantities.at("mean_gap_error").value, 0.9e-3, 1e-13);
   EXPECT_NEAR(some.quantities.at("area_error").value, 0.02, 1e-13);
   EXPECT_EQ(none.quantities.count("approach_error"), 0U);
+}
+
+// Claim: the figures state the same errors beside the name of the method.
+TEST(ExactFigures, StateTheErrors) {
+  const cases::Case wave = wave_case();
+  results::Result result = wave_result(-1e-3, 0.02);
+  result.surfaces.emplace_back();
+  result.surfaces[0].rms_height = wave.surface.amplitude / std::numbers::sqrt2;
+
+  const std::vector<Figure> figures = exact_figures(entry_of(result, wave));
+
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_NE(figures[0].caption.find("Largest error: halfspace 0.02."),
+            std::string::npos)
+      << figures[0].caption;
+  EXPECT_NE(figures[1].caption.find("halfspace 0.0009."), std::string::npos)
+      << figures[1].caption;
 }
 
 // Hertz on a periodic square: approach a^2/R minus S F/(pi E* L), where the

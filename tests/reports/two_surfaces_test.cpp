@@ -96,7 +96,13 @@ TEST_F(TwoSurfaces, AreDrawnWithTheirSum) {
 
   ASSERT_TRUE(maps);
   EXPECT_EQ(maps->maps.size(), 3U);
-  EXPECT_NE(spectrum_figure(pair)->data.find("sum of both"), std::string::npos);
+  for (const FigureGroup& group : figures_of(std::span(&pair, 1)))
+    for (const Figure& figure : group.figures) {
+      EXPECT_FALSE(figure.title.empty()) << figure.name;
+      EXPECT_FALSE(figure.caption.empty()) << figure.name;
+    }
+  for (const char* curve : {"realisation 0", "realisation 1", "sum of both"})
+    EXPECT_NE(spectrum_figure(pair)->data.find(curve), std::string::npos);
   EXPECT_NE(height_figure(pair)->caption.find("Sum of both: skewness"),
             std::string::npos);
   result.surfaces.pop_back();
