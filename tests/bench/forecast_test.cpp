@@ -195,5 +195,34 @@ TEST(Forecast, IgnoresABiasedEstimator) {
             forecast.error("area_fraction_corrected", 4096, 1.0));
 }
 
+/// What a target applies to where the case expects something of these.
+std::vector<std::string> asked_by(cases::Case contact_case,
+                                  const std::vector<std::string>& expected) {
+  for (const std::string& quantity : expected)
+    contact_case.expectations.push_back({quantity, 0.0, 1.0, {}});
+  return asked_quantities(contact_case);
+}
+
+// Claim: each expectation asks for the quantity that it is computed from, once,
+// and a wave, whose theory is no roughness theory, for no fitted number.
+TEST(AskedQuantities, AreThoseOfTheExpectations) {
+  using Names = std::vector<std::string>;
+  cases::Case rough;
+  rough.surface.kind = mechanics::SurfaceKind::self_affine;
+
+  EXPECT_EQ(asked_by(rough, {}), (Names{"mean_gap", any_area}));
+  EXPECT_EQ(asked_by(rough, {"gap_deviation", "kappa", "pressure_difference"}),
+            (Names{"mean_gap", "kappa"}));
+  EXPECT_EQ(asked_by(rough, {"area_error", "contact_radius_error"}),
+            Names{any_area});
+
+  rough.surface.kind = mechanics::SurfaceKind::wave_1d;
+  EXPECT_EQ(asked_by(rough, {"kappa"}), (Names{"mean_gap", any_area}));
+
+  rough.load.control = mechanics::Control::mean_gap;
+  EXPECT_EQ(asked_by(rough, {}), (Names{"nominal_pressure", any_area}));
+  EXPECT_EQ(asked_by(rough, {"mean_gap_error"}), Names{"nominal_pressure"});
+}
+
 } // namespace
 } // namespace asperity::app

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "robustness/axes.hpp"
@@ -22,6 +23,19 @@ TEST(Axes, HoldEveryLabelOfEveryInstance) {
           << axes()[i].name << "=" << labels[i];
     }
   }
+}
+
+// Claim: no axis has a bin that no instance reaches.
+TEST(Axes, HaveNoEmptyBin) {
+  std::vector<std::set<std::string>> reached(axes().size());
+  for (int index = 0; index < 5000; ++index) {
+    const std::vector<std::string> labels = labels_of(draw_instance(2, index));
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      reached[i].insert(labels[i]);
+  }
+  for (std::size_t i = 0; i < axes().size(); ++i)
+    for (const std::string& label : axes()[i].labels)
+      EXPECT_TRUE(reached[i].contains(label)) << axes()[i].name << "=" << label;
 }
 
 TEST(Axes, FilterSelectsWhatItNames) {

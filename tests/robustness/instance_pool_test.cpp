@@ -2,6 +2,7 @@
 // sent: every instance is reported once, whatever happens to the processes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -103,6 +104,9 @@ TEST(InstanceReport, IsReadBackUnchanged) {
   EXPECT_EQ(read.reason, report.reason);
   EXPECT_EQ(read.reduced_gap, report.reduced_gap);
   EXPECT_FALSE(is_good(read.outcome));
+
+  report.area = std::nan("");
+  EXPECT_EQ(from_line(to_line(report)).area, 0.0);
 }
 
 } // namespace

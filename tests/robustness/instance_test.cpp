@@ -12,6 +12,7 @@
 
 #include "robustness/instance.hpp"
 #include "robustness/instance_surface.hpp"
+#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {
@@ -102,6 +103,45 @@ TEST(Instance, IsPerturbedAboutACase) {
   // 3 sigma of a binomial distribution with p = 1/2, and the few atomistic
   // blocks with their own length.
   EXPECT_NEAR(own, n_instances / 2, 3.0 * std::sqrt(n_instances / 4.0) + 25.0);
+}
+
+// Claim: thin plates with a free back and elements that lock may lose contact,
+// and no other block may.
+TEST(MayLoseContact, IsSaidOfPlatesAndOfElementsThatLock) {
+  Instance instance;
+  instance.thickness = 0.04;
+  instance.far_boundary = mechanics::FarBoundary::pressure;
+  EXPECT_FALSE(may_lose_contact(instance)) << "a half-space has no thickness";
+  instance.family = Family::slab;
+  EXPECT_TRUE(may_lose_contact(instance));
+  instance.thickness = 0.06;
+  EXPECT_FALSE(may_lose_contact(instance));
+  instance.thickness = 0.04;
+  instance.far_boundary = mechanics::FarBoundary::clamped;
+  EXPECT_FALSE(may_lose_contact(instance));
+
+  instance.poisson_ratio = 0.4999;
+  EXPECT_FALSE(may_lose_contact(instance)) << "a continuum does not lock";
+  instance.family = Family::condensed_q1;
+  EXPECT_TRUE(may_lose_contact(instance));
+  instance.poisson_ratio = 0.3;
+  EXPECT_FALSE(may_lose_contact(instance));
+}
+
+// Claim: a coating is a layer with its own modulus, and no coating is none.
+TEST(BlockRequest, HasALayerForEachCoating) {
+  Instance instance;
+  instance.family = Family::condensed_q1;
+  const Grid grid = grid_of(instance);
+  EXPECT_TRUE(block_request(instance, grid, 1, 1).layers.empty());
+
+  for (const double stiffness : {0.5, 2.0}) {
+    instance.coating_stiffness = stiffness;
+    const fem::BlockRequest request = block_request(instance, grid, 1, 1);
+    ASSERT_EQ(request.layers.size(), 1U);
+    EXPECT_EQ(request.layers[0].moduli.youngs_modulus,
+              stiffness * request.youngs_modulus);
+  }
 }
 
 // Tolerance: roundoff of a transform and a scaling.

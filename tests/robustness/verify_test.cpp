@@ -182,6 +182,14 @@ TEST_F(VerifyPair, DetectsAnAreaThatShrinksUnderLoad) {
   EXPECT_EQ(failing_pair(), "");
 }
 
+// Claim: apart, two gaps are in order whichever is given first.
+TEST_F(VerifyPair, TakesTwoGapsWithoutContact) {
+  less_ = more_ = {};
+  less_.separation = 2e-3;
+  more_.separation = 1e-3;
+  EXPECT_EQ(failing_pair(), "");
+}
+
 // A hundredth of the change p du of the energy is outside its bounds, whose
 // slopes differ by a hundredth.
 TEST_F(VerifyPair, DetectsEnergyWithoutWork) {

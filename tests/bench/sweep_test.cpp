@@ -1,0 +1,87 @@
+// Claims about bench/settings/sweep.hpp: which settings a benchmark runs.
+#include "cases/reader/read_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bench/settings/sweep.hpp"
+
+namespace asperity::app {
+namespace {
+
+const std::string rough = R"(schema = 1
+title = "rough"
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 256
+seed = 3
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.25 length"
+wavelength_short = "0.1 length"
+[material]
+contact_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = [1e6, 2e6]
+[fem]
+)";
+
+const std::string wave = R"(schema = 1
+title = "wave"
+[surface]
+kind = "wave-1d"
+length = "1 um"
+points = 256
+wavelength = "1 length"
+amplitude = "0.01 length"
+[material]
+contact_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = [1e6, 2e6]
+[fem]
+)";
+
+Sweep sweep_of_text(const std::string& text) {
+  return sweep_of(cases::read_case_text(text, "case.toml"), {});
+}
+
+// Claim: the reference solution is the half-space on the grids of the case and
+// on one twice as fine; a wave with an exact solution has none.
+TEST(Sweep, HasAReferenceSolutionOnAFinerGrid) {
+  const Sweep sweep = sweep_of_text(rough);
+
+  ASSERT_LT(sweep.truth, sweep.series.size());
+  const reports::BenchSeries& series = sweep.series[sweep.truth];
+  EXPECT_EQ(series.method, "halfspace");
+  std::vector<int> grids;
+  for (const std::size_t point : series.points) {
+    EXPECT_TRUE(sweep.points[point].is_reference);
+    grids.push_back(sweep.points[point].points);
+  }
+  EXPECT_EQ(grids, (std::vector<int>{64, 128, 256, 512}));
+  EXPECT_EQ(sweep_of_text(wave).truth, Sweep::no_truth);
+}
+
+// Claim: a setting on another grid than that of the case says so to the run,
+// and no other one does.
+TEST(Sweep, ChangesThePointsOfOtherGridsAlone) {
+  for (const std::string& text : {rough, wave})
+    for (const reports::BenchPoint& point : sweep_of_text(text).points)
+      EXPECT_EQ(std::any_of(point.overrides.begin(), point.overrides.end(),
+                            [](const std::string& one) {
+                              return one.starts_with("surface.points=");
+                            }),
+                point.points != 256)
+          << point.label;
+}
+
+} // namespace
+} // namespace asperity::app
