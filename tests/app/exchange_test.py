@@ -58,7 +58,10 @@ def problem_of(name, material="", load=LOADS, method=""):
     folder.mkdir()
     case = folder / "case.toml"
     case.write_text(CASE.format(material=material, load=load, method=method))
-    asperity("problem", case, "--out", folder / "problem")
+    said = asperity("problem", case, "--out", folder / "problem")
+    loads = json.loads((folder / "problem/problem.json").read_text())["loads"]
+    table = said.split("estimated\n")[1].split("problem:")[0]
+    assert len(table.splitlines()) == len(loads), said
     return folder / "problem"
 
 

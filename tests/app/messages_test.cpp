@@ -265,6 +265,12 @@ TEST_F(Messages, ReportWorksFromInsideTheFolder) {
   ASSERT_EQ(run("run small.toml --methods theory --out .").exit_code, 0);
 
   EXPECT_EQ(run("report result.h5").exit_code, 0);
+  std::filesystem::remove(folder / "report.html");
+
+  const Ended two = run("report result.h5 .");
+  EXPECT_EQ(two.exit_code, 0) << two.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/comparison/report.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "report.html"));
 }
 
 TEST_F(Messages, ReportOfNothingIsRefused) {
