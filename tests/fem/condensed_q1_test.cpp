@@ -157,6 +157,18 @@ TEST(Q1, DoesNotDependOnTheNumberOfThreads) {
             condensed_compliance_q1(grid, block, 3));
 }
 
+TEST(ElasticLayerOf, RefusesImpossibleModuli) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double poisson_ratio : {-1.0, 0.5, nan})
+    EXPECT_THROW(elastic_layer(1e-6, soft_modulus, poisson_ratio),
+                 std::domain_error)
+        << poisson_ratio;
+  for (const double wrong : {0.0, -1.0, nan}) {
+    EXPECT_THROW(elastic_layer(wrong, soft_modulus, 0.3), std::domain_error);
+    EXPECT_THROW(elastic_layer(1e-6, wrong, 0.3), std::domain_error);
+  }
+}
+
 TEST(Q1, RefusesBadBlocksByName) {
   const Grid grid{8, 8, 1e-6, 1e-6};
   LayeredBlock block = layered_block(1e-6 / 8, 1e-6, FarBoundary::clamped);
