@@ -30,12 +30,12 @@ LayeredBlock layers_of(const BlockRequest& request) {
 /// there are none or if their number does not match the grid.
 bool take_blocks(const std::optional<std::string>& bytes,
                  Q2Compliance& compliance) {
-  const std::size_t size = sizeof(KindBlock) *
+  const std::size_t size = sizeof(NodeClassBlock) *
                            static_cast<std::size_t>(compliance.columns()) *
                            static_cast<std::size_t>(compliance.rows());
   if (!bytes || bytes->size() != size)
     return false;
-  compliance.blocks.resize(size / sizeof(KindBlock));
+  compliance.blocks.resize(size / sizeof(NodeClassBlock));
   std::memcpy(compliance.blocks.data(), bytes->data(), size);
   return true;
 }
@@ -45,13 +45,13 @@ Q2Compliance kept_or_built(const BlockRequest& request,
   const OperatorCache& cache = request.cache;
   Q2Compliance compliance;
   compliance.grid = request.grid;
-  compliance.kind_weights = relative_nodal_areas(2);
+  compliance.class_weights = relative_nodal_areas(2);
   if (cache.read && take_blocks(cache.read(), compliance))
     return compliance;
   compliance = condensed_compliance_q2(request.grid, block, request.threads);
   if (cache.write)
     cache.write({reinterpret_cast<const char*>(compliance.blocks.data()),
-                 compliance.blocks.size() * sizeof(KindBlock)});
+                 compliance.blocks.size() * sizeof(NodeClassBlock)});
   return compliance;
 }
 

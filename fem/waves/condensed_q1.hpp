@@ -14,19 +14,12 @@ namespace asperity::fem {
 /// surface causes the normal displacement C(q) exp(i q.x) at the nodes.
 ///
 /// With displacements u_j(q) exp(i q.x) at the nodes of plane j, and u_x and
-/// u_y multiplied by i, layer l couples its two planes by real 3x3 blocks of
-/// deal.II's cell matrix,
+/// u_y multiplied by i, a layer couples its two planes by real 3x3 blocks of
+/// deal.II's cell matrix. Their elimination from the far boundary down to the
+/// contact surface (LayerElimination) gives the stiffness T_0 of the surface,
+/// and since the shear tractions are zero,
 ///
-///     [ A_l  B_l ; B_l^T  D_l ](q),
-///
-/// and elimination from the far boundary (plane n) down to the contact surface
-/// (plane 0),
-///
-///     T_l = A_l - B_l (D_l + T_(l+1))^-1 B_l^T,                        (Q1.1)
-///     T_n = infinite (clamped), infinite in z only (sliding), 0 (pressure),
-///
-/// yields C(q) = h_x h_y (T_0^-1)_zz, since the shear tractions are zero.
-/// (Q1.2)
+///     C(q) = h_x h_y (T_0^-1)_zz.                                     (Q1.1)
 ///
 /// @param grid     grid of the nodes of the contact surface, at least 2 per
 ///                 side

@@ -12,9 +12,9 @@ namespace {
 
 /// The block of the wavevector mirrored about the diagonal, which exchanges
 /// x-edges and y-edges.
-KindBlock mirrored(const KindBlock& block) {
+NodeClassBlock mirrored(const NodeClassBlock& block) {
   constexpr std::array<std::size_t, 4> image{0, 2, 1, 3};
-  KindBlock mirror{};
+  NodeClassBlock mirror{};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
       mirror[4 * image[i] + image[j]] = block[4 * i + j];
@@ -25,7 +25,7 @@ KindBlock mirrored(const KindBlock& block) {
 /// it.
 void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
                  const Q2Compliance& compliance,
-                 std::array<KindBlock, lanes>& blocks) {
+                 std::array<NodeClassBlock, lanes>& blocks) {
   const Grid& grid = compliance.grid;
   SimdBatch theta_x{}, theta_y{}, on_uniform_mode{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -36,7 +36,7 @@ void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
   }
   if (first == 0 && mode_y == 0)
     on_uniform_mode[0] = spring;
-  std::array<SimdBatch, node_kinds * node_kinds> packs;
+  std::array<SimdBatch, node_classes * node_classes> packs;
   layers.face_compliance(theta_x, theta_y, on_uniform_mode, packs.data());
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t i = 0; i < packs.size(); ++i)
@@ -55,7 +55,7 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
   const bool is_square = grid.is_square();
   compliance.blocks.resize(static_cast<std::size_t>(columns) *
                            static_cast<std::size_t>(compliance.rows()));
-  const auto at = [&](int mode_x, int mode_y) -> KindBlock& {
+  const auto at = [&](int mode_x, int mode_y) -> NodeClassBlock& {
     return compliance.blocks[static_cast<std::size_t>(mode_y) *
                                  static_cast<std::size_t>(columns) +
                              static_cast<std::size_t>(mode_x)];
@@ -63,7 +63,7 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
   const double spring = block.layers.back().shear_modulus * grid.spacing_x();
   parallel_rows(compliance.rows(), threads, [&](int mode_y) {
     constexpr int step = static_cast<int>(lanes);
-    std::array<KindBlock, lanes> blocks;
+    std::array<NodeClassBlock, lanes> blocks;
     for (int first = is_square ? mode_y : 0; first < columns; first += step) {
       fill_blocks(layers, spring, first, mode_y, compliance, blocks);
       for (int mode_x = first; mode_x < std::min(columns, first + step);

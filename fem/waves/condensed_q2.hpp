@@ -13,10 +13,10 @@ namespace asperity::fem {
 
 /// The four node classes of a Q2 surface, by the parity (a, b) of the node's
 /// place on the grid, with index a + 2 b: vertex, x-edge, y-edge, face centre.
-constexpr std::size_t node_kinds = 4;
+constexpr std::size_t node_classes = 4;
 
 /// A symmetric 4x4 block over node classes, row-major, with all entries stored.
-using KindBlock = std::array<double, node_kinds * node_kinds>;
+using NodeClassBlock = std::array<double, node_classes * node_classes>;
 
 /// Compliance blocks G(q) [m/Pa] of a Q2 block: pressures p_k exp(i q.x) at the
 /// nodes of class k, where x is the actual place of the node, cause
@@ -31,8 +31,8 @@ struct Q2Compliance {
   Grid grid; ///< all nodes; one cell spans two node spacings
   /// Blocks of the cell wavenumbers (jx, |jy|), each from 0 to cells/2, jx
   /// fastest; G is even in both.
-  std::vector<KindBlock> blocks;
-  std::vector<double> kind_weights; ///< w_k, mean 1
+  std::vector<NodeClassBlock> blocks;
+  std::vector<double> class_weights; ///< w_k, mean 1
 
   int columns() const { return grid.points_x / 4 + 1; }
 

@@ -12,7 +12,7 @@ Range piece_of(std::size_t n, std::size_t part, std::size_t parts) {
   return {n * part / parts, n * (part + 1) / parts};
 }
 
-LatticeShare::LatticeShare(const KindSpectra& spectra, std::size_t fields,
+LatticeShare::LatticeShare(const NodeClassSpectra& spectra, std::size_t fields,
                            Among among)
     : spectra_(spectra), n_fields_(fields) {
   if (among == Among::this_process)

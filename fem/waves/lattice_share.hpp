@@ -4,7 +4,7 @@
 // transforms, the rows of wavevectors for the elimination. This file defines
 // the distribution and the communication; it does no computation.
 
-#include "fem/waves/kind_spectra.hpp"
+#include "fem/waves/node_class_spectra.hpp"
 
 #include <complex>
 #include <cstddef>
@@ -37,7 +37,8 @@ public:
   /// @param fields   number of fields on the node grid
   /// @throws std::domain_error  a rank has more modes than MPI can count,
   ///                            2^31 - 1
-  LatticeShare(const KindSpectra& spectra, std::size_t fields, Among among);
+  LatticeShare(const NodeClassSpectra& spectra, std::size_t fields,
+               Among among);
 
   Range fields() const { return fields_of(own_rank_); }
 
@@ -84,7 +85,7 @@ private:
   template <class Visit>
   void each_stretch(const Box& box, const Visit& visit) const;
 
-  const KindSpectra& spectra_;
+  const NodeClassSpectra& spectra_;
   std::size_t n_fields_;
   std::size_t n_ranks_ = 1, own_rank_ = 0;
   std::vector<std::complex<double>> out_, in_;

@@ -38,7 +38,7 @@ struct LatticeSolver::Parts {
   NodeLattice lattice;
   mechanics::FarBoundary top;
   int threads;
-  KindSpectra spectra;
+  NodeClassSpectra spectra;
   LatticeShare share;
   std::unique_ptr<const LatticeFactors> factors;
   SpringFace face;
@@ -67,7 +67,7 @@ struct LatticeSolver::Parts {
         scratch(static_cast<std::size_t>(n_threads)),
         values(static_cast<std::size_t>(n_threads)) {
     for (std::vector<SimdBatch>& batch : values)
-      batch.resize(lattice.planes * 3 * spectra.kinds() * wave_columns);
+      batch.resize(lattice.planes * 3 * spectra.node_classes() * wave_columns);
   }
 
   bool is_held(std::size_t field) const {
@@ -80,7 +80,7 @@ struct LatticeSolver::Parts {
 
   /// The first value of a field in a batch; its node classes are 3 rows apart.
   std::size_t first_value(std::size_t field) const {
-    return (field / 3 * 3 * spectra.kinds() + field % 3) * wave_columns;
+    return (field / 3 * 3 * spectra.node_classes() + field % 3) * wave_columns;
   }
 
   template <class DoField>
@@ -152,8 +152,9 @@ void LatticeSolver::Parts::load(const WaveBatch& batch,
     SimdBatch* const first = batch_values + first_value(field);
     if (!is_held(field))
       spectra.load(field_modes(field), batch, 3, first);
-    for (std::size_t kind = 0; kind < spectra.kinds(); ++kind) {
-      SimdBatch* const column = first + 3 * kind * wave_columns;
+    for (std::size_t node_class = 0; node_class < spectra.node_classes();
+         ++node_class) {
+      SimdBatch* const column = first + 3 * node_class * wave_columns;
       if (is_held(field))
         std::fill_n(column, wave_columns, SimdBatch{});
       turn(field % 3, false, column);
@@ -167,8 +168,9 @@ void LatticeSolver::Parts::store(const WaveBatch& batch,
     if (is_held(field))
       continue;
     SimdBatch* const first = batch_values + first_value(field);
-    for (std::size_t kind = 0; kind < spectra.kinds(); ++kind)
-      turn(field % 3, true, first + 3 * kind * wave_columns);
+    for (std::size_t node_class = 0; node_class < spectra.node_classes();
+         ++node_class)
+      turn(field % 3, true, first + 3 * node_class * wave_columns);
     spectra.store(first, batch, 3, field_modes(field));
   }
 }
@@ -186,8 +188,8 @@ void LatticeSolver::Parts::sweep(Sweep part) {
 
 void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
                                        SimdBatch* batch_values) {
-  const std::size_t kinds = spectra.kinds();
-  const std::size_t face_packs = 3 * kinds * wave_columns;
+  const std::size_t n_classes = spectra.node_classes();
+  const std::size_t face_packs = 3 * n_classes * wave_columns;
   constexpr std::size_t u_z = 2 * wave_columns;
   load(batch, batch_values);
   if (part != Sweep::up_from_face)
@@ -201,10 +203,10 @@ void LatticeSolver::Parts::sweep_batch(Sweep part, const WaveBatch& batch,
   if (part == Sweep::up_from_face) { // subtracts the forces of the springs
     std::array<SimdBatch, 4 * wave_columns> borne;
     spectra.load(face_modes, batch, 1, borne.data());
-    for (std::size_t kind = 0; kind < kinds; ++kind)
+    for (std::size_t node_class = 0; node_class < n_classes; ++node_class)
       for (std::size_t j = 0; j < wave_columns; ++j)
-        batch_values[3 * kind * wave_columns + u_z + j] -=
-            borne[kind * wave_columns + j];
+        batch_values[3 * node_class * wave_columns + u_z + j] -=
+            borne[node_class * wave_columns + j];
   }
   if (part != Sweep::down_to_face) {
     factors->solve_face(batch, batch_values);

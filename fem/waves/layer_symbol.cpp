@@ -62,10 +62,11 @@ void add_pair(const CellStiffness& cell, const Node& from, const Node& to,
               LayerSymbol::Layout layout, Sums& sums) {
   const auto degree = static_cast<std::size_t>(cell.degree);
   const auto place = [&](const Node& node, std::size_t component) {
-    const std::size_t kind = static_cast<std::size_t>(node.a) % degree +
-                             2 * (static_cast<std::size_t>(node.b) % degree);
+    const std::size_t node_class =
+        static_cast<std::size_t>(node.a) % degree +
+        2 * (static_cast<std::size_t>(node.b) % degree);
     return static_cast<std::size_t>(node.plane) * plane_unknowns(degree) +
-           3 * kind + component;
+           3 * node_class + component;
   };
   const auto cell_row = [&](const Node& node, std::size_t component) {
     return cell.row(static_cast<std::size_t>(node.a),

@@ -14,14 +14,14 @@ namespace asperity::fem {
 
 /// Number of node classes of a surface, by the parity (a, b) of their place;
 /// the index is a + 2 b.
-constexpr std::size_t kinds_of(std::size_t degree) {
+constexpr std::size_t node_classes_of(std::size_t degree) {
   return degree * degree;
 }
 
-/// Unknowns of a node plane at one wavevector, in the order (kind, component)
-/// with index 3 kind + c.
+/// Unknowns of a node plane at one wavevector, in the order (node class,
+/// component) with index 3 node_class + c.
 constexpr std::size_t plane_unknowns(std::size_t degree) {
-  return 3 * kinds_of(degree);
+  return 3 * node_classes_of(degree);
 }
 
 /// Unknowns of a layer without those of its lower plane: `degree` planes.
@@ -52,7 +52,8 @@ public:
   };
 
   /// Maps an entry (row, column) to its target; row and column are
-  /// plane_unknowns * plane + 3 kind + c, with plane 0..degree from below.
+  /// plane_unknowns * plane + 3 node_class + c, with plane 0..degree from
+  /// below.
   using Layout = Target (*)(std::size_t row, std::size_t column);
 
   /// @param size  size of the layout, in packs

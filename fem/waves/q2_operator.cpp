@@ -14,7 +14,7 @@
 namespace asperity::fem {
 namespace {
 
-using Amplitudes = std::array<std::complex<double>, node_kinds>;
+using Amplitudes = std::array<std::complex<double>, node_classes>;
 using BlockView = Eigen::Map<const Eigen::Matrix4d>;
 
 /// Computes (Q2.3) without a factor; it is its own inverse up to 1/4.
@@ -25,18 +25,18 @@ Amplitudes hadamard(const Amplitudes& f) {
 }
 
 /// Compliance of the longest wave of a group with respect to itself [m/Pa].
-double long_wave(const Q2Compliance& compliance, const KindBlock& block) {
+double long_wave(const Q2Compliance& compliance, const NodeClassBlock& block) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < node_kinds; ++i)
-    for (std::size_t j = 0; j < node_kinds; ++j)
-      sum += block[node_kinds * i + j] * compliance.kind_weights[j];
-  return sum / static_cast<double>(node_kinds);
+  for (std::size_t i = 0; i < node_classes; ++i)
+    for (std::size_t j = 0; j < node_classes; ++j)
+      sum += block[node_classes * i + j] * compliance.class_weights[j];
+  return sum / static_cast<double>(node_classes);
 }
 
 /// Removes the uniform displacement, weighted by area, from the block of q = 0.
 void remove_uniform_mode(Q2Compliance& compliance) {
   const Eigen::Map<const Eigen::Vector4d> weights(
-      compliance.kind_weights.data());
+      compliance.class_weights.data());
   const Eigen::Matrix4d keep =
       Eigen::Matrix4d::Identity() -
       Eigen::Vector4d::Ones() * weights.transpose() / 4;
@@ -48,7 +48,7 @@ void remove_uniform_mode(Q2Compliance& compliance) {
 /// beyond half of the grid in x are stored as the conjugates of their
 /// opposites.
 struct Group {
-  std::array<std::size_t, node_kinds> place;
+  std::array<std::size_t, node_classes> place;
 
   Group(const Grid& grid, int mode_x, int mode_y) {
     const int half_x = grid.points_x / 2;
@@ -98,7 +98,7 @@ Q2Operator::Q2Operator(Q2Compliance compliance, int threads) {
     for (int ix = 0; ix < grid.points_x; ++ix)
       weights[grid.index(ix, iy)] =
           compliance
-              .kind_weights[static_cast<std::size_t>(ix % 2 + 2 * (iy % 2))];
+              .class_weights[static_cast<std::size_t>(ix % 2 + 2 * (iy % 2))];
   double softest = 0.0;
   for (std::size_t i = 1; i < compliance.blocks.size(); ++i)
     softest = std::max(softest, long_wave(compliance, compliance.blocks[i]));
@@ -128,38 +128,38 @@ std::span<const double> Q2Operator::nodal_weights() const {
 
 /// Computes result = B W field, where B are the blocks and W the weights of the
 /// node classes.
-void Q2Operator::apply(const std::vector<KindBlock>& blocks,
+void Q2Operator::apply(const std::vector<NodeClassBlock>& blocks,
                        std::span<const double> field,
                        std::span<double> result) {
   shared_->fourier.forward(field, spectrum_);
-  const std::vector<double>& weights = shared_->compliance.kind_weights;
+  const std::vector<double>& weights = shared_->compliance.class_weights;
   const int cells_x = grid().points_x / 2;
   const int cells_y = grid().points_y / 2;
   const double normalise =
-      1.0 / static_cast<double>(node_kinds * grid().size());
+      1.0 / static_cast<double>(node_classes * grid().size());
   for (int row = 0; row < cells_y; ++row) {
     const int mode_y = signed_wavenumber(row, cells_y);
     const std::size_t block_row =
         static_cast<std::size_t>(std::abs(mode_y)) *
         static_cast<std::size_t>(shared_->compliance.columns());
     for (int mode_x = 0; mode_x <= cells_x / 2; ++mode_x) {
-      const KindBlock& block =
+      const NodeClassBlock& block =
           blocks[block_row + static_cast<std::size_t>(mode_x)];
       const Group group(grid(), mode_x, mode_y);
-      Amplitudes kinds = hadamard(group.read(spectrum_));
-      for (std::size_t k = 0; k < node_kinds; ++k)
-        kinds[k] *= weights[k] * normalise;
+      Amplitudes n_classes = hadamard(group.read(spectrum_));
+      for (std::size_t k = 0; k < node_classes; ++k)
+        n_classes[k] *= weights[k] * normalise;
       Amplitudes answer{};
-      for (std::size_t i = 0; i < node_kinds; ++i)
-        for (std::size_t j = 0; j < node_kinds; ++j)
-          answer[i] += block[node_kinds * i + j] * kinds[j];
+      for (std::size_t i = 0; i < node_classes; ++i)
+        for (std::size_t j = 0; j < node_classes; ++j)
+          answer[i] += block[node_classes * i + j] * n_classes[j];
       group.write(hadamard(answer), product_);
     }
   }
   shared_->fourier.backward(product_, result);
 }
 
-void Q2Operator::apply(const std::vector<KindBlock>& blocks,
+void Q2Operator::apply(const std::vector<NodeClassBlock>& blocks,
                        std::span<const float> field, std::span<float> result) {
   field_.assign(field.begin(), field.end());
   apply(blocks, field_, field_);
@@ -186,7 +186,7 @@ void Q2Operator::pressure_estimate(std::span<const float> gap,
   if (inverted_compliance_ != local_compliance) {
     const Q2Compliance& compliance = shared_->compliance;
     const Eigen::Map<const Eigen::Vector4d> weights(
-        compliance.kind_weights.data());
+        compliance.class_weights.data());
     inverse_.resize(compliance.blocks.size());
     for (std::size_t i = 0; i < inverse_.size(); ++i) {
       Eigen::Matrix4d block = BlockView(compliance.blocks[i].data());

@@ -50,16 +50,16 @@ public:
 private:
   struct Shared;
   explicit Q2Operator(std::shared_ptr<const Shared> shared);
-  void apply(const std::vector<KindBlock>& blocks,
+  void apply(const std::vector<NodeClassBlock>& blocks,
              std::span<const double> field, std::span<double> result);
-  void apply(const std::vector<KindBlock>& blocks, std::span<const float> field,
-             std::span<float> result);
+  void apply(const std::vector<NodeClassBlock>& blocks,
+             std::span<const float> field, std::span<float> result);
 
   std::shared_ptr<const Shared> shared_;
   std::vector<std::complex<double>> spectrum_, product_;
   std::vector<double> field_;         ///< a change in double precision
   double inverted_compliance_ = -1.0; ///< local compliance of inverse_ [m/Pa]
-  std::vector<KindBlock> inverse_;
+  std::vector<NodeClassBlock> inverse_;
 };
 
 } // namespace asperity::fem

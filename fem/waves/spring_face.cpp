@@ -12,36 +12,37 @@ namespace {
 constexpr int most_iterations = 500;
 
 /// Computes (block + diag(added))^-1, with all entries stored.
-template <std::size_t kinds>
+template <std::size_t n_classes>
 void invert_block(const SimdBatch* block, const double* added,
                   SimdBatch* inverse) {
-  std::array<SimdBatch, triangle(kinds)> factor;
-  for (std::size_t j = 0; j < kinds; ++j) {
-    for (std::size_t i = j; i < kinds; ++i)
-      factor[in_triangle(kinds, i, j)] = block[i * kinds + j];
-    factor[in_triangle(kinds, j, j)] += added[j];
+  std::array<SimdBatch, triangle(n_classes)> factor;
+  for (std::size_t j = 0; j < n_classes; ++j) {
+    for (std::size_t i = j; i < n_classes; ++i)
+      factor[in_triangle(n_classes, i, j)] = block[i * n_classes + j];
+    factor[in_triangle(n_classes, j, j)] += added[j];
   }
-  factorise<kinds>(factor.data());
-  std::fill_n(inverse, kinds * kinds, SimdBatch{});
-  for (std::size_t j = 0; j < kinds; ++j)
-    inverse[j * kinds + j] += 1.0;
-  solve_lower<kinds, kinds>(factor.data(), inverse);
-  solve_diagonal<kinds, kinds>(factor.data(), inverse);
-  solve_upper<kinds, kinds>(factor.data(), inverse);
+  factorise<n_classes>(factor.data());
+  std::fill_n(inverse, n_classes * n_classes, SimdBatch{});
+  for (std::size_t j = 0; j < n_classes; ++j)
+    inverse[j * n_classes + j] += 1.0;
+  solve_lower<n_classes, n_classes>(factor.data(), inverse);
+  solve_diagonal<n_classes, n_classes>(factor.data(), inverse);
+  solve_upper<n_classes, n_classes>(factor.data(), inverse);
 }
 
 } // namespace
 
-SpringFace::SpringFace(const KindSpectra& spectra,
+SpringFace::SpringFace(const NodeClassSpectra& spectra,
                        const LatticeFactors& factors, const LatticeShare& share,
                        bool shifts_freely, int threads)
     : spectra_(spectra),
       shifts_freely_(shifts_freely),
       threads_(threads),
-      compliance_(spectra.rows() * spectra.batches() * spectra.kinds() *
-                  spectra.kinds()),
+      compliance_(spectra.rows() * spectra.batches() * spectra.node_classes() *
+                  spectra.node_classes()),
       modes_(spectra.size()) {
-  const std::size_t block_size = spectra.kinds() * spectra.kinds();
+  const std::size_t block_size =
+      spectra.node_classes() * spectra.node_classes();
   const Range rows = share.rows();
   SimdBatch* block = &compliance_[rows.begin * spectra.batches() * block_size];
   for (std::size_t row = rows.begin; row < rows.end; ++row)
@@ -63,7 +64,7 @@ std::size_t SpringFace::bytes() const {
 
 void SpringFace::set_springs(std::span<const double> springs) {
   const Grid& grid = spectra_.grid();
-  const std::size_t degree = spectra_.kinds() == 1 ? 1 : 2;
+  const std::size_t degree = spectra_.node_classes() == 1 ? 1 : 2;
   const auto width = static_cast<std::size_t>(grid.points_x);
   nodes_.clear();
   local_.clear();
@@ -73,8 +74,9 @@ void SpringFace::set_springs(std::span<const double> springs) {
       continue;
     nodes_.push_back(i);
     local_.push_back(1.0 / springs[i]);
-    const std::size_t kind = i % width % degree + 2 * (i / width % degree);
-    for (const std::size_t at : {kind, std::size_t{4}}) {
+    const std::size_t node_class =
+        i % width % degree + 2 * (i / width % degree);
+    for (const std::size_t at : {node_class, std::size_t{4}}) {
       sum[at] += local_.back();
       count[at] += 1.0;
     }
@@ -82,9 +84,9 @@ void SpringFace::set_springs(std::span<const double> springs) {
   if (nodes_.empty())
     return;
   std::array<double, 4> mean{};
-  for (std::size_t kind = 0; kind < 4; ++kind) {
-    const std::size_t at = count[kind] > 0.0 ? kind : 4;
-    mean[kind] = sum[at] / count[at];
+  for (std::size_t node_class = 0; node_class < 4; ++node_class) {
+    const std::size_t at = count[node_class] > 0.0 ? node_class : 4;
+    mean[node_class] = sum[at] / count[at];
   }
   for (auto* field : {&whole_, &r_, &z_, &d_, &cd_})
     field->assign(grid.size(), 0.0);
@@ -102,7 +104,7 @@ void SpringFace::set_springs(std::span<const double> springs) {
 
 void SpringFace::invert(std::span<const double> local_compliance) {
   inverse_.resize(compliance_.size());
-  const std::size_t step = spectra_.kinds() * spectra_.kinds();
+  const std::size_t step = spectra_.node_classes() * spectra_.node_classes();
   for (std::size_t i = 0; i < compliance_.size(); i += step)
     if (step == 1)
       invert_block<1>(&compliance_[i], local_compliance.data(), &inverse_[i]);
@@ -112,7 +114,7 @@ void SpringFace::invert(std::span<const double> local_compliance) {
 
 void SpringFace::apply(const Symbol& symbol, std::span<const double> field,
                        std::span<double> result) {
-  const std::size_t kinds = spectra_.kinds();
+  const std::size_t n_classes = spectra_.node_classes();
   spectra_.forward(field, modes_, scratch_);
   parallel_rows(static_cast<int>(spectra_.rows()), threads_, [&](int turn) {
     const auto row = static_cast<std::size_t>(turn);
@@ -120,14 +122,14 @@ void SpringFace::apply(const Symbol& symbol, std::span<const double> field,
     for (std::size_t number = 0; number < spectra_.batches(); ++number) {
       const WaveBatch batch = spectra_.batch(row, number);
       const SimdBatch* const block =
-          &symbol[(row * spectra_.batches() + number) * kinds * kinds];
+          &symbol[(row * spectra_.batches() + number) * n_classes * n_classes];
       spectra_.load(modes_, batch, 1, values.data());
       answer.fill(SimdBatch{});
-      for (std::size_t i = 0; i < kinds; ++i)
-        for (std::size_t k = 0; k < kinds; ++k)
+      for (std::size_t i = 0; i < n_classes; ++i)
+        for (std::size_t k = 0; k < n_classes; ++k)
           for (std::size_t j = 0; j < wave_columns; ++j)
             answer[i * wave_columns + j] +=
-                block[i * kinds + k] * values[k * wave_columns + j];
+                block[i * n_classes + k] * values[k * wave_columns + j];
       spectra_.store(answer.data(), batch, 1, modes_);
     }
   });

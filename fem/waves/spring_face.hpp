@@ -23,7 +23,7 @@ public:
   /// @param factors, share  must refer to the same rows; every rank gets the
   ///                        complete surface
   /// @param shifts_freely   whether the far boundary is free in z
-  SpringFace(const KindSpectra& spectra, const LatticeFactors& factors,
+  SpringFace(const NodeClassSpectra& spectra, const LatticeFactors& factors,
              const LatticeShare& share, bool shifts_freely, int threads);
 
   /// @param springs  spectra.grid().size() values [N/m], 0 to infinity
@@ -43,7 +43,7 @@ public:
                     std::span<double> forces, double& shift);
 
 private:
-  using Symbol = std::vector<SimdBatch>; ///< kinds^2 packs per batch
+  using Symbol = std::vector<SimdBatch>; ///< node_classes^2 packs per batch
 
   void invert(std::span<const double> local_compliance);
   void apply(const Symbol& symbol, std::span<const double> field,
@@ -56,7 +56,7 @@ private:
   void remove_mean(std::span<double> field) const;
   double dot(std::span<const double> a, std::span<const double> b) const;
 
-  const KindSpectra& spectra_;
+  const NodeClassSpectra& spectra_;
   bool shifts_freely_;
   int threads_;
   Symbol compliance_, inverse_;

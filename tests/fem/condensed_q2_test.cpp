@@ -89,7 +89,7 @@ TEST_P(Q2AgainstUnsplitLayers, GivesTheSameBlocks) {
     for (ElasticLayer& layer : block.layers)
       layer = {layer.thickness, block.layers[0].lame_modulus,
                block.layers[0].shear_modulus};
-  const KindSpectra spectra(grid, 2);
+  const NodeClassSpectra spectra(grid, 2);
   const auto factors =
       make_lattice_factors(spectra, 2, block, {0, spectra.rows()}, 1);
 
@@ -100,7 +100,7 @@ TEST_P(Q2AgainstUnsplitLayers, GivesTheSameBlocks) {
     for (std::size_t column = 0; column < 17; ++column) {
       const WaveBatch batch = spectra.batch(row, column / lanes);
       factors->face_compliance(batch, expected.data());
-      const KindBlock& symbol = found.blocks[row * 17 + column];
+      const NodeClassBlock& symbol = found.blocks[row * 17 + column];
       for (std::size_t i = 0; i < 16; ++i)
         ASSERT_NEAR(symbol[i], grid.cell_area() * expected[i][column % lanes],
                     1e-12 * largest_magnitude(symbol))
@@ -196,10 +196,10 @@ TEST(Q2, PassesThePatchTest) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
       uniform[i] +=
-          compliance.blocks[0][4 * i + j] * compliance.kind_weights[j];
+          compliance.blocks[0][4 * i + j] * compliance.class_weights[j];
 
-  for (std::size_t kind = 1; kind < 4; ++kind)
-    EXPECT_NEAR(uniform[kind] / uniform[0], 1.0, 1e-13);
+  for (std::size_t node_class = 1; node_class < 4; ++node_class)
+    EXPECT_NEAR(uniform[node_class] / uniform[0], 1.0, 1e-13);
 }
 
 class Q2AgainstTheLayer

@@ -32,15 +32,15 @@ constexpr std::size_t wave_columns = 4;
 /// places of the nodes of class k and q lies in the Brillouin zone of the
 /// cells, by a transform of one class at a time. Objects of this class are
 /// immutable, so threads may share one.
-class KindSpectra {
+class NodeClassSpectra {
 public:
   /// @param grid  grid of the nodes; its point counts are multiples of the
   ///              degree
-  KindSpectra(const Grid& grid, int degree);
+  NodeClassSpectra(const Grid& grid, int degree);
 
   const Grid& grid() const { return grid_; }
 
-  std::size_t kinds() const { return kinds_of(degree_); }
+  std::size_t node_classes() const { return node_classes_of(degree_); }
 
   /// Number of values of |jy|.
   std::size_t rows() const { return cells_y_ / 2 + 1; }
@@ -61,8 +61,9 @@ public:
     // opposites.
     const std::size_t from = std::max<std::size_t>(begin, 1);
     const std::size_t to = std::min(end, (cells_y_ + 1) / 2);
-    for (std::size_t kind = 0; kind < kinds(); ++kind) {
-      const std::size_t first = kind * cells_y_ * columns;
+    for (std::size_t node_class = 0; node_class < node_classes();
+         ++node_class) {
+      const std::size_t first = node_class * cells_y_ * columns;
       if (begin < end)
         visit(first + begin * columns, (end - begin) * columns);
       if (from < to)
@@ -81,7 +82,7 @@ public:
                 std::span<double> field, std::vector<double>& scratch) const;
 
   /// Loads the columns of each class:
-  /// values[kind * stride * wave_columns + column].
+  /// values[node_class * stride * wave_columns + column].
   void load(std::span<const std::complex<double>> spectra,
             const WaveBatch& batch, std::size_t stride,
             SimdBatch* values) const;
