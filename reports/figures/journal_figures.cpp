@@ -52,10 +52,10 @@ std::string terminal(const std::string& ending, double width, double height) {
                      0.7 * scale, 0.7 * scale);
 }
 
-/// Returns the value of "set key spacing" at which a row of the legend has the
-/// same height in all formats; the rows of SVG are 1.3 times as high otherwise.
-double key_spacing(const std::string& ending) {
-  return ending == "svg" ? 1.0 / 1.3 : 1.0;
+/// Returns the height that gnuplot gives to a line of text in a format, over
+/// that in PDF and PNG.
+double line_height(const std::string& ending) {
+  return ending == "svg" ? 1.3 : 1.0;
 }
 
 /// gnuplot writes sizes in pixels, of which the viewers of drawings have 96 per
@@ -125,7 +125,7 @@ std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
   std::string problems;
   for (const std::string& ending : format.endings) {
     const JournalLayout layout =
-        journal_layout(figure, width, font_size, key_spacing(ending));
+        journal_layout(figure, width, font_size, line_height(ending));
     arranged.script = layout.script;
     const std::string problem =
         run_script(arranged, folder, terminal(ending, width, layout.height),

@@ -107,7 +107,7 @@ std::string before_plot(std::string script, const std::string& settings) {
 } // namespace
 
 JournalLayout journal_layout(const Figure& figure, double width,
-                             double font_size, double key_spacing) {
+                             double font_size, double line_height) {
   JournalLayout layout{width * figure.height / figure.width, figure.script};
   const std::string& script = figure.script;
   if (has(script, "multiplot") || has(script, "palette"))
@@ -121,8 +121,9 @@ JournalLayout journal_layout(const Figure& figure, double width,
   const std::string corner = free_corner(figure);
   const bool is_inside = !corner.empty();
   const KeyBelow key = key_below(script, width - left - right, key_size);
-  const double bottom =
-      space_below * size + (is_inside ? 0.0 : key.height + key_gap * size);
+  // gnuplot leaves out the label of an axis for which the space is too small.
+  const double bottom = (space_below + line_height - 1.0) * size +
+                        (is_inside ? 0.0 : key.height + key_gap * size);
   const double across = (width - left - right) / width;
   if (across > least_plot_share)
     layout.height = std::max(
@@ -135,7 +136,7 @@ JournalLayout journal_layout(const Figure& figure, double width,
       "set xlabel offset 0,0.3\nset ylabel offset 0.8,0\nset key font ',{:g}' "
       "height 0 samplen 1.4 spacing {:.3g} {}\n",
       left / width, 1.0 - right / width, 1.0 - top / layout.height,
-      bottom / layout.height, font_size - 1.0, key_spacing,
+      bottom / layout.height, font_size - 1.0, 1.0 / line_height,
       is_inside ? "inside vertical " + corner
                 : fmt::format("at screen 0.5, screen {:.4f} center bottom "
                               "horizontal maxcols {}",

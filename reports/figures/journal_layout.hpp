@@ -29,10 +29,8 @@ struct JournalLayout {
 ///
 /// @param width        [m]
 /// @param font_size    of labels [pt]; the legend is one point smaller
-/// @param key_spacing  gnuplot's spacing of the rows of a legend, at which a
-/// row
-///                     has 1.15 times the size of its font
+/// @param line_height  of the format's text over that of PDF and PNG [1]
 JournalLayout journal_layout(const Figure& figure, double width,
-                             double font_size, double key_spacing);
+                             double font_size, double line_height);
 
 } // namespace asperity::reports

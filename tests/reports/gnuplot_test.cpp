@@ -191,6 +191,25 @@ TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
   EXPECT_LT(place_of(svg, "a title as wide as the plot 4"), label + 48.0);
 }
 
+// gnuplot leaves a label out without a message where the margin is too narrow.
+TEST_F(Drawing, LabelsTheAxesOfAJournalFigureAtEachWidth) {
+  Figure figure;
+  figure.name = "trial";
+  figure.data = "x,y\n1,2\n";
+  for (const char* settings : {"", "set key top right\n"})
+    for (const double width : {60e-3, 86e-3, 120e-3, 180e-3}) {
+      figure.script = std::string(settings) +
+                      "set xlabel 'across'\nset ylabel 'upwards'\n"
+                      "plot x title 'a curve'\n";
+
+      ASSERT_EQ(draw_for_journal(figure, {{"svg"}, width}, folder), "");
+
+      const std::string svg = text_of(folder / "trial.svg");
+      EXPECT_NE(svg.find("across"), std::string::npos) << settings << width;
+      EXPECT_NE(svg.find("upwards"), std::string::npos) << settings << width;
+    }
+}
+
 TEST(JournalFormat, ReadsUnitsAndRefusesOthers) {
   EXPECT_NEAR(journal_format({}, "8.6cm").width, 86e-3, 1e-15);
   EXPECT_NEAR(journal_format({}, "3.4 in").width, 86.36e-3, 1e-15);
