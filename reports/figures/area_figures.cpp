@@ -256,7 +256,7 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
       "method's best estimate. Dotted: equal areas." +
       excess_words(series) + joined_words(series);
   figure.script = fmt::format(
-      "set multiplot layout 1,2 margins 0.075,0.985,0.205,0.96 spacing 0.09\n"
+      "set multiplot layout 1,2 margins 0.086,0.985,0.205,0.96 spacing 0.09\n"
       "set key at screen 0.5, 0.02 bottom center vertical maxrows 1\nset "
       "xlabel {0}\nset ylabel {1}\nset xrange [0:1]\n"
       "set yrange [0:1]\n{2}unset key\nset ylabel {3}\nset logscale x\n"

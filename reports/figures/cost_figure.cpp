@@ -35,7 +35,7 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
   if (iterations.empty())
     return std::nullopt;
   figure.caption += ". CPU times, means over the realisations.";
-  figure.script = "set multiplot layout 1,2 margins 0.075,0.985,0.225,0.96 "
+  figure.script = "set multiplot layout 1,2 margins 0.086,0.985,0.225,0.96 "
                   "spacing 0.09\nset key at screen 0.5, 0.02 bottom center "
                   "vertical maxrows 1\nset "
                   "logscale x\nset format x "

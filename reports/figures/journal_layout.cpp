@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 namespace asperity::reports {
@@ -95,6 +96,30 @@ std::string with_room(std::string script, double share) {
                         fmt::format("{:.4g}", std::stod(end) / (1.0 - share)));
 }
 
+/// Enlarges the margins of a figure of several panels and the space between
+/// them.
+std::string with_wider_margins(std::string script, double factor) {
+  const std::string words = " margins ";
+  const std::size_t at = script.find(words, script.find("set multiplot"));
+  if (at == std::string::npos)
+    return script;
+  const std::size_t end = script.find('\n', at);
+  double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0, across = 0.0,
+         down = 0.0;
+  const std::string found = script.substr(at, end - at);
+  const int numbers =
+      std::sscanf(found.c_str(), " margins %lf,%lf,%lf,%lf spacing %lf,%lf",
+                  &left, &right, &bottom, &top, &across, &down);
+  if (numbers < 5)
+    return script;
+  return script.replace(
+      at, end - at,
+      fmt::format(" margins {:.4g},{:.4g},{:.4g},{:.4g} spacing {:.4g},{:.4g}",
+                  factor * left, 1.0 - factor * (1.0 - right), factor * bottom,
+                  1.0 - factor * (1.0 - top), factor * across,
+                  factor * (numbers == 6 ? down : across)));
+}
+
 /// Writes settings that must follow those of the script.
 std::string before_plot(std::string script, const std::string& settings) {
   const std::size_t at =
@@ -110,26 +135,32 @@ JournalLayout journal_layout(const Figure& figure, double width,
                              double font_size, double line_height) {
   JournalLayout layout{width * figure.height / figure.width, figure.script};
   const std::string& script = figure.script;
+  const double size = font_size * printers_point;
+  if (has(script, "multiplot")) // in a report, text has 12 px
+    layout.script =
+        with_wider_margins(script, size / width / (12.0 / figure.width));
   if (has(script, "multiplot") || has(script, "palette"))
     return layout;
-  const double size = font_size * printers_point;
   const double key_size = (font_size - 1.0) * printers_point;
-  const double left = space_beside * size;
   const double right =
       (has(script, "set y2tics") ? space_beside : free_edge) * size;
   const double top = free_edge * size;
   const std::string corner = free_corner(figure);
   const bool is_inside = !corner.empty();
+  double left = space_beside * size;
   const KeyBelow key = key_below(script, width - left - right, key_size);
-  // gnuplot leaves out the label of an axis for which the space is too small.
-  const double bottom = (space_below + line_height - 1.0) * size +
-                        (is_inside ? 0.0 : key.height + key_gap * size);
+  double bottom =
+      space_below * size + (is_inside ? 0.0 : key.height + key_gap * size);
   const double across = (width - left - right) / width;
   if (across > least_plot_share)
     layout.height = std::max(
         layout.height,
         std::min(highest_ratio * width,
                  (top + bottom) / (1.0 - 1.01 * least_plot_share / across)));
+  // Higher lines of text move the labels outwards; gnuplot leaves out a label
+  // for which the space is too small.
+  left += 3.0 * (line_height - 1.0) * size;
+  bottom += 4.0 * (line_height - 1.0) * size;
   const std::string settings = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"

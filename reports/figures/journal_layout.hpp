@@ -25,7 +25,7 @@ struct JournalLayout {
 /// legend is below the axis, in as many columns as fit, and the figure becomes
 /// higher if the plot would cover less than least_plot_share; or the legend is
 /// in a corner that such curves leave free. Figures of several panels or with
-/// images keep their own arrangement and proportions.
+/// images keep their proportions, with margins for text of this size.
 ///
 /// @param width        [m]
 /// @param font_size    of labels [pt]; the legend is one point smaller

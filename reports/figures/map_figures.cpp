@@ -53,17 +53,27 @@ Picture picture_of(const Grid& grid, const std::vector<double>& map,
   return picture;
 }
 
+/// Returns the distance of the tics of an axis whose longer neighbour has some
+/// four: at most its length, so that it has two.
+double tic_step(double length, double longest) {
+  const double step = round_step(longest / 4.0);
+  return step <= length ? step : step / 2.0;
+}
+
 // Returns the gnuplot "plot" element of a matrix, with the axes of the grid in
 // micrometres.
 std::string image_of(const std::string& file, const Grid& grid,
                      const Picture& picture) {
+  const double length_x = grid.length_x * 1e6;
+  const double length_y = grid.length_y * 1e6;
+  const double longest = std::max(length_x, length_y);
   return fmt::format(
       "set xtics {5:g}\nset ytics {6:g}\n"
       "set xrange [0:{0:.6g}]\nset yrange [0:{1:.6g}]\nplot '{2}' matrix using "
       "(($1+0.5)*{3:.9g}):(($2+0.5)*{4:.9g}):3 with image notitle\n",
-      grid.length_x * 1e6, grid.length_y * 1e6, file,
-      grid.length_x * 1e6 / picture.columns, grid.length_y * 1e6 / picture.rows,
-      round_step(grid.length_x * 2.5e5), round_step(grid.length_y * 2.5e5));
+      length_x, length_y, file, length_x / picture.columns,
+      length_y / picture.rows, tic_step(length_x, longest),
+      tic_step(length_y, longest));
 }
 
 /// Returns the commands for the range of colours, with few enough tics that

@@ -172,6 +172,21 @@ double place_of(const std::string& svg, const std::string& text) {
              : std::stod(svg.substr(svg.find(',', start) + 1));
 }
 
+/// Returns the horizontal place of a text in a drawing [px].
+double column_of(const std::string& svg, const std::string& text) {
+  const std::string words = "translate(";
+  const std::size_t start = svg.rfind(words, svg.rfind(text));
+  return std::stod(svg.substr(start + words.size()));
+}
+
+/// Returns the height of a drawing [px].
+double height_of(const std::string& svg) {
+  std::istringstream box(svg.substr(svg.find("viewBox=\"") + 9));
+  double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
+  box >> left >> top >> width >> height;
+  return height;
+}
+
 // A legend of several rows does not cover the label of the axis.
 TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
   Figure figure;
@@ -200,14 +215,42 @@ TEST_F(Drawing, LabelsTheAxesOfAJournalFigureAtEachWidth) {
     for (const double width : {60e-3, 86e-3, 120e-3, 180e-3}) {
       figure.script = std::string(settings) +
                       "set xlabel 'across'\nset ylabel 'upwards'\n"
-                      "plot x title 'a curve'\n";
+                      "set yrange [0:0.45]\nplot x title 'a curve'\n";
 
       ASSERT_EQ(draw_for_journal(figure, {{"svg"}, width}, folder), "");
 
       const std::string svg = text_of(folder / "trial.svg");
       EXPECT_NE(svg.find("across"), std::string::npos) << settings << width;
       EXPECT_NE(svg.find("upwards"), std::string::npos) << settings << width;
+      // An index reaches half a line of 11 px below the line of the label.
+      EXPECT_LT(place_of(svg, "across") + 5.0, height_of(svg))
+          << settings << width;
+      // An exponent reaches a line above that of the label.
+      EXPECT_GT(column_of(svg, "upwards"), 10.0) << settings << width;
     }
+}
+
+// Text of 8 pt takes a larger part of two columns, 178 mm, than 12 px of a
+// report figure of 860 px.
+TEST_F(Drawing, WidensTheMarginsOfPanelsForAJournal) {
+  Figure figure;
+  figure.name = "trial";
+  figure.width = 860;
+  figure.data = "x,y\n1,2\n";
+  figure.script =
+      "set multiplot layout 1,2 margins 0.1,0.9,0.2,0.95 spacing 0.08\n"
+      "plot x notitle\nplot 2*x notitle\nunset multiplot\n";
+
+  ASSERT_EQ(draw_for_journal(figure, {{"pdf"}, 86e-3}, folder), "");
+
+  const double factor = 8.0 * 25.4e-3 / 72.0 / 178e-3 / (12.0 / 860.0);
+  EXPECT_NE(
+      text_of(folder / "trial.gp")
+          .find(fmt::format("margins {:.4g},{:.4g},{:.4g},{:.4g} spacing "
+                            "{:.4g},{:.4g}",
+                            0.1 * factor, 1.0 - 0.1 * factor, 0.2 * factor,
+                            1.0 - 0.05 * factor, 0.08 * factor, 0.08 * factor)),
+      std::string::npos);
 }
 
 TEST(JournalFormat, ReadsUnitsAndRefusesOthers) {
