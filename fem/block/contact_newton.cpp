@@ -224,6 +224,17 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
   } while (!answer.converged);
 }
 
+/// Sets the solution without contact at a prescribed mean gap, which is known
+/// exactly. The iterations leave a part of the displacement before, against
+/// which no contact force measures.
+void ContactNewton::lift_off(double mean_gap_target) {
+  displacement_ = 0.0;
+  elastic_ = 0.0;
+  top_pressure_ = 0.0;
+  std::fill(face_displacement_.begin(), face_displacement_.end(), 0.0);
+  rigid_gap_ += mean_gap_target - mean_gap();
+}
+
 void ContactNewton::solve(std::vector<double> heights, double highest,
                           double height_scale,
                           const mechanics::LoadTarget& load,
@@ -236,6 +247,8 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   else
     solve_springs(load, contact, height_scale, answer);
 
+  if (answer.converged && !any(contact_set(pressure_)))
+    lift_off(load.amount);
   double touching = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     touching += pressure_[i] > 0.0 ? system_.contact()[i].area : 0.0;

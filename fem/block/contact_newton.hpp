@@ -81,6 +81,7 @@ private:
   double borne() const; ///< sum of a p [N]
   double touching_gap(double nominal_pressure, double penalty) const;
   void take_heights(std::vector<double> heights, double highest);
+  void lift_off(double mean_gap_target);
   double own_spring(const BlockContact& contact) const;
   void update_pressure(double penalty);
   bool any(const std::vector<bool>& set) const;

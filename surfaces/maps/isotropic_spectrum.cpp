@@ -11,7 +11,11 @@ double power_law_integral(int order, double exponent, double start,
   const double logarithm = std::log(end / start);
   const double reduced =
       power == 0.0 ? logarithm : std::expm1(power * logarithm) / power;
-  return std::pow(start, order + 2) * reduced;
+  // Products, because the roundoff of std::pow depends on the unit of length.
+  double weight = 1.0;
+  for (int factor = 0; factor < order + 2; ++factor)
+    weight *= start;
+  return weight * reduced;
 }
 
 } // namespace asperity::surfaces
