@@ -11,7 +11,6 @@
 #include "fem/block/lattice_block.hpp"
 
 #include "base/cpu_clock.hpp"
-#include "fem/block/mesh_lattice.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"

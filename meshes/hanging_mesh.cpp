@@ -25,6 +25,14 @@ std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
   return bottoms;
 }
 
+/// Number of layers of cells that are nearly cubes.
+int n_layers_of(const Grid& face, double depth) {
+  const double mean_edge = 0.5 * (face.spacing_x() + face.spacing_y());
+  const double n_layers = std::round(depth / mean_edge);
+  require_between("ratio of depth to cell edge", n_layers, 0.0, 1e6, "1");
+  return std::max(1, static_cast<int>(n_layers));
+}
+
 /// The coarse mesh that is refined n_levels times.
 struct Coarse {
   Grid face;
@@ -36,10 +44,7 @@ Coarse coarse_mesh(const Grid& face, double depth, int n_levels) {
   const int edge = 1 << n_levels;
   const Grid coarse{face.points_x / edge, face.points_y / edge, face.length_x,
                     face.length_y};
-  const double mean_edge = 0.5 * (coarse.spacing_x() + coarse.spacing_y());
-  const double n_layers = std::round(depth / mean_edge);
-  require_between("ratio of depth to cell edge", n_layers, 0.0, 1e6, "1");
-  return {coarse, std::max(1, static_cast<int>(n_layers)), edge};
+  return {coarse, n_layers_of(coarse, depth), edge};
 }
 
 bool is_possible(const Grid& face, double depth, int n_levels,
@@ -66,6 +71,16 @@ void check(const Grid& face, double depth, int cells_a_level) {
 
 } // namespace
 
+BlockMesh equal_boxes(const Grid& face, double depth) {
+  require_positive("depth", depth, "m");
+  const int n_layers = n_layers_of(face, depth);
+  const double layer = depth / n_layers;
+  std::vector<double> thickness(static_cast<std::size_t>(n_layers), layer);
+  thickness.back() =
+      depth - std::accumulate(thickness.begin(), thickness.end() - 1, 0.0);
+  return layered_mesh(face, thickness);
+}
+
 BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
   check(face, depth, cells_a_level);
   int n_levels = 0;
@@ -74,11 +89,7 @@ BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
 
   const Coarse coarse = coarse_mesh(face, depth, n_levels);
   const double layer = depth / coarse.n_layers;
-  std::vector<double> thickness(static_cast<std::size_t>(coarse.n_layers),
-                                layer);
-  thickness.back() =
-      depth - std::accumulate(thickness.begin(), thickness.end() - 1, 0.0);
-  BlockMesh mesh = layered_mesh(coarse.face, thickness);
+  BlockMesh mesh = equal_boxes(coarse.face, depth);
   for (const long bottom : level_bottoms(n_levels, cells_a_level))
     mesh.refine_below.push_back(layer * static_cast<double>(bottom) /
                                 coarse.edge);

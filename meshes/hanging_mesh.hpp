@@ -9,6 +9,13 @@
 
 namespace asperity::meshes {
 
+/// Generates equal boxes that are nearly cubes: round(depth / H) layers, at
+/// least one, where H is the mean of the two spacings of `face`.
+/// @param face   grid with one point per cell of the contact surface
+/// @param depth  depth of the block [m] > 0
+/// @throws std::domain_error  an argument is outside its range
+BlockMesh equal_boxes(const Grid& face, double depth);
+
 /// Generates a coarse mesh of equal boxes, nearly cubes, and the depths above
 /// which they are refined. In units of the edge h of the cells at the contact
 /// surface, level l = 0..n-1 has cells of edge 2^l and extends down to

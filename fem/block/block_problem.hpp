@@ -17,6 +17,14 @@
 
 namespace asperity::fem {
 
+/// Refinement of a mesh of boxes where the contact requires it
+/// (fem/adaptive).
+struct AdaptiveMesh {
+  /// Number of times that a cell may be halved. The nodes of the contact
+  /// surface are then those of the grid.
+  int halvings = 0;
+};
+
 /// The problem that make_full_block builds. It must be equal on every rank.
 struct BlockProblem {
   Grid grid;              ///< grid of the heights and of the fields in the
@@ -40,6 +48,9 @@ struct BlockProblem {
   /// The laterally uniform block on the same node grid that the mesh equals or
   /// approximates; LinearSolver::fourier uses it as preconditioner.
   std::optional<LayeredBlock> lattice = {};
+
+  /// Set for make_adaptive_block, for which `mesh` is the coarsest mesh.
+  std::optional<AdaptiveMesh> adaptive = {};
 
   std::string quality = {}; ///< lines on the mesh quality, for report()
 };

@@ -22,6 +22,11 @@ public:
   /// A block on the mesh of another one, which `problem` need not contain.
   BlockSystem(const BlockProblem& problem, const BlockSystem& same_mesh);
 
+  /// A block on a mesh of the same box; null for the mesh of `problem`.
+  BlockSystem(
+      const BlockProblem& problem,
+      std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation);
+
   const Grid& grid() const { return grid_; }
 
   const BlockSpace& space() const { return space_; }
@@ -54,9 +59,6 @@ public:
   std::string report() const;
 
 private:
-  BlockSystem(
-      const BlockProblem& problem,
-      std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation);
   void integrate_top_load();
   void find_face_modulus();
 

@@ -78,9 +78,12 @@ make_triangulation(const meshes::BlockMesh& mesh, bool has_counter) {
   std::unique_ptr<dealii::parallel::TriangulationBase<3>> triangulation;
   if (is_hexahedral) {
     dealii::GridTools::consistently_order_cells(coarse.cells);
+    // p4est limits the difference at vertices in any case. With this smoothing,
+    // the flags of cells say beforehand what p4est is going to do.
     triangulation =
         std::make_unique<dealii::parallel::distributed::Triangulation<3>>(
-            MPI_COMM_WORLD);
+            MPI_COMM_WORLD,
+            dealii::Triangulation<3>::limit_level_difference_at_vertices);
   } else {
     triangulation =
         std::make_unique<dealii::parallel::shared::Triangulation<3>>(

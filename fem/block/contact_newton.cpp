@@ -71,6 +71,16 @@ bool ContactNewton::solve_linear(std::span<const double> pressure,
   return solver_.solve(displacement, right, 1e-12 * right.l2_norm());
 }
 
+void ContactNewton::start_from(ContactStart start) {
+  displacement_ = start.displacement;
+  pressure_ = std::move(start.pressure);
+  rigid_gap_ = start.rigid_gap;
+  highest_ = start.highest;
+  top_pressure_ = start.top_pressure;
+  system_.contact().take_displacement(displacement_, face_displacement_);
+  solver_.multiply(elastic_, displacement_);
+}
+
 double ContactNewton::mean_gap() const {
   double mean = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)

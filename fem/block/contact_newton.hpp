@@ -22,6 +22,16 @@ constexpr int most_refinements = 8;
 /// would ignore a NaN, and MPI's maximum may.
 double larger_residual(double largest, double residual);
 
+/// The state of the contact problem from which another mesh starts.
+struct ContactStart {
+  dealii::TrilinosWrappers::MPI::Vector displacement; ///< u [m], with zeros at
+                                                      ///< constrained unknowns
+  std::vector<double> pressure; ///< of this rank's points [Pa] >= 0
+  double rigid_gap = 0.0;       ///< as ContactNewton::rigid_gap [m]
+  double highest = 0.0;         ///< [m]
+  double top_pressure = 0.0;    ///< on the far boundary [Pa]
+};
+
 /// Solves (F.1) of full_block.hpp over the points of all ranks.
 /// contact_newton.cpp implements penalty and augmented Lagrangian contact,
 /// contact_active_set.cpp hard contact, and contact_step.cpp the linear step
@@ -43,6 +53,9 @@ public:
              const mechanics::LoadTarget& load, const BlockContact& contact,
              BlockSolution& answer);
 
+  /// Replaces the state from which the next solution starts.
+  void start_from(ContactStart start);
+
   /// Computes u under given pressures [Pa] at this rank's points, balanced by
   /// the load on the far boundary. The state does not change. Returns false if
   /// CG did not converge.
@@ -61,6 +74,8 @@ public:
   double rigid_gap() const { return rigid_gap_; }
 
   double highest() const { return highest_; }
+
+  double top_pressure() const { return top_pressure_; } ///< [Pa]
 
   double gap(std::size_t i) const {
     return rigid_gap_ + face_displacement_[i] - heights_[i];

@@ -106,15 +106,21 @@ ContactPoints::row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
   const dealii::FESystem<3>& element = space_.element();
   std::vector<global_dof_index> unknowns(element.n_dofs_per_cell());
   cell->get_dof_indices(unknowns);
+  // Functions that vanish at the place, or whose shares in hanging nodes cancel
+  // there, have values of roundoff.
+  const auto is_roundoff = [](double value) { return std::abs(value) < 1e-14; };
   FaceRow row;
   for (unsigned int i = 0; i < unknowns.size(); ++i) {
     if (element.system_to_component_index(i).first != 2)
       continue;
     const double value = element.shape_value(i, unit);
-    if (std::abs(value) > 1e-14) // skips functions that vanish on the face
+    if (!is_roundoff(value))
       row.emplace_back(unknowns[i], value);
   }
-  return with_counter(space_.resolved(row));
+  row = space_.resolved(row);
+  std::erase_if(row,
+                [&](const auto& entry) { return is_roundoff(entry.second); });
+  return with_counter(std::move(row));
 }
 
 void ContactPoints::take_nodes(const Grid& grid) {

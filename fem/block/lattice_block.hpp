@@ -9,11 +9,17 @@
 #include "fem/multigrid/lattice_multigrid.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::fem {
+
+/// The lattice of a problem if its mesh consists of equal columns of boxes
+/// numbered as by layered_mesh; none for other meshes, two bodies and several
+/// ranks.
+std::optional<BoxLattice> box_lattice(const BlockProblem& problem);
 
 /// The stiffness of the block and its inverse on the lattice, on one rank.
 ///

@@ -1,4 +1,4 @@
-#include "fem/block/mesh_lattice.hpp"
+#include "fem/block/lattice_block.hpp"
 
 #include <deal.II/base/mpi.h>
 

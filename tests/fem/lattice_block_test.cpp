@@ -3,7 +3,6 @@
 // solver.
 #include "fem/block/block_solver.hpp"
 #include "fem/block/lattice_block.hpp"
-#include "fem/block/mesh_lattice.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,12 @@
-#include "fem/block/full_block.hpp"
+#include "fem/block/meshed_block.hpp"
 
 #include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "base/rms_height.hpp"
-#include "fem/block/block_output.hpp"
-#include "fem/block/block_problem.hpp"
 #include "fem/block/block_section.hpp"
-#include "fem/block/contact_newton.hpp"
-#include "fem/block/face_maps.hpp"
 #include "fem/block/hexahedron_block.hpp"
 #include "fem/block/lattice_block.hpp"
 #include "fem/block/lattice_preconditioner.hpp"
-#include "fem/block/mesh_lattice.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
@@ -93,11 +88,14 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
 
 /// The solver of the contact problem with the linear solver that the problem
 /// requests or that is the fastest.
-ContactNewton newton_of(const BlockProblem& problem,
-                        const BlockSystem& system) {
-  std::unique_ptr<MatrixFreeBlock> matrix_free = multigrid_of(problem, system);
+/// @param has_own_mesh  whether the mesh is that of the problem
+ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
+                        bool has_own_mesh) {
+  std::unique_ptr<MatrixFreeBlock> matrix_free;
   std::unique_ptr<BlockPreconditioner> fourier;
-  if (!matrix_free)
+  if (has_own_mesh)
+    matrix_free = multigrid_of(problem, system);
+  if (has_own_mesh && !matrix_free)
     fourier = lattice_of(problem, system);
   if (!matrix_free && !fourier)
     matrix_free = hexahedron_block_of(problem, system);
@@ -105,66 +103,35 @@ ContactNewton newton_of(const BlockProblem& problem,
                        std::move(matrix_free));
 }
 
-class MeshedBlock final : public FullBlock {
-public:
-  explicit MeshedBlock(const BlockProblem& problem)
-      : system_(checked(problem)),
-        maps_(system_),
-        weights_(maps_.weights()),
-        report_(system_.report()),
-        newton_(newton_of(problem, system_)) {}
+} // namespace
 
-  const Grid& grid() const override { return system_.grid(); }
+MeshedBlock::MeshedBlock(
+    const BlockProblem& problem,
+    std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
+    : system_(checked(problem), triangulation),
+      maps_(system_),
+      weights_(maps_.weights()),
+      report_(system_.report()),
+      newton_(newton_of(problem, system_, triangulation == nullptr)) {}
 
-  std::size_t unknowns() const override { return system_.n_unknowns(); }
+StressPeak MeshedBlock::strongest_stress() const {
+  return BlockStress(system_, newton_.displacement()).strongest();
+}
 
-  std::span<const double> nodal_weights() const override { return weights_; }
+std::vector<double> MeshedBlock::section(const SectionPlane& plane) const {
+  BlockStress stress(system_, newton_.displacement());
+  return von_mises_in(plane, system_.space(), stress);
+}
 
-  std::string report() const override { return report_; }
+void MeshedBlock::write(const std::string& folder_and_stem) {
+  BlockStress stress(system_, newton_.displacement());
+  output_.write(folder_and_stem, system_, stress, nominal_pressure_);
+}
 
-  std::vector<double> displacement(std::span<const double> pressure) override;
-
-  BlockSolution solve(std::span<const double> heights,
-                      const mechanics::LoadTarget& load,
-                      const BlockContact& contact) override;
-
-  StressPeak strongest_stress() const override {
-    return BlockStress(system_, newton_.displacement()).strongest();
-  }
-
-  std::vector<double> section(const SectionPlane& plane) const override {
-    BlockStress stress(system_, newton_.displacement());
-    return von_mises_in(plane, system_.space(), stress);
-  }
-
-  void write(const std::string& folder_and_stem) override {
-    BlockStress stress(system_, newton_.displacement());
-    output_.write(folder_and_stem, system_, stress, nominal_pressure_);
-  }
-
-private:
-  bool is_contact_on_grid(std::span<const double> pressure) const;
-
-  double weighted_mean(std::span<const double> field) const {
-    return std::inner_product(field.begin(), field.end(), weights_.begin(),
-                              0.0) /
-           static_cast<double>(field.size());
-  }
-
-  void require_field(const char* name, std::span<const double> field,
-                     const char* unit) const;
-  void require_arguments(std::span<const double> heights,
-                         const mechanics::LoadTarget& load,
-                         const BlockContact& contact) const;
-
-  BlockSystem system_;
-  FaceMaps maps_;
-  std::vector<double> weights_;
-  std::string report_; ///< computed on all ranks together
-  ContactNewton newton_;
-  BlockOutput output_;
-  double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
-};
+double MeshedBlock::weighted_mean(std::span<const double> field) const {
+  return std::inner_product(field.begin(), field.end(), weights_.begin(), 0.0) /
+         static_cast<double>(field.size());
+}
 
 std::vector<double>
 MeshedBlock::displacement(std::span<const double> pressure) {
@@ -246,8 +213,6 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
     answer.gap[i] += newton_.rigid_gap() - (heights[i] - newton_.highest());
   return answer;
 }
-
-} // namespace
 
 std::unique_ptr<FullBlock> make_full_block(const BlockProblem& problem) {
   return std::make_unique<MeshedBlock>(problem);
