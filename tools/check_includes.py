@@ -44,7 +44,7 @@ ORDER = {
     "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "analysis", "."],
-    "fem": ["parallel", "waves", "multigrid", "block", "."],
+    "fem": ["parallel", "waves", "multigrid", "block", "adaptive", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],
     "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "manual", "cli"],

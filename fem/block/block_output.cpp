@@ -104,7 +104,8 @@ private:
 struct CellFields {
   explicit CellFields(const BlockSystem& system)
       : youngs_modulus(system.space().triangulation().n_active_cells()),
-        subdomain(youngs_modulus.size()) {
+        subdomain(youngs_modulus.size()),
+        level(youngs_modulus.size()) {
     for (const auto& cell :
          system.space().triangulation().active_cell_iterators()) {
       if (cell->is_artificial())
@@ -115,11 +116,13 @@ struct CellFields {
       youngs_modulus(cell->active_cell_index()) =
           mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
       subdomain(cell->active_cell_index()) = cell->subdomain_id();
+      level(cell->active_cell_index()) = cell->level();
     }
   }
 
   dealii::Vector<double> youngs_modulus; ///< [Pa]
   dealii::Vector<double> subdomain;
+  dealii::Vector<double> level;
 };
 
 /// Runs an action that may fail on one rank only, so that no rank waits
@@ -219,6 +222,7 @@ void BlockOutput::write(const std::string& folder_and_stem,
   data.add_data_vector(nodal.dof_handler(), nodal.values(), fields);
   data.add_data_vector(cells.youngs_modulus, "youngs_modulus");
   data.add_data_vector(cells.subdomain, "subdomain");
+  data.add_data_vector(cells.level, "level");
   data.build_patches(system.space().mapping(), system.space().element().degree,
                      dealii::DataOut<3>::no_curved_cells);
   dealii::DataOutBase::VtkFlags flags(

@@ -21,6 +21,7 @@ namespace asperity::fem {
 ///     vertical_pressure  -sigma_zz
 ///     youngs_modulus     E of the cell
 ///     subdomain          rank of the cell
+///     level              how often the cell has been halved
 ///
 /// A second-order hexahedron is written as eight cells of half the width, a
 /// second-order tetrahedron with its ten nodes. The time of a step is the

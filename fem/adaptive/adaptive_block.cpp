@@ -1,0 +1,218 @@
+#include "fem/adaptive/adaptive_block.hpp"
+
+#include "base/require.hpp"
+#include "fem/adaptive/mesh_change.hpp"
+#include "fem/adaptive/refinement_rule.hpp"
+#include "fem/block/block_triangulation.hpp"
+#include "fem/block/meshed_block.hpp"
+#include "fem/parallel/mpi_session.hpp"
+#include "fem/parallel/ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace asperity::fem {
+namespace {
+
+/// Tolerance of solutions that only decide on the mesh.
+constexpr double loose_tolerance = 1e-4;
+
+/// Passes in addition to one per halving.
+constexpr int extra_passes = 4;
+
+/// Share of cells below which merging alone is not worth another solution.
+constexpr double least_coarsened = 0.1;
+
+void check_adaptive(const BlockProblem& problem) {
+  if (problem.counter)
+    throw std::domain_error(
+        "an adaptive mesh with two meshed bodies is not available; use "
+        "another kind of mesh or one body");
+  start_mpi();
+  if (n_ranks() > 1)
+    throw std::domain_error(fmt::format(
+        "an adaptive mesh is not available on several processes, but there are "
+        "{}; use one, or another kind of mesh",
+        n_ranks()));
+  require_between("halvings", problem.adaptive->halvings, 1, 12, "1");
+}
+
+std::shared_ptr<MeshChange::Mesh> coarsest_mesh(const BlockProblem& problem) {
+  check_adaptive(problem);
+  std::shared_ptr<dealii::parallel::TriangulationBase<3>> mesh =
+      make_triangulation(problem.mesh, false);
+  auto adaptive = std::dynamic_pointer_cast<MeshChange::Mesh>(mesh);
+  if (!adaptive)
+    throw std::domain_error("an adaptive mesh must consist of hexahedra");
+  return adaptive;
+}
+
+double mean_of(std::span<const double> field) {
+  return std::accumulate(field.begin(), field.end(), 0.0) /
+         static_cast<double>(field.size());
+}
+
+class AdaptiveBlock final : public FullBlock {
+public:
+  explicit AdaptiveBlock(const BlockProblem& problem)
+      : problem_(problem),
+        mesh_(coarsest_mesh(problem)),
+        block_(std::make_unique<MeshedBlock>(problem_, mesh_)),
+        weights_(problem.grid.size(), 1.0) {}
+
+  const Grid& grid() const override { return problem_.grid; }
+
+  std::size_t unknowns() const override { return block_->unknowns(); }
+
+  std::span<const double> nodal_weights() const override { return weights_; }
+
+  std::string report() const override {
+    return fmt::format(
+        "adaptive mesh, cells at the contact halved up to {} times from\n{}",
+        problem_.adaptive->halvings, block_->report());
+  }
+
+  std::vector<double> displacement(std::span<const double> pressure) override {
+    return block_->displacement(pressure);
+  }
+
+  BlockSolution solve(std::span<const double> heights,
+                      const mechanics::LoadTarget& load,
+                      const BlockContact& contact) override;
+
+  StressPeak strongest_stress() const override {
+    return block_->strongest_stress();
+  }
+
+  std::vector<double> section(const SectionPlane& plane) const override {
+    return block_->section(plane);
+  }
+
+  void write(const std::string& folder_and_stem) override {
+    block_->write(folder_and_stem);
+  }
+
+private:
+  /// What one load step needs.
+  struct Step {
+    std::span<const double> heights;
+    mechanics::LoadTarget load;
+    BlockContact contact;
+  };
+
+  BlockSolution solve_on_mesh(const Step& step, double tolerance);
+  bool change_mesh(const BlockSolution& found, const BlockContact& contact,
+                   bool may_coarsen);
+  void rebuild(MeshChange& change, std::span<const double> pressure);
+
+  BlockProblem problem_;
+  std::shared_ptr<MeshChange::Mesh> mesh_;
+  std::unique_ptr<MeshedBlock> block_;
+  std::vector<double> weights_; ///< all ones: fields are samples
+};
+
+/// Solves with the mean height of the grid in place of that of the contact
+/// points.
+BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
+  const ContactPoints& points = block_->system().contact();
+  const std::vector<double> at_points = block_->maps().at_points(step.heights);
+  double mean_at_points = 0.0;
+  for (std::size_t i = 0; i < at_points.size(); ++i)
+    mean_at_points += points[i].area * at_points[i];
+  mean_at_points /= points.area();
+  const double missed = mean_at_points - mean_of(step.heights);
+  mechanics::LoadTarget load = step.load;
+  if (load.control == mechanics::Control::mean_gap)
+    load.amount -= missed;
+  BlockContact contact = step.contact;
+  contact.tolerance = std::max(tolerance, contact.tolerance);
+  BlockSolution found = block_->solve(step.heights, load, contact);
+  found.mean_gap += missed;
+  return found;
+}
+
+BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
+                                   const mechanics::LoadTarget& load,
+                                   const BlockContact& contact) {
+  block_->require_arguments(heights, load, contact);
+  const Step step{heights, load, contact};
+  BlockSolution total;
+  const auto add_costs = [&total](BlockSolution found) {
+    found.iterations += total.iterations;
+    found.linear_iterations += total.linear_iterations;
+    found.preconditioner_setups += total.preconditioner_setups;
+    found.memory = std::max(found.memory, total.memory);
+    total = std::move(found);
+  };
+  const int most_passes = problem_.adaptive->halvings + extra_passes;
+  int pass = 0;
+  do
+    add_costs(solve_on_mesh(step, loose_tolerance));
+  while (pass++ < most_passes && change_mesh(total, contact, pass == 1));
+  const bool is_settled = pass <= most_passes;
+  add_costs(solve_on_mesh(step, 0.0));
+  if (!is_settled && total.note.empty())
+    total.note = fmt::format("the mesh still changed after {} passes", pass);
+  return total;
+}
+
+/// Changes the mesh where the solution requires it. Returns whether it has
+/// changed; if so, the block on the new mesh continues from that solution.
+bool AdaptiveBlock::change_mesh(const BlockSolution& found,
+                                const BlockContact& contact, bool may_coarsen) {
+  const double compliance = contact.law == mechanics::ContactLaw::penalty
+                                ? 1.0 / contact.penalty
+                                : 0.0;
+  std::vector<double> gap = found.gap;
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    gap[i] += compliance * found.pressure[i];
+  const RefinementRule rule(problem_, *block_, {found.pressure, gap},
+                            found.nominal_pressure /
+                                std::max(found.area_by_points, 1e-300));
+  MeshChange change(problem_, *mesh_, rule.changes(may_coarsen));
+  const ChangedCells changed = change.count();
+  if (changed.refined == 0 &&
+      static_cast<double>(changed.coarsened) <
+          least_coarsened * static_cast<double>(mesh_->n_active_cells()))
+    return false;
+  rebuild(change, found.pressure);
+  return true;
+}
+
+void AdaptiveBlock::rebuild(MeshChange& change,
+                            std::span<const double> pressure) {
+  const BlockSpace& space = block_->system().space();
+  const ContactNewton& newton = block_->newton();
+  ContactStart start{space.make_vector(),
+                     {},
+                     newton.rigid_gap(),
+                     newton.highest(),
+                     newton.top_pressure()};
+  MeshChange::Vector whole = newton.displacement();
+  space.constraints().distribute(whole);
+  std::unique_ptr<MeshedBlock> old = std::move(block_);
+  const BlockOutput output = old->output();
+  const MeshChange::Vector transferred =
+      change.execute(whole, [&old] { old.reset(); });
+
+  block_ = std::make_unique<MeshedBlock>(problem_, mesh_);
+  block_->continue_output(output);
+  start.displacement = transferred;
+  block_->system().space().constraints().set_zero(start.displacement);
+  start.pressure = block_->maps().at_points(pressure);
+  for (double& value : start.pressure)
+    value = std::max(0.0, value);
+  block_->newton().start_from(std::move(start));
+}
+
+} // namespace
+
+std::unique_ptr<FullBlock> make_adaptive_block(const BlockProblem& problem) {
+  return std::make_unique<AdaptiveBlock>(problem);
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,161 @@
+// Claims about fem/adaptive/mesh_change.hpp and stress_indicator.hpp: what
+// becomes of a field, of periodic sides and of an exact stress when a mesh
+// changes.
+#include "fem/adaptive/mesh_change.hpp"
+#include "fem/adaptive/stress_indicator.hpp"
+#include "fem/block/block_triangulation.hpp"
+#include "fem/parallel/mpi_session.hpp"
+#include "meshes/hanging_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "tests/fem/bent_block.hpp"
+
+namespace asperity::fem {
+namespace {
+
+constexpr double length = 1e-6; // m
+constexpr int most_levels = 2;
+
+using Mesh = MeshChange::Mesh;
+using Field = std::function<double(const dealii::Point<3>&)>;
+
+BlockProblem problem_of(int degree, mechanics::BlockSides sides) {
+  return {.grid = {16 * degree, 16 * degree, length, length},
+          .mesh = meshes::equal_boxes({4, 4, length, length}, length),
+          .degree = degree,
+          .moduli = ModuliField(moduli({soft_modulus, 0.3})),
+          .sides = sides};
+}
+
+std::shared_ptr<Mesh> mesh_of(const BlockProblem& problem) {
+  start_mpi();
+  std::shared_ptr<dealii::parallel::TriangulationBase<3>> mesh =
+      make_triangulation(problem.mesh, false);
+  return std::dynamic_pointer_cast<Mesh>(mesh);
+}
+
+/// Random changes of cells that are not yet of the finest level.
+std::vector<CellChange> random_changes(const Mesh& mesh, unsigned int seed) {
+  const std::vector<double> dice = random_field(mesh.n_active_cells(), seed);
+  std::vector<CellChange> changes(dice.size(), CellChange::none);
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    const double thrown = dice[cell->active_cell_index()];
+    if (thrown < 0.2 && cell->level() < most_levels)
+      changes[cell->active_cell_index()] = CellChange::refine;
+    else if (thrown > 0.4)
+      changes[cell->active_cell_index()] = CellChange::coarsen;
+  }
+  return changes;
+}
+
+/// The largest relative difference between a field that has been carried over
+/// and the field itself, over several changes.
+double worst_transfer(int degree, const Field& field) {
+  const BlockProblem problem =
+      problem_of(degree, mechanics::BlockSides::periodic);
+  const auto mesh = mesh_of(problem);
+  double worst = 0.0;
+  std::size_t merged = 0;
+  for (unsigned int seed = 1; seed <= 4; ++seed) {
+    const auto before = vertical_displacement(BlockSpace(problem, mesh), field);
+    MeshChange change(problem, *mesh, random_changes(*mesh, seed));
+    merged += change.count().coarsened;
+    auto found = change.execute(before, [] {});
+    const auto expected =
+        vertical_displacement(BlockSpace(problem, mesh), field);
+    EXPECT_EQ(found.size(), expected.size());
+    found -= expected;
+    worst = std::max(worst, found.linfty_norm() / expected.linfty_norm());
+  }
+  EXPECT_GT(merged, 0U);
+  return worst;
+}
+
+// Claim: the transfer reproduces what the elements can hold: linear fields, and
+// with second order quadratic ones, but with first order not.
+TEST(MeshChange, KeepsPolynomials) {
+  const Field linear = [](const dealii::Point<3>& p) {
+    return 1e-7 + 0.3 * p[0] - 0.2 * p[1] + 0.5 * p[2];
+  };
+  const Field quadratic = [](const dealii::Point<3>& p) {
+    return (p[0] * p[0] - 2.0 * p[0] * p[1] + p[2] * p[1]) / length;
+  };
+
+  EXPECT_LT(worst_transfer(1, linear), 1e-13);
+  EXPECT_LT(worst_transfer(2, linear), 1e-13);
+  EXPECT_LT(worst_transfer(2, quadratic), 1e-13);
+  EXPECT_GT(worst_transfer(1, quadratic), 1e-3);
+}
+
+// Claim: opposite sides match after any change; BlockSpace refuses sides that
+// do not, as those that change at random without regard for the other side.
+TEST(MeshChange, KeepsPeriodicSidesEqual) {
+  const BlockProblem periodic = problem_of(1, mechanics::BlockSides::periodic);
+  const BlockProblem free = problem_of(1, mechanics::BlockSides::free);
+  const auto equal = mesh_of(periodic);
+  const auto other = mesh_of(free);
+  for (unsigned int seed = 1; seed <= 8; ++seed) {
+    const auto change = [&](const BlockProblem& problem, Mesh& mesh) {
+      const MeshChange flags(problem, mesh, random_changes(mesh, seed));
+      mesh.execute_coarsening_and_refinement();
+    };
+    change(periodic, *equal);
+    change(free, *other);
+    EXPECT_NO_THROW(BlockSpace(periodic, equal)) << seed;
+  }
+  EXPECT_THROW(BlockSpace(periodic, other), std::domain_error);
+}
+
+// Claim: all of eight cells merge again.
+TEST(MeshChange, UndoesARefinement) {
+  const BlockProblem problem = problem_of(2, mechanics::BlockSides::free);
+  const auto mesh = mesh_of(problem);
+  const auto change_all = [&](CellChange what) {
+    MeshChange change(problem, *mesh,
+                      std::vector<CellChange>(mesh->n_active_cells(), what));
+    static_cast<void>(
+        change.execute(BlockSpace(problem, mesh).make_vector(), [] {}));
+    return mesh->n_active_cells();
+  };
+
+  EXPECT_EQ(change_all(CellChange::refine), 8U * 64U);
+  EXPECT_EQ(change_all(CellChange::coarsen), 64U);
+}
+
+// Claim: a uniform strain in two materials has a step of the stress between
+// them, which is no error, not even if a solver left the displacement inexact
+// by 1e-6; a strain that varies along a cell has one.
+TEST(StressIndicator, IsZeroForASteppedStress) {
+  BlockProblem problem = problem_of(1, mechanics::BlockSides::free);
+  LayeredBlock layers;
+  for (const double modulus : {3.0 * soft_modulus, soft_modulus})
+    layers.layers.push_back(elastic_layer(0.5 * length, modulus, 0.3));
+  problem.moduli = ModuliField(layers);
+  const BlockSystem system(problem);
+  const auto largest = [&](const Field& field) {
+    const auto indicator =
+        stress_indicator(system, vertical_displacement(system.space(), field));
+    return *std::max_element(indicator.begin(), indicator.end());
+  };
+
+  // Both vanish at the clamped far boundary.
+  const std::vector<double> noise = random_field(1000, 5);
+  EXPECT_EQ(largest([&](const dealii::Point<3>& p) {
+              const std::size_t i = std::hash<double>()(p[0] + 7.0 * p[1]);
+              return (1e-3 + 1e-9 * noise[i % noise.size()]) *
+                     (p[2] < 0.5 * length ? 2.0 * p[2] - 1.5 * length
+                                          : p[2] - length);
+            }),
+            0.0);
+  EXPECT_GT(largest([](const dealii::Point<3>& p) {
+              return 1e-3 * (p[2] * p[2] / length - length);
+            }),
+            0.0);
+}
+
+} // namespace
+} // namespace asperity::fem
