@@ -9,6 +9,8 @@
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
+#include <stdexcept>
+
 namespace asperity::fem {
 namespace {
 
@@ -52,8 +54,32 @@ meshes::GmshBlock gmsh_parameters(const FullRequest& request) {
   return block;
 }
 
+/// The coarsest cells of an adaptive mesh.
+meshes::BlockMesh coarsest_mesh_of(const FullRequest& request) {
+  if (!request.material.is_uniform())
+    throw std::domain_error("an adaptive mesh needs uniform moduli, because "
+                            "coarse cells would miss "
+                            "layers, inclusions and variations");
+  const int halvings = request.mesh.halvings;
+  require_between("halvings", halvings, 1, 12, "1");
+  const int step = degree_of(request.block.element) << halvings;
+  for (const int points : {request.grid.points_x, request.grid.points_y})
+    if (points % step != 0 || points / step < 2)
+      refuse_argument("points per side of an adaptive mesh", points,
+                      "a multiple of " + std::to_string(step) +
+                          ", the node spacings of a cell that is halved " +
+                          std::to_string(halvings) +
+                          " times, and at least twice as many");
+  return meshes::equal_boxes({request.grid.points_x / step,
+                              request.grid.points_y / step,
+                              request.grid.length_x, request.grid.length_y},
+                             request.block.depth.in_si(request.scales));
+}
+
 meshes::BlockMesh mesh_of(const FullRequest& request) {
   const mechanics::MeshSpec& spec = request.mesh;
+  if (spec.kind == mechanics::MeshKind::adaptive)
+    return coarsest_mesh_of(request);
   if (spec.kind == mechanics::MeshKind::hanging)
     return meshes::hanging_mesh(
         cells_of(request.grid, degree_of(request.block.element)),
@@ -128,6 +154,8 @@ BlockProblem problem_of(const FullRequest& request,
   }
   if (!mesh)
     mesh = mesh_of(request);
+  if (full.uses_case_mesh && mesh_spec.kind == mechanics::MeshKind::adaptive)
+    problem.adaptive = AdaptiveMesh{mesh_spec.halvings};
   problem.mesh = std::move(*mesh);
   meshes::require_valid_mesh(problem.mesh, full.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));

@@ -1,6 +1,7 @@
 #include "fem/plugin.hpp"
 
 #include "contact/operators/fourier_operator.hpp"
+#include "fem/adaptive/adaptive_block.hpp"
 #include "fem/block_proxy.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/waves/cell_stiffness.hpp"
@@ -56,7 +57,8 @@ Q2Compliance kept_or_built(const BlockRequest& request,
 }
 
 std::unique_ptr<FullBlock> make_block(const BlockProblem& problem) {
-  return make_full_block(problem);
+  return problem.adaptive ? make_adaptive_block(problem)
+                          : make_full_block(problem);
 }
 
 class DealiiModule final : public FemModule {

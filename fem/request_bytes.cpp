@@ -55,9 +55,9 @@ void pass(Archive& archive, mechanics::MaterialSpec& material) {
 
 template <typename Archive>
 void pass(Archive& archive, mechanics::MeshSpec& mesh) {
-  auto& [kind, cells_a_level, geometry, cells, size_at_contact, size_far,
+  auto& [kind, cells_a_level, halvings, geometry, cells, size_at_contact, size_far,
          fine_radius, file, file_unit] = mesh;
-  archive(kind, cells_a_level, geometry, cells, size_at_contact, size_far,
+  archive(kind, cells_a_level, halvings, geometry, cells, size_at_contact, size_far,
           fine_radius, file, file_unit);
 }
 

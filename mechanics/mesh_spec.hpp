@@ -11,7 +11,7 @@ namespace asperity::mechanics {
 /// The lateral sides of a block.
 enum class BlockSides { periodic, free };
 
-enum class MeshKind { layers, hanging, gmsh };
+enum class MeshKind { layers, hanging, adaptive, gmsh };
 enum class MeshGeometry { block, indentation, layered, inclusion, file };
 enum class MeshCells { hexahedra, tetrahedra };
 
@@ -19,6 +19,7 @@ enum class MeshCells { hexahedra, tetrahedra };
 struct MeshSpec {
   MeshKind kind = MeshKind::layers;
   int cells_a_level = 4;                       ///< cells per level, for hanging
+  int halvings = 3;                            ///< at the contact, for adaptive
   MeshGeometry geometry = MeshGeometry::block; ///< for gmsh
   MeshCells cells = MeshCells::hexahedra;      ///< for gmsh
   /// Edge length of a cell [m].

@@ -81,6 +81,7 @@ bool has_matrix_free_hexahedra(const cases::Case& contact_case,
   return settings.full.bodies == 1 && settings.full.uses_case_mesh &&
          settings.block.element == mechanics::Element::q2 &&
          (mesh.kind == mechanics::MeshKind::hanging ||
+          mesh.kind == mechanics::MeshKind::adaptive ||
           (mesh.kind == mechanics::MeshKind::gmsh &&
            mesh.cells == mechanics::MeshCells::hexahedra &&
            mesh.geometry != mechanics::MeshGeometry::file));

@@ -119,6 +119,7 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   mechanics::MeshSpec mesh;
   mesh.kind = table.choice("kind", mesh.kind);
   mesh.cells_a_level = table.integer("cells_a_level");
+  mesh.halvings = table.integer("halvings");
   mesh.geometry = table.choice("geometry", mesh.geometry);
   mesh.cells = table.choice("cells", mesh.cells);
   mesh.size_at_contact = table.quantity("size_at_contact");
@@ -193,6 +194,33 @@ void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
   }
 }
 
+/// Checks what an adaptive mesh needs.
+void check_adaptive(const Node& file, const Case& read,
+                    const MethodSpec& method, const mechanics::FemSettings& fem,
+                    Mistakes& mistakes) {
+  const Node& kind = entry_of(file, "mesh", "kind");
+  if (fem.full.bodies == 2)
+    mistakes.add(kind.place,
+                 "mesh.kind = \"adaptive\" cannot be combined with " +
+                     method.name + ".bodies = 2; use another kind of mesh");
+  if (!read.material.is_uniform())
+    mistakes.add(kind.place,
+                 "mesh.kind = \"adaptive\" needs uniform moduli, because "
+                 "coarse cells would miss layers, inclusions and variations; "
+                 "use another kind of mesh");
+  if (!read.surface.points)
+    return;
+  const int step = degree_of(fem.block.element) << read.mesh.halvings;
+  if (*read.surface.points % step != 0 || *read.surface.points / step < 2)
+    mistakes.add(
+        entry_of(file, "mesh", "halvings").place,
+        "mesh.halvings = " + std::to_string(read.mesh.halvings) + " halves " +
+            "cells of " + std::to_string(step) + " node spacings, but " +
+            method.name + " has " + std::to_string(*read.surface.points) +
+            " points per side; they must be a multiple of that, and at least "
+            "twice as many");
+}
+
 void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
   check_layers(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
@@ -218,6 +246,9 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                    method.name +
                        ".bodies = 2 cannot be combined with hard (unilateral) "
                        "contact; use contact = \"augmented\" or \"penalty\"");
+    if (fem->full.uses_case_mesh &&
+        read.mesh.kind == mechanics::MeshKind::adaptive)
+      check_adaptive(file, read, method, *fem, mistakes);
     const bool is_lattice =
         fem->full.sides == mechanics::BlockSides::periodic &&
         (!fem->full.uses_case_mesh ||

@@ -17,13 +17,14 @@ std::vector<Key> mesh_shape_keys() {
   return {
       {.name = "kind",
        .type = ValueType::word,
-       .words = {"layers", "hanging", "gmsh"},
+       .words = {"layers", "hanging", "adaptive", "gmsh"},
        .need = Need::always,
        .example = "\"gmsh\"",
        .show = Show::no,
        .description =
            "[fem]'s own graded layers, cubes halved towards the contact "
-           "surface with hanging nodes, or a mesh by gmsh."},
+           "surface with hanging nodes, cubes halved where the solution of "
+           "each load step requires it, or a mesh by gmsh."},
       {.name = "cells_a_level",
        .type = ValueType::integer,
        .range = between(1, 64),
@@ -32,6 +33,16 @@ std::vector<Key> mesh_shape_keys() {
        .show = Show::no,
        .description = "With hanging: layers of cells between two "
                       "successive halvings."},
+      {.name = "halvings",
+       .type = ValueType::integer,
+       .range = between(1, 12),
+       .fallback = "3",
+       .example = "3",
+       .show = Show::no,
+       .description =
+           "With adaptive: how often the coarsest cells are halved at the "
+           "contact; the nodes there are then those of the grid. The cells "
+           "per side must be divisible by two so many times."},
       {.name = "geometry",
        .type = ValueType::word,
        .words = {"block", "indentation", "layered", "inclusion", "file"},

@@ -222,6 +222,31 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\n",
                 "fem.growth=1.2", "mesh.file is missing"}));
 
+const std::string adaptive = "[fem.whole]\nsolver = \"full\"\n[mesh]\nkind = "
+                             "\"adaptive\"\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Adaptive, WholeBlock,
+    testing::Values(
+        Refused{adaptive + "halvings = 0\n", "fem.growth=1.2",
+                "halvings = 0, but must be between 1 and 12"},
+        Refused{adaptive + "halvings = 12\n", "fem.growth=1.2",
+                "must be a multiple of that"},
+        Refused{adaptive + "[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+                           "poisson_ratio = 0.3\n",
+                "fem.whole.bodies=2", "mesh.kind = \"adaptive\" cannot be"},
+        Refused{adaptive,
+                "material.inclusion={ radius = \"0.1 length\", depth = \"0.2 "
+                "length\", youngs_modulus = \"9 GPa\", poisson_ratio = 0.3 }",
+                "needs uniform moduli"}));
+
+TEST(Block, HalvesCellsAtTheContact) {
+  const Case read = block(adaptive + "halvings = 1\n", {"surface.points=32"});
+
+  EXPECT_EQ(read.mesh.kind, mechanics::MeshKind::adaptive);
+  EXPECT_EQ(read.mesh.halvings, 1);
+}
+
 const std::string gmsh = "[mesh]\nkind = \"gmsh\"\ngeometry = ";
 
 INSTANTIATE_TEST_SUITE_P(

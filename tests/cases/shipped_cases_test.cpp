@@ -27,9 +27,9 @@ const std::set<std::string> shipped = {
     "self-affine", "wave-1d", "wave-2d"};
 
 // Full 3-D blocks, which are also read with their quick.set.
-const std::set<std::string> whole_blocks = {"hertz-3d",  "heterogeneous",
-                                            "inclusion", "rough-3d",
-                                            "step42",    "two-blocks"};
+const std::set<std::string> whole_blocks = {
+    "hertz-3d", "hertz-adaptive", "heterogeneous", "inclusion",
+    "rough-3d", "step42",         "two-blocks"};
 
 // Atomistic blocks, whose claims are in the collection paper.
 const std::set<std::string> blocks_of_atoms = {

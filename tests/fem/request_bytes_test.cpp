@@ -32,6 +32,7 @@ FullRequest unusual_request() {
                                 0xfedcba9876543210U, "factors.txt"};
   request.mesh = {mechanics::MeshKind::gmsh,
                   7,
+                  5,
                   mechanics::MeshGeometry::inclusion,
                   mechanics::MeshCells::tetrahedra,
                   {1.9, ReferenceUnit::length},
