@@ -107,7 +107,8 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
 
 MeshedBlock::MeshedBlock(
     const BlockProblem& problem,
-    std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
+    const std::shared_ptr<dealii::parallel::TriangulationBase<3>>&
+        triangulation)
     : system_(checked(problem), triangulation),
       maps_(system_),
       weights_(maps_.weights()),

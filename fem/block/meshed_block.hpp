@@ -16,9 +16,10 @@ public:
   /// @param triangulation  the mesh in place of that of the problem, which must
   ///                       cover the same box; null for that of the problem
   /// @throws std::domain_error  under the conditions of make_full_block
-  explicit MeshedBlock(const BlockProblem& problem,
-                       std::shared_ptr<dealii::parallel::TriangulationBase<3>>
-                           triangulation = {});
+  explicit MeshedBlock(
+      const BlockProblem& problem,
+      const std::shared_ptr<dealii::parallel::TriangulationBase<3>>&
+          triangulation = {});
 
   const Grid& grid() const override { return system_.grid(); }
 
