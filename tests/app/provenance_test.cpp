@@ -36,7 +36,7 @@ protected:
   cases::Case measured;
 };
 
-// Claim: every map is described, and the effect of the window function is
+// Every map is described, and the effect of the window function is
 // stated where it is applied and nowhere else.
 TEST_F(ProvenanceOfAMap, SaysWhatTheWindowDoes) {
   using mechanics::Edges;

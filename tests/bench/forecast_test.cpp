@@ -203,7 +203,7 @@ std::vector<std::string> asked_by(cases::Case contact_case,
   return asked_quantities(contact_case);
 }
 
-// Claim: each expectation asks for the quantity that it is computed from, once,
+// Each expectation asks for the quantity that it is computed from, once,
 // and a wave, whose theory is no roughness theory, for no fitted number.
 TEST(AskedQuantities, AreThoseOfTheExpectations) {
   using Names = std::vector<std::string>;

@@ -53,7 +53,7 @@ Sweep sweep_of_text(const std::string& text) {
   return sweep_of(cases::read_case_text(text, "case.toml"), {});
 }
 
-// Claim: the reference solution is the half-space on the grids of the case and
+// The reference solution is the half-space on the grids of the case and
 // on one twice as fine; a wave with an exact solution has none.
 TEST(Sweep, HasAReferenceSolutionOnAFinerGrid) {
   const Sweep sweep = sweep_of_text(rough);
@@ -70,7 +70,7 @@ TEST(Sweep, HasAReferenceSolutionOnAFinerGrid) {
   EXPECT_EQ(sweep_of_text(wave).truth, Sweep::no_truth);
 }
 
-// Claim: a setting on another grid than that of the case says so to the run,
+// A setting on another grid than that of the case says so to the run,
 // and no other one does.
 TEST(Sweep, ChangesThePointsOfOtherGridsAlone) {
   for (const std::string& text : {rough, wave})

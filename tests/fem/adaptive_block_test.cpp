@@ -74,7 +74,7 @@ double share(double a, double b) {
   return std::abs(a / b - 1.0);
 }
 
-// Claim: from 1.6 to 7.5 % of contact and back, area and mean gap are those of
+// From 1.6 to 7.5 % of contact and back, area and mean gap are those of
 // the uniform block within 1 % (measured: 0.5 and 0.12 %), with at least five
 // times fewer unknowns up to 5 % (7.8 to 5.3), and four times up to 7.5 %
 // (4.7). When contact is lost, cells merge: a tenth of the unknowns more than
@@ -150,7 +150,7 @@ double order(const Sphere& coarse, const Sphere& fine) {
          std::log(fine.unknowns / coarse.unknowns);
 }
 
-// Claim: under a sphere the error falls with the unknowns n faster than n^-2/3,
+// Under a sphere the error falls with the unknowns n faster than n^-2/3,
 // the optimum of second order in three dimensions for the energy norm of a
 // smooth solution (measured: 1.29 from 32 to 128 points). The uniform block
 // does not reach it (0.61). At 64 points both have the same error within 5 %
@@ -195,7 +195,7 @@ TEST(AdaptiveBlock, PassesThePatchTest) {
   }
 }
 
-// Claim: a flat surface in full contact asks for no refinement, though roundoff
+// A flat surface in full contact asks for no refinement, though roundoff
 // makes stresses differ; its pressure is uniform.
 TEST(AdaptiveBlock, LeavesAUniformContactAlone) {
   const Grid grid{16, 16, length, length};
@@ -212,7 +212,7 @@ TEST(AdaptiveBlock, LeavesAUniformContactAlone) {
     EXPECT_NEAR(pressure, 0.001 * contact_modulus, 1e-6 * contact_modulus);
 }
 
-// Claim: the mean gap that is found under a load is the load that is found
+// The mean gap that is found under a load is the load that is found
 // under this mean gap, to 1e-5.
 TEST(AdaptiveBlock, ControlsTheMeanGap) {
   const Grid grid{32, 32, length, length};
@@ -229,7 +229,7 @@ TEST(AdaptiveBlock, ControlsTheMeanGap) {
   EXPECT_LT(share(by_gap.mean_gap, by_load.mean_gap), 1e-8);
 }
 
-// Claim: the mean gap, prescribed or found, is that of the grid, although the
+// The mean gap, prescribed or found, is that of the grid, although the
 // nodes of the coarsest cells see only the crests of a wave on the sphere. Of
 // its amplitude, samples of the displacement may cost a hundredth.
 TEST(AdaptiveBlock, AveragesAllHeights) {
@@ -260,7 +260,7 @@ TEST(AdaptiveBlock, AveragesAllHeights) {
   }
 }
 
-// Claim: other elements, points, laws and boundaries agree with the uniform
+// Other elements, points, laws and boundaries agree with the uniform
 // block, too: area within a cell of it and mean gap within 1 %.
 TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   const Grid grid{32, 32, length, length};

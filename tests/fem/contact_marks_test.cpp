@@ -37,7 +37,7 @@ TEST_F(Marks, AreAbsentWithoutContact) {
   EXPECT_FALSE(examined(coarse_).is_touched(coarse_));
 }
 
-// Claim: a node between those of a coarse cell penetrates; its own cell is
+// A node between those of a coarse cell penetrates; its own cell is
 // marked, and near it are the neighbours, but no cell further away.
 TEST_F(Marks, AreWhereANodeWithoutPressurePenetrates) {
   gap_[node(5, 5)] = -1e-9;
@@ -50,7 +50,7 @@ TEST_F(Marks, AreWhereANodeWithoutPressurePenetrates) {
   EXPECT_TRUE(marks.is_touched({2, 3, 2, 3}));
 }
 
-// Claim: the boundary of a contact is marked, its inside is not.
+// The boundary of a contact is marked, its inside is not.
 TEST_F(Marks, FollowTheBoundaryOfTheContact) {
   for (int iy = 0; iy <= 8; ++iy)
     for (int ix = 0; ix <= 5; ++ix)
@@ -62,7 +62,7 @@ TEST_F(Marks, FollowTheBoundaryOfTheContact) {
   EXPECT_TRUE(marks.is_touched({0, 1, 1, 2}));
 }
 
-// Claim: inside of a contact, a gap in either direction is marked if it exceeds
+// Inside of a contact, a gap in either direction is marked if it exceeds
 // pressure_tolerance H / modulus, which is 0.04 at H = 4 and 0.02 at H = 2.
 TEST_F(Marks, FollowHeightsThatACellInContactCannot) {
   for (int iy = 0; iy <= 8; ++iy)
@@ -77,7 +77,7 @@ TEST_F(Marks, FollowHeightsThatACellInContactCannot) {
   }
 }
 
-// Claim: cells at opposite sides are neighbours.
+// Cells at opposite sides are neighbours.
 TEST_F(Marks, ArePeriodic) {
   gap_[node(1, 1)] = -1.0;
   const ContactMarks marks = examined({0, 1, 0, 1});

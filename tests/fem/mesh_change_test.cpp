@@ -75,7 +75,7 @@ double worst_transfer(int degree, const Field& field) {
   return worst;
 }
 
-// Claim: the transfer reproduces what the elements can hold: linear fields, and
+// The transfer reproduces what the elements can hold: linear fields, and
 // with second order quadratic ones, but with first order not.
 TEST(MeshChange, KeepsPolynomials) {
   const Field linear = [](const dealii::Point<3>& p) {
@@ -91,7 +91,7 @@ TEST(MeshChange, KeepsPolynomials) {
   EXPECT_GT(worst_transfer(1, quadratic), 1e-3);
 }
 
-// Claim: opposite sides match after any change; BlockSpace refuses sides that
+// Opposite sides match after any change; BlockSpace refuses sides that
 // do not, as those that change at random without regard for the other side.
 TEST(MeshChange, KeepsPeriodicSidesEqual) {
   const BlockProblem periodic = problem_of(1, mechanics::BlockSides::periodic);
@@ -110,7 +110,7 @@ TEST(MeshChange, KeepsPeriodicSidesEqual) {
   EXPECT_THROW(BlockSpace(periodic, other), std::domain_error);
 }
 
-// Claim: all of eight cells merge again.
+// All of eight cells merge again.
 TEST(MeshChange, UndoesARefinement) {
   const BlockProblem problem = problem_of(2, mechanics::BlockSides::free);
   const auto mesh = mesh_of(problem);
@@ -126,7 +126,7 @@ TEST(MeshChange, UndoesARefinement) {
   EXPECT_EQ(change_all(CellChange::coarsen), 64U);
 }
 
-// Claim: a uniform strain in two materials has a step of the stress between
+// A uniform strain in two materials has a step of the stress between
 // them, which is no error, not even if a solver left the displacement inexact
 // by 1e-6; a strain that varies along a cell has one.
 TEST(StressIndicator, IsZeroForASteppedStress) {

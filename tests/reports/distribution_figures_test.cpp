@@ -144,7 +144,7 @@ TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   EXPECT_TRUE(pressure_distribution_figures(made).empty());
 }
 
-// Claim: the browser's maps are named by their load and are in units of E* h'
+// The browser's maps are named by their load and are in units of E* h'
 // and h_rms. The factors are typed here.
 TEST_F(Distributions, HaveTheirLoadAndTheirUnitsInTheBrowser) {
   const double modulus = synthetic::contact_modulus;

@@ -108,7 +108,7 @@ TEST(PercentText, HasNoExponent) {
   EXPECT_EQ(percent_text(estimate), "0.41 %");
 }
 
-// Claim: an interval is printed to two digits, but with one decimal at most.
+// An interval is printed to two digits, but with one decimal at most.
 TEST(PercentText, HasOneDecimalAtMost) {
   Estimate estimate;
   estimate.value = 0.12345;

@@ -77,7 +77,7 @@ TEST(ExactQuantities, FindTheOffsetFromWestergaard) {
   EXPECT_EQ(none.quantities.count("approach_error"), 0U);
 }
 
-// Claim: the figures state the same errors beside the name of the method.
+// The figures state the same errors beside the name of the method.
 TEST(ExactFigures, StateTheErrors) {
   const cases::Case wave = wave_case();
   results::Result result = wave_result(-1e-3, 0.02);

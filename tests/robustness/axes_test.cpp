@@ -25,7 +25,7 @@ TEST(Axes, HoldEveryLabelOfEveryInstance) {
   }
 }
 
-// Claim: no axis has a bin that no instance reaches.
+// No axis has a bin that no instance reaches.
 TEST(Axes, HaveNoEmptyBin) {
   std::vector<std::set<std::string>> reached(axes().size());
   for (int index = 0; index < 5000; ++index) {

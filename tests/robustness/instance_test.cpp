@@ -105,7 +105,7 @@ TEST(Instance, IsPerturbedAboutACase) {
   EXPECT_NEAR(own, n_instances / 2, 3.0 * std::sqrt(n_instances / 4.0) + 25.0);
 }
 
-// Claim: thin plates with a free back and elements that lock may lose contact,
+// Thin plates with a free back and elements that lock may lose contact,
 // and no other block may.
 TEST(MayLoseContact, IsSaidOfPlatesAndOfElementsThatLock) {
   Instance instance;
@@ -128,7 +128,7 @@ TEST(MayLoseContact, IsSaidOfPlatesAndOfElementsThatLock) {
   EXPECT_FALSE(may_lose_contact(instance));
 }
 
-// Claim: a coating is a layer with its own modulus, and no coating is none.
+// A coating is a layer with its own modulus, and no coating is none.
 TEST(BlockRequest, HasALayerForEachCoating) {
   Instance instance;
   instance.family = Family::condensed_q1;

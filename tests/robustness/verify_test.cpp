@@ -182,7 +182,7 @@ TEST_F(VerifyPair, DetectsAnAreaThatShrinksUnderLoad) {
   EXPECT_EQ(failing_pair(), "");
 }
 
-// Claim: apart, two gaps are in order whichever is given first.
+// Apart, two gaps are in order whichever is given first.
 TEST_F(VerifyPair, TakesTwoGapsWithoutContact) {
   less_ = more_ = {};
   less_.separation = 2e-3;
