@@ -31,7 +31,7 @@ constexpr int most_reference_iterations = 20000;
 constexpr int most_reference_points = 1024;
 
 bool has_surface_operator(const cases::MethodSpec& method) {
-  return method.uses_layers() && !is_whole_block(method);
+  return method.uses_layers() && !is_full_block(method);
 }
 
 const cases::MethodSpec& method_of_problem(const cases::Case& contact_case,

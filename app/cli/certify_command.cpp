@@ -40,7 +40,7 @@ const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
           std::get_if<mechanics::HalfspaceSettings>(&method.settings))
     return &half->contact;
   const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
-  return fem != nullptr && !is_whole_block(method) ? &fem->contact : nullptr;
+  return fem != nullptr && !is_full_block(method) ? &fem->contact : nullptr;
 }
 
 /// Certifies the fields of one result.

@@ -58,7 +58,7 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
   return steps;
 }
 
-bool is_whole_block(const MethodSpec& method) {
+bool is_full_block(const MethodSpec& method) {
   const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
@@ -67,7 +67,7 @@ std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const MethodSpec& method,
                                              const mechanics::Scales& scales) {
   const std::set<std::size_t> steps = steps_with_fields(contact_case);
-  if (!contact_case.report.stress_inside || !is_whole_block(method) ||
+  if (!contact_case.report.stress_inside || !is_full_block(method) ||
       steps.empty())
     return std::nullopt;
   const mechanics::LoadingPath& load = contact_case.load;

@@ -34,7 +34,7 @@ int n_realizations(const cases::Case& contact_case,
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);
 
 /// Returns true for [fem] with solver = "full".
-bool is_whole_block(const cases::MethodSpec& method);
+bool is_full_block(const cases::MethodSpec& method);
 
 /// Returns the most heavily loaded of the steps with saved fields, at which a
 /// full block records its own stress section. Returns nothing for other

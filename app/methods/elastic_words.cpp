@@ -60,13 +60,17 @@ MethodDescription describe(const FemSettings& settings) {
           ? "condensed to the contact surface"
           : "condensed to the contact surface (auto: "
             "the block is laterally uniform)";
+  const std::string mesh =
+      settings.full.uses_case_mesh
+          ? "on the mesh of the case"
+          : fmt::format("layers from {:g} h with the grading ratio {:g}",
+                        settings.block.surface_cell_depth,
+                        settings.block.growth);
   return {"fem",
-          fmt::format("finite elements {}, {}, layers from {:g} h with the "
-                      "grading ratio {:g}, {}",
+          fmt::format("finite elements {}, {}, {}, {}",
                       settings.block.element == mechanics::Element::q1 ? "Q1"
                                                                        : "Q2",
-                      solver, settings.block.surface_cell_depth,
-                      settings.block.growth, in_words(settings.contact)),
+                      solver, mesh, in_words(settings.contact)),
           settings.solver == mechanics::FemSolver::full};
 }
 

@@ -124,9 +124,10 @@ private:
 } // namespace
 
 std::unique_ptr<StepSolver>
-make_whole_block(const cases::Case& contact_case,
-                 const cases::MethodSpec& method, const SurfaceOfCase& surface,
-                 int realization, const std::filesystem::path& scratch) {
+make_full_block_solver(const cases::Case& contact_case,
+                       const cases::MethodSpec& method,
+                       const SurfaceOfCase& surface, int realization,
+                       const std::filesystem::path& scratch) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
   return std::make_unique<FullBlockSolver>(
       fem::load_fem_module().full({surface.record.grid, settings.block,

@@ -22,8 +22,9 @@ namespace asperity::app {
 ///                                               or is rejected; the message
 ///                                               gives the reason
 std::unique_ptr<StepSolver>
-make_whole_block(const cases::Case& contact_case,
-                 const cases::MethodSpec& method, const SurfaceOfCase& surface,
-                 int realization, const std::filesystem::path& scratch);
+make_full_block_solver(const cases::Case& contact_case,
+                       const cases::MethodSpec& method,
+                       const SurfaceOfCase& surface, int realization,
+                       const std::filesystem::path& scratch);
 
 } // namespace asperity::app

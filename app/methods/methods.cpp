@@ -34,9 +34,10 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
 
 std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
                                         const SolverInput& input) {
-  if (is_whole_block(input.method))
-    return make_whole_block(input.contact_case, input.method, input.surface,
-                            input.realization, input.resources.scratch);
+  if (is_full_block(input.method))
+    return make_full_block_solver(input.contact_case, input.method,
+                                  input.surface, input.realization,
+                                  input.resources.scratch);
   return input.elastic.make(input.method, input.surface,
                             input.resources.threads);
 }

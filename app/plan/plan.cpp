@@ -152,7 +152,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
       planned.grid = {};
     uses_fem |= left > 0 &&
                 std::holds_alternative<mechanics::FemSettings>(method.settings);
-    uses_block |= left > 0 && is_whole_block(method);
+    uses_block |= left > 0 && is_full_block(method);
     plan.methods.push_back(std::move(planned));
   }
   if (const MethodSpec* theory = cases::study_theory(methods);

@@ -28,7 +28,7 @@ StepTarget target_of(const mechanics::LoadingPath& load, std::size_t step,
 bool leaves_files(const cases::MethodSpec& method,
                   const cases::ReportSpec& report) {
   const auto* md = std::get_if<mechanics::MdSettings>(&method.settings);
-  return (md != nullptr && md->dump) || (is_whole_block(method) && report.vtu);
+  return (md != nullptr && md->dump) || (is_full_block(method) && report.vtu);
 }
 
 bool has_failed(const CurvePoint& row) {
@@ -95,7 +95,7 @@ bool MethodJob::needs_maps(std::size_t step) const {
 }
 
 bool MethodJob::needs_section(std::size_t step) const {
-  return realization_ == 0 && is_whole_block(method_) &&
+  return realization_ == 0 && is_full_block(method_) &&
          step == step_with_section(
                      context_.contact_case, method_,
                      context_.surfaces.of(method_, realization_).scales);

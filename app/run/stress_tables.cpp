@@ -133,11 +133,11 @@ void record_stress_inside(const cases::Case& contact_case,
     });
     if (!table)
       continue;
-    writer.record_table(is_whole_block(*method)
+    writer.record_table(is_full_block(*method)
                             ? own_stress_table(*table, maps, curve.points)
                             : *table);
     const bool has_own =
-        is_whole_block(*method) &&
+        is_full_block(*method) &&
         result.table("stress-section-" + method->name) != nullptr;
     if (has_own)
       continue;

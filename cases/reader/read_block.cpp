@@ -140,8 +140,8 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   return mesh;
 }
 
-void read_whole_block(TableReader& table, bool has_mesh,
-                      mechanics::FemSettings& fem) {
+void read_full_block(TableReader& table, bool has_mesh,
+                     mechanics::FemSettings& fem) {
   fem.full.sides = table.choice("sides", fem.full.sides);
   fem.full.linear_solver =
       table.choice("linear_solver", fem.full.linear_solver);

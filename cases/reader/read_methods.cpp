@@ -75,7 +75,7 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
   fem.block.depth = table.quantity("depth");
   fem.block.far_boundary = table.choice("top", fem.block.far_boundary);
   fem.solver = table.choice("solver", fem.solver);
-  read_whole_block(table, surroundings.has_mesh, fem);
+  read_full_block(table, surroundings.has_mesh, fem);
 }
 
 void read_settings(TableReader& table, const MethodSurroundings&,

@@ -21,8 +21,8 @@ struct Demands {
 std::vector<MethodSpec>
 read_methods(const Node& file, mechanics::SurfaceKind kind, Mistakes& mistakes);
 /// @param has_mesh  whether the case has a [mesh]
-void read_whole_block(TableReader& table, bool has_mesh,
-                      mechanics::FemSettings& fem);
+void read_full_block(TableReader& table, bool has_mesh,
+                     mechanics::FemSettings& fem);
 mechanics::MdSettings read_md(TableReader& table);
 Demands demands_of(const std::vector<MethodSpec>& methods);
 

@@ -114,7 +114,7 @@ std::vector<Key> map_keys(); ///< part of [surface]: files and measured maps
 Table md_table();
 Table mesh_table();
 std::vector<Table> block_tables();
-std::vector<Key> whole_block_keys(); ///< part of [fem]
+std::vector<Key> full_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();
 std::vector<Table> study_tables();
 Table case_sweep_table();

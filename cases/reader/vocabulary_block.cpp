@@ -169,7 +169,7 @@ std::vector<Table> block_tables() {
           inclusion_table(), variation_table(), mesh_table()};
 }
 
-std::vector<Key> whole_block_keys() {
+std::vector<Key> full_block_keys() {
   return {
       {.name = "mesh",
        .type = ValueType::word,

@@ -223,9 +223,9 @@ Table fem_table() {
       })};
 }
 
-Table fem_table_with_whole_block() {
+Table fem_table_with_full_block() {
   Table table = fem_table();
-  for (Key& key : whole_block_keys())
+  for (Key& key : full_block_keys())
     table.keys.push_back(std::move(key));
   return table;
 }
@@ -286,7 +286,7 @@ std::vector<Table> method_tables() {
           sweep_table(),
           as_method(theory_table()),
           as_method(halfspace_table()),
-          as_method(fem_table_with_whole_block()),
+          as_method(fem_table_with_full_block()),
           as_method(md_table()),
           as_method(winkler_table())};
 }

@@ -104,8 +104,9 @@ ChangedCells MeshChange::count() const {
   return changed;
 }
 
-MeshChange::Vector MeshChange::execute(const Vector& displacement,
-                                       const std::function<void()>& let_go) {
+MeshChange::Vector
+MeshChange::execute(const Vector& displacement,
+                    const std::function<void()>& before_change) {
   // The unknowns of this numbering are those of BlockSpace, because element and
   // mesh are equal.
   const dealii::FESystem<3> element(
@@ -116,7 +117,7 @@ MeshChange::Vector MeshChange::execute(const Vector& displacement,
   before = displacement;
   dealii::parallel::distributed::SolutionTransfer<3, Vector> transfer(unknowns);
   transfer.prepare_for_coarsening_and_refinement(before);
-  let_go();
+  before_change();
   mesh_.execute_coarsening_and_refinement();
   unknowns.distribute_dofs(element);
   Vector after(unknowns.locally_owned_dofs(), MPI_COMM_WORLD);

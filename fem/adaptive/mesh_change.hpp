@@ -47,13 +47,12 @@ public:
 
   /// Changes the mesh and returns the displacement on the new one, over the
   /// unknowns that BlockSpace of `problem` will have.
-  /// @param displacement  u at all unknowns of the old mesh, constrained ones
-  ///                      included [m]; it is interpolated on refined cells and
-  ///                      kept at the remaining nodes of coarsened ones
-  /// @param let_go        is called before the mesh changes, to destroy what
-  ///                      depends on it
+  /// @param displacement   u at all unknowns of the old mesh, constrained ones
+  ///                       included [m]; it is interpolated on refined cells
+  ///                       and kept at the remaining nodes of coarsened ones
+  /// @param before_change  destroys what depends on the old mesh
   Vector execute(const Vector& displacement,
-                 const std::function<void()>& let_go);
+                 const std::function<void()>& before_change);
 
 private:
   using Cell = Mesh::active_cell_iterator;

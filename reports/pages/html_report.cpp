@@ -282,7 +282,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("has_skipped", !entry.result->skipped.empty());
   page.set("skipped", skipped_rows(*entry.result));
   const List block_costs = block_cost_rows(*entry.result);
-  page.set("has_whole_block", !block_costs.empty());
+  page.set("has_full_block", !block_costs.empty());
   page.set("block_costs", block_costs);
   const List boundaries = boundary_rows(entry);
   page.set("has_boundaries", !boundaries.empty());

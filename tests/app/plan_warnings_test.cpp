@@ -46,6 +46,19 @@ protected:
   }
 };
 
+// The description of a method states graded layers only where there are some.
+TEST_F(PlanWarnings, DescriptionsStateTheMesh) {
+  const auto text = [this](const std::vector<std::string>& overrides) {
+    const cases::Case contact_case = read(overrides);
+    return describe(contact_case.methods.back(), contact_case.material).text;
+  };
+  EXPECT_NE(text({"fem.solver=full"}).find("layers from 1 h"),
+            std::string::npos);
+  EXPECT_NE(text({"fem.solver=full", "mesh.kind=hanging"})
+                .find("block, on the mesh of the case, "),
+            std::string::npos);
+}
+
 // A plan, and the description of the method in a result, warn of elements that
 // lock and of no others.
 TEST_F(PlanWarnings, AreOfElementsThatLock) {

@@ -1,4 +1,4 @@
-// Claims about app/run/provenance_of_run.hpp: what a result says of a map.
+// Tests of app/run/provenance_of_run.hpp: the description of a map in a result.
 #include "app/run/provenance_of_run.hpp"
 
 #include <gtest/gtest.h>

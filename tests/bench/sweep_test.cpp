@@ -1,4 +1,4 @@
-// Claims about bench/settings/sweep.hpp: which settings a benchmark runs.
+// Tests of bench/settings/sweep.hpp: the settings that a benchmark runs.
 #include "cases/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,8 @@ Sweep sweep_of_text(const std::string& text) {
 TEST(Sweep, HasAReferenceSolutionOnAFinerGrid) {
   const Sweep sweep = sweep_of_text(rough);
 
-  ASSERT_LT(sweep.truth, sweep.series.size());
-  const reports::BenchSeries& series = sweep.series[sweep.truth];
+  ASSERT_LT(sweep.reference_series, sweep.series.size());
+  const reports::BenchSeries& series = sweep.series[sweep.reference_series];
   EXPECT_EQ(series.method, "halfspace");
   std::vector<int> grids;
   for (const std::size_t point : series.points) {
@@ -67,7 +67,7 @@ TEST(Sweep, HasAReferenceSolutionOnAFinerGrid) {
     grids.push_back(sweep.points[point].points);
   }
   EXPECT_EQ(grids, (std::vector<int>{64, 128, 256, 512}));
-  EXPECT_EQ(sweep_of_text(wave).truth, Sweep::no_truth);
+  EXPECT_EQ(sweep_of_text(wave).reference_series, Sweep::no_reference);
 }
 
 // A setting on another grid than that of the case says so to the run,

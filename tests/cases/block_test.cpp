@@ -226,7 +226,7 @@ const std::string adaptive = "[fem.whole]\nsolver = \"full\"\n[mesh]\nkind = "
                              "\"adaptive\"\n";
 
 INSTANTIATE_TEST_SUITE_P(
-    Adaptive, WholeBlock,
+    Adaptive, FullBlock,
     testing::Values(
         Refused{adaptive + "halvings = 0\n", "fem.growth=1.2",
                 "halvings = 0, but must be between 1 and 12"},

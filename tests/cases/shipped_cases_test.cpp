@@ -27,7 +27,7 @@ const std::set<std::string> shipped = {
     "self-affine", "wave-1d", "wave-2d"};
 
 // Full 3-D blocks, which are also read with their quick.set.
-const std::set<std::string> whole_blocks = {
+const std::set<std::string> full_blocks = {
     "hertz-3d", "hertz-adaptive", "heterogeneous", "inclusion",
     "rough-3d", "step42",         "two-blocks"};
 
@@ -106,7 +106,7 @@ std::vector<std::string> quick_lines(const std::string& folder) {
 TEST(ShippedCases, AreTheFoldersThatAreThere) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
-  expected.insert(whole_blocks.begin(), whole_blocks.end());
+  expected.insert(full_blocks.begin(), full_blocks.end());
   expected.insert({"board", "paper", "peers", "sweep-hurst"});
 
   EXPECT_EQ(folders_in("cases"), expected);
@@ -213,7 +213,7 @@ TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
 }
 
 TEST(ShippedCases, ReadTheFullBlocksInFullAndQuickly) {
-  for (const std::string& name : whole_blocks) {
+  for (const std::string& name : full_blocks) {
     const std::string folder = "cases/" + name;
 
     EXPECT_EQ(shipped_case(name).name, name);

@@ -1,5 +1,5 @@
-// Claims about fem/adaptive/adaptive_block.hpp: the mesh follows the contact,
-// and what it loses is little. Its judges are uniform blocks and Hertz.
+// Tests of fem/adaptive/adaptive_block.hpp: the mesh follows the contact, and
+// the result stays close to that of uniform blocks and of Hertz.
 #include "fem/adaptive/adaptive_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "surfaces/maps/self_affine.hpp"
@@ -181,7 +181,7 @@ std::unique_ptr<FullBlock> adapted_block(const BlockProblem& problem) {
   return block;
 }
 
-// Claim (patch test): a uniform pressure on a mesh with hanging nodes in the
+// Patch test: a uniform pressure on a mesh with hanging nodes in the
 // contact surface strains the block uniformly, to roundoff of the displacement
 // p depth / E*.
 TEST(AdaptiveBlock, PassesThePatchTest) {
@@ -195,8 +195,8 @@ TEST(AdaptiveBlock, PassesThePatchTest) {
   }
 }
 
-// A flat surface in full contact asks for no refinement, though roundoff
-// makes stresses differ; its pressure is uniform.
+// A flat surface in full contact is not refined, although the stresses differ
+// by roundoff; its pressure is uniform.
 TEST(AdaptiveBlock, LeavesAUniformContactAlone) {
   const Grid grid{16, 16, length, length};
   const auto block = make_adaptive_block(adaptive_problem(grid, 2, 1));
@@ -260,8 +260,8 @@ TEST(AdaptiveBlock, AveragesAllHeights) {
   }
 }
 
-// Other elements, points, laws and boundaries agree with the uniform
-// block, too: area within a cell of it and mean gap within 1 %.
+// Other elements, contact points, contact laws and boundaries: the area agrees
+// with that of the uniform block within a cell and the mean gap within 1 %.
 TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   const Grid grid{32, 32, length, length};
   const std::vector<double> heights = rough(grid);

@@ -1,5 +1,5 @@
-// Claims about fem/adaptive/contact_marks.hpp: what on the contact surface asks
-// for the finest cells.
+// Tests of fem/adaptive/contact_marks.hpp: the places of the contact surface
+// that need the finest cells.
 #include "fem/adaptive/contact_marks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-// Claims about fem/adaptive/mesh_change.hpp and stress_indicator.hpp: what
-// becomes of a field, of periodic sides and of an exact stress when a mesh
-// changes.
+// Tests of fem/adaptive/mesh_change.hpp and stress_indicator.hpp: a change of
+// the mesh preserves a field, the match of periodic sides and an exact stress.
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/adaptive/stress_indicator.hpp"
 #include "fem/block/block_triangulation.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 using BlockCost = ReportFolder;
 
-results::Result with_whole_block(results::Result result) {
+results::Result with_full_block(results::Result result) {
   for (results::MethodRecord& method : result.methods)
     if (method.kind == "fem")
       for (results::CurvePoint& point : method.realizations.front().points) {
@@ -26,7 +26,7 @@ results::Result with_whole_block(results::Result result) {
 }
 
 TEST_F(BlockCost, IsOnThePageOfAFullBlock) {
-  write(with_whole_block(synthetic::rough_result(rough, 1)));
+  write(with_full_block(synthetic::rough_result(rough, 1)));
 
   const std::string html = text_of(folder / "report.html");
 
