@@ -86,7 +86,7 @@ void run_atoms(const Instance& instance, InstanceReport& report) {
     const double pressure =
         factor * instance.load * instance.contact_modulus * instance.rms_slope;
     const md::AtomStep step =
-        atoms->solve(mechanics::Control::nominal_pressure, pressure,
+        atoms->solve({mechanics::Control::nominal_pressure, pressure},
                      static_cast<int>(steps.size()));
     report.iterations += step.evaluations;
     if (!step.converged) {

@@ -94,8 +94,7 @@ public:
         atoms_(md::make_atomic_contact(std::move(request_))) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    md::AtomStep step = atoms_->solve(target.load.control, target.load.amount,
-                                      target.step, watch_);
+    md::AtomStep step = atoms_->solve(target.load, target.step, watch_);
     results::CurvePoint row = row_of(step);
     if (target.load.control == mechanics::Control::nominal_pressure)
       // balanced only within the tolerance

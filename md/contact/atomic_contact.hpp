@@ -62,9 +62,8 @@ public:
 
   /// Solves the next step of the loading path. The initial guess is the
   /// previous solution or, in the first step, the block above the substrate.
-  /// @param amount  nominal pressure [Pa] or mean gap [m]
-  /// @param step    index in the loading path, used in the names of dump files
-  virtual AtomStep solve(mechanics::Control control, double amount, int step,
+  /// @param step  index in the loading path, used in the names of dump files
+  virtual AtomStep solve(const mechanics::LoadTarget& target, int step,
                          const Watch& watch = {}) = 0;
 
   /// Returns the initial guess of the next step, so that another process can

@@ -113,13 +113,14 @@ LoadStepDriver::Balance LoadStepDriver::balance_at(const Load& load, int step,
   return found;
 }
 
-AtomStep LoadStepDriver::solve(Control control, double amount, int step,
+AtomStep LoadStepDriver::solve(const mechanics::LoadTarget& target, int step,
                                const Watch& watch) {
-  Load load{Load::Kind::nominal_pressure, amount};
-  if (control == Control::nominal_pressure)
-    require_positive("nominal pressure", amount, "Pa");
+  Load load{Load::Kind::nominal_pressure, target.amount};
+  if (target.control == Control::nominal_pressure)
+    require_positive("nominal pressure", target.amount, "Pa");
   else
-    load = {Load::Kind::height, amount + request_.settings.contact_distance};
+    load = {Load::Kind::height,
+            target.amount + request_.settings.contact_distance};
 
   const std::vector<double> before = state_;
   const auto [relaxation, average] = balance_at(load, step, watch);

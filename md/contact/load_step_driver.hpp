@@ -18,7 +18,7 @@ namespace asperity::md {
 
 class LoadStepDriver : public AtomicContact {
 public:
-  AtomStep solve(mechanics::Control control, double amount, int step,
+  AtomStep solve(const mechanics::LoadTarget& target, int step,
                  const Watch& watch) final;
 
   std::vector<double> state() const final { return state_; }

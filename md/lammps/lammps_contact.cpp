@@ -60,13 +60,13 @@ class LammpsContact final : public AtomicContact {
 public:
   explicit LammpsContact(AtomRequest request);
 
-  AtomStep solve(Control control, double amount, int step,
+  AtomStep solve(const mechanics::LoadTarget& target, int step,
                  const Watch& watch) override;
   std::string description() const override;
   double effective_contact_modulus() const override;
 
 private:
-  void write_inputs(Control control, double amount) const;
+  void write_inputs(const mechanics::LoadTarget& target) const;
   bool go_on(const std::string& log, const Watch& watch) const;
   void fill(const LammpsAnswer& answer, Control control,
             AtomStep& result) const;
@@ -95,11 +95,11 @@ LammpsContact::LammpsContact(AtomRequest request)
                         pair_table(block_.interaction));
 }
 
-AtomStep LammpsContact::solve(Control control, double amount, int step,
+AtomStep LammpsContact::solve(const mechanics::LoadTarget& target, int step,
                               const Watch& watch) {
-  if (control == Control::nominal_pressure)
-    require_positive("nominal pressure", amount, "Pa");
-  write_inputs(control, amount);
+  if (target.control == Control::nominal_pressure)
+    require_positive("nominal pressure", target.amount, "Pa");
+  write_inputs(target);
 
   const std::string log = fmt::format("step-{:04}.log", step);
   const LammpsRun run = run_lammps(
@@ -112,7 +112,7 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
     return result;
   try {
     LammpsAnswer answer = read_answer(block_, folder_);
-    fill(answer, control, result);
+    fill(answer, target.control, result);
     set_convergence(result);
     if (invalidity_reason(result.inspection, block_.layer.size()).empty())
       start_ = std::move(answer.positions);
@@ -128,13 +128,13 @@ AtomStep LammpsContact::solve(Control control, double amount, int step,
 
 /// Writes the input files and removes the output of the previous step, so that
 /// it cannot be mistaken for the result of this step.
-void LammpsContact::write_inputs(Control control, double amount) const {
+void LammpsContact::write_inputs(const mechanics::LoadTarget& target) const {
   const mechanics::MdSettings& settings = request_.settings;
   LammpsTask task;
-  task.control = control;
-  task.amount = control == Control::mean_gap
-                    ? amount + settings.contact_distance
-                    : amount;
+  task.control = target.control;
+  task.amount = target.control == Control::mean_gap
+                    ? target.amount + settings.contact_distance
+                    : target.amount;
   task.start_height = mean_height(block_, start_);
   task.tolerance = settings.tolerance;
   task.max_evaluations = settings.max_evaluations;

@@ -70,12 +70,12 @@ protected:
 // does, bit for bit.
 TEST(ExplicitContact, ContinuesFromItsState) {
   const auto first = make_explicit_contact(request_of(small_contact()));
-  first->solve(Control::nominal_pressure, 2e8, 0);
+  first->solve({Control::nominal_pressure, 2e8}, 0);
   const auto second = make_explicit_contact(request_of(small_contact()));
   second->restore(first->state());
 
-  const AtomStep went_on = first->solve(Control::nominal_pressure, 1e9, 1);
-  const AtomStep restored = second->solve(Control::nominal_pressure, 1e9, 1);
+  const AtomStep went_on = first->solve({Control::nominal_pressure, 1e9}, 1);
+  const AtomStep restored = second->solve({Control::nominal_pressure, 1e9}, 1);
 
   EXPECT_EQ(went_on.mean_gap, restored.mean_gap);
   EXPECT_EQ(went_on.pressure, restored.pressure);
@@ -92,9 +92,9 @@ TEST(ExplicitContact, PressureAndHeightAgree) {
   const auto by_height = make_explicit_contact(request_of(small_contact()));
   for (const double pressure : {2e8, 2e9}) {
     const AtomStep pressed =
-        by_pressure->solve(Control::nominal_pressure, pressure, 0);
+        by_pressure->solve({Control::nominal_pressure, pressure}, 0);
     const AtomStep held =
-        by_height->solve(Control::mean_gap, pressed.mean_gap, 0);
+        by_height->solve({Control::mean_gap, pressed.mean_gap}, 0);
 
     ASSERT_TRUE(pressed.converged) << pressed.note;
     ASSERT_TRUE(held.converged) << held.note;
@@ -113,14 +113,14 @@ TEST(ExplicitContact, PressureAndHeightAgree) {
 // L-BFGS, FIRE and damped motion converge to one state. Tolerance: as above.
 TEST(ExplicitContact, AllMinimizersAgree) {
   AtomRequest request = request_of(small_contact());
-  const AtomStep lbfgs =
-      make_explicit_contact(request)->solve(Control::nominal_pressure, 1e9, 0);
+  const AtomStep lbfgs = make_explicit_contact(request)->solve(
+      {Control::nominal_pressure, 1e9}, 0);
   request.settings.minimizer = AtomMinimizer::fire;
-  const AtomStep fire =
-      make_explicit_contact(request)->solve(Control::nominal_pressure, 1e9, 0);
+  const AtomStep fire = make_explicit_contact(request)->solve(
+      {Control::nominal_pressure, 1e9}, 0);
   request.settings.minimizer = AtomMinimizer::dynamics;
   const AtomStep motion = make_explicit_contact(request)->solve(
-      Control::mean_gap, lbfgs.mean_gap, 0);
+      {Control::mean_gap, lbfgs.mean_gap}, 0);
 
   for (const AtomStep* step : {&lbfgs, &fire, &motion}) {
     ASSERT_TRUE(step->converged) << step->note;
@@ -137,9 +137,9 @@ TEST(ExplicitContact, AllMinimizersAgree) {
 // valid result.
 TEST(ExplicitContact, HasNoContactFarAbove) {
   const auto contact = make_explicit_contact(request_of(small_contact()));
-  ASSERT_TRUE(contact->solve(Control::nominal_pressure, 1e9, 0).converged);
+  ASSERT_TRUE(contact->solve({Control::nominal_pressure, 1e9}, 0).converged);
 
-  const AtomStep step = contact->solve(Control::mean_gap, 20.0 * angstrom, 1);
+  const AtomStep step = contact->solve({Control::mean_gap, 20.0 * angstrom}, 1);
 
   EXPECT_TRUE(step.converged);
   EXPECT_EQ(step.nominal_pressure, 0.0);
@@ -159,7 +159,7 @@ TEST_F(Folder, ThermalStepIsAveragedAndResumed) {
   request.settings.time_step = 5e-15;
   request.settings.duration = 1.5e-12;
   const AtomStep whole =
-      make_explicit_contact(request)->solve(Control::mean_gap, 1e-10, 3);
+      make_explicit_contact(request)->solve({Control::mean_gap, 1e-10}, 3);
   ASSERT_TRUE(whole.converged) << whole.note;
   EXPECT_TRUE(whole.note.starts_with("mean over 15 samples at 300 K"))
       << whole.note;
@@ -167,14 +167,14 @@ TEST_F(Folder, ThermalStepIsAveragedAndResumed) {
 
   request.scratch = path;
   const AtomStep stopped = make_explicit_contact(request)->solve(
-      Control::mean_gap, 1e-10, 3,
+      {Control::mean_gap, 1e-10}, 3,
       [](const Progress& progress) { return progress.evaluations < 222; });
   EXPECT_FALSE(stopped.converged);
   EXPECT_EQ(stopped.note, "stopped");
   EXPECT_TRUE(std::filesystem::exists(path / "step-0003.motion"));
   int first = 0;
   const AtomStep resumed = make_explicit_contact(request)->solve(
-      Control::mean_gap, 1e-10, 3, [&](const Progress& progress) {
+      {Control::mean_gap, 1e-10}, 3, [&](const Progress& progress) {
         first = first == 0 ? progress.evaluations : first;
         return true;
       });
@@ -191,7 +191,7 @@ TEST(ExplicitContact, ReportsAtomsThatPassedThrough) {
   request.settings.interaction_energy *= 1e-9; // no repulsion
   const auto contact = make_explicit_contact(request);
 
-  const AtomStep step = contact->solve(Control::mean_gap, -4.0 * angstrom, 0);
+  const AtomStep step = contact->solve({Control::mean_gap, -4.0 * angstrom}, 0);
 
   EXPECT_FALSE(step.converged);
   EXPECT_TRUE(step.note.find("atoms have penetrated") != std::string::npos)
@@ -211,10 +211,10 @@ TEST_F(Folder, DumpsTheAtomsOfAStep) {
   request.scratch = path;
   request.settings.dump = true;
 
-  make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 12);
+  make_atomic_contact(request)->solve({Control::nominal_pressure, 1e9}, 12);
   request.settings.bulk = mechanics::AtomBulk::green;
   request.settings.depth = {18.0 * problems::layer_spacing};
-  make_atomic_contact(request)->solve(Control::nominal_pressure, 1e9, 13);
+  make_atomic_contact(request)->solve({Control::nominal_pressure, 1e9}, 13);
 
   const int both = 26 * 26 + 256;
   EXPECT_EQ(atoms_in(path / "step-0012.xyz"), both + 2 * 256 + 3 * 64);
@@ -247,7 +247,7 @@ TEST(ExplicitContact, RefusesOtherSettings) {
   request.settings.levels = 6;
   EXPECT_THROW(make_explicit_contact(request), std::domain_error);
   EXPECT_THROW(make_explicit_contact(request_of(small_contact()))
-                   ->solve(Control::nominal_pressure, 0.0, 0),
+                   ->solve({Control::nominal_pressure, 0.0}, 0),
                std::domain_error);
 }
 

@@ -72,11 +72,11 @@ void bring_to_load(benchmark::State& state) {
     state.PauseTiming();
     const auto contact = make_atomic_contact(request);
     for (int step = 0; step < last; ++step)
-      contact->solve(mechanics::Control::nominal_pressure,
-                     loads[step] * modulus, step);
+      contact->solve(
+          {mechanics::Control::nominal_pressure, loads[step] * modulus}, step);
     state.ResumeTiming();
-    answer = contact->solve(mechanics::Control::nominal_pressure,
-                            loads[last] * modulus, last);
+    answer = contact->solve(
+        {mechanics::Control::nominal_pressure, loads[last] * modulus}, last);
   }
   if (!answer.converged)
     state.SkipWithError(answer.note.c_str());

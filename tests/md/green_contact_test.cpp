@@ -78,7 +78,7 @@ TEST(GreenContact, UnloadsOnItsLoadingCurve) {
   int step = 0;
   for (const double load : loads) {
     const AtomStep answer =
-        contact->solve(Control::nominal_pressure, load * modulus, step++);
+        contact->solve({Control::nominal_pressure, load * modulus}, step++);
     ASSERT_TRUE(answer.converged) << answer.note;
     gaps.push_back(answer.mean_gap);
   }
@@ -86,7 +86,7 @@ TEST(GreenContact, UnloadsOnItsLoadingCurve) {
   EXPECT_GT(gaps[0] - gaps[2], rms_height);
   for (std::size_t i = loads.size() - 1; i-- > 0;) {
     const AtomStep answer =
-        contact->solve(Control::nominal_pressure, loads[i] * modulus, step++);
+        contact->solve({Control::nominal_pressure, loads[i] * modulus}, step++);
     EXPECT_NEAR(answer.mean_gap / rms_height, gaps[i] / rms_height, 1e-5);
   }
 }
@@ -99,7 +99,7 @@ TEST(GreenContact, CarriesTheLoad) {
   const double pressure = 0.02 * modulus;
 
   const AtomStep answer =
-      contact->solve(Control::nominal_pressure, pressure, 0);
+      contact->solve({Control::nominal_pressure, pressure}, 0);
 
   ASSERT_TRUE(answer.converged) << answer.note;
   const double sum =
@@ -119,10 +119,10 @@ TEST(GreenContact, IsOneCurveUnderEitherControl) {
   request.settings.tolerance = 1e-6;
   const double pressure = 0.01 * modulus;
   const AtomStep by_pressure = make_atomic_contact(request)->solve(
-      Control::nominal_pressure, pressure, 0);
+      {Control::nominal_pressure, pressure}, 0);
 
   const AtomStep by_gap = make_atomic_contact(request)->solve(
-      Control::mean_gap, by_pressure.mean_gap, 0);
+      {Control::mean_gap, by_pressure.mean_gap}, 0);
 
   ASSERT_TRUE(by_gap.converged) << by_gap.note;
   EXPECT_NEAR(by_gap.mean_gap / by_pressure.mean_gap, 1.0, 1e-9);
@@ -141,7 +141,7 @@ TEST(GreenContact, StoresTheWorkOfTheLoad) {
 
   std::vector<AtomStep> answers;
   for (const double at : {gap + step, gap, gap - step})
-    answers.push_back(contact->solve(Control::mean_gap, at, 0));
+    answers.push_back(contact->solve({Control::mean_gap, at}, 0));
 
   for (const AtomStep& answer : answers)
     ASSERT_TRUE(answer.converged) << answer.note;
@@ -162,7 +162,7 @@ TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
       request.substrate.cell_area(), distance);
 
   const AtomStep answer = make_atomic_contact(request)->solve(
-      Control::nominal_pressure, pressure, 0);
+      {Control::nominal_pressure, pressure}, 0);
 
   ASSERT_TRUE(answer.converged) << answer.note;
   EXPECT_NEAR(answer.mean_gap / distance, 0.0, 1e-3);
@@ -176,7 +176,7 @@ TEST(GreenContact, LiesOnTopOfACommensurateSurface) {
   const double pressure = 1e9;
 
   const AtomStep answer = make_atomic_contact(request)->solve(
-      Control::nominal_pressure, pressure, 0);
+      {Control::nominal_pressure, pressure}, 0);
 
   ASSERT_TRUE(answer.converged) << answer.note;
   const double height = answer.mean_gap + request.settings.contact_distance;
@@ -253,7 +253,7 @@ TEST(FaultOf, NamesAtomsThatPassedThrough) {
 TEST(GreenContact, HasNoLoadWithoutContact) {
   const auto contact = make_atomic_contact(rough_request());
 
-  const AtomStep answer = contact->solve(Control::mean_gap, 3e-9, 0);
+  const AtomStep answer = contact->solve({Control::mean_gap, 3e-9}, 0);
 
   EXPECT_TRUE(answer.converged);
   EXPECT_EQ(answer.nominal_pressure, 0.0);
@@ -269,7 +269,7 @@ TEST(GreenContact, ReportsNonConvergence) {
   const auto contact = make_atomic_contact(request);
 
   const AtomStep answer =
-      contact->solve(Control::nominal_pressure, 0.1 * modulus, 0);
+      contact->solve({Control::nominal_pressure, 0.1 * modulus}, 0);
 
   EXPECT_FALSE(answer.converged);
   EXPECT_NE(answer.note.find("5 evaluations"), std::string::npos)
@@ -298,7 +298,7 @@ TEST(GreenContact, RefusesOtherSettings) {
   request.settings.bulk = mechanics::AtomBulk::explicit_layers;
   EXPECT_THROW(make_green_contact(request), input::InputError);
   EXPECT_THROW(make_atomic_contact(rough_request())
-                   ->solve(Control::nominal_pressure, 0.0, 0),
+                   ->solve({Control::nominal_pressure, 0.0}, 0),
                std::domain_error);
   request = rough_request();
   request.settings.depth = {0.0, mechanics::ReferenceUnit::length};

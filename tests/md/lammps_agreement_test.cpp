@@ -98,7 +98,7 @@ TEST_F(LammpsAgreement, PressureAgainstGapIsThatOfTheGreenBlock) {
   for (int step = 0; step < 2; ++step) {
     const double pressure = (0.01 + 0.02 * step) * modulus;
     const AtomStep found =
-        lammps->solve(mechanics::Control::nominal_pressure, pressure, step);
+        lammps->solve({mechanics::Control::nominal_pressure, pressure}, step);
     ASSERT_TRUE(found.converged) << found.note;
     const OwnAnswer own = answer_at(request, found.mean_gap);
 
@@ -116,7 +116,7 @@ TEST_F(LammpsAgreement, MapsAreTheSameWhereStrainsAreSmall) {
   request.settings.tolerance = 1e-5;
 
   const AtomStep found = make_lammps_contact(request)->solve(
-      mechanics::Control::nominal_pressure, 0.003 * modulus, 0);
+      {mechanics::Control::nominal_pressure, 0.003 * modulus}, 0);
 
   ASSERT_TRUE(found.converged) << found.note;
   const OwnAnswer own = answer_at(request, found.mean_gap);

@@ -44,8 +44,9 @@ TEST_F(LammpsContactTest, BothControlsGiveOneCurve) {
   const double pressure = 0.01 * modulus;
 
   const AtomStep pressed =
-      contact->solve(Control::nominal_pressure, pressure, 0);
-  const AtomStep held = contact->solve(Control::mean_gap, pressed.mean_gap, 1);
+      contact->solve({Control::nominal_pressure, pressure}, 0);
+  const AtomStep held =
+      contact->solve({Control::mean_gap, pressed.mean_gap}, 1);
 
   ASSERT_TRUE(pressed.converged) << pressed.note;
   ASSERT_TRUE(held.converged) << held.note;
@@ -63,7 +64,7 @@ TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
 
   std::vector<AtomStep> curve;
   for (int i = 0; i < 3; ++i)
-    curve.push_back(contact->solve(Control::mean_gap, gap - i * step, i));
+    curve.push_back(contact->solve({Control::mean_gap, gap - i * step}, i));
 
   const auto energy = [&](int i) {
     return curve[static_cast<std::size_t>(i)].elastic_energy +
@@ -81,14 +82,14 @@ TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
   if (program_on_path("mpirun").empty())
     GTEST_SKIP() << "mpirun is not installed";
   const AtomStep one =
-      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+      make_lammps_contact(request)->solve({Control::mean_gap, gap}, 0);
   request.settings.ranks = 2;
   const AtomStep two =
-      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+      make_lammps_contact(request)->solve({Control::mean_gap, gap}, 0);
   request.settings.ranks = 1;
   request.settings.minimizer = mechanics::AtomMinimizer::fire;
   const AtomStep fire =
-      make_lammps_contact(request)->solve(Control::mean_gap, gap, 0);
+      make_lammps_contact(request)->solve({Control::mean_gap, gap}, 0);
 
   for (const AtomStep* other : {&two, &fire}) {
     ASSERT_TRUE(other->converged) << other->note;
@@ -102,7 +103,7 @@ TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
 TEST_F(LammpsContactTest, MapsMeansAndDumpAreOfTheSameAtoms) {
   request.settings.dump = true;
   const AtomStep step =
-      make_lammps_contact(request)->solve(Control::mean_gap, gap, 7);
+      make_lammps_contact(request)->solve({Control::mean_gap, gap}, 7);
 
   ASSERT_EQ(step.pressure.size(), request.layer.size());
   const double n = static_cast<double>(request.layer.size());
@@ -121,7 +122,7 @@ TEST_F(LammpsContactTest, MapsMeansAndDumpAreOfTheSameAtoms) {
 
 TEST_F(LammpsContactTest, OutOfReachThereIsNoPressure) {
   const AtomStep step =
-      make_atomic_contact(request)->solve(Control::mean_gap, 20e-10, 0);
+      make_atomic_contact(request)->solve({Control::mean_gap, 20e-10}, 0);
 
   EXPECT_TRUE(step.converged) << step.note;
   EXPECT_EQ(step.nominal_pressure, 0.0);
@@ -136,7 +137,7 @@ TEST_F(LammpsContactTest, ALoadIsNotInBalanceOutOfReach) {
   request.settings.max_evaluations = 2;
 
   const AtomStep step =
-      make_lammps_contact(request)->solve(Control::nominal_pressure, 1e3, 0);
+      make_lammps_contact(request)->solve({Control::nominal_pressure, 1e3}, 0);
 
   EXPECT_EQ(step.nominal_pressure, 0.0);
   EXPECT_FALSE(step.converged);
@@ -147,17 +148,18 @@ TEST_F(LammpsContactTest, AFailedStepStatesTheReason) {
   request.settings.max_evaluations = 5;
   const auto contact = make_lammps_contact(request);
 
-  const AtomStep tired = contact->solve(Control::nominal_pressure, 1e9, 0);
+  const AtomStep tired = contact->solve({Control::nominal_pressure, 1e9}, 0);
   EXPECT_FALSE(tired.converged);
   EXPECT_NE(tired.note.find("but must be at most 0.0001"), std::string::npos)
       << tired.note;
 
-  const AtomStep stopped = contact->solve(
-      Control::nominal_pressure, 1e9, 1, [](const Progress&) { return false; });
+  const AtomStep stopped =
+      contact->solve({Control::nominal_pressure, 1e9}, 1,
+                     [](const Progress&) { return false; });
   EXPECT_FALSE(stopped.converged);
   EXPECT_NE(stopped.note.find("stopped"), std::string::npos) << stopped.note;
 
-  EXPECT_THROW(contact->solve(Control::nominal_pressure, 0.0, 2),
+  EXPECT_THROW(contact->solve({Control::nominal_pressure, 0.0}, 2),
                std::domain_error);
   EXPECT_NE(contact->description().find("LAMMPS"), std::string::npos);
 }
