@@ -159,7 +159,7 @@ BlockProblem problem_of(const FullRequest& request,
   problem.mesh = std::move(*mesh);
   meshes::require_valid_mesh(problem.mesh, full.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
-  problem.top = block.far_boundary;
+  problem.far_boundary = block.far_boundary;
   problem.sides = full.sides;
   problem.contact_at = full.contact_at;
   problem.linear_solver = full.linear_solver;

@@ -191,7 +191,7 @@ void AdaptiveBlock::rebuild(MeshChange& change,
                      {},
                      newton.rigid_gap(),
                      newton.highest(),
-                     newton.top_pressure()};
+                     newton.far_pressure()};
   MeshChange::Vector whole = newton.displacement();
   space.constraints().distribute(whole);
   std::unique_ptr<MeshedBlock> old = std::move(block_);

@@ -71,7 +71,7 @@ Point<3> best_place(const std::vector<FaceNode>& nodes, double tolerance,
 } // namespace
 
 void BlockSpace::constrain(const BlockProblem& problem) {
-  if (problem.top == mechanics::FarBoundary::pressure &&
+  if (problem.far_boundary == mechanics::FarBoundary::pressure &&
       problem.sides == mechanics::BlockSides::free)
     throw std::domain_error(
         "top = pressure with sides = free: the block can tilt as a rigid body; "
@@ -90,10 +90,10 @@ void BlockSpace::hold_far_boundary(const BlockProblem& problem) {
     throw std::domain_error("the mesh has no face in the group fixed");
   for (const FaceNode& node : nodes)
     for (unsigned int i = 0; i < 3; ++i)
-      if (problem.top == mechanics::FarBoundary::clamped ||
-          (problem.top == mechanics::FarBoundary::sliding && i == 2))
+      if (problem.far_boundary == mechanics::FarBoundary::clamped ||
+          (problem.far_boundary == mechanics::FarBoundary::sliding && i == 2))
         constraints_.add_line(node.unknowns[i]);
-  if (problem.top == mechanics::FarBoundary::clamped)
+  if (problem.far_boundary == mechanics::FarBoundary::clamped)
     return;
   pin(problem, nodes, false);
   if (problem.counter)

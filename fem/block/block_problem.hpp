@@ -33,7 +33,7 @@ struct BlockProblem {
                           ///< grid
   int degree = 1;         ///< polynomial degree of the shape functions, 1 or 2
   ModuliField moduli;
-  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
+  mechanics::FarBoundary far_boundary = mechanics::FarBoundary::clamped;
   /// Free sides with a pressure-loaded far boundary are refused, because such a
   /// block may tilt.
   mechanics::BlockSides sides = mechanics::BlockSides::periodic;

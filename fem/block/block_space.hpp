@@ -33,13 +33,13 @@ struct FaceNode {
 /// problem's degree.
 ///
 /// The following unknowns are constrained: hanging nodes; on the far boundary
-/// those that `top` prescribes; and with periodic sides those of every node at
-/// x = length_x or y = length_y, by the root of the node, one period back in x
-/// and y. To remove rigid-body motions, one node of the far boundary is pinned
-/// laterally if the far boundary is sliding, and in all directions if it is
-/// pressure-loaded; with a sliding far boundary and free sides a second node is
-/// pinned against rotation. Under the loads of frictionless contact the pins
-/// carry no force. Vectors hold zeros at constrained unknowns.
+/// those that `far_boundary` prescribes; and with periodic sides those of every
+/// node at x = length_x or y = length_y, by the root of the node, one period
+/// back in x and y. To remove rigid-body motions, one node of the far boundary
+/// is pinned laterally if the far boundary is sliding, and in all directions if
+/// it is pressure-loaded; with a sliding far boundary and free sides a second
+/// node is pinned against rotation. Under the loads of frictionless contact the
+/// pins carry no force. Vectors hold zeros at constrained unknowns.
 class BlockSpace {
 public:
   /// @throws std::domain_error  under the conditions of make_full_block

@@ -30,13 +30,13 @@ BlockSystem::BlockSystem(
     std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
     : grid_(problem.grid),
       field_(problem.moduli),
-      top_(problem.top),
+      far_boundary_(problem.far_boundary),
       quality_(problem.quality),
       space_(problem, std::move(triangulation)),
       contact_(space_, problem) {
   if (problem.counter)
     counter_ = moduli(*problem.counter);
-  integrate_top_load();
+  integrate_far_load();
   find_face_modulus();
 }
 
@@ -57,9 +57,9 @@ Moduli BlockSystem::moduli_of(
   return field_.at({centre[0], centre[1], centre[2]});
 }
 
-void BlockSystem::integrate_top_load() {
-  top_load_ = space_.make_vector();
-  if (top_ != mechanics::FarBoundary::pressure)
+void BlockSystem::integrate_far_load() {
+  far_load_ = space_.make_vector();
+  if (far_boundary_ != mechanics::FarBoundary::pressure)
     return;
   dealii::FEFaceValues<3> values(
       space_.mapping(), space_.element(), space_.face_quadrature(),
@@ -87,12 +87,12 @@ void BlockSystem::integrate_top_load() {
       }
       cell->get_dof_indices(unknowns);
       space_.constraints().distribute_local_to_global(cell_load, unknowns,
-                                                      top_load_);
+                                                      far_load_);
     }
   }
-  top_load_.compress(dealii::VectorOperation::add);
+  far_load_.compress(dealii::VectorOperation::add);
   far_area = dealii::Utilities::MPI::sum(far_area, MPI_COMM_WORLD);
-  top_load_ *= contact_.area() / far_area;
+  far_load_ *= contact_.area() / far_area;
 }
 
 void BlockSystem::find_face_modulus() {

@@ -45,8 +45,8 @@ public:
   /// Consistent force on the unknowns from a nominal pressure of 1 Pa that
   /// pulls the far boundaries away from the contact [m^2]. Its sum is the area
   /// of the contact surface. It is zero if the far boundaries are held.
-  const dealii::TrilinosWrappers::MPI::Vector& top_load() const {
-    return top_load_;
+  const dealii::TrilinosWrappers::MPI::Vector& far_load() const {
+    return far_load_;
   }
 
   /// The moduli of a cell.
@@ -59,19 +59,19 @@ public:
   std::string report() const;
 
 private:
-  void integrate_top_load();
+  void integrate_far_load();
   void find_face_modulus();
 
   Grid grid_;
   ModuliField field_;
   std::optional<Moduli> counter_;
-  mechanics::FarBoundary top_;
+  mechanics::FarBoundary far_boundary_;
   std::string quality_;
   BlockSpace space_;
   ContactPoints contact_;
   mutable bool is_assembled_ = false;
   mutable dealii::TrilinosWrappers::SparseMatrix stiffness_;
-  dealii::TrilinosWrappers::MPI::Vector top_load_;
+  dealii::TrilinosWrappers::MPI::Vector far_load_;
   double face_shear_modulus_ = 0.0;
 };
 

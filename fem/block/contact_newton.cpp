@@ -53,7 +53,7 @@ ContactNewton::ContactNewton(const BlockSystem& system,
       imbalance_(displacement_),
       by_imbalance_(displacement_),
       by_approach_(displacement_),
-      by_top_(displacement_) {}
+      by_far_pressure_(displacement_) {}
 
 bool ContactNewton::solve_linear(std::span<const double> pressure,
                                  Vector& displacement) {
@@ -64,7 +64,7 @@ bool ContactNewton::solve_linear(std::span<const double> pressure,
     total += forces[i] = points[i].area * pressure[i];
   Vector right = system_.space().make_vector();
   points.add_force(forces, right);
-  right.add(-sum(total, MPI_COMM_WORLD) / area(), system_.top_load());
+  right.add(-sum(total, MPI_COMM_WORLD) / area(), system_.far_load());
   solver_.set_contact(std::vector<double>(points.size(), 0.0),
                       std::vector<bool>(points.size(), false));
   displacement = 0.0;
@@ -76,7 +76,7 @@ void ContactNewton::start_from(ContactStart start) {
   pressure_ = std::move(start.pressure);
   rigid_gap_ = start.rigid_gap;
   highest_ = start.highest;
-  top_pressure_ = start.top_pressure;
+  far_pressure_ = start.far_pressure;
   system_.contact().take_displacement(displacement_, face_displacement_);
   solver_.multiply(elastic_, displacement_);
 }
@@ -240,7 +240,7 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
 void ContactNewton::lift_off(double mean_gap_target) {
   displacement_ = 0.0;
   elastic_ = 0.0;
-  top_pressure_ = 0.0;
+  far_pressure_ = 0.0;
   std::fill(face_displacement_.begin(), face_displacement_.end(), 0.0);
   rigid_gap_ += mean_gap_target - mean_gap();
 }

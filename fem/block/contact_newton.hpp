@@ -29,7 +29,7 @@ struct ContactStart {
   std::vector<double> pressure; ///< of this rank's points [Pa] >= 0
   double rigid_gap = 0.0;       ///< as ContactNewton::rigid_gap [m]
   double highest = 0.0;         ///< [m]
-  double top_pressure = 0.0;    ///< on the far boundary [Pa]
+  double far_pressure = 0.0;    ///< on the far boundary [Pa]
 };
 
 /// Solves (F.1) of full_block.hpp over the points of all ranks.
@@ -75,7 +75,7 @@ public:
 
   double highest() const { return highest_; }
 
-  double top_pressure() const { return top_pressure_; } ///< [Pa]
+  double far_pressure() const { return far_pressure_; } ///< [Pa]
 
   double gap(std::size_t i) const {
     return rigid_gap_ + face_displacement_[i] - heights_[i];
@@ -136,7 +136,7 @@ private:
   dealii::TrilinosWrappers::MPI::Vector displacement_; ///< u [m]
   double rigid_gap_ = 0.0;    ///< d minus the highest height [m]
   double highest_ = 0.0;      ///< [m]
-  double top_pressure_ = 0.0; ///< P [Pa]
+  double far_pressure_ = 0.0; ///< P [Pa]
   std::vector<double> multiplier_;
   std::vector<double> pressure_;
   std::vector<double> heights_;                     ///< minus the highest
@@ -145,7 +145,8 @@ private:
   dealii::TrilinosWrappers::MPI::Vector elastic_;   ///< K u [N]
   dealii::TrilinosWrappers::MPI::Vector imbalance_; ///< K u + P g - B^T a p
   // Responses in the last step, used as initial guesses in the next one.
-  dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_, by_top_;
+  dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_,
+      by_far_pressure_;
 };
 
 } // namespace asperity::fem

@@ -50,7 +50,7 @@ void ContactNewton::find_imbalance() {
   imbalance_ = 0.0;
   points.add_force(forces, imbalance_);
   imbalance_ += elastic_;
-  imbalance_.add(top_pressure_, system_.top_load());
+  imbalance_.add(far_pressure_, system_.far_load());
 }
 
 double ContactNewton::largest_force() const {
@@ -138,7 +138,7 @@ bool ContactNewton::step(const mechanics::LoadTarget& load,
   const ContactPoints& points = system_.contact();
   const bool is_load = load.control == mechanics::Control::nominal_pressure;
   if (is_load)
-    top_pressure_ = load.amount; // d is then the only scalar unknown
+    far_pressure_ = load.amount; // d is then the only scalar unknown
   solver_.set_contact(springs, held);
   find_imbalance();
 
@@ -171,11 +171,11 @@ bool ContactNewton::step(const mechanics::LoadTarget& load,
                               stiffness_of(springs),
                   .share = share}))
     return false;
-  forces = system_.top_load();
+  forces = system_.far_load();
   forces *= -1.0;
   if (is_load || forces.linfty_norm() == 0.0)
-    by_top_ = 0.0;
-  else if (!solve_for(by_top_, forces, at_rest, {.share = share}))
+    by_far_pressure_ = 0.0;
+  else if (!solve_for(by_far_pressure_, forces, at_rest, {.share = share}))
     return false;
   return border(load, springs, held);
 }
@@ -187,7 +187,7 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
                            const std::vector<bool>& held) {
   const ContactPoints& points = system_.contact();
   const std::array<Vector*, 3> responses{&by_imbalance_, &by_approach_,
-                                         &by_top_};
+                                         &by_far_pressure_};
   // For each response: the mean displacement and the contact force that it
   // causes.
   std::vector<double> sums(6, 0.0);
@@ -218,7 +218,7 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
   Border scalars;
   scalars.force_d = sums[4];
   scalars.force_pressure = sums[5] - area();
-  scalars.force_right = top_pressure_ * area() - now - sums[3];
+  scalars.force_right = far_pressure_ * area() - now - sums[3];
   if (load.control == mechanics::Control::nominal_pressure) {
     scalars.control_pressure = 1.0;
   } else {
@@ -230,9 +230,9 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
   if (!std::isfinite(approach) || !std::isfinite(pressure))
     return false;
   displacement_ += by_imbalance_;
-  displacement_.add(approach, by_approach_, pressure, by_top_);
+  displacement_.add(approach, by_approach_, pressure, by_far_pressure_);
   rigid_gap_ += approach;
-  top_pressure_ += pressure;
+  far_pressure_ += pressure;
   points.take_displacement(displacement_, face_displacement_);
   solver_.multiply(elastic_, displacement_);
   return true;

@@ -34,8 +34,8 @@ std::vector<double> planes_of(const LayeredBlock& block, int degree) {
   return depths;
 }
 
-std::vector<bool> held_components(mechanics::FarBoundary top) {
-  switch (top) {
+std::vector<bool> held_components(mechanics::FarBoundary far_boundary) {
+  switch (far_boundary) {
   case mechanics::FarBoundary::clamped:
     return {true, true, true};
   case mechanics::FarBoundary::sliding:
@@ -96,7 +96,7 @@ void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
     mask.set(c, true);
     of_component[c] = dealii::DoFTools::extract_dofs(space.dof_handler(), mask);
   }
-  const std::vector<bool> held = held_components(uniform.top);
+  const std::vector<bool> held = held_components(uniform.far_boundary);
   std::array<std::uint64_t, 3> pins{}; // index plus one; 0: none
   own_numbers_.assign(space.owned().n_elements(), nowhere);
   for (const global_dof_index unknown : space.owned()) {

@@ -99,8 +99,10 @@ std::optional<BoxLattice> box_lattice(const BlockProblem& problem) {
   lattice.length_x = mesh.length_x;
   lattice.length_y = mesh.length_y;
   lattice.is_periodic = problem.sides == mechanics::BlockSides::periodic;
-  lattice.holds_lateral = problem.top == mechanics::FarBoundary::clamped;
-  lattice.holds_normal = problem.top != mechanics::FarBoundary::pressure;
+  lattice.holds_lateral =
+      problem.far_boundary == mechanics::FarBoundary::clamped;
+  lattice.holds_normal =
+      problem.far_boundary != mechanics::FarBoundary::pressure;
   const std::size_t plane = (cells[0] + 1) * (cells[1] + 1);
   for (std::size_t k = 0; k < cells[2]; ++k)
     lattice.thickness.push_back(mesh.vertices[(k + 1) * plane][2] -

@@ -234,7 +234,7 @@ std::unique_ptr<FullBlock> make_full_block(const Grid& grid, int degree,
                        .mesh = meshes::layered_mesh(columns, thickness),
                        .degree = degree,
                        .moduli = ModuliField(block),
-                       .top = block.top,
+                       .far_boundary = block.far_boundary,
                        .linear_solver = linear_solver,
                        .lattice = block};
   return make_full_block(problem);

@@ -14,9 +14,9 @@ using Elimination = LayerElimination<1>;
 
 /// Computes (T_0^-1)_zz of four neighbouring modes in x [m/N]; those beyond the
 /// last column repeat it.
-void take_compliance(const BlockSymbol& layers, mechanics::FarBoundary top,
-                     const Grid& grid, int first, int mode_y,
-                     SimdBatch& compliance) {
+void take_compliance(const BlockSymbol& layers,
+                     mechanics::FarBoundary far_boundary, const Grid& grid,
+                     int first, int mode_y, SimdBatch& compliance) {
   SimdBatch theta_x{}, theta_y{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int mode_x =
@@ -29,7 +29,8 @@ void take_compliance(const BlockSymbol& layers, mechanics::FarBoundary top,
   std::array<SimdBatch, triangle(Elimination::plane)> stiffness{};
   for (std::size_t l = layers.layers(); l-- > 0;) {
     layers.evaluate(l, materials.data(), symbol.data());
-    Elimination::take_layer(symbol.data(), layers.is_last(l) ? &top : nullptr,
+    Elimination::take_layer(symbol.data(),
+                            layers.is_last(l) ? &far_boundary : nullptr,
                             SimdBatch{}, stiffness.data());
   }
   factorise<Elimination::plane>(stiffness.data());
@@ -57,7 +58,7 @@ std::vector<double> condensed_compliance_q1(const Grid& grid,
     constexpr int step = static_cast<int>(lanes);
     for (int first = is_square ? mode_y : 0; first < columns; first += step) {
       SimdBatch batch;
-      take_compliance(layers, block.top, grid, first, mode_y, batch);
+      take_compliance(layers, block.far_boundary, grid, first, mode_y, batch);
       for (int mode_x = first; mode_x < std::min(columns, first + step);
            ++mode_x) {
         at(mode_x, mode_y) = grid.cell_area() * batch[mode_x - first];

@@ -16,9 +16,9 @@ ElasticLayer elastic_layer(double thickness, double youngs_modulus,
 
 LayeredBlock homogeneous_block(std::span<const double> thickness,
                                double youngs_modulus, double poisson_ratio,
-                               mechanics::FarBoundary top) {
+                               mechanics::FarBoundary far_boundary) {
   LayeredBlock block;
-  block.top = top;
+  block.far_boundary = far_boundary;
   for (const double layer : thickness)
     block.layers.push_back(elastic_layer(layer, youngs_modulus, poisson_ratio));
   require_block(block);
@@ -28,12 +28,12 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
 LayeredBlock bonded_block(std::span<const double> thickness,
                           std::span<const double> interfaces,
                           std::span<const mechanics::BodyModuli> moduli,
-                          mechanics::FarBoundary top) {
+                          mechanics::FarBoundary far_boundary) {
   if (moduli.size() != interfaces.size() + 1)
     refuse_argument("moduli.size()", static_cast<double>(moduli.size()),
                     "one more than the number of interfaces");
   LayeredBlock block;
-  block.top = top;
+  block.far_boundary = far_boundary;
   double depth = 0.0;
   std::size_t material = 0;
   for (const double layer : thickness) {

@@ -27,7 +27,7 @@ struct LayeredBlock {
   /// Condition on the far boundary. clamped: u = 0; sliding: u_z = 0 and no
   /// shear traction; pressure: a uniform normal traction that balances the
   /// contact pressure.
-  mechanics::FarBoundary top = mechanics::FarBoundary::clamped;
+  mechanics::FarBoundary far_boundary = mechanics::FarBoundary::clamped;
 };
 
 /// Computes lambda [Pa] and mu [Pa] of a material.
@@ -40,7 +40,7 @@ ElasticLayer elastic_layer(double thickness, double youngs_modulus,
 /// A block of one material in layers of the given thicknesses.
 LayeredBlock homogeneous_block(std::span<const double> thickness,
                                double youngs_modulus, double poisson_ratio,
-                               mechanics::FarBoundary top);
+                               mechanics::FarBoundary far_boundary);
 
 /// A block in layers of the given thicknesses, each of the material at its
 /// mid-depth.
@@ -52,7 +52,7 @@ LayeredBlock homogeneous_block(std::span<const double> thickness,
 LayeredBlock bonded_block(std::span<const double> thickness,
                           std::span<const double> interfaces,
                           std::span<const mechanics::BodyModuli> moduli,
-                          mechanics::FarBoundary top);
+                          mechanics::FarBoundary far_boundary);
 
 /// Refuses a block without layers or with a layer outside the ranges of
 /// ElasticLayer.

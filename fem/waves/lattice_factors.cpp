@@ -35,8 +35,9 @@ private:
   static constexpr std::size_t layer_packs =
       Elimination::packs - Elimination::first_gg;
 
-  void factorise_batch(const BlockSymbol& layers, mechanics::FarBoundary top,
-                       double spring, const WaveBatch& batch);
+  void factorise_batch(const BlockSymbol& layers,
+                       mechanics::FarBoundary far_boundary, double spring,
+                       const WaveBatch& batch);
 
   /// The factors of a batch: L, 1/D and R of the layers from the contact
   /// surface upwards, then L and 1/D of T_0.
@@ -66,15 +67,16 @@ Factors<degree>::Factors(const NodeClassSpectra& spectra,
   parallel_rows(static_cast<int>(rows.size()), threads, [&](int turn) {
     const std::size_t row = rows.begin + static_cast<std::size_t>(turn);
     for (std::size_t number = 0; number < batches_; ++number)
-      factorise_batch(layers, block.top, spring, spectra.batch(row, number));
+      factorise_batch(layers, block.far_boundary, spring,
+                      spectra.batch(row, number));
   });
 }
 
 /// Applies (L.1) from the far boundary down to T_0.
 template <std::size_t degree>
 void Factors<degree>::factorise_batch(const BlockSymbol& layers,
-                                      mechanics::FarBoundary top, double spring,
-                                      const WaveBatch& batch) {
+                                      mechanics::FarBoundary far_boundary,
+                                      double spring, const WaveBatch& batch) {
   const std::vector<SimdBatch> materials =
       layers.at(batch.theta_x, batch.theta_y);
   SimdBatch* const first = const_cast<SimdBatch*>(of_batch(batch));
@@ -85,7 +87,8 @@ void Factors<degree>::factorise_batch(const BlockSymbol& layers,
     uniform_mode[0] = spring;
   for (std::size_t l = n_layers_; l-- > 0;) {
     layers.evaluate(l, materials.data(), symbol.data());
-    Elimination::take_layer(symbol.data(), layers.is_last(l) ? &top : nullptr,
+    Elimination::take_layer(symbol.data(),
+                            layers.is_last(l) ? &far_boundary : nullptr,
                             uniform_mode, stiffness.data());
     std::copy_n(&symbol[Elimination::first_gg], layer_packs,
                 first + l * layer_packs);

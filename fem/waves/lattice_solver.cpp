@@ -36,7 +36,7 @@ enum class Sweep { whole, down_to_face, up_from_face };
 
 struct LatticeSolver::Parts {
   NodeLattice lattice;
-  mechanics::FarBoundary top;
+  mechanics::FarBoundary far_boundary;
   int threads;
   NodeClassSpectra spectra;
   LatticeShare share;
@@ -52,14 +52,14 @@ struct LatticeSolver::Parts {
         Among among)
       : lattice{grid, degree,
                 block.layers.size() * static_cast<std::size_t>(degree) + 1},
-        top(block.top),
+        far_boundary(block.far_boundary),
         threads(n_threads),
         spectra(grid, degree),
         share(spectra, 3 * lattice.planes, among),
         factors(make_lattice_factors(spectra, degree, block, share.rows(),
                                      n_threads)),
-        face(spectra, *factors, share, top == mechanics::FarBoundary::pressure,
-             n_threads),
+        face(spectra, *factors, share,
+             far_boundary == mechanics::FarBoundary::pressure, n_threads),
         modes(3 * lattice.planes * spectra.size()),
         face_modes(spectra.size()),
         face_field(grid.size()),
@@ -71,7 +71,7 @@ struct LatticeSolver::Parts {
   }
 
   bool is_held(std::size_t field) const {
-    return field / 3 + 1 == lattice.planes && holds(top, field % 3);
+    return field / 3 + 1 == lattice.planes && holds(far_boundary, field % 3);
   }
 
   Modes field_modes(std::size_t field) {

@@ -14,9 +14,9 @@
 namespace asperity::fem {
 
 /// Whether the far boundary fixes component 0..2 of the displacement to 0.
-inline bool holds(mechanics::FarBoundary top, std::size_t component) {
-  return top == mechanics::FarBoundary::clamped ||
-         (top == mechanics::FarBoundary::sliding && component == 2);
+inline bool holds(mechanics::FarBoundary far_boundary, std::size_t component) {
+  return far_boundary == mechanics::FarBoundary::clamped ||
+         (far_boundary == mechanics::FarBoundary::sliding && component == 2);
 }
 
 /// The elimination of one layer with cells of a degree. For layer l, b denotes
@@ -51,9 +51,10 @@ struct LayerElimination {
 
   /// Applies (L.1): T_(l+1) in `stiffness` becomes T_l, and S_gg and S_gb
   /// become L with 1/D on its diagonal, and R_l.
-  /// @param top     the far boundary if it is the top of this layer, or null
-  /// @param spring  on the uniform modes of its free components [N/m]
-  static void take_layer(SimdBatch* symbol, const mechanics::FarBoundary* top,
+  /// @param far_boundary  the boundary at the top of this layer, or null
+  /// @param spring        on the uniform modes of its free components [N/m]
+  static void take_layer(SimdBatch* symbol,
+                         const mechanics::FarBoundary* far_boundary,
                          const SimdBatch& spring, SimdBatch* stiffness) {
     SimdBatch* const matrix = symbol + first_gg;
     SimdBatch* const to_lower = symbol + first_gb;
@@ -62,8 +63,8 @@ struct LayerElimination {
       for (std::size_t i = j; i < plane; ++i)
         matrix[in_triangle(group, top_plane + i, top_plane + j)] +=
             stiffness[in_triangle(plane, i, j)];
-    if (top)
-      hold_top(*top, spring, matrix, to_lower);
+    if (far_boundary)
+      hold_far_boundary(*far_boundary, spring, matrix, to_lower);
     factorise<group>(matrix);
     solve_lower<group, plane>(matrix, to_lower);
     std::copy_n(symbol, triangle(plane), stiffness);
@@ -88,12 +89,13 @@ struct LayerElimination {
   }
 
 private:
-  static void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
-                       SimdBatch* matrix, SimdBatch* to_lower) {
+  static void hold_far_boundary(mechanics::FarBoundary far_boundary,
+                                const SimdBatch& spring, SimdBatch* matrix,
+                                SimdBatch* to_lower) {
     constexpr std::size_t top_plane = group - plane;
     for (std::size_t row = top_plane; row < group; ++row) {
       const std::size_t component = row % 3;
-      if (holds(top, component)) {
+      if (holds(far_boundary, component)) {
         for (std::size_t j = 0; j < group; ++j)
           matrix[in_triangle(group, std::max(row, j), std::min(row, j))] =
               SimdBatch{};

@@ -65,13 +65,14 @@ LayerSymbol::Target mirrored_blocks(std::size_t row, std::size_t column) {
 
 /// Writes the identity into the rows of held components and adds springs to the
 /// uniform modes of the others.
-inline void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
-                     SimdBatch* matrix, SimdBatch* rows) {
+inline void hold_far_boundary(mechanics::FarBoundary far_boundary,
+                              const SimdBatch& spring, SimdBatch* matrix,
+                              SimdBatch* rows) {
   const auto component = [](std::size_t i) {
     return i < n_lateral ? i % 2 : std::size_t{2};
   };
   for (std::size_t i = 0; i < n_plane; ++i) {
-    if (!holds(top, component(i))) {
+    if (!holds(far_boundary, component(i))) {
       for (std::size_t j = 0; j <= i; ++j)
         if (component(j) == component(i))
           matrix[in_triangle(n_plane, i, j)] += spring;
@@ -86,10 +87,9 @@ inline void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
 }
 
 /// Applies (Q2.5): T_(l+1) in `stiffness` becomes T_l.
-[[gnu::always_inline]] inline void take_layer(const LayerBlocks& layer,
-                                              const mechanics::FarBoundary* top,
-                                              const SimdBatch& spring,
-                                              SimdBatch* stiffness) {
+[[gnu::always_inline]] inline void
+take_layer(const LayerBlocks& layer, const mechanics::FarBoundary* far_boundary,
+           const SimdBatch& spring, SimdBatch* stiffness) {
   std::array<SimdBatch, triangle(n_plane)> matrix;
   std::array<SimdBatch, n_plane * n_plane> rows;
   for (std::size_t i = 0; i < triangle(n_plane); ++i)
@@ -98,8 +98,8 @@ inline void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
     for (std::size_t j = 0; j <= i; ++j)
       rows[i * n_plane + j] = rows[j * n_plane + i] =
           layer[first_tb + in_triangle(n_plane, i, j)];
-  if (top)
-    hold_top(*top, spring, matrix.data(), rows.data());
+  if (far_boundary)
+    hold_far_boundary(*far_boundary, spring, matrix.data(), rows.data());
   factorise<n_plane>(matrix.data());
   solve_lower<n_plane, n_plane>(matrix.data(), rows.data());
   std::copy_n(&layer[first_tt], triangle(n_plane), stiffness);
@@ -131,7 +131,7 @@ inline void hold_top(mechanics::FarBoundary top, const SimdBatch& spring,
 
 /// The block, evaluated at four wavevectors.
 struct Waves {
-  mechanics::FarBoundary top;
+  mechanics::FarBoundary far_boundary;
   const BlockSymbol& layers;
   const SimdBatch* materials;
   SimdBatch spring;
@@ -144,7 +144,7 @@ struct Waves {
   for (std::size_t l = waves.layers.layers(); l-- > 0;) {
     waves.layers.evaluate(l, waves.materials, layer.data());
     eliminate_middle(layer);
-    take_layer(layer, waves.layers.is_last(l) ? &waves.top : nullptr,
+    take_layer(layer, waves.layers.is_last(l) ? &waves.far_boundary : nullptr,
                waves.spring, stiffness.data());
   }
   normal_compliance(stiffness.data(), block);
@@ -174,7 +174,8 @@ auto eliminate_here() {
 } // namespace
 
 MirroredQ2::MirroredQ2(const Grid& grid, const LayeredBlock& block)
-    : top_(block.top), layers_(grid, 2, block, layer_packs, mirrored_blocks) {}
+    : far_boundary_(block.far_boundary),
+      layers_(grid, 2, block, layer_packs, mirrored_blocks) {}
 
 void MirroredQ2::face_compliance(const SimdBatch& theta_x,
                                  const SimdBatch& theta_y,
@@ -182,7 +183,7 @@ void MirroredQ2::face_compliance(const SimdBatch& theta_x,
                                  SimdBatch* block) const {
   static const auto eliminate_waves = eliminate_here();
   const std::vector<SimdBatch> materials = layers_.at(theta_x, theta_y);
-  eliminate_waves({top_, layers_, materials.data(), spring}, block);
+  eliminate_waves({far_boundary_, layers_, materials.data(), spring}, block);
 }
 
 } // namespace asperity::fem

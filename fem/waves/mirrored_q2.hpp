@@ -36,7 +36,7 @@ public:
                        const SimdBatch& spring, SimdBatch* block) const;
 
 private:
-  mechanics::FarBoundary top_;
+  mechanics::FarBoundary far_boundary_;
   BlockSymbol layers_;
 };
 

@@ -296,8 +296,9 @@ TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   compare("free sides", ContactLaw::hard, 2, [](BlockProblem& problem) {
     problem.sides = mechanics::BlockSides::free;
   });
-  compare("pressure-loaded", ContactLaw::hard, 2,
-          [](BlockProblem& problem) { problem.top = FarBoundary::pressure; });
+  compare("pressure-loaded", ContactLaw::hard, 2, [](BlockProblem& problem) {
+    problem.far_boundary = FarBoundary::pressure;
+  });
 }
 
 std::string refusal(const BlockProblem& problem) {

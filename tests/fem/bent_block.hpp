@@ -63,7 +63,7 @@ protected:
                                      std::vector<double>(4, depth_ / 4.0)),
         .degree = 2,
         .moduli = ModuliField(far_),
-        .top = mechanics::FarBoundary::sliding,
+        .far_boundary = mechanics::FarBoundary::sliding,
         .sides = mechanics::BlockSides::free,
         .linear_solver = LinearSolver::direct};
     problem.moduli.add_layer(interface_, near_);

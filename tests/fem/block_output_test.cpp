@@ -59,7 +59,7 @@ protected:
                                     length_ / cells)),
             .degree = degree,
             .moduli = ModuliField(moduli({soft_modulus, poisson_})),
-            .top = FarBoundary::sliding,
+            .far_boundary = FarBoundary::sliding,
             .linear_solver = LinearSolver::direct};
   }
 

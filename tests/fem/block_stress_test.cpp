@@ -125,7 +125,7 @@ TEST(VertexStress, IsWeighedByVolume) {
       .mesh = meshes::layered_mesh(grid, {kink, length - kink}),
       .degree = 1,
       .moduli = ModuliField(material),
-      .top = FarBoundary::sliding,
+      .far_boundary = FarBoundary::sliding,
       .sides = mechanics::BlockSides::free,
       .linear_solver = LinearSolver::direct};
   const auto ridge = [&](double z) { return std::min(z, (length - z) / 3.0); };

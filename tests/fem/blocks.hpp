@@ -18,9 +18,9 @@ constexpr double soft_modulus = 2.0e9; // Pa
 
 /// A block of graded layers whose moduli differ from layer to layer.
 inline LayeredBlock layered_block(double surface_thickness, double depth,
-                                  mechanics::FarBoundary top) {
+                                  mechanics::FarBoundary far_boundary) {
   LayeredBlock block;
-  block.top = top;
+  block.far_boundary = far_boundary;
   const std::vector<double> thickness =
       meshes::graded_layers(surface_thickness, 1.4, depth);
   for (std::size_t i = 0; i < thickness.size(); ++i)

@@ -41,9 +41,9 @@ class Q1AgainstTheFullBlock
 // wavevector at once: a random pressure contains them all. Tolerance: roundoff
 // of both solves, some 1e-13.
 TEST_P(Q1AgainstTheFullBlock, GivesTheSameDisplacement) {
-  const auto [grid, top] = GetParam();
+  const auto [grid, far_boundary] = GetParam();
   const LayeredBlock block =
-      layered_block(1.5 * grid.spacing_x(), 0.8 * grid.length_x, top);
+      layered_block(1.5 * grid.spacing_x(), 0.8 * grid.length_x, far_boundary);
   const std::vector<double> pressure = random_field(grid.size(), 11);
 
   const std::vector<double> condensed =

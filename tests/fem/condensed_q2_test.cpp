@@ -45,9 +45,9 @@ class Q2AgainstTheFullBlock
 // of cells; one of them has a middle column of modes that is conjugate to
 // itself. Tolerance: roundoff of both solves, some 1e-13.
 TEST_P(Q2AgainstTheFullBlock, GivesTheSameDisplacement) {
-  const auto [grid, top] = GetParam();
+  const auto [grid, far_boundary] = GetParam();
   const LayeredBlock block =
-      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, top);
+      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, far_boundary);
   const std::vector<double> pressure = random_field(grid.size(), 5);
   Q2Operator condensed(condensed_compliance_q2(grid, block));
 
@@ -81,10 +81,10 @@ class Q2AgainstUnsplitLayers
 // whose roundoff grows with the square of the thickest layer in cells (here
 // below 10): some 1e-13.
 TEST_P(Q2AgainstUnsplitLayers, GivesTheSameBlocks) {
-  const auto [is_layered, top] = GetParam();
+  const auto [is_layered, far_boundary] = GetParam();
   const Grid grid{64, 48, 1e-6, 0.8e-6};
   LayeredBlock block =
-      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, top);
+      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, far_boundary);
   if (!is_layered)
     for (ElasticLayer& layer : block.layers)
       layer = {layer.thickness, block.layers[0].lame_modulus,
@@ -209,12 +209,13 @@ protected:
   /// with cubic cells down to the far boundary of a block half as deep as it is
   /// long.
   static double error(int points) {
-    const auto [top, poisson_ratio] = GetParam();
+    const auto [far_boundary, poisson_ratio] = GetParam();
     const Grid grid{points, 4, 1e-6, 4e-6 / points};
     const std::vector<double> cubes(static_cast<std::size_t>(points / 4),
                                     2.0 * grid.spacing_x());
     Q2Operator block(condensed_compliance_q2(
-        grid, homogeneous_block(cubes, soft_modulus, poisson_ratio, top)));
+        grid,
+        homogeneous_block(cubes, soft_modulus, poisson_ratio, far_boundary)));
     std::vector<double> wave(grid.size());
     for (int iy = 0; iy < grid.points_y; ++iy)
       for (int ix = 0; ix < grid.points_x; ++ix)
@@ -225,7 +226,7 @@ protected:
     const double square = weighted_product(block.nodal_weights(), wave, wave);
     return work / square /
                layer_compliance(wavevector(1, grid.length_x), grid.length_x / 2,
-                                soft_modulus, poisson_ratio, top) -
+                                soft_modulus, poisson_ratio, far_boundary) -
            1.0;
   }
 };

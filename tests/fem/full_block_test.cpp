@@ -48,7 +48,7 @@ condensed_block(const Grid& grid, int degree, const LayeredBlock& block) {
 
 struct ContactCase {
   int degree;
-  FarBoundary top;
+  FarBoundary far_boundary;
   ContactLaw law;
   double penalty; ///< in E/h
   Control control;
@@ -60,8 +60,9 @@ class CondensedAndFullBlock : public ::testing::TestWithParam<ContactCase> {
 protected:
   const Grid grid_{GetParam().points, GetParam().points, 1e-6, 1e-6};
   const double penalty_ = GetParam().penalty * soft_modulus / grid_.spacing_x();
-  const LayeredBlock block_ = layered_block(
-      GetParam().degree * grid_.spacing_x(), grid_.length_x, GetParam().top);
+  const LayeredBlock block_ =
+      layered_block(GetParam().degree * grid_.spacing_x(), grid_.length_x,
+                    GetParam().far_boundary);
   const std::vector<double> heights_ = rough_heights(grid_);
 
   contact::ContactSolution condensed(double load) const {

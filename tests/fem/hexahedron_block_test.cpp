@@ -25,7 +25,7 @@ constexpr double length = 1e-6; // m
 
 struct HexahedronCase {
   const char* name;
-  FarBoundary top;
+  FarBoundary far_boundary;
   BlockSides sides;
   bool is_shaken = false;
   mechanics::ContactPoints contact_at = mechanics::ContactPoints::nodes;
@@ -40,7 +40,7 @@ BlockProblem problem_of(const HexahedronCase& own, int cells = 4) {
       2, ModuliField(moduli(mechanics::BodyModuli{soft_modulus, 0.2}))};
   problem.moduli.add_layer(
       0.3 * length, moduli(mechanics::BodyModuli{5.0 * soft_modulus, 0.4}));
-  problem.top = own.top;
+  problem.far_boundary = own.far_boundary;
   problem.sides = own.sides;
   problem.contact_at = own.contact_at;
   if (own.is_shaken)

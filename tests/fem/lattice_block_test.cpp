@@ -23,7 +23,7 @@ enum class Material { layers, uneven_cells, sphere };
 
 struct LatticeCase {
   int degree;
-  FarBoundary top;
+  FarBoundary far_boundary;
   BlockSides sides;
   Material material;
 };
@@ -34,7 +34,7 @@ BlockProblem problem_of(const LatticeCase& own) {
   const Grid cells{8 / own.degree, 6 / own.degree, length, 0.6 * length};
   const Grid grid{8, 6, length, 0.6 * length};
   LayeredBlock layers;
-  layers.top = own.top;
+  layers.far_boundary = own.far_boundary;
   const std::vector<double> thickness{0.1 * length, 0.17 * length,
                                       0.4 * length};
   for (std::size_t i = 0; i < thickness.size(); ++i)
@@ -43,7 +43,7 @@ BlockProblem problem_of(const LatticeCase& own) {
         0.1 + 0.1 * static_cast<double>(i)));
   BlockProblem problem{grid, meshes::layered_mesh(cells, thickness), own.degree,
                        ModuliField(layers)};
-  problem.top = own.top;
+  problem.far_boundary = own.far_boundary;
   problem.sides = own.sides;
   if (own.material == Material::uneven_cells)
     problem.moduli.set_factor(random_factor(0.9, 3, grid.spacing_x()));
@@ -57,13 +57,14 @@ BlockProblem problem_of(const LatticeCase& own) {
 std::vector<LatticeCase> all_cases() {
   std::vector<LatticeCase> found;
   for (const int degree : {1, 2})
-    for (const FarBoundary top :
+    for (const FarBoundary far_boundary :
          {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure})
       for (const BlockSides sides : {BlockSides::periodic, BlockSides::free})
         for (const Material material :
              {Material::layers, Material::uneven_cells, Material::sphere})
-          if (top != FarBoundary::pressure || sides != BlockSides::free)
-            found.push_back({degree, top, sides, material});
+          if (far_boundary != FarBoundary::pressure ||
+              sides != BlockSides::free)
+            found.push_back({degree, far_boundary, sides, material});
   return found;
 }
 
@@ -138,7 +139,7 @@ std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
   const LatticeCase& own = info.param;
   const std::array<const char*, 3> materials{"layers", "uneven", "sphere"};
   return "q" + std::to_string(own.degree) + "_top" +
-         std::to_string(static_cast<int>(own.top)) +
+         std::to_string(static_cast<int>(own.far_boundary)) +
          (own.sides == BlockSides::free ? "_free_" : "_periodic_") +
          materials.at(static_cast<std::size_t>(own.material));
 }

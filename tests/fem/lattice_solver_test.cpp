@@ -21,16 +21,17 @@ using mechanics::FarBoundary;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_shift_free(FarBoundary top, std::size_t component) {
-  return top == FarBoundary::pressure ||
-         (top == FarBoundary::sliding && component < 2);
+bool is_shift_free(FarBoundary far_boundary, std::size_t component) {
+  return far_boundary == FarBoundary::pressure ||
+         (far_boundary == FarBoundary::sliding && component < 2);
 }
 
 /// Subtracts the mean of the components that the far boundary leaves free.
-void remove_shifts(const NodeLattice& lattice, FarBoundary top, bool is_z_held,
-                   std::vector<double>& field) {
+void remove_shifts(const NodeLattice& lattice, FarBoundary far_boundary,
+                   bool is_z_held, std::vector<double>& field) {
   for (std::size_t component = 0; component < 3; ++component) {
-    if (!is_shift_free(top, component) || (component == 2 && is_z_held))
+    if (!is_shift_free(far_boundary, component) ||
+        (component == 2 && is_z_held))
       continue;
     double sum = 0.0;
     for (std::size_t plane = 0; plane < lattice.planes; ++plane)
@@ -46,22 +47,23 @@ void remove_shifts(const NodeLattice& lattice, FarBoundary top, bool is_z_held,
 
 /// Independent loads on all nodes, -1/2..1/2, zero at constrained unknowns, and
 /// balanced where nothing supports the block.
-std::vector<double> loads(const NodeLattice& lattice, FarBoundary top,
+std::vector<double> loads(const NodeLattice& lattice, FarBoundary far_boundary,
                           bool is_z_held, unsigned int seed) {
   std::vector<double> force = random_field(lattice.size(), seed);
   for (double& value : force)
     value -= 0.5;
-  remove_shifts(lattice, top, is_z_held, force);
+  remove_shifts(lattice, far_boundary, is_z_held, force);
   for (std::size_t component = 0; component < 3; ++component)
-    if (top == FarBoundary::clamped ||
-        (top == FarBoundary::sliding && component == 2))
+    if (far_boundary == FarBoundary::clamped ||
+        (far_boundary == FarBoundary::sliding && component == 2))
       for (std::size_t i = 0; i < lattice.grid.size(); ++i)
         force[lattice.index(lattice.planes - 1, component, i)] = 0.0;
   return force;
 }
 
-LayeredBlock block_on(const Grid& grid, int degree, FarBoundary top) {
-  return layered_block(degree * grid.spacing_x(), 0.8 * grid.length_x, top);
+LayeredBlock block_on(const Grid& grid, int degree, FarBoundary far_boundary) {
+  return layered_block(degree * grid.spacing_x(), 0.8 * grid.length_x,
+                       far_boundary);
 }
 
 class LatticeAgainstDealii
@@ -70,18 +72,19 @@ class LatticeAgainstDealii
 // Verifies K^-1 for every wavevector and node class at once, with layers of
 // different moduli and unequal sides. Tolerance: roundoff of both solves.
 TEST_P(LatticeAgainstDealii, InvertsTheSameMatrix) {
-  const auto [degree, grid, top] = GetParam();
-  const LayeredBlock block = block_on(grid, degree, top);
+  const auto [degree, grid, far_boundary] = GetParam();
+  const LayeredBlock block = block_on(grid, degree, far_boundary);
   LatticeSolver solver(grid, degree, block, 2);
-  const std::vector<double> force = loads(solver.lattice(), top, false, 7);
+  const std::vector<double> force =
+      loads(solver.lattice(), far_boundary, false, 7);
   std::vector<double> found(force.size());
 
   solver.solve(force, found);
 
   std::vector<double> expected =
       UniformBlock(grid, degree, block).solve(force, {});
-  remove_shifts(solver.lattice(), top, false, expected);
-  remove_shifts(solver.lattice(), top, false, found);
+  remove_shifts(solver.lattice(), far_boundary, false, expected);
+  remove_shifts(solver.lattice(), far_boundary, false, found);
   EXPECT_LT(largest_difference(found, expected),
             1e-12 * largest_magnitude(expected));
 }
@@ -122,13 +125,14 @@ std::vector<double> springs_of(const Grid& grid, double stiffness) {
 // inner iterations, and the roundoff of the reference, whose matrix with
 // springs of 1e6 E h has a condition number that is 1e6 times as large.
 TEST_P(LatticeWithSprings, InvertsTheMatrixWithItsSprings) {
-  const auto [degree, top, stiffness] = GetParam();
+  const auto [degree, far_boundary, stiffness] = GetParam();
   const Grid grid{8, 6, 1e-6, 0.8e-6};
-  const LayeredBlock block = block_on(grid, degree, top);
+  const LayeredBlock block = block_on(grid, degree, far_boundary);
   const std::vector<double> springs =
       springs_of(grid, stiffness * soft_modulus * grid.spacing_x());
   LatticeSolver solver(grid, degree, block);
-  const std::vector<double> force = loads(solver.lattice(), top, true, 8);
+  const std::vector<double> force =
+      loads(solver.lattice(), far_boundary, true, 8);
   std::vector<double> found(force.size());
   solver.set_springs(springs);
 
@@ -137,8 +141,8 @@ TEST_P(LatticeWithSprings, InvertsTheMatrixWithItsSprings) {
   std::vector<double> expected =
       UniformBlock(grid, degree, block).solve(force, springs);
   ASSERT_TRUE(how.converged);
-  remove_shifts(solver.lattice(), top, true, expected);
-  remove_shifts(solver.lattice(), top, true, found);
+  remove_shifts(solver.lattice(), far_boundary, true, expected);
+  remove_shifts(solver.lattice(), far_boundary, true, found);
   EXPECT_LT(largest_difference(found, expected),
             1e-10 * largest_magnitude(expected));
 }
@@ -164,9 +168,9 @@ RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
   const int degree = *rc::gen::inRange(1, 3);
   const Grid grid{degree * *rc::gen::inRange(2, 9),
                   degree * *rc::gen::inRange(2, 9), 1e-6, 0.9e-6};
-  const FarBoundary top = *rc::gen::element(
+  const FarBoundary far_boundary = *rc::gen::element(
       FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure);
-  LatticeSolver solver(grid, degree, block_on(grid, degree, top));
+  LatticeSolver solver(grid, degree, block_on(grid, degree, far_boundary));
   std::vector<double> springs(grid.size(), 0.0);
   for (double& spring : springs)
     if (*rc::gen::inRange(0, 3) == 0)
@@ -174,9 +178,10 @@ RC_GTEST_PROP(LatticeSolver, IsSymmetricAndPositive, ()) {
                grid.spacing_x();
   solver.set_springs(springs);
   const auto seed = *rc::gen::inRange(1u, 1000u);
-  const std::vector<double> first = loads(solver.lattice(), top, false, seed);
+  const std::vector<double> first =
+      loads(solver.lattice(), far_boundary, false, seed);
   const std::vector<double> second =
-      loads(solver.lattice(), top, false, seed + 1000u);
+      loads(solver.lattice(), far_boundary, false, seed + 1000u);
   std::vector<double> by_first(first.size()), by_second(first.size());
 
   for (const bool with_springs : {false, true}) {

@@ -23,14 +23,14 @@ namespace asperity::fem {
 /// pressures).
 inline double layer_compliance(double wavevector, double depth,
                                double youngs_modulus, double poisson_ratio,
-                               mechanics::FarBoundary top) {
+                               mechanics::FarBoundary far_boundary) {
   const double half_space = 2.0 * (1.0 - poisson_ratio * poisson_ratio) /
                             (youngs_modulus * wavevector);
   const double a = wavevector * depth;
   const double k = 3.0 - 4.0 * poisson_ratio;
-  if (top == mechanics::FarBoundary::sliding)
+  if (far_boundary == mechanics::FarBoundary::sliding)
     return half_space * (std::cosh(2 * a) - 1) / (std::sinh(2 * a) + 2 * a);
-  if (top == mechanics::FarBoundary::clamped)
+  if (far_boundary == mechanics::FarBoundary::clamped)
     return half_space * (2 * k * std::sinh(2 * a) - 4 * a) /
            (2 * k * std::cosh(2 * a) + 4 * a * a + 1 + k * k);
   return 0.5 * half_space *

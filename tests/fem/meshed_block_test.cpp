@@ -173,11 +173,12 @@ TEST(ActiveSet, RefusesGaussPoints) {
 /// A flat block pressed on a wave, or with a meshed second body.
 BlockSolution on_a_wave(const mechanics::BodyModuli& first,
                         const std::optional<mechanics::BodyModuli>& second,
-                        FarBoundary top, mechanics::ContactPoints contact_at) {
+                        FarBoundary far_boundary,
+                        mechanics::ContactPoints contact_at) {
   const Grid grid{16, 4, length, length / 4};
   BlockProblem problem = boxes_problem(grid, 1, first, length);
   problem.counter = second;
-  problem.top = top;
+  problem.far_boundary = far_boundary;
   problem.contact_at = contact_at;
   return pressed(problem, wave_heights(grid, 1e-8), 1e7,
                  {ContactLaw::penalty, 1e17, 1e-9, 200});
@@ -190,14 +191,15 @@ BlockSolution on_a_wave(const mechanics::BodyModuli& first,
 TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
   for (const auto points :
        {mechanics::ContactPoints::nodes, mechanics::ContactPoints::gauss})
-    for (const FarBoundary top : {FarBoundary::clamped, FarBoundary::pressure})
+    for (const FarBoundary far_boundary :
+         {FarBoundary::clamped, FarBoundary::pressure})
       for (const double factor : {1.0, 3.0}) {
         const mechanics::BodyModuli other{factor * soft_modulus, 0.3};
         const mechanics::BodyModuli both{soft_modulus * factor / (1.0 + factor),
                                          0.3};
 
-        const BlockSolution two = on_a_wave(body, other, top, points);
-        const BlockSolution one = on_a_wave(both, {}, top, points);
+        const BlockSolution two = on_a_wave(body, other, far_boundary, points);
+        const BlockSolution one = on_a_wave(both, {}, far_boundary, points);
 
         ASSERT_TRUE(two.converged && one.converged) << two.note << one.note;
         EXPECT_LT(largest_difference(two.pressure, one.pressure),

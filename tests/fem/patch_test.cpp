@@ -23,7 +23,7 @@ struct Patch {
   bool is_tetrahedral;
   int degree;
   BlockSides sides;
-  FarBoundary top;
+  FarBoundary far_boundary;
 };
 
 class UniformPressure : public ::testing::TestWithParam<Patch> {
@@ -35,7 +35,7 @@ protected:
     BlockProblem problem = boxes_problem(Grid{6, 4, 3e-6, 2e-6}, 1,
                                          {soft_modulus, poisson}, 2.5e-6);
     problem.degree = patch.degree;
-    problem.top = patch.top;
+    problem.far_boundary = patch.far_boundary;
     problem.sides = patch.sides;
     problem.linear_solver = LinearSolver::direct;
     if (patch.is_tetrahedral)
@@ -74,7 +74,7 @@ TEST_P(UniformPressure, StrainsUniformly) {
     pinned_x = corner.place[0] - displacement(corner.unknowns[0]) / across;
     pinned_y = corner.place[1] - displacement(corner.unknowns[1]) / across;
   }
-  if (patch.top == FarBoundary::pressure)
+  if (patch.far_boundary == FarBoundary::pressure)
     pinned_z = displacement(corner.unknowns[2]) - size;
   for (const FaceGroup group :
        {FaceGroup::contact, FaceGroup::left, FaceGroup::right, FaceGroup::front,
@@ -125,7 +125,7 @@ TEST(UniformPressureRefusals, NameTheMistake) {
 
   BlockProblem tilting = block;
   tilting.sides = BlockSides::free;
-  tilting.top = FarBoundary::pressure;
+  tilting.far_boundary = FarBoundary::pressure;
   EXPECT_NE(words(tilting).find("tilt as a rigid body"), std::string::npos);
 
   BlockProblem unmatched = block;

@@ -59,10 +59,10 @@ PlainBlock::PlainBlock(const Grid& grid, int degree, const LayeredBlock& block)
   require_block(block);
   make_mesh(block);
   dof_handler_.distribute_dofs(element_);
-  constrain(block.top);
+  constrain(block.far_boundary);
   assemble(block);
   find_contact_face();
-  integrate_loads(block.top);
+  integrate_loads(block.far_boundary);
 }
 
 void PlainBlock::make_mesh(const LayeredBlock& block) {
@@ -84,18 +84,18 @@ void PlainBlock::make_mesh(const LayeredBlock& block) {
       Point<3>(), Point<3>(grid_.length_x, grid_.length_y, depth), true);
 }
 
-void PlainBlock::constrain(mechanics::FarBoundary top) {
+void PlainBlock::constrain(mechanics::FarBoundary far_boundary) {
   const ComponentMask lateral({true, true, false});
   const ComponentMask vertical({false, false, true});
-  if (top == mechanics::FarBoundary::clamped)
+  if (far_boundary == mechanics::FarBoundary::clamped)
     dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
                                                      constraints_);
-  if (top == mechanics::FarBoundary::sliding) {
+  if (far_boundary == mechanics::FarBoundary::sliding) {
     dealii::DoFTools::make_zero_boundary_constraints(dof_handler_, top_face,
                                                      constraints_, vertical);
     pin_one_top_node(lateral);
   }
-  if (top == mechanics::FarBoundary::pressure)
+  if (far_boundary == mechanics::FarBoundary::pressure)
     pin_one_top_node(ComponentMask({true, true, true}));
   dealii::DoFTools::make_periodicity_constraints(dof_handler_, left_face,
                                                  right_face, 0, constraints_);
@@ -179,9 +179,9 @@ void PlainBlock::find_contact_face() {
       face_unknowns_[grid_node(place)] = unknown;
 }
 
-void PlainBlock::integrate_loads(mechanics::FarBoundary top) {
+void PlainBlock::integrate_loads(mechanics::FarBoundary far_boundary) {
   dealii::Vector<double> face_load(dof_handler_.n_dofs());
-  top_load_.reinit(dof_handler_.n_dofs());
+  far_load_.reinit(dof_handler_.n_dofs());
   dealii::FEFaceValues<3> values(element_, QGauss<2>(degree_ + 1),
                                  dealii::update_values |
                                      dealii::update_JxW_values);
@@ -192,7 +192,8 @@ void PlainBlock::integrate_loads(mechanics::FarBoundary top) {
     for (const unsigned int f : cell->face_indices()) {
       const boundary_id face = cell->face(f)->boundary_id();
       if (face != contact_face &&
-          (face != top_face || top != mechanics::FarBoundary::pressure))
+          (face != top_face ||
+           far_boundary != mechanics::FarBoundary::pressure))
         continue;
       values.reinit(cell, f);
       cell_load = 0.0;
@@ -201,7 +202,7 @@ void PlainBlock::integrate_loads(mechanics::FarBoundary top) {
           cell_load(i) += values[vertical].value(i, q) * values.JxW(q);
       cell->get_dof_indices(unknowns);
       constraints_.distribute_local_to_global(
-          cell_load, unknowns, face == top_face ? top_load_ : face_load);
+          cell_load, unknowns, face == top_face ? far_load_ : face_load);
     }
   nodal_areas_.resize(grid_.size());
   for (std::size_t i = 0; i < grid_.size(); ++i)

@@ -54,15 +54,15 @@ public:
 
   /// Force on the unknowns under a unit tension on the far boundary [m^2]:
   /// consistent, and zero where it is clamped.
-  const dealii::Vector<double>& top_load() const { return top_load_; }
+  const dealii::Vector<double>& far_load() const { return far_load_; }
 
 private:
   void make_mesh(const LayeredBlock& block);
-  void constrain(mechanics::FarBoundary top);
+  void constrain(mechanics::FarBoundary far_boundary);
   void pin_one_top_node(const dealii::ComponentMask& components);
   void assemble(const LayeredBlock& block);
   void find_contact_face();
-  void integrate_loads(mechanics::FarBoundary top);
+  void integrate_loads(mechanics::FarBoundary far_boundary);
   std::size_t grid_node(const dealii::Point<3>& place) const;
 
   Grid grid_;
@@ -75,7 +75,7 @@ private:
   dealii::SparseMatrix<double> stiffness_;
   std::vector<dealii::types::global_dof_index> face_unknowns_;
   std::vector<double> nodal_areas_;
-  dealii::Vector<double> top_load_;
+  dealii::Vector<double> far_load_;
 };
 
 } // namespace asperity::fem

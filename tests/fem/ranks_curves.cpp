@@ -46,13 +46,13 @@ void print_curve(const char* name, const BlockProblem& problem,
 
 /// Cells of random moduli, preconditioned by the Fourier solver of the
 /// homogeneous block.
-BlockProblem by_waves(int degree, mechanics::FarBoundary top) {
+BlockProblem by_waves(int degree, mechanics::FarBoundary far_boundary) {
   BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
-  problem.top = top;
+  problem.far_boundary = far_boundary;
   problem.linear_solver = LinearSolver::fourier;
   problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
   LayeredBlock& uniform = problem.lattice.emplace();
-  uniform.top = top;
+  uniform.far_boundary = far_boundary;
   for (const double thickness :
        meshes::graded_layers(degree * grid.spacing_x(), 1.4, 1e-6))
     uniform.layers.push_back(
@@ -67,7 +67,7 @@ void print_meshes() {
   problem.linear_solver = LinearSolver::multigrid;
   print_curve("multigrid", problem, mechanics::ContactLaw::penalty);
   print_curve("hard", problem, mechanics::ContactLaw::hard);
-  problem.top = mechanics::FarBoundary::pressure;
+  problem.far_boundary = mechanics::FarBoundary::pressure;
   problem.contact_at = mechanics::ContactPoints::gauss;
   problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
   print_curve("gauss", problem, mechanics::ContactLaw::augmented);
@@ -76,7 +76,7 @@ void print_meshes() {
   print_curve("counter", problem, mechanics::ContactLaw::penalty);
   problem = boxes_problem(grid, 2, body, 1e-6);
   problem.sides = mechanics::BlockSides::free;
-  problem.top = mechanics::FarBoundary::sliding;
+  problem.far_boundary = mechanics::FarBoundary::sliding;
   print_curve("free", problem, mechanics::ContactLaw::penalty);
   problem = boxes;
   problem.mesh = tetrahedra_of(problem.mesh);

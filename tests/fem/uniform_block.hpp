@@ -25,7 +25,7 @@ public:
       : system_(grid, degree, block),
         lattice_{grid, degree,
                  block.layers.size() * static_cast<std::size_t>(degree) + 1},
-        is_free_in_z_(block.top == mechanics::FarBoundary::pressure) {
+        is_free_in_z_(block.far_boundary == mechanics::FarBoundary::pressure) {
     std::vector<double> height{0.0};
     for (const ElasticLayer& layer : block.layers)
       for (int i = 0; i < degree; ++i)
