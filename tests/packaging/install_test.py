@@ -33,7 +33,7 @@ def complete(script, *words):
     """The completions of bash for the last word."""
     quoted = " ".join(f"'{word}'" for word in words)
     text = (f"source {script}; COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; "
-            "_asperity; printf '%s\\n' \"${COMPREPLY[@]}\"")
+            "_asperity_words; printf '%s\\n' \"${COMPREPLY[@]}\"")
     return run("bash", "-c", text).split()
 
 
@@ -46,6 +46,17 @@ def check_completion(script, commands):
     assert complete(script, "asperity", "run", "x", "--set", "surface.po") == ["surface.points="]
     assert complete(script, "asperity", "list", "--ju") == []
     assert complete(script, "asperity", "report", "poly") == []
+
+
+def check_first_completion_in_zsh(folder):
+    """The first Tab in a new zsh, typed in a pseudo terminal."""
+    lines = ["zmodload zsh/zpty", "zpty shell zsh -f -i",
+             f"zpty -w shell 'fpath=({folder} $fpath); autoload -U compinit; compinit -u -D'",
+             "zpty -w -n shell $'asperity run hertz-adap\\t'",
+             "zpty -r shell seen '*hertz-adaptive*' && print found", "zpty -d shell"]
+    ended = subprocess.run(["zsh", "-f", "-c", "\n".join(lines)], capture_output=True, text=True,
+                           timeout=30)
+    assert ended.stdout.strip() == "found", ended
 
 
 def check_pages(program, commands, folder):
@@ -90,6 +101,7 @@ def main(cmake, build, scratch):
     program = prefix / "bin/asperity"
     commands = COMMAND.findall(run(program, "--help").partition("Subcommands:")[2])
     check_completion(prefix / "share/bash-completion/completions/asperity", commands)
+    check_first_completion_in_zsh(prefix / "share/zsh/vendor-completions")
     check_pages(program, commands, prefix / "share/man/man1")
     check_run(program, prefix, folder)
     shutil.rmtree(folder)
