@@ -21,17 +21,16 @@
 #include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
-#include "surfaces/maps/self_affine.hpp"
-#include "surfaces/realization.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <string>
 #include <vector>
+
+#include "tests/fem/rough_surface.hpp"
 
 namespace asperity::fem {
 namespace {
@@ -50,17 +49,6 @@ std::vector<double> sphere(const Grid& grid) {
           (std::pow(ix * grid.spacing_x() - 0.5 * side, 2) +
            std::pow(iy * grid.spacing_y() - 0.5 * side, 2));
   return heights;
-}
-
-std::vector<double> rough(const Grid& grid) {
-  const double unit = 2.0 * std::numbers::pi / side;
-  const surfaces::SelfAffineShape shape{0.8, 2.0 * unit, 3.0 * unit,
-                                        std::max(4, grid.points_x / 8) * unit};
-  return surfaces::realize(
-             surfaces::SelfAffineSpectrum::with_rms_slope(shape, 0.1)
-                 .isotropic(),
-             grid, {7, 0})
-      .heights;
 }
 
 std::unique_ptr<FullBlock> block_of(char letter, const Grid& grid, int degree,
@@ -108,7 +96,8 @@ struct Row {
 
 int run(const Grid& grid, int halvings, int degree, bool is_rough,
         const std::string& letters, const std::vector<double>& loads) {
-  const std::vector<double> heights = is_rough ? rough(grid) : sphere(grid);
+  const std::vector<double> heights =
+      is_rough ? self_affine_heights(grid) : sphere(grid);
   std::vector<Row> first;
   bool has_converged = true;
   for (const char letter : letters) {

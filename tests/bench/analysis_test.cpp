@@ -12,6 +12,7 @@
 
 #include "bench/analysis/bench_analysis.hpp"
 #include "bench/pages/bench_report.hpp"
+#include "tests/bench/rough_case.hpp"
 
 namespace asperity::reports {
 namespace {
@@ -21,26 +22,7 @@ constexpr double area_order = 1.0;
 constexpr double cost_exponent = 2.2;
 constexpr double stiff = 0.01; ///< of the "fem": error of its own limit
 
-const std::string rough = R"(schema = 1
-title = "rough"
-[surface]
-kind = "self-affine"
-length = "1 um"
-points = 256
-seed = 3
-rms_slope = 0.1
-hurst = 0.8
-wavelength_long = "1 length"
-wavelength_roll_off = "0.25 length"
-wavelength_short = "0.1 length"
-[material]
-contact_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = [1e6, 2e6]
-[halfspace]
-[fem]
-)";
+const std::string rough = rough_case("[halfspace]\n[fem]\n");
 
 BenchPoint point_on(const std::string& method, int points, double bias) {
   const double h = 1.0 / points;

@@ -9,45 +9,16 @@
 #include <vector>
 
 #include "bench/settings/sweep.hpp"
+#include "tests/bench/rough_case.hpp"
 
 namespace asperity::app {
 namespace {
 
-const std::string rough = R"(schema = 1
-title = "rough"
-[surface]
-kind = "self-affine"
-length = "1 um"
-points = 256
-seed = 3
-rms_slope = 0.1
-hurst = 0.8
-wavelength_long = "1 length"
-wavelength_roll_off = "0.25 length"
-wavelength_short = "0.1 length"
-[material]
-contact_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = [1e6, 2e6]
-[fem]
-)";
-
-const std::string wave = R"(schema = 1
-title = "wave"
-[surface]
-kind = "wave-1d"
-length = "1 um"
-points = 256
-wavelength = "1 length"
-amplitude = "0.01 length"
-[material]
-contact_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = [1e6, 2e6]
-[fem]
-)";
+const std::string rough = rough_case("[fem]\n");
+const std::string wave =
+    bench_case("kind = \"wave-1d\"\nwavelength = \"1 length\"\n"
+               "amplitude = \"0.01 length\"\n",
+               "[fem]\n");
 
 Sweep sweep_of_text(const std::string& text) {
   return sweep_of(cases::read_case_text(text, "case.toml"), {});

@@ -2,8 +2,6 @@
 // the result stays close to that of uniform blocks and of Hertz.
 #include "fem/adaptive/adaptive_block.hpp"
 #include "meshes/hanging_mesh.hpp"
-#include "surfaces/maps/self_affine.hpp"
-#include "surfaces/realization.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -11,12 +9,12 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
+#include "tests/fem/rough_surface.hpp"
 
 namespace asperity::fem {
 namespace {
@@ -28,18 +26,6 @@ using mechanics::FarBoundary;
 constexpr double length = 1e-6; // m, of a side and of the depth
 const mechanics::BodyModuli body{soft_modulus, 0.3};
 const double contact_modulus = soft_modulus / (1.0 - 0.3 * 0.3);
-
-/// H = 0.8, eight nodes on the shortest wave, rms slope 0.1.
-std::vector<double> rough(const Grid& grid) {
-  const double unit = 2.0 * std::numbers::pi / length;
-  const surfaces::SelfAffineShape shape{0.8, 2.0 * unit, 3.0 * unit,
-                                        std::max(4, grid.points_x / 8) * unit};
-  return surfaces::realize(
-             surfaces::SelfAffineSpectrum::with_rms_slope(shape, 0.1)
-                 .isotropic(),
-             grid, {7, 0})
-      .heights;
-}
 
 BlockProblem adaptive_problem(const Grid& grid, int degree, int halvings) {
   const int step = degree << halvings;
@@ -81,7 +67,7 @@ double share(double a, double b) {
 // on the way up remain at most.
 TEST(AdaptiveBlock, FollowsARoughContact) {
   const Grid grid{64, 64, length, length};
-  const std::vector<double> heights = rough(grid);
+  const std::vector<double> heights = self_affine_heights(grid);
   const auto uniform = uniform_block(grid, 2);
   const auto adaptive = make_adaptive_block(adaptive_problem(grid, 2, 3));
   const BlockContact contact = contact_of(grid);
@@ -175,8 +161,9 @@ TEST(AdaptiveBlock, TendsToHertzAtTheOptimalOrder) {
 /// A block of 32 points whose mesh has followed a rough contact.
 std::unique_ptr<FullBlock> adapted_block(const BlockProblem& problem) {
   auto block = make_adaptive_block(problem);
-  const BlockSolution found = block->solve(rough(problem.grid), pressed(0.001),
-                                           contact_of(problem.grid));
+  const BlockSolution found =
+      block->solve(self_affine_heights(problem.grid), pressed(0.001),
+                   contact_of(problem.grid));
   EXPECT_TRUE(found.converged) << found.note;
   return block;
 }
@@ -216,7 +203,7 @@ TEST(AdaptiveBlock, LeavesAUniformContactAlone) {
 // under this mean gap, to 1e-5.
 TEST(AdaptiveBlock, ControlsTheMeanGap) {
   const Grid grid{32, 32, length, length};
-  const std::vector<double> heights = rough(grid);
+  const std::vector<double> heights = self_affine_heights(grid);
   const auto block = adapted_block(adaptive_problem(grid, 2, 2));
   const BlockSolution by_load =
       block->solve(heights, pressed(0.001), contact_of(grid));
@@ -264,7 +251,7 @@ TEST(AdaptiveBlock, AveragesAllHeights) {
 // with that of the uniform block within a cell and the mean gap within 1 %.
 TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   const Grid grid{32, 32, length, length};
-  const std::vector<double> heights = rough(grid);
+  const std::vector<double> heights = self_affine_heights(grid);
   const auto compare = [&](const char* name, ContactLaw law, int degree,
                            const std::function<void(BlockProblem&)>& change) {
     BlockProblem problem = adaptive_problem(grid, degree, 2);
