@@ -1,5 +1,6 @@
 #include "app/board/board_figures.hpp"
 
+#include "reports/figures/map_image.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +10,6 @@
 
 namespace asperity::app {
 namespace {
-
-constexpr int largest_side = 256; // nodes of the picture
 
 bool has_point(const BoardEntry& entry) {
   return entry.state == BoardEntry::State::certified &&
@@ -30,14 +29,8 @@ std::vector<std::string> codes_of(const std::vector<BoardEntry>& entries) {
 
 reports::Figure surface_figure(const exchange::Problem& problem) {
   const Grid& grid = problem.grid;
-  const int step = (std::max(grid.points_x, grid.points_y) + largest_side - 1) /
-                   largest_side;
-  std::string csv;
-  for (int iy = 0; iy < grid.points_y; iy += step)
-    for (int ix = 0; ix < grid.points_x; ix += step)
-      csv += fmt::format(
-          "{:.4g}{}", problem.heights[grid.index(ix, iy)] / problem.rms_height,
-          ix + step < grid.points_x ? "," : "\n");
+  const reports::MapImage image =
+      reports::map_image(grid, problem.heights, problem.rms_height);
   reports::Figure figure;
   figure.name = "surface-" + reports::file_word(problem.name);
   figure.title = "Heights over h_rms";
@@ -46,19 +39,15 @@ reports::Figure surface_figure(const exchange::Problem& problem) {
       " Positive towards the body.{}",
       grid.points_x, grid.points_y, 1e6 * grid.length_x, 1e6 * grid.length_y,
       1e9 * problem.rms_height, problem.rms_slope,
-      step > 1 ? fmt::format(" One node of {} by {} is drawn.", step, step)
-               : "");
+      image.columns < grid.points_x ? " Means over blocks of nodes." : "");
   figure.data = "h_rms [m]\n" + fmt::format("{}\n", problem.rms_height);
-  figure.maps.emplace_back("heights", csv);
+  figure.maps.emplace_back("heights", reports::map_csv(image));
   figure.script = fmt::format(
       "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\n"
       "set size ratio -1\nset colorbox\nset palette maxcolors 128 defined (0 "
       "'#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n"
-      "set xlabel 'x [um]'\nset ylabel 'y [um]'\nset xrange [0:{:.6g}]\n"
-      "set yrange [0:{:.6g}]\nplot '{}-heights.csv' matrix using "
-      "(($1+0.5)*{:.9g}):(($2+0.5)*{:.9g}):3 with image notitle\n",
-      1e6 * grid.length_x, 1e6 * grid.length_y, figure.name,
-      1e6 * grid.spacing_x() * step, 1e6 * grid.spacing_y() * step);
+      "set xlabel 'x [um]'\nset ylabel 'y [um]'\n{}",
+      reports::plot_of_map(image, figure.name + "-heights.csv"));
   return figure;
 }
 

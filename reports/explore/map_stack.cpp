@@ -5,7 +5,8 @@ namespace asperity::reports {
 ReducedMap reduced(const Grid& grid, const std::vector<double>& map, int most) {
   const int block_x = (grid.points_x + most - 1) / most;
   const int block_y = (grid.points_y + most - 1) / most;
-  ReducedMap small{grid.points_x / block_x, grid.points_y / block_y, {}};
+  ReducedMap small{
+      grid.points_x / block_x, grid.points_y / block_y, block_x, block_y, {}};
   small.values.reserve(static_cast<std::size_t>(small.columns) *
                        static_cast<std::size_t>(small.rows));
   for (int row = 0; row < small.rows; ++row)

@@ -39,6 +39,7 @@ struct MapStack {
 /// block are left out.
 struct ReducedMap {
   int columns = 0, rows = 0;
+  int block_x = 1, block_y = 1; ///< points of a block per side
   std::vector<double> values;
 };
 

@@ -1,5 +1,6 @@
 #include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
+#include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace asperity::reports {
 namespace {
-
-constexpr int largest_picture = 256; // points per side
 
 // The palettes are perceptually uniform: a sequential one for non-negative
 // quantities, and a diverging one from blue to red with a light centre for
@@ -27,32 +26,6 @@ constexpr const char* height_palette =
     "set palette maxcolors 128 defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 "
     "'#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n";
 
-struct Picture {
-  std::string csv;
-  int columns = 0;
-  int rows = 0;
-  double least = 0.0;
-  double largest = 0.0;
-};
-
-// Returns the map divided by `unit` and block-averaged to at most
-// `largest_picture` points per side, as a CSV matrix whose first row is iy = 0.
-Picture picture_of(const Grid& grid, const std::vector<double>& map,
-                   double unit) {
-  const ReducedMap small = reduced(grid, map, largest_picture);
-  Picture picture;
-  picture.columns = small.columns;
-  picture.rows = small.rows;
-  for (std::size_t i = 0; i < small.values.size(); ++i) {
-    const double mean = small.values[i] / unit;
-    const bool is_last = (i + 1) % static_cast<std::size_t>(small.columns) == 0;
-    picture.csv += fmt::format("{:.4g}{}", mean, is_last ? '\n' : ',');
-    picture.least = i == 0 ? mean : std::min(picture.least, mean);
-    picture.largest = i == 0 ? mean : std::max(picture.largest, mean);
-  }
-  return picture;
-}
-
 /// Returns the distance of the tics of an axis whose longer neighbour has some
 /// four: at most its length, so that it has two.
 double tic_step(double length, double longest) {
@@ -60,20 +33,12 @@ double tic_step(double length, double longest) {
   return step <= length ? step : step / 2.0;
 }
 
-// Returns the gnuplot "plot" element of a matrix, with the axes of the grid in
-// micrometres.
-std::string image_of(const std::string& file, const Grid& grid,
-                     const Picture& picture) {
-  const double length_x = grid.length_x * 1e6;
-  const double length_y = grid.length_y * 1e6;
-  const double longest = std::max(length_x, length_y);
+/// Returns the tics and the plot command of an image.
+std::string image_plot(const MapImage& image, const std::string& file) {
+  const double longest = std::max(image.length_x, image.length_y);
   return fmt::format(
-      "set xtics {5:g}\nset ytics {6:g}\n"
-      "set xrange [0:{0:.6g}]\nset yrange [0:{1:.6g}]\nplot '{2}' matrix using "
-      "(($1+0.5)*{3:.9g}):(($2+0.5)*{4:.9g}):3 with image notitle\n",
-      length_x, length_y, file, length_x / picture.columns,
-      length_y / picture.rows, tic_step(length_x, longest),
-      tic_step(length_y, longest));
+      "set xtics {:g}\nset ytics {:g}\n{}", tic_step(image.length_x, longest),
+      tic_step(image.length_y, longest), plot_of_map(image, file));
 }
 
 /// Returns the commands for the range of colours, with few enough tics that
@@ -105,20 +70,20 @@ Figure map_figure(const std::string& method,
     const double load = fields.nominal_pressure / scales.contact_modulus;
     table.add(fmt::format("{}", i),
               {static_cast<double>(fields.step), fields.nominal_pressure});
-    const Picture pressure = picture_of(fields.grid, fields.pressure, stress);
-    const Picture gap = picture_of(fields.grid, fields.gap, scales.rms_height);
+    const MapImage pressure = map_image(fields.grid, fields.pressure, stress);
+    const MapImage gap = map_image(fields.grid, fields.gap, scales.rms_height);
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     pressures +=
         fmt::format("set title {}\n",
                     gnuplot_markup(fmt::format("p / E* = {:.3g}", load))) +
         color_range(0.0, std::max(pressure.largest, 1e-12));
-    pressures += image_of(figure.name + "-" + pressure_name + ".csv",
-                          fields.grid, pressure);
+    pressures +=
+        image_plot(pressure, figure.name + "-" + pressure_name + ".csv");
     gaps += "unset title\n" + color_range(0.0, std::max(gap.largest, 1e-12));
-    gaps += image_of(figure.name + "-" + gap_name + ".csv", fields.grid, gap);
-    figure.maps.emplace_back(pressure_name, pressure.csv);
-    figure.maps.emplace_back(gap_name, gap.csv);
+    gaps += image_plot(gap, figure.name + "-" + gap_name + ".csv");
+    figure.maps.emplace_back(pressure_name, map_csv(pressure));
+    figure.maps.emplace_back(gap_name, map_csv(gap));
   }
   figure.caption = fmt::format(
       "Realisation 0 at {} loads. Pressure over E* h' ({:.3g} MPa), white "
@@ -170,8 +135,8 @@ Figure difference_figure(const std::string& name, const std::string& reference,
     std::vector<double> difference = mine->pressure;
     for (std::size_t k = 0; k < difference.size(); ++k)
       difference[k] -= other->pressure[k];
-    const Picture picture =
-        picture_of(mine->grid, difference, mine->nominal_pressure);
+    const MapImage picture =
+        map_image(mine->grid, difference, mine->nominal_pressure);
     if (mine->grid == pairs.front().first->grid)
       stack.frames.push_back(
           {fmt::format("p / E* = {:.3g}",
@@ -181,15 +146,14 @@ Figure difference_figure(const std::string& name, const std::string& reference,
     const double span =
         std::max({std::abs(picture.least), picture.largest, 1e-300});
     const std::string suffix = std::to_string(i);
-    figure.maps.emplace_back(suffix, picture.csv);
+    figure.maps.emplace_back(suffix, map_csv(picture));
     table.add(suffix, {mine->nominal_pressure, span});
     figure.script += fmt::format("set title {}\n",
                                  gnuplot_markup(fmt::format(
                                      "p / E* = {:.3g}", mine->nominal_pressure /
                                                             contact_modulus))) +
                      color_range(-span, span);
-    figure.script +=
-        image_of(figure.name + "-" + suffix + ".csv", mine->grid, picture);
+    figure.script += image_plot(picture, figure.name + "-" + suffix + ".csv");
   }
   figure.script += "unset multiplot\n";
   figure.stack = std::move(stack);
@@ -238,12 +202,12 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   const results::SurfaceRecord& surface = entry.result->surfaces.front();
   if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
     return std::nullopt;
-  const Picture picture = picture_of(surface.grid, surface.heights, 1e-9);
+  const MapImage picture = map_image(surface.grid, surface.heights, 1e-9);
   const double span = std::max(std::abs(picture.least), picture.largest);
   Figure figure;
   figure.name = "surface";
   figure.title = "The surface";
-  figure.maps.emplace_back("map", picture.csv);
+  figure.maps.emplace_back("map", map_csv(picture));
   figure.stack = height_stack(surface.grid, surface.heights);
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
@@ -266,7 +230,7 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       "{}{}{}set lmargin at screen 0.14\nset rmargin at screen 0.74\nset "
       "cblabel 'height [nm]'\nset xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",
       map_style, height_palette, color_range(-span, span),
-      image_of("surface-map.csv", surface.grid, picture));
+      image_plot(picture, "surface-map.csv"));
   return figure;
 }
 
@@ -286,9 +250,9 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
                   "kurtosis [1]", "highest [m]"});
   const auto add = [&](const results::SurfaceRecord& face,
                        const std::string& name, const std::string& title) {
-    const Picture picture = picture_of(face.grid, face.heights, 1e-9);
+    const MapImage picture = map_image(face.grid, face.heights, 1e-9);
     const double span = std::max(std::abs(picture.least), picture.largest);
-    figure.maps.emplace_back(name, picture.csv);
+    figure.maps.emplace_back(name, map_csv(picture));
     table.add(name, {face.rms_height, face.rms_slope, face.skewness,
                      face.kurtosis, face.highest});
     figure.script +=
@@ -296,7 +260,7 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
                     gnuplot_text(fmt::format("{}, {:.3g} nm rms", title,
                                              face.rms_height * 1e9))) +
         color_range(-span, span);
-    figure.script += image_of("two-faces-" + name + ".csv", face.grid, picture);
+    figure.script += image_plot(picture, "two-faces-" + name + ".csv");
   };
   add(entry.result->surfaces[0], "first", "realisation 0");
   add(entry.result->surfaces[1], "second", "realisation 1");

@@ -1,6 +1,7 @@
 #include "reports/pages/report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/parallel_rows.hpp"
 #include "cases/reader/read_case.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
@@ -14,7 +15,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
+#include <thread>
 
 namespace asperity::reports {
 namespace {
@@ -82,37 +85,58 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
 
 namespace {
 
-/// Draws all figures and adds those that cannot be drawn to `problems`.
+/// A figure to draw, with its place among the groups.
+struct FigureTurn {
+  std::size_t group;
+  std::size_t place;
+  std::filesystem::path folder;
+  std::string journal_problem = {};
+};
+
+/// Draws all figures, several at a time, and adds those that cannot be drawn to
+/// `problems`.
 std::vector<DrawnGroup> draw_all(std::span<const ReportEntry> entries,
                                  const std::filesystem::path& folder,
                                  const std::string& gnuplot,
                                  const JournalFormat& journal,
                                  std::vector<std::string>& problems) {
-  std::vector<DrawnGroup> drawn_groups;
+  const std::vector<FigureGroup> groups = figures_of(entries);
+  std::vector<DrawnGroup> drawn;
+  std::vector<FigureTurn> turns;
   std::set<std::filesystem::path> taken;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::vector<Figure>& figures = groups[g].figures;
+    drawn.push_back(
+        {groups[g].heading, std::vector<DrawnFigure>(figures.size())});
+    for (std::size_t f = 0; f < figures.size(); ++f)
+      turns.push_back({g, f,
+                       own_folder(folder / "figures" / groups[g].folder,
+                                  figures[f].name, taken)});
+  }
+  const int threads =
+      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  parallel_rows(static_cast<int>(turns.size()), threads, [&](int i) {
+    FigureTurn& turn = turns[static_cast<std::size_t>(i)];
+    const Figure& figure = groups[turn.group].figures[turn.place];
+    drawn[turn.group].figures[turn.place] = draw(figure, turn.folder, gnuplot);
+    if (!journal.endings.empty())
+      turn.journal_problem = draw_for_journal(
+          figure, journal,
+          folder / "journal" /
+              std::filesystem::relative(turn.folder, folder / "figures"),
+          gnuplot);
+  });
   const auto report = [&problems](const std::string& name,
                                   const std::string& problem) {
     if (!problem.empty())
       problems.push_back(fmt::format("{}: {}", name, problem));
   };
-  for (const FigureGroup& group : figures_of(entries)) {
-    DrawnGroup drawn{group.heading, {}};
-    for (const Figure& figure : group.figures) {
-      const std::filesystem::path own =
-          own_folder(folder / "figures" / group.folder, figure.name, taken);
-      drawn.figures.push_back(draw(figure, own, gnuplot));
-      report(figure.name, drawn.figures.back().problem);
-      if (!journal.endings.empty())
-        report("journal/" + figure.name,
-               draw_for_journal(
-                   figure, journal,
-                   folder / "journal" /
-                       std::filesystem::relative(own, folder / "figures"),
-                   gnuplot));
-    }
-    drawn_groups.push_back(std::move(drawn));
+  for (const FigureTurn& turn : turns) {
+    const DrawnFigure& figure = drawn[turn.group].figures[turn.place];
+    report(figure.name, figure.problem);
+    report("journal/" + figure.name, turn.journal_problem);
   }
-  return drawn_groups;
+  return drawn;
 }
 
 void write_methods_text(std::span<const ReportEntry> entries,

@@ -1,5 +1,6 @@
 #include "reports/surface/surface_figures.hpp"
 
+#include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_quantities.hpp"
@@ -13,45 +14,14 @@
 namespace asperity::reports {
 namespace {
 
-constexpr int largest_side = 256; // points of the picture per side
-
-/// A grid of block means for the picture of a map.
-struct MapPicture {
-  std::string csv;
-  double largest = 0.0; ///< [nm]
-  double width = 0.0;   ///< of one block [um]
-  double height = 0.0;  ///< [um]
-};
-
-MapPicture picture_of_map(const surfaces::HeightMap& map) {
-  const Grid& grid = map.grid;
-  const int block_x = (grid.points_x + largest_side - 1) / largest_side;
-  const int block_y = (grid.points_y + largest_side - 1) / largest_side;
-  MapPicture picture;
-  picture.width = 1e6 * grid.spacing_x() * block_x;
-  picture.height = 1e6 * grid.spacing_y() * block_y;
-  for (int row = 0; row + block_y <= grid.points_y; row += block_y) {
-    for (int column = 0; column + block_x <= grid.points_x; column += block_x) {
-      double sum = 0.0;
-      for (int iy = row; iy < row + block_y; ++iy)
-        for (int ix = column; ix < column + block_x; ++ix)
-          sum += map.heights[grid.index(ix, iy)];
-      const double mean = 1e9 * sum / (block_x * block_y);
-      picture.csv += fmt::format("{}{:.4g}", column == 0 ? "" : ",", mean);
-      picture.largest = std::max(picture.largest, std::abs(mean));
-    }
-    picture.csv += "\n";
-  }
-  return picture;
-}
-
 Figure topography_figure(const surfaces::MapAnalysis& map) {
   const Grid& grid = map.map.grid;
-  const MapPicture picture = picture_of_map(map.map);
+  const MapImage picture = map_image(grid, map.map.heights, 1e-9);
+  const double largest = std::max(-picture.least, picture.largest);
   // A few deep pits or scan lines must not take all colours.
   const double tail =
       std::max(map.bearing.height_at(0.005), -map.bearing.height_at(0.995));
-  const double shown = std::min(picture.largest, 1.3 * 1e9 * tail);
+  const double shown = std::min(largest, 1.3 * 1e9 * tail);
   const bool is_high = shown > 2000.0;
   const double unit = is_high ? 1e-3 : 1.0;
   const double span = shown * unit;
@@ -59,13 +29,13 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   figure.name = "topography";
   figure.title = "Heights";
   figure.data = fmt::format("Sq [m]\n{:.10g}\n", map.heights.sq);
-  figure.maps.emplace_back("heights", picture.csv);
+  figure.maps.emplace_back("heights", map_csv(picture, is_high ? 1e3 : 1.0));
   figure.stack = height_stack(grid, map.map.heights);
   figure.stack->quantities.front().span = shown;
   figure.caption = fmt::format("{} × {} points over {} × {}. {}", grid.points_x,
                                grid.points_y, quantity_text(grid.length_x, "m"),
                                quantity_text(grid.length_y, "m"), map.origin);
-  if (shown < picture.largest)
+  if (shown < largest)
     figure.caption += " Colours end beyond 99 % of the heights.";
   // A stripe would be unreadable at its true proportions.
   const double ratio = grid.length_y / grid.length_x;
@@ -76,11 +46,9 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
       "size {}\nset colorbox\nset cbtics scale 0.4\nset palette maxcolors 128 "
       "defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 "
       "'#7a2a1d')\nset cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [{}]'\nset "
-      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\nset xrange [0:{:.6g}]\nset yrange "
-      "[0:{:.6g}]\nplot 'topography-heights.csv' matrix using "
-      "(($1+0.5)*{:.9g}):(($2+0.5)*{:.9g}):($3*{:g}) with image notitle\n",
-      size, -span, span, is_high ? "µm" : "nm", 1e6 * grid.length_x,
-      1e6 * grid.length_y, picture.width, picture.height, unit);
+      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",
+      size, -span, span, is_high ? "µm" : "nm",
+      plot_of_map(picture, "topography-heights.csv"));
   return figure;
 }
 

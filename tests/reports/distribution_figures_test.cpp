@@ -135,8 +135,10 @@ TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   ReportEntry made = entry();
 
   ASSERT_EQ(map_figures(made).size(), 1U);
-  EXPECT_NE(map_figures(made)[0].script.find("($1+0.5)*0.1)"),
-            std::string::npos);
+  const Figure figure = map_figures(made)[0];
+  ASSERT_FALSE(figure.maps.empty());
+  for (const auto& [name, text] : figure.maps)
+    EXPECT_NE(text.find(",0.05,0.15,0.25,"), std::string::npos) << name;
 
   fields.pressure.pop_back();
   made = entry();

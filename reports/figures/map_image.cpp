@@ -1,0 +1,54 @@
+#include "reports/figures/map_image.hpp"
+
+#include "reports/explore/map_stack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity::reports {
+namespace {
+
+constexpr int most_points = 256; // per side
+
+} // namespace
+
+MapImage map_image(const Grid& grid, const std::vector<double>& map,
+                   double unit) {
+  ReducedMap small = reduced(grid, map, most_points);
+  MapImage image{.length_x = 1e6 * grid.length_x,
+                 .length_y = 1e6 * grid.length_y,
+                 .columns = small.columns,
+                 .rows = small.rows,
+                 .pitch_x = 1e6 * grid.spacing_x() * small.block_x,
+                 .pitch_y = 1e6 * grid.spacing_y() * small.block_y,
+                 .values = std::move(small.values)};
+  for (double& value : image.values)
+    value /= unit;
+  const auto [least, largest] = std::ranges::minmax(image.values);
+  image.least = least;
+  image.largest = largest;
+  return image;
+}
+
+std::string map_csv(const MapImage& image, double unit) {
+  std::string text = fmt::format("{}", image.columns);
+  for (int column = 0; column < image.columns; ++column)
+    text += fmt::format(",{:.10g}", (column + 0.5) * image.pitch_x);
+  std::size_t next = 0;
+  for (int row = 0; row < image.rows; ++row) {
+    text += fmt::format("\n{:.10g}", (row + 0.5) * image.pitch_y);
+    for (int column = 0; column < image.columns; ++column)
+      text += fmt::format(",{:.4g}", image.values[next++] / unit);
+  }
+  return text + "\n";
+}
+
+std::string plot_of_map(const MapImage& image, const std::string& file) {
+  return fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\n"
+                     "plot '{}' nonuniform matrix with image notitle\n",
+                     image.length_x, image.length_y, file);
+}
+
+} // namespace asperity::reports

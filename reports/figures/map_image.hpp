@@ -1,0 +1,41 @@
+#pragma once
+
+// The image of a map in a figure: its data file and the plot command. The map
+// is averaged over blocks, so that no side has more than 256 points.
+
+#include "base/grid.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::reports {
+
+struct MapImage {
+  double length_x = 0.0;      ///< of the map [um]
+  double length_y = 0.0;      ///< [um]
+  int columns = 0;            ///< of blocks
+  int rows = 0;               ///< of blocks
+  double pitch_x = 0.0;       ///< side of a block [um]
+  double pitch_y = 0.0;       ///< [um]
+  std::vector<double> values; ///< means of the blocks, x fastest [unit]
+  double least = 0.0;         ///< of the values [unit]
+  double largest = 0.0;       ///< [unit]
+};
+
+/// @param map   one value per node of the grid
+/// @param unit  unit of the values of the image; not 0
+MapImage map_image(const Grid& grid, const std::vector<double>& map,
+                   double unit);
+
+/// Returns the matrix as text: the first row holds the number of columns and
+/// the x of their centres [um], each other row the y of its centre [um] and its
+/// values. gnuplot reads it several times faster than a matrix of values alone
+/// whose coordinates are expressions.
+///
+/// @param unit  unit of the numbers in the text, in the unit of the image
+std::string map_csv(const MapImage& image, double unit = 1.0);
+
+/// Returns the axis ranges and the "plot" command of the file of map_csv.
+std::string plot_of_map(const MapImage& image, const std::string& file);
+
+} // namespace asperity::reports

@@ -1,0 +1,45 @@
+// Verifies the image of a map: its data file places every value where its block
+// lies, in the units that the figure states.
+#include "reports/figures/map_image.hpp"
+
+#include <gtest/gtest.h>
+
+namespace asperity::reports {
+namespace {
+
+TEST(MapImage, PlacesValuesAtTheCentresOfTheirBlocks) {
+  const Grid grid{3, 2, 6e-6, 2e-6};
+  const MapImage image =
+      map_image(grid, {1e-9, 2e-9, 3e-9, -4e-9, 5e-9, 60e-9}, 1e-9);
+
+  EXPECT_EQ(image.least, -4.0);
+  EXPECT_DOUBLE_EQ(image.largest, 60.0);
+  EXPECT_EQ(map_csv(image), "3,1,3,5\n"
+                            "0.5,1,2,3\n"
+                            "1.5,-4,5,60\n");
+  EXPECT_EQ(map_csv(image, 10.0), "3,1,3,5\n"
+                                  "0.5,0.1,0.2,0.3\n"
+                                  "1.5,-0.4,0.5,6\n");
+  EXPECT_EQ(plot_of_map(image, "a.csv"),
+            "set xrange [0:6]\nset yrange [0:2]\n"
+            "plot 'a.csv' nonuniform matrix with image notitle\n");
+}
+
+// 515 points become 171 blocks of three, which end two points before the map.
+TEST(MapImage, DoesNotStretchBlocksOverPointsThatAreLeftOut) {
+  const Grid grid{515, 1, 515e-6, 1e-6};
+  std::vector<double> map(grid.size(), 1.0);
+  map[3] = 4.0;
+  const MapImage image = map_image(grid, map, 1.0);
+
+  EXPECT_EQ(image.columns, 171);
+  EXPECT_EQ(image.rows, 1);
+  EXPECT_DOUBLE_EQ(image.pitch_x, 3.0);
+  EXPECT_DOUBLE_EQ(image.pitch_y, 1.0);
+  EXPECT_EQ(image.values[0], 1.0);
+  EXPECT_EQ(image.values[1], 2.0);
+  EXPECT_EQ(map_csv(image).substr(0, 16), "171,1.5,4.5,7.5,");
+}
+
+} // namespace
+} // namespace asperity::reports
