@@ -46,7 +46,8 @@ reports::Figure surface_figure(const exchange::Problem& problem) {
       "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\n"
       "set size ratio -1\nset colorbox\nset palette maxcolors 128 defined (0 "
       "'#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n"
-      "set xlabel 'x [um]'\nset ylabel 'y [um]'\n{}",
+      "set xlabel 'x [um]'\nset ylabel 'y [um]'\n{}{}",
+      reports::map_tics(image),
       reports::plot_of_map(image, figure.name + "-heights.csv"));
   return figure;
 }

@@ -26,19 +26,9 @@ constexpr const char* height_palette =
     "set palette maxcolors 128 defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 "
     "'#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n";
 
-/// Returns the distance of the tics of an axis whose longer neighbour has some
-/// four: at most its length, so that it has two.
-double tic_step(double length, double longest) {
-  const double step = round_step(longest / 4.0);
-  return step <= length ? step : step / 2.0;
-}
-
 /// Returns the tics and the plot command of an image.
 std::string image_plot(const MapImage& image, const std::string& file) {
-  const double longest = std::max(image.length_x, image.length_y);
-  return fmt::format(
-      "set xtics {:g}\nset ytics {:g}\n{}", tic_step(image.length_x, longest),
-      tic_step(image.length_y, longest), plot_of_map(image, file));
+  return map_tics(image) + plot_of_map(image, file);
 }
 
 /// Returns the commands for the range of colours, with few enough tics that

@@ -1,6 +1,7 @@
 #include "reports/figures/map_image.hpp"
 
 #include "reports/explore/map_stack.hpp"
+#include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,13 @@ namespace asperity::reports {
 namespace {
 
 constexpr int most_points = 256; // per side
+
+/// Returns the distance of the tics of an axis whose longer neighbour has some
+/// four: at most its length, so that it has two.
+double tic_step(double length, double longest) {
+  const double step = round_step(longest / 4.0);
+  return step <= length ? step : step / 2.0;
+}
 
 } // namespace
 
@@ -43,6 +51,13 @@ std::string map_csv(const MapImage& image, double unit) {
       text += fmt::format(",{:.4g}", image.values[next++] / unit);
   }
   return text + "\n";
+}
+
+std::string map_tics(const MapImage& image) {
+  const double longest = std::max(image.length_x, image.length_y);
+  return fmt::format("set xtics {:g}\nset ytics {:g}\n",
+                     tic_step(image.length_x, longest),
+                     tic_step(image.length_y, longest));
 }
 
 std::string plot_of_map(const MapImage& image, const std::string& file) {

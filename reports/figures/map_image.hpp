@@ -35,6 +35,11 @@ MapImage map_image(const Grid& grid, const std::vector<double>& map,
 /// @param unit  unit of the numbers in the text, in the unit of the image
 std::string map_csv(const MapImage& image, double unit = 1.0);
 
+/// Returns the tics of an image with true proportions: their distance is chosen
+/// for the longer side, so that the numbers below a narrow map do not run into
+/// each other.
+std::string map_tics(const MapImage& image);
+
 /// Returns the axis ranges and the "plot" command of the file of map_csv.
 std::string plot_of_map(const MapImage& image, const std::string& file);
 

@@ -39,15 +39,15 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
     figure.caption += " Colours end beyond 99 % of the heights.";
   // A stripe would be unreadable at its true proportions.
   const double ratio = grid.length_y / grid.length_x;
-  const std::string size =
-      ratio > 3.0 || ratio < 1.0 / 3.0 ? "square" : "ratio -1";
+  const bool is_stripe = ratio > 3.0 || ratio < 1.0 / 3.0;
   figure.script = fmt::format(
       "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
       "size {}\nset colorbox\nset cbtics scale 0.4\nset palette maxcolors 128 "
       "defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 "
       "'#7a2a1d')\nset cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [{}]'\nset "
-      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",
-      size, -span, span, is_high ? "µm" : "nm",
+      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}{}",
+      is_stripe ? "square" : "ratio -1", -span, span, is_high ? "µm" : "nm",
+      is_stripe ? "" : map_tics(picture),
       plot_of_map(picture, "topography-heights.csv"));
   return figure;
 }

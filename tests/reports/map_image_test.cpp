@@ -41,5 +41,15 @@ TEST(MapImage, DoesNotStretchBlocksOverPointsThatAreLeftOut) {
   EXPECT_EQ(map_csv(image).substr(0, 16), "171,1.5,4.5,7.5,");
 }
 
+// The shorter side keeps two tics at least.
+TEST(MapImage, ChoosesTicsForTheLongerSide) {
+  const auto tics = [](double length_x, double length_y) {
+    return map_tics(map_image({1, 1, length_x, length_y}, {0.0}, 1.0));
+  };
+  EXPECT_EQ(tics(40e-6, 160e-6), "set xtics 25\nset ytics 50\n");
+  EXPECT_EQ(tics(60e-6, 160e-6), "set xtics 50\nset ytics 50\n");
+  EXPECT_EQ(tics(160e-6, 160e-6), "set xtics 50\nset ytics 50\n");
+}
+
 } // namespace
 } // namespace asperity::reports
