@@ -12,6 +12,12 @@ struct EqualWeights {
   double operator[](std::size_t) const { return 1.0; }
 };
 
+/// The area of a node relative to the mean; `weights` is empty if all are
+/// equal.
+inline double weight_of(std::span<const double> weights, std::size_t node) {
+  return weights.empty() ? 1.0 : weights[node];
+}
+
 /// Calls loop(weights), where weights[i] is the area of node i relative to the
 /// mean.
 template <class Loop>

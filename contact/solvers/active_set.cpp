@@ -49,7 +49,8 @@ public:
   explicit ActiveSet(ProjectedState& state)
       : state_(state),
         weights_(state.elasticity.nodal_weights()),
-        system_(state.elasticity, state.problem.local_compliance, keeps_load()),
+        system_(state.elasticity, state.problem.local_compliance,
+                state.by_pressure()),
         is_free_(state.is_free),
         residual_(state.pressure.size()),
         balanced_(state.pressure.size()),
@@ -84,10 +85,6 @@ public:
   int transforms() const { return system_.transforms(); }
 
 private:
-  bool keeps_load() const {
-    return state_.target.control == mechanics::Control::nominal_pressure;
-  }
-
   /// Finds gap + c p of all nodes. Under a prescribed load its mean over the
   /// active nodes is set to 0.
   void find_residual(std::span<const double> pressure,
@@ -96,12 +93,12 @@ private:
       residual_[i] = displacement[i] - state_.problem.heights[i] +
                      state_.problem.local_compliance * pressure[i] +
                      state_.rigid_distance;
-    if (!keeps_load())
+    if (!state_.by_pressure())
       return;
     double sum = 0.0;
     double total = 0.0;
     for (const std::size_t node : free_) {
-      const double weight = weights_.empty() ? 1.0 : weights_[node];
+      const double weight = weight_of(weights_, node);
       sum += weight * residual_[node];
       total += weight;
     }

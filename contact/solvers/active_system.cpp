@@ -1,6 +1,7 @@
 #include "contact/solvers/active_system.hpp"
 
 #include "base/maximum.hpp"
+#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/active_set.hpp"
 
 #include <Eigen/Cholesky>
@@ -278,10 +279,7 @@ void ActiveSystem::estimate(std::span<const double> gap,
 
 double ActiveSystem::dot(std::span<const double> a,
                          std::span<const double> b) const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += weight(i) * a[i] * b[i];
-  return sum;
+  return weighted_dot(weights_, a, b);
 }
 
 } // namespace asperity::contact

@@ -4,6 +4,7 @@
 // dense factorisation of the smaller of two matrices.
 
 #include "contact/operators/columns.hpp"
+#include "contact/operators/node_weights.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <span>
@@ -45,9 +46,7 @@ public:
 private:
   class Preconditioner;
 
-  double weight(std::size_t node) const {
-    return weights_.empty() ? 1.0 : weights_[node];
-  }
+  double weight(std::size_t node) const { return weight_of(weights_, node); }
 
   bool solve_directly(std::span<const std::size_t> free,
                       std::span<const double> residual, std::span<double> step);

@@ -1,5 +1,6 @@
 #include "base/maximum.hpp"
 #include "base/require.hpp"
+#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
 #include <algorithm>
@@ -14,14 +15,6 @@ constexpr int max_rounds = 200;
 /// Upper limit of 1/k over C at half the Nyquist wavevector: each outer
 /// iteration then reduces any penetration to a few hundredths.
 constexpr double largest_reduced_compliance = 0.01;
-
-double weighted_mean(std::span<const double> field,
-                     std::span<const double> weights) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < field.size(); ++i)
-    sum += field[i] * (weights.empty() ? 1.0 : weights[i]);
-  return sum / static_cast<double>(field.size());
-}
 
 /// Largest gap in contact, or overlap at any node [m].
 double wall_error(const ContactSolution& solution) {
@@ -79,7 +72,8 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
       heights[i] = problem.heights[i] + compliance * solution.pressure[i];
     const double mean_rise =
         compliance *
-        weighted_mean(solution.pressure, elasticity.nodal_weights());
+        weighted_sum(elasticity.nodal_weights(), solution.pressure) /
+        static_cast<double>(heights.size());
     if (target.control == mechanics::Control::mean_gap)
       round_target.amount = target.amount - mean_rise;
 

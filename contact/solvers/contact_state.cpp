@@ -1,10 +1,9 @@
 #include "contact/solvers/contact_state.hpp"
 
-#include "contact/operators/chunked_sum.hpp"
-#include "contact/operators/node_weights.hpp"
+#include "contact/operators/node_sums.hpp"
+#include "contact/solvers/flagged_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -42,11 +41,7 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
                            const ContactProblem& problem_,
                            const mechanics::LoadTarget& target_,
                            std::span<const double> initial_pressure)
-    : elasticity(elasticity_),
-      problem(problem_),
-      target(target_),
-      pressure(
-          starting_pressure(elasticity_, problem_, target_, initial_pressure)),
+    : Iteration(elasticity_, problem_, target_, initial_pressure),
       raw_gap(pressure.size()),
       residual(pressure.size()),
       freedom(pressure.size()),
@@ -58,18 +53,9 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       change_(pressure.size()),
       change_written_(active.size(), 0),
       previous_residual_(pressure.size()) {
-  const double* const h = problem.heights.data();
-  const auto sum =
-      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<Sum>(pressure.size(), threads,
-                                [=](std::size_t begin, std::size_t end) {
-                                  double total = 0.0;
-                                  for (std::size_t i = begin; i < end; ++i)
-                                    total += weight[i] * h[i];
-                                  return Sum{total};
-                                });
-      });
-  mean_height_ = sum.value / static_cast<double>(pressure.size());
+  mean_height_ =
+      weighted_sum(elasticity.nodal_weights(), problem.heights, threads) /
+      static_cast<double>(pressure.size());
   compute_raw_gap();
 }
 
@@ -118,22 +104,12 @@ float ContactState::free_mean(std::span<const float> field) const {
     return 0.0F;
   const float* const z = field.data();
   const std::uint8_t* const free = freedom.data();
-  const Sum sum =
-      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return flagged_sum<Sum>(active, field.size(), threads,
-                                [=](std::size_t begin, std::size_t end) {
-                                  double total = 0.0;
-#pragma omp simd reduction(+ : total)
-                                  for (std::size_t i = begin; i < end; ++i) {
-                                    const float kept =
-                                        free[i] > fixed ? z[i] : 0.0F;
-                                    total +=
-                                        weight[i] * static_cast<double>(kept);
-                                  }
-                                  return Sum{total};
-                                });
+  const double sum = flagged_weighted_sum(
+      elasticity.nodal_weights(), active, field.size(), threads,
+      [=](std::size_t i) {
+        return static_cast<double>(free[i] > fixed ? z[i] : 0.0F);
       });
-  return static_cast<float>(sum.value / free_weight);
+  return static_cast<float>(sum / free_weight);
 }
 
 ContactState::Slopes ContactState::slopes(std::span<const float> field,
@@ -212,44 +188,22 @@ void ContactState::restore_load(double pressure_sum) {
 }
 
 ContactSolution ContactState::solution() && {
-  ContactSolution answer;
   if (!is_computed_) {
     scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
     compute_raw_gap();
   }
-  const std::size_t nodes = pressure.size();
-  answer.displacement.resize(nodes);
-  double* const displacement = answer.displacement.data();
+  std::vector<double> all_displacements(pressure.size());
+  double* const displacement = all_displacements.data();
   double* const gap = raw_gap.data();
   const double* const h = problem.heights.data();
-  const double* const p = pressure.data();
   const double rigid = rigid_distance_;
-  const auto sums =
-      with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-        return chunked_sum<SeveralSums<2>>(
-            nodes, threads, [=](std::size_t begin, std::size_t end) {
-              double pressure_sum = 0.0, gap_sum = 0.0;
-              for (std::size_t i = begin; i < end; ++i) {
-                displacement[i] = gap[i] + h[i];
-                gap[i] += rigid;
-                pressure_sum += weight[i] * p[i];
-                gap_sum += weight[i] * gap[i];
-              }
-              return SeveralSums<2>{{pressure_sum, gap_sum}};
-            });
-      });
-  const auto [pressure_sum, gap_sum] = sums.values;
-  answer.nominal_pressure = pressure_sum / static_cast<double>(nodes);
-  answer.mean_gap = gap_sum / static_cast<double>(nodes);
-  answer.pressure = std::move(pressure);
-  answer.gap = std::move(raw_gap);
-  answer.gap_error = gap_error;
-  answer.iterations = iterations;
-  answer.transforms = transforms;
-  answer.converged = is_converged();
-  if (!answer.converged)
-    answer.note = not_converged_note(gap_error, iterations);
-  return answer;
+  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      displacement[i] = gap[i] + h[i];
+      gap[i] += rigid;
+    }
+  });
+  return solution_of(std::move(raw_gap), std::move(all_displacements));
 }
 
 } // namespace asperity::contact

@@ -4,10 +4,9 @@
 // iteration: pressure and displacement in double precision, their changes in
 // single precision.
 
+#include "contact/solvers/iteration.hpp"
 #include "contact/solvers/node_blocks.hpp"
-#include "contact/solvers/solver.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,7 +30,7 @@ inline float allowed(float value, std::uint8_t freedom) {
 /// Pressure, displacement and residual, kept consistent. Each operation passes
 /// over the active blocks of nodes and accumulates the sums needed later; only
 /// the gap is read and written at every node, once per change of pressure.
-class ContactState {
+class ContactState : public Iteration {
 public:
   /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
@@ -70,33 +69,13 @@ public:
   /// z = field - mean, restricted to the changes allowed.
   Slopes slopes(std::span<const float> field, float mean) const;
 
-  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
-
-  /// True if the tolerance is met, if the iteration limit is reached, or if the
-  /// error is not finite.
-  bool is_at_end() const {
-    return is_converged() || !std::isfinite(gap_error) ||
-           iterations >= problem.max_iterations;
-  }
-
-  bool by_pressure() const {
-    return target.control == mechanics::Control::nominal_pressure;
-  }
-
   /// The state as a solution; its note says if it did not converge.
   ContactSolution solution() &&;
 
-  SurfaceOperator& elasticity;
-  ContactProblem problem;
-  mechanics::LoadTarget target;
-  std::vector<double> pressure;      ///< p [Pa]
   std::vector<double> raw_gap;       ///< C p - h [m]
   std::vector<float> residual;       ///< gap + c p [m] on active nodes, else 0
   std::vector<std::uint8_t> freedom; ///< Freedom of each node
   double free_weight = 0.0;          ///< total weight of the active nodes
-  double gap_error = 0.0;            ///< [m]
-  int iterations = 0;
-  int transforms = 0;
   int threads = 1;
   /// Blocks with an active node. Residual and freedom are 0 in the others.
   BlockFlags active;

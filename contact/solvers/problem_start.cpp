@@ -1,13 +1,11 @@
 #include "contact/solvers/problem_start.hpp"
 
 #include "base/require.hpp"
-#include "contact/operators/chunked_sum.hpp"
-#include "contact/operators/node_weights.hpp"
+#include "contact/operators/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace asperity::contact {
 namespace {
@@ -34,21 +32,6 @@ void require_problem(const ContactProblem& problem,
     refuse_argument("mean_gap", target.amount, "finite [m]");
 }
 
-double weighted_sum(std::span<const double> weights,
-                    std::span<const double> pressure, int threads) {
-  const double* const p = pressure.data();
-  return with_weights(weights, [&](const auto weight) {
-    return chunked_sum<Sum>(pressure.size(), threads,
-                            [=](std::size_t begin, std::size_t end) {
-                              double total = 0.0;
-                              for (std::size_t i = begin; i < end; ++i)
-                                total += weight[i] * p[i];
-                              return Sum{total};
-                            })
-        .value;
-  });
-}
-
 /// True if no node overlaps at the prescribed mean gap without pressure, which
 /// is then the solution. For a flat surface this is the only possible start:
 /// the residual of a uniform pressure is uniform and does not determine its
@@ -59,7 +42,7 @@ bool is_apart(std::span<const double> heights, std::span<const double> weights,
     return false;
   const double highest = *std::max_element(heights.begin(), heights.end());
   const double mean =
-      weighted_sum(weights, heights, 1) / static_cast<double>(heights.size());
+      weighted_sum(weights, heights) / static_cast<double>(heights.size());
   return target.amount >= highest - mean;
 }
 
@@ -127,12 +110,6 @@ void scale_to_target(const mechanics::LoadTarget& target,
     for (std::size_t i = begin; i < end; ++i)
       p[i] *= scale;
   });
-}
-
-std::string not_converged_note(double gap_error, int iterations) {
-  return (std::isfinite(gap_error) ? "not converged in "
-                                   : "the residual is not finite after ") +
-         std::to_string(iterations) + " iterations";
 }
 
 } // namespace asperity::contact

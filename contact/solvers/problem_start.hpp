@@ -1,12 +1,11 @@
 #pragma once
 
 // This file contains the steps that all contact solvers share before the first
-// and after the last iteration.
+// iteration, and the scaling to the load.
 
 #include "contact/solvers/solver.hpp"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace asperity::contact {
@@ -32,8 +31,5 @@ double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
 void scale_to_target(const mechanics::LoadTarget& target,
                      std::span<const double> weights,
                      std::span<double> pressure, int threads = 1);
-
-/// Why an iteration that ended with this error [m] has not converged.
-std::string not_converged_note(double gap_error, int iterations);
 
 } // namespace asperity::contact

@@ -1,6 +1,7 @@
 #include "contact/solvers/projected_state.hpp"
 
 #include "base/maximum.hpp"
+#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <cmath>
@@ -11,11 +12,7 @@ ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
                                const ContactProblem& problem_,
                                const mechanics::LoadTarget& target_,
                                std::span<const double> initial_pressure)
-    : elasticity(elasticity_),
-      problem(problem_),
-      target(target_),
-      pressure(
-          starting_pressure(elasticity_, problem_, target_, initial_pressure)),
+    : Iteration(elasticity_, problem_, target_, initial_pressure),
       displacement(pressure.size()),
       residual(pressure.size()),
       is_free(pressure.size()),
@@ -31,14 +28,7 @@ void ProjectedState::compute_displacement() {
 
 double ProjectedState::dot(std::span<const double> a,
                            std::span<const double> b) const {
-  double sum = 0.0;
-  if (weights_.empty())
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += a[i] * b[i];
-  else
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += weights_[i] * a[i] * b[i];
-  return sum;
+  return weighted_dot(weights_, a, b);
 }
 
 void ProjectedState::update_residual() {
@@ -62,13 +52,11 @@ void ProjectedState::measure_residual() {
       contact_weight += weight(i);
     }
   }
-  if (target.control == mechanics::Control::nominal_pressure) {
+  if (by_pressure()) {
     rigid_distance = -sum / contact_weight;
   } else {
-    double mean_height = 0.0;
-    for (std::size_t i = 0; i < nodes; ++i)
-      mean_height += weight(i) * heights[i];
-    rigid_distance = target.amount + mean_height / static_cast<double>(nodes);
+    rigid_distance = target.amount + weighted_sum(weights_, heights) /
+                                         static_cast<double>(nodes);
   }
   gap_error = 0.0;
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -96,7 +84,7 @@ void ProjectedState::advance(double step, std::span<const double> direction,
     sum += weight(i) * pressure[i];
   }
   double scale = 1.0;
-  if (target.control == mechanics::Control::nominal_pressure) {
+  if (by_pressure()) {
     scale = load_scale(target, nodes, sum);
     for (double& value : pressure)
       value *= scale;
@@ -112,29 +100,12 @@ void ProjectedState::advance(double step, std::span<const double> direction,
 }
 
 ContactSolution ProjectedState::solution() && {
-  ContactSolution answer;
   if (!is_computed_)
     compute_displacement();
-  const std::size_t nodes = pressure.size();
-  double pressure_sum = 0.0;
-  double gap_sum = 0.0;
-  answer.gap.resize(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    answer.gap[i] = displacement[i] - problem.heights[i] + rigid_distance;
-    pressure_sum += weight(i) * pressure[i];
-    gap_sum += weight(i) * answer.gap[i];
-  }
-  answer.nominal_pressure = pressure_sum / static_cast<double>(nodes);
-  answer.mean_gap = gap_sum / static_cast<double>(nodes);
-  answer.pressure = std::move(pressure);
-  answer.displacement = std::move(displacement);
-  answer.gap_error = gap_error;
-  answer.iterations = iterations;
-  answer.transforms = transforms;
-  answer.converged = is_converged();
-  if (!answer.converged)
-    answer.note = not_converged_note(gap_error, iterations);
-  return answer;
+  std::vector<double> gap(pressure.size());
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    gap[i] = displacement[i] - problem.heights[i] + rigid_distance;
+  return solution_of(std::move(gap), std::move(displacement));
 }
 
 } // namespace asperity::contact

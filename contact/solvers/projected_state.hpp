@@ -3,16 +3,16 @@
 // This file contains the fields of one contact problem in the unpreconditioned
 // method, and the operations on them.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/operators/node_weights.hpp"
+#include "contact/solvers/iteration.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace asperity::contact {
 
 /// Pressure, displacement and residual of a problem, kept consistent.
-class ProjectedState {
+class ProjectedState : public Iteration {
 public:
   /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
@@ -36,34 +36,16 @@ public:
   /// Sum of weight * a * b over all nodes.
   double dot(std::span<const double> a, std::span<const double> b) const;
 
-  /// True if the tolerance is met, if the iteration limit is reached, or if the
-  /// error is not finite.
-  bool is_at_end() const {
-    return is_converged() || !std::isfinite(gap_error) ||
-           iterations >= problem.max_iterations;
-  }
-
   /// The state as a solution; its note says if it did not converge.
   ContactSolution solution() &&;
 
-  SurfaceOperator& elasticity;
-  ContactProblem problem;
-  mechanics::LoadTarget target;
-  std::vector<double> pressure;      ///< p [Pa]
   std::vector<double> displacement;  ///< C p [m]
   std::vector<double> residual;      ///< gap + c p on the active nodes, else 0
   std::vector<std::uint8_t> is_free; ///< active: in contact, or overlapping
   double rigid_distance = 0.0;       ///< u [m]
-  double gap_error = 0.0;            ///< [m]
-  int iterations = 0;
-  int transforms = 0;
 
 private:
-  double weight(std::size_t i) const {
-    return weights_.empty() ? 1.0 : weights_[i];
-  }
-
-  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
+  double weight(std::size_t i) const { return weight_of(weights_, i); }
 
   void compute_displacement();
   void measure_residual();

@@ -1,9 +1,10 @@
 #include "contact/solvers/solver.hpp"
 
-#include "contact/operators/node_weights.hpp"
+#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/flagged_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,13 +111,11 @@ private:
     ++state.transforms;
     const double c = state.problem.local_compliance;
     const auto sum = [&](const std::vector<float>& field) {
-      return with_weights(state.elasticity.nodal_weights(), [&](auto weight) {
-        double total = 0.0;
-        for (std::size_t i = 0; i < nodes; ++i)
-          total += weight[i] * static_cast<double>(uniform[i]) *
-                   static_cast<double>(field[i]);
-        return total;
-      });
+      return weighted_sum(
+          state.elasticity.nodal_weights(), nodes, state.threads,
+          [u = uniform.data(), f = field.data()](std::size_t i) {
+            return static_cast<double>(u[i]) * static_cast<double>(f[i]);
+          });
     };
     const double softness = sum(softened) + c * n_free;
     // In full hard contact the curvature vanishes.
@@ -171,21 +170,11 @@ private:
     const double c = state.problem.local_compliance;
     const float* const d = direction_.data();
     const float* const cd = compliance_direction_.data();
-    return with_weights(
-        state.elasticity.nodal_weights(), [&](const auto weight) {
-          return flagged_sum<Sum>(
-                     state.active, direction_.size(), state.threads,
-                     [=](std::size_t begin, std::size_t end) {
-                       double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-                       for (std::size_t i = begin; i < end; ++i) {
-                         const double own = static_cast<double>(d[i]);
-                         sum += weight[i] * own *
-                                (static_cast<double>(cd[i]) + c * own);
-                       }
-                       return Sum{sum};
-                     })
-              .value;
+    return flagged_weighted_sum(
+        state.elasticity.nodal_weights(), state.active, direction_.size(),
+        state.threads, [=](std::size_t i) {
+          const double own = static_cast<double>(d[i]);
+          return own * (static_cast<double>(cd[i]) + c * own);
         });
   }
 

@@ -1,0 +1,56 @@
+#include "contact/solvers/iteration.hpp"
+
+#include "contact/operators/node_sums.hpp"
+#include "contact/solvers/problem_start.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+std::string not_converged_note(double gap_error, int iterations) {
+  return (std::isfinite(gap_error) ? "not converged in "
+                                   : "the residual is not finite after ") +
+         std::to_string(iterations) + " iterations";
+}
+
+} // namespace
+
+Iteration::Iteration(SurfaceOperator& elasticity_,
+                     const ContactProblem& problem_,
+                     const mechanics::LoadTarget& target_,
+                     std::span<const double> initial_pressure)
+    : elasticity(elasticity_),
+      problem(problem_),
+      target(target_),
+      pressure(starting_pressure(elasticity_, problem_, target_,
+                                 initial_pressure)) {}
+
+bool Iteration::is_at_end() const {
+  return is_converged() || !std::isfinite(gap_error) ||
+         iterations >= problem.max_iterations;
+}
+
+ContactSolution Iteration::solution_of(std::vector<double> gap,
+                                       std::vector<double> displacement) {
+  const std::span<const double> weights = elasticity.nodal_weights();
+  const int threads = elasticity.threads();
+  const auto nodes = static_cast<double>(pressure.size());
+  ContactSolution answer;
+  answer.nominal_pressure = weighted_sum(weights, pressure, threads) / nodes;
+  answer.mean_gap = weighted_sum(weights, gap, threads) / nodes;
+  answer.pressure = std::move(pressure);
+  answer.gap = std::move(gap);
+  answer.displacement = std::move(displacement);
+  answer.gap_error = gap_error;
+  answer.iterations = iterations;
+  answer.transforms = transforms;
+  answer.converged = is_converged();
+  if (!answer.converged)
+    answer.note = not_converged_note(gap_error, iterations);
+  return answer;
+}
+
+} // namespace asperity::contact

@@ -1,0 +1,49 @@
+#pragma once
+
+// This file contains what every iterative solver of the contact problem holds:
+// the problem, the pressure reached, the error that is left and the counts.
+
+#include "contact/solvers/solver.hpp"
+
+#include <span>
+#include <vector>
+
+namespace asperity::contact {
+
+/// The part of a state that does not depend on how the fields are updated.
+class Iteration {
+public:
+  /// Checks the arguments and sets the initial pressure.
+  /// @throws std::domain_error  see solve_contact
+  Iteration(SurfaceOperator& elasticity, const ContactProblem& problem,
+            const mechanics::LoadTarget& target,
+            std::span<const double> initial_pressure);
+
+  bool by_pressure() const {
+    return target.control == mechanics::Control::nominal_pressure;
+  }
+
+  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
+
+  /// True if the tolerance is met, if the iteration limit is reached, or if the
+  /// error is not finite.
+  bool is_at_end() const;
+
+  SurfaceOperator& elasticity;
+  ContactProblem problem;
+  mechanics::LoadTarget target;
+  std::vector<double> pressure; ///< p [Pa]
+  double gap_error = 0.0;       ///< [m]
+  int iterations = 0;
+  int transforms = 0;
+
+protected:
+  /// The state as a solution; its note says if it did not converge. The
+  /// pressure is moved away.
+  /// @param gap           C p - h + u [m], one value per node
+  /// @param displacement  C p [m], one value per node
+  ContactSolution solution_of(std::vector<double> gap,
+                              std::vector<double> displacement);
+};
+
+} // namespace asperity::contact
