@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <kainjow/mustache.hpp>
+#include <utility>
 
 namespace asperity::app {
 namespace {
@@ -66,7 +67,7 @@ std::string html_of(const BoardPage& page) {
   Value data;
   data.set("title", page.title);
   data.set("lead", page.lead);
-  data.set("style", reports::shared_style());
+  data.set("page_title", page.title);
   if (!page.home.empty())
     data.set("home", page.home);
   List sections;
@@ -77,10 +78,8 @@ std::string html_of(const BoardPage& page) {
   for (const BoardSection& section : page.sections)
     figures.figures.insert(figures.figures.end(), section.figures.begin(),
                            section.figures.end());
-  reports::set_figure_template(data);
-  reports::set_scripts(data, {&figures, 1}, false);
-  kainjow::mustache::mustache view{std::string(board_template)};
-  return view.render(data);
+  reports::set_scripts(data, {&figures, 1}, false, std::string(board_script));
+  return reports::rendered_page(board_template, std::move(data));
 }
 
 } // namespace asperity::app

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bench/analysis/bench_answer.hpp"
 #include "bench/bench_template.hpp"
@@ -250,7 +251,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
       drawn("Cost and error", bench_figures(bench), folder, gnuplot, problems);
   Value page;
   page.set("title", bench.case_title);
-  page.set("style", shared_style());
+  page.set("page_title", "Benchmark: " + bench.case_title);
   page.set("lead", fmt::format("Case {}, {}: {} settings of its methods, each "
                                "run as a separate process on one thread.",
                                bench.case_name, bench.case_hash.substr(0, 12),
@@ -282,8 +283,8 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   }
   page.set("facts", facts);
   page.set("case_text", bench.case_text);
-  kainjow::mustache::mustache view{std::string(bench_template)};
-  write_file_atomically(folder / "report.html", view.render(page));
+  write_file_atomically(folder / "report.html",
+                        rendered_page(bench_template, std::move(page)));
   return problems;
 }
 

@@ -173,7 +173,6 @@ std::string html_page(std::span<const ReportEntry> entries,
     methods.push_back(text_item(paragraph));
   page.set("has_methods_text", !methods.empty());
   page.set("methods_text", methods);
-  set_figure_template(page);
   set_scripts(page, groups, is_for_print);
   page.set("fits", fit_rows(series));
   if (has_many) {
@@ -193,21 +192,14 @@ std::string html_page(std::span<const ReportEntry> entries,
   page.set("has_noted_steps", !noted.empty());
   page.set("noted_steps", noted);
   page.set("contents", contents_of(page));
-  kainjow::mustache::mustache view{std::string(report_template)};
-  return is_for_print ? unfolded(view.render(page)) : view.render(page);
+  std::string text = rendered_page(report_template, std::move(page));
+  return is_for_print ? unfolded(std::move(text)) : text;
 }
 
 kainjow::mustache::data text_item(const std::string& text) {
   kainjow::mustache::data item;
   item.set("text", text);
   return item;
-}
-
-std::string shared_style() {
-  const std::string page(report_template);
-  const std::size_t start = page.find("<style>");
-  const std::string end = "</style>";
-  return page.substr(start, page.find(end) + end.size() - start);
 }
 
 } // namespace asperity::reports

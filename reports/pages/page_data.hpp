@@ -8,6 +8,8 @@
 #include "reports/pages/html_report.hpp"
 
 #include <kainjow/mustache.hpp>
+#include <string>
+#include <string_view>
 
 namespace asperity::reports {
 
@@ -20,8 +22,11 @@ kainjow::mustache::data entry_data(const ReportEntry& entry,
 /// Returns {"text": text}, an item of a list.
 kainjow::mustache::data text_item(const std::string& text);
 
-/// Returns the style sheet that all pages share, as a <style> element.
-std::string shared_style();
+/// Returns the page of a template. Every template may name the parts that all
+/// pages share: {{> page_head}}, which ends with the style sheet and shows the
+/// `page_title`, {{> page_facts}}, {{> figure}} and {{> page_end}}.
+std::string rendered_page(std::string_view page_template,
+                          kainjow::mustache::data page);
 
 /// Returns one row per expectation and method.
 kainjow::mustache::list verdict_rows(const Summary& summary);
@@ -71,14 +76,13 @@ std::string unfolded(std::string html);
 
 /// Adds to the page what makes its figures explorable: the scripts, and the
 /// policy that permits no others and no network access.
+/// @param own_script  a further script of this page, or empty
 void set_scripts(kainjow::mustache::data& page,
-                 std::span<const DrawnGroup> groups, bool is_for_print);
+                 std::span<const DrawnGroup> groups, bool is_for_print,
+                 const std::string& own_script = {});
 
-/// Adds the template of a figure, which the templates of pages name.
-void set_figure_template(kainjow::mustache::data& page);
-
-/// Adds the groups of figures, their template and their scripts to a page that
-/// shows nothing else.
+/// Adds the groups of figures and their scripts to a page that shows nothing
+/// else.
 void set_figures(kainjow::mustache::data& page,
                  std::span<const DrawnGroup> groups, bool is_for_print);
 

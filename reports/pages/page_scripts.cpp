@@ -1,6 +1,5 @@
 #include "reports/explore/explore_data.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/report_template.hpp"
 
 #include <algorithm>
 
@@ -13,19 +12,17 @@ bool is_explorable(const DrawnFigure& figure) {
 
 } // namespace
 
-void set_figure_template(kainjow::mustache::data& page) {
-  page.set("figure", kainjow::mustache::partial{
-                         [] { return std::string(figure_template); }});
-}
-
 void set_scripts(kainjow::mustache::data& page,
-                 std::span<const DrawnGroup> groups, bool is_for_print) {
+                 std::span<const DrawnGroup> groups, bool is_for_print,
+                 const std::string& own_script) {
   kainjow::mustache::list scripts;
   std::string permissions;
   const auto add = [&](const std::string& script) {
     scripts.push_back(text_item(inline_script(script)));
     permissions += " " + script_permission(inline_script(script));
   };
+  if (!own_script.empty())
+    add(own_script);
   const bool has_any = std::ranges::any_of(groups, [](const DrawnGroup& group) {
     return std::ranges::any_of(group.figures, is_explorable);
   });
@@ -46,7 +43,6 @@ void set_scripts(kainjow::mustache::data& page,
 void set_figures(kainjow::mustache::data& page,
                  std::span<const DrawnGroup> groups, bool is_for_print) {
   page.set("groups", group_data(groups));
-  set_figure_template(page);
   set_scripts(page, groups, is_for_print);
 }
 

@@ -196,11 +196,11 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   const std::string title =
       paragraphs.empty() ? "A collection" : paragraphs.front();
   page.set("title", title);
+  page.set("page_title", title);
   List lead;
   for (std::size_t i = 1; i < std::min<std::size_t>(paragraphs.size(), 2); ++i)
     lead.push_back(text_item(paragraphs[i]));
   page.set("lead", lead);
-  page.set("style", shared_style());
   page.set("notices", notices_of(parts));
   const PaperTable table = paper_table(parts);
   page.set("banner", table.banner());
@@ -217,10 +217,8 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   page.set("sections", sections);
   page.set("facts", facts_of(parts));
   const auto text = [&](bool is_for_print) {
-    set_figure_template(page);
     set_scripts(page, groups, is_for_print);
-    kainjow::mustache::mustache view{std::string(paper_template)};
-    return view.render(page);
+    return rendered_page(paper_template, page);
   };
   write_file_atomically(folder / "report.html", text(false));
   if (extras.has_pdf)

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 #include <thread>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -147,7 +148,7 @@ std::string surface_page(const SurfaceReport& report,
                          const std::vector<DrawnGroup>& groups) {
   Value page;
   page.set("title", report.title);
-  page.set("style", shared_style());
+  page.set("page_title", report.title);
   List parts;
   for (const surfaces::MapAnalysis& map : report.maps)
     parts.push_back(part_data(map));
@@ -165,8 +166,7 @@ std::string surface_page(const SurfaceReport& report,
     notes.push_back(text_item(note));
   page.set("notes", notes);
   set_figures(page, groups, false);
-  kainjow::mustache::mustache view{std::string(surface_template)};
-  return view.render(page);
+  return rendered_page(surface_template, std::move(page));
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -174,8 +175,8 @@ std::string page_text(const SweepRecord& record, const Results& results,
                       bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
   Value page;
-  page.set("style", shared_style());
   page.set("title", record.title);
+  page.set("page_title", "Sweep: " + record.title);
   page.set("lead",
            fmt::format("Case {}: {} points, {}.", record.case_name,
                        record.points.size(),
@@ -195,8 +196,7 @@ std::string page_text(const SweepRecord& record, const Results& results,
   page.set("has_failed", !failed.empty());
   page.set("failed", failed);
   set_figures(page, groups, is_for_print);
-  kainjow::mustache::mustache view{std::string(sweep_template)};
-  return view.render(page);
+  return rendered_page(sweep_template, std::move(page));
 }
 
 } // namespace

@@ -126,6 +126,7 @@ def check_pages(site):
         # Our own: the theme; beside figures also their data and two scripts.
         assert parsed.scripts == (4 if page.name.startswith("problem-") else 1), page
         assert HOSTILE not in parsed.text, page
+        assert "Content-Security-Policy" in parsed.text, page
         assert page.name == "index.html" or "index.html" in parsed.links, page
         for link in parsed.links:
             assert (site / link).exists(), (page, link)
