@@ -2,7 +2,6 @@
 
 #include "reports/analysis/area_scale.hpp"
 #include "reports/analysis/comparison.hpp"
-#include "reports/analysis/surface_theory.hpp"
 #include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +27,8 @@ double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
 }
 
 SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
-                         const MethodRecord& method, std::size_t realization) {
+                         const MethodRecord& method, std::size_t realization,
+                         SurfaceTheories& theories) {
   if (uses_formula(contact_case, method)) {
     const auto magnification = magnification_of(contact_case, method);
     std::optional<double> highest;
@@ -40,11 +40,10 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
   // A map without its periodic continuation has no spectrum.
   const auto& own = method.realizations[realization].own_surface;
   if (own && !has_free_boundaries(contact_case, method))
-    return theory_of_surface(*own, result.contact_modulus);
+    return theories.of(*own);
   if (realization >= result.surfaces.size())
     return {};
-  return theory_of_surface(result.surfaces[realization],
-                           result.contact_modulus);
+  return theories.of(result.surfaces[realization]);
 }
 
 bool is_positive(double number) {
@@ -54,10 +53,10 @@ bool is_positive(double number) {
 // Adds the fits that compare the curve with the theory of its own surface.
 void add_theory_fits(const Result& result, const cases::Case& contact_case,
                      const MethodRecord& method, std::size_t realization,
-                     RealizationFits& fits) {
+                     SurfaceTheories& theories, RealizationFits& fits) {
   const double height = fits.scales.rms_height;
   const SurfaceTheory theory =
-      theory_for(result, contact_case, method, realization);
+      theory_for(result, contact_case, method, realization, theories);
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
         set_gamma(contact_case, method) * theory.decay_length / height;
@@ -75,7 +74,8 @@ void add_theory_fits(const Result& result, const cases::Case& contact_case,
 }
 
 RealizationFits fits_of(const Result& result, const cases::Case& contact_case,
-                        const MethodRecord& method, std::size_t realization) {
+                        const MethodRecord& method, std::size_t realization,
+                        SurfaceTheories& theories) {
   RealizationFits fits;
   fits.scales = scales_of(result, contact_case, method, realization);
   if (!is_positive(fits.scales.rms_height) ||
@@ -88,7 +88,7 @@ RealizationFits fits_of(const Result& result, const cases::Case& contact_case,
   fits.slope = fit_slope(points, fits.scales);
   fits.area = fit_area(points, fits.scales);
   try {
-    add_theory_fits(result, contact_case, method, realization, fits);
+    add_theory_fits(result, contact_case, method, realization, theories, fits);
   } catch (const std::domain_error& error) { // heights without a theory
     fits.parameter = {};
     fits.parameter.reason =
@@ -239,9 +239,9 @@ const results::Curve& curve_of(const MethodRecord& method,
 void add_rough_quantities(const Result& result, const cases::Case& contact_case,
                           const MethodRecord& method,
                           const MethodRecord* reference,
-                          MethodSummary& summary) {
+                          SurfaceTheories& theories, MethodSummary& summary) {
   for (std::size_t r = 0; r < method.realizations.size(); ++r)
-    summary.fits.push_back(fits_of(result, contact_case, method, r));
+    summary.fits.push_back(fits_of(result, contact_case, method, r, theories));
   auto& quantities = summary.quantities;
   quantities["gamma_slope"] = mean_of(summary.fits, &RealizationFits::slope,
                                       &SlopeFit::gamma_slope, gamma_range);

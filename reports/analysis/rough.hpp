@@ -5,6 +5,7 @@
 // the same case.
 
 #include "reports/analysis/summary.hpp"
+#include "reports/analysis/surface_theory.hpp"
 
 namespace asperity::reports {
 
@@ -14,7 +15,7 @@ void add_rough_quantities(const results::Result& result,
                           const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           const results::MethodRecord* reference,
-                          MethodSummary& summary);
+                          SurfaceTheories& theories, MethodSummary& summary);
 
 /// Returns the curve of a realisation. A theory that ran only once provides the
 /// same curve for all realisations.

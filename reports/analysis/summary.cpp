@@ -91,7 +91,8 @@ void attempt(MethodSummary& summary, const char* what, const Work& work) {
 MethodSummary summarize_method(const Result& result,
                                const cases::Case& contact_case,
                                const MethodRecord& method,
-                               const MethodRecord* reference) {
+                               const MethodRecord* reference,
+                               SurfaceTheories& theories) {
   MethodSummary summary;
   summary.name = method.name;
   summary.kind = method.kind;
@@ -104,7 +105,8 @@ MethodSummary summarize_method(const Result& result,
     });
   else {
     attempt(summary, "fits", [&] {
-      add_rough_quantities(result, contact_case, method, reference, summary);
+      add_rough_quantities(result, contact_case, method, reference, theories,
+                           summary);
     });
     summary.fits.resize(method.realizations.size());
     attempt(summary, "claims", [&] {
@@ -140,11 +142,12 @@ Summary summarize(const Result& result, const cases::Case& contact_case) {
                                             result.path + ": reference");
   const std::vector<std::string> at_load =
       names_at_load(contact_case.expectations, references);
+  SurfaceTheories theories(result);
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* reference =
         reference_theory(result, contact_case, method);
     summary.methods.push_back(
-        summarize_method(result, contact_case, method, reference));
+        summarize_method(result, contact_case, method, reference, theories));
     MethodSummary& mine = summary.methods.back();
     attempt(mine, "quantities at a load", [&] {
       add_quantities_at_load(result, contact_case, method, reference, at_load,

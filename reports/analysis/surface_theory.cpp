@@ -46,6 +46,14 @@ SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
   return prepared(theory::HeightSpectrum(shells_of(surface)), contact_modulus);
 }
 
+const SurfaceTheory&
+SurfaceTheories::of(const results::SurfaceRecord& surface) {
+  const auto known = known_.find(&surface);
+  if (known != known_.end())
+    return known->second;
+  return known_[&surface] = theory_of_surface(surface, result_.contact_modulus);
+}
+
 SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,
                                 double contact_modulus,
                                 std::optional<double> highest) {

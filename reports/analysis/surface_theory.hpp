@@ -7,6 +7,7 @@
 #include "cases/types/case.hpp"
 #include "reports/numbers/fits.hpp"
 
+#include <map>
 #include <optional>
 
 namespace asperity::reports {
@@ -24,6 +25,20 @@ struct SurfaceTheory {
 /// empty if the heights were not saved.
 SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
                                 double contact_modulus);
+
+/// The theories of the surfaces of one result, each computed once, because
+/// several methods run on the same surface. The result must outlive it.
+class SurfaceTheories {
+public:
+  explicit SurfaceTheories(const results::Result& result) : result_(result) {}
+
+  /// As theory_of_surface, for a surface that the result contains.
+  const SurfaceTheory& of(const results::SurfaceRecord& surface);
+
+private:
+  const results::Result& result_;
+  std::map<const results::SurfaceRecord*, SurfaceTheory> known_;
+};
 
 /// Uses the analytical spectrum of a self-affine case, including roughness up
 /// to `highest` [rad/m] if that is given. The result is empty for other kinds
