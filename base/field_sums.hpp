@@ -25,6 +25,17 @@ inline double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// The rms height sqrt <(h - <h>)^2> over the nodes, in the unit of h; adding a
+/// constant to all heights does not change it. NaN if there are no heights or
+/// if one is not finite.
+inline double rms_height(std::span<const double> heights) {
+  const double centre = mean(heights);
+  double square = 0.0;
+  for (const double height : heights)
+    square += (height - centre) * (height - centre);
+  return std::sqrt(square / static_cast<double>(heights.size()));
+}
+
 /// Whether no value is NaN or infinite; true if there are no values.
 inline bool all_finite(std::span<const double> values) {
   return std::ranges::all_of(values,

@@ -52,6 +52,12 @@ struct Grid {
            static_cast<std::size_t>(ix);
   }
 
+  /// The index of a node that may lie outside, on the periodic continuation.
+  std::size_t periodic_index(int ix, int iy) const {
+    const auto within = [](int i, int n) { return (i % n + n) % n; };
+    return index(within(ix, points_x), within(iy, points_y));
+  }
+
   friend bool operator==(const Grid&, const Grid&) = default;
 };
 

@@ -15,7 +15,7 @@
 #include "fem/adaptive/adaptive_block.hpp"
 
 #include "base/cpu_clock.hpp"
-#include "base/rms_height.hpp"
+#include "base/field_sums.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/graded_layers.hpp"

@@ -27,10 +27,25 @@ target_compile_options(asperity_flags INTERFACE
 target_compile_options(asperity_flags INTERFACE
   $<$<AND:$<BOOL:${ASPERITY_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 
+# asperity_show(target PUBLIC module) adds an include folder that holds nothing but
+# a link to this top-level folder. A target sees the modules that it depends on
+# and no other: the source folder itself is on no include path.
+function(asperity_show target scope folder)
+  set(visible ${PROJECT_BINARY_DIR}/include/${folder})
+  file(MAKE_DIRECTORY ${visible})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${visible}/${folder} SYMBOLIC)
+  target_include_directories(${target} ${scope} ${visible})
+endfunction()
+
+# Headers that tests and benchmarks share, found as "tests/...".
+add_library(asperity_test_sources INTERFACE)
+asperity_show(asperity_test_sources INTERFACE tests)
+asperity_show(asperity_test_sources INTERFACE benchmarks)
+
 # Headers take most of the time of a small source, so a unity build is some
 # times faster from nothing; batches keep two processors busy. Names of one
 # library's sources are therefore unique, also in unnamed namespaces.
-set(ASPERITY_UNITY_BATCH 10 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
+set(ASPERITY_UNITY_BATCH 25 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
 
 # asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
 #                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>] [SHARED]
@@ -54,7 +69,8 @@ function(asperity_library name)
   set_target_properties(asperity_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   set_target_properties(asperity_${name} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
     UNITY_BUILD_BATCH_SIZE ${ASPERITY_UNITY_BATCH})
-  target_include_directories(asperity_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME module)
+  asperity_show(asperity_${name} PUBLIC ${module})
   target_link_libraries(asperity_${name}
     PUBLIC ${arg_DEPENDS} PRIVATE asperity_flags ${arg_PRIVATE_DEPENDS})
   if(arg_OPTIMIZATION)
@@ -79,8 +95,8 @@ if(BUILD_TESTING)
     <array> <cmath> <complex> <filesystem> <fstream> <functional> <map> <memory>
     <numeric> <optional> <random> <span> <sstream> <string> <vector>)
   add_library(asperity_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/main.cpp)
-  target_link_libraries(asperity_test_main PUBLIC asperity::base asperity_flags GTest::gtest)
-  target_include_directories(asperity_test_main PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(asperity_test_main PUBLIC asperity::base asperity_test_sources
+    asperity_flags GTest::gtest)
 endif()
 
 # The unit tests that do not load deal.II: what tests/sanitizers/run builds.
@@ -102,7 +118,6 @@ function(asperity_test path)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
   target_link_libraries(${target}
     PRIVATE ${arg_DEPENDS} asperity_flags asperity_test_main)
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${test_options})
   target_precompile_headers(${target} REUSE_FROM asperity_test_headers)
   # A unit test that takes longer than its tier allows is killed. CPU time, which
@@ -136,7 +151,7 @@ function(asperity_benchmark path)
   string(MAKE_C_IDENTIFIER "bench_${path}" target)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_bench.cpp)
   target_link_libraries(${target}
-    PRIVATE ${arg_DEPENDS} asperity_flags benchmark::benchmark_main)
+    PRIVATE ${arg_DEPENDS} asperity_test_sources asperity_flags benchmark::benchmark_main)
   if(arg_SMOKE)
     add_test(NAME bench/${path}
       COMMAND ${target} --benchmark_filter=${arg_SMOKE} --benchmark_min_time=0.001)

@@ -2,7 +2,6 @@
 
 #include "base/content_hash.hpp"
 #include "base/field_sums.hpp"
-#include "base/rms_height.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "surfaces/formats/npy.hpp"

@@ -158,16 +158,21 @@ void execute_command(const Order& order, const BlockMaker& make_block,
     break;
   case OrderKind::build:
   case OrderKind::drop:
+  case OrderKind::command:
   case OrderKind::quit:
     break;
   }
 }
 
 /// Executes the commands of rank 0 until the last one.
-void follow(const BlockMaker& make_block) {
+void follow(const BlockMaker& make_block, const RankCommand& command) {
   std::map<int, std::unique_ptr<FullBlock>> blocks;
   for (Order order = next_order(); order.kind != OrderKind::quit;
        order = next_order()) {
+    if (order.kind == OrderKind::command) {
+      do_share([&] { command(order.text, own_rank()); });
+      continue;
+    }
     std::unique_ptr<FullBlock>& block = blocks[order.block];
     if (order.kind == OrderKind::drop)
       block.reset();
@@ -195,9 +200,13 @@ make_distributed_block(const FullRequest& request,
   return std::make_unique<BlockProxy>(number, std::move(own));
 }
 
-void serve_rank_0(const BlockMaker& make_block) {
+void execute_on_all_ranks(const std::string& text, const RankCommand& command) {
+  lead({OrderKind::command, 0, text}, [&] { command(text, own_rank()); });
+}
+
+void serve_rank_0(const BlockMaker& make_block, const RankCommand& command) {
   try {
-    follow(make_block);
+    follow(make_block, command);
   } catch (...) {
     end_all_ranks(std::current_exception());
   }

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace asperity::fem {
 
@@ -26,9 +27,17 @@ using BlockMaker =
 std::unique_ptr<FullBlock> make_distributed_block(const FullRequest& request,
                                                   const BlockMaker& make_block);
 
+/// What a rank does with a command of the program that is about no block.
+using RankCommand = std::function<void(const std::string& text, int rank)>;
+
+/// To be called on rank 0. Executes a command on every rank and waits for all
+/// of them. Failures are handled as those of a block.
+void execute_on_all_ranks(const std::string& text, const RankCommand& command);
+
 /// To be called on the other ranks. Executes the commands that rank 0
 /// broadcasts until rank 0 ends.
-void serve_rank_0(const BlockMaker& make_block);
+void serve_rank_0(const BlockMaker& make_block,
+                  const RankCommand& command = {});
 
 /// To be called on rank 0. Lets the other ranks end when the program exits.
 void end_followers_at_exit();

@@ -162,6 +162,7 @@ BlockProblem problem_of(const FullRequest& request,
   problem.far_boundary = block.far_boundary;
   problem.sides = full.sides;
   problem.contact_at = full.contact_at;
+  problem.height_interpolation = full.height_interpolation;
   problem.linear_solver = full.linear_solver;
   if (full.bodies == 2)
     problem.counter = material.counter;

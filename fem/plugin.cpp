@@ -84,13 +84,18 @@ public:
     return make_full_block(request.grid, degree(request), layers_of(request));
   }
 
-  bool has_followed() const override {
+  bool has_followed(const RankCommand& command) const override {
     if (own_rank() == 0) {
       end_followers_at_exit();
       return false;
     }
-    serve_rank_0(make_block);
+    serve_rank_0(make_block, command);
     return true;
+  }
+
+  void on_all_ranks(const std::string& text,
+                    const RankCommand& command) const override {
+    execute_on_all_ranks(text, command);
   }
 
   int ranks() const override { return n_ranks(); }

@@ -68,7 +68,18 @@ public:
   /// Must be called under mpirun before anything else. On rank 0 it returns
   /// false immediately, and the other ranks end when the program does. On the
   /// other ranks it returns true after rank 0 has ended.
-  virtual bool has_followed() const = 0;
+  /// @param command  what this rank does with the text of on_all_ranks()
+  virtual bool has_followed(
+      const std::function<void(const std::string& text, int rank)>& command)
+      const = 0;
+
+  /// To be called on rank 0. Calls `command` with this text on every rank, on
+  /// this one the given function and on the others that of has_followed(), and
+  /// waits for all of them. No full block may be at work.
+  virtual void
+  on_all_ranks(const std::string& text,
+               const std::function<void(const std::string& text, int rank)>&
+                   command) const = 0;
 
   /// Number of processes that share a full 3-D block.
   virtual int ranks() const = 0;

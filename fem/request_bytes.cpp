@@ -55,10 +55,10 @@ void pass(Archive& archive, mechanics::MaterialSpec& material) {
 
 template <typename Archive>
 void pass(Archive& archive, mechanics::MeshSpec& mesh) {
-  auto& [kind, cells_a_level, halvings, geometry, cells, size_at_contact, size_far,
-         fine_radius, file, file_unit] = mesh;
-  archive(kind, cells_a_level, halvings, geometry, cells, size_at_contact, size_far,
-          fine_radius, file, file_unit);
+  auto& [kind, cells_a_level, halvings, geometry, cells, size_at_contact,
+         size_far, fine_radius, file, file_unit] = mesh;
+  archive(kind, cells_a_level, halvings, geometry, cells, size_at_contact,
+          size_far, fine_radius, file, file_unit);
 }
 
 template <typename Archive>
@@ -69,8 +69,10 @@ void pass(Archive& archive, mechanics::BlockSettings& settings) {
 
 template <typename Archive>
 void pass(Archive& archive, mechanics::FullBlockSettings& settings) {
-  auto& [sides, linear_solver, contact_at, uses_case_mesh, bodies] = settings;
-  archive(sides, linear_solver, contact_at, uses_case_mesh, bodies);
+  auto& [sides, linear_solver, contact_at, height_interpolation, uses_case_mesh,
+         bodies] = settings;
+  archive(sides, linear_solver, contact_at, height_interpolation,
+          uses_case_mesh, bodies);
 }
 
 template <typename Archive>

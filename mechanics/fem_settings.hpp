@@ -42,11 +42,16 @@ enum class LinearSolver {
 /// Where the contact conditions of the full block hold.
 enum class ContactPoints { nodes, gauss };
 
+/// The heights of contact points between the points of the map
+/// (fem/solution/height_interpolation.hpp).
+enum class HeightInterpolation { bicubic, band_limited, bilinear };
+
 /// What only the full 3-D block has (solver = "full").
 struct FullBlockSettings {
   BlockSides sides = BlockSides::periodic;
   LinearSolver linear_solver = LinearSolver::automatic;
   ContactPoints contact_at = ContactPoints::nodes;
+  HeightInterpolation height_interpolation = HeightInterpolation::bicubic;
   bool uses_case_mesh = false; ///< [mesh] instead of graded layers
   int bodies = 1; ///< 2 meshes the second body too; with 1 it enters through E*
 };

@@ -1,6 +1,7 @@
 #include "meshes/gmsh_file.hpp"
 
 #include "base/require.hpp"
+#include "base/special_numbers.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/gmsh_cells.hpp"
 #include "meshes/gmsh_session.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -137,7 +137,6 @@ void widen(Bounds& bounds, const Place& place) {
 }
 
 Bounds nothing() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 

@@ -6,12 +6,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <system_error>
+
 namespace asperity::results {
 namespace {
 
-constexpr double longest_read = 600.0; // CPU time [s]
+constexpr double least_time = 20.0;    // [s]
+constexpr double longest_time = 600.0; // [s]
+constexpr double time_per_byte = 1e-6; // [s]
 
 } // namespace
+
+double read_time_limit(std::uintmax_t file_bytes) {
+  return std::clamp(time_per_byte * static_cast<double>(file_bytes), least_time,
+                    longest_time);
+}
 
 void require_readable(const std::filesystem::path& path) {
   require_readable(path, [&] { read_result(path); });
@@ -19,6 +29,8 @@ void require_readable(const std::filesystem::path& path) {
 
 void require_readable(const std::filesystem::path& path,
                       const std::function<void()>& read) {
+  std::error_code none; // a file that is missing is reported by `read`
+  const std::uintmax_t bytes = std::filesystem::file_size(path, none);
   ChildProcess child = ChildProcess::forked(
       [&](int) {
         try {
@@ -27,7 +39,7 @@ void require_readable(const std::filesystem::path& path,
           // The caller reads the file again and reports the error.
         }
       },
-      {.cpu_time = longest_read});
+      {.cpu_time = read_time_limit(none ? 0 : bytes)});
   const ChildEnd& end = child.wait();
   if (!end.failure.empty())
     throw input::InputError(

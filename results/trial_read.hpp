@@ -4,15 +4,21 @@
 // because the packaged HDF5 library has memory errors that a damaged file can
 // trigger.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 
 namespace asperity::results {
 
+/// Returns the CPU time that the reading of a file may take [s]: in proportion
+/// to its size [B], within limits, and a hundred times what a good file takes.
+/// The library can loop for ever on a damaged one.
+double read_time_limit(std::uintmax_t file_bytes);
+
 /// Returns if read_result() of `path` terminates normally, with a result or
 /// with an exception. No other thread of this process may be running.
 /// @throws input::InputError  the child process was terminated by a signal, or
-///                            it took more than ten minutes of CPU time
+///                            it exceeded read_time_limit()
 void require_readable(const std::filesystem::path& path);
 
 /// The same for another way to read the file.

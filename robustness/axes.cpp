@@ -42,6 +42,7 @@ const Edges lengths{{1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3}};
 const Edges moduli{{1.0, 1e3, 1e6, 1e9}};
 const Edges thicknesses{{0.01, 0.05, 0.3, 1.0, 3.0}};
 const Edges growths{{1.0, 1.5, 2.0, 2.5}};
+const Edges modulus_ratios{{1.0, 10.0, 100.0}};
 const std::vector<std::string> coatings{"softer", "none", "stiffer"};
 
 template <class Enum>
@@ -101,10 +102,13 @@ const std::vector<Axis>& axes() {
       {"element", {"Q1", "Q2"}},
       {"coating", coatings},
       {"metamorphic pair",
-       names(MetamorphicRelation::none, MetamorphicRelation::threads)},
+       names(MetamorphicRelation::none, MetamorphicRelation::direct_solver)},
       {"flaw", names(Flaw::nan_height, Flaw::infinite_modulus)},
       {"path", names(Path::library, Path::two_ranks)},
-      {"threads", {"1", "2", "3"}}};
+      {"threads", {"1", "2", "3"}},
+      {"sides", {"periodic", "free"}},
+      {"linear-solver", {"auto", "multigrid", "fourier"}},
+      {"modulus-ratio", modulus_ratios.labels()}};
   return all;
 }
 
@@ -150,7 +154,12 @@ std::vector<std::string> labels_of(const Instance& instance) {
       name_of(instance.path),
       where(instance.relation == MetamorphicRelation::threads ||
                 instance.path != Path::library,
-            plain(instance.threads))};
+            plain(instance.threads)),
+      where(family == Family::full_block,
+            instance.has_free_sides ? "free" : "periodic"),
+      where(family == Family::full_block, name_of(instance.linear_solver)),
+      where(family == Family::full_block,
+            modulus_ratios.label_of(instance.modulus_ratio))};
 }
 
 InstanceFilter::InstanceFilter(const std::string& words) {

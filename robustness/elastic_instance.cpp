@@ -165,6 +165,8 @@ bool may_lose_contact(const Instance& instance) {
       instance.far_boundary == mechanics::FarBoundary::pressure)
     return true;
   const bool is_block = instance.family == Family::full_block;
+  if (is_block && instance.modulus_ratio != 1.0)
+    return true;
   if (!is_block && instance.family != Family::condensed_q1 &&
       instance.family != Family::condensed_q2)
     return false;

@@ -1,5 +1,8 @@
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -48,62 +51,213 @@ AskedContact asked_of_block(const Instance& instance,
   return asked;
 }
 
-} // namespace
+/// The model of an instance: the block of a condensed one, with random moduli.
+std::unique_ptr<fem::FullBlock> block_of(const Instance& instance,
+                                         const Grid& grid,
+                                         mechanics::LinearSolver solver) {
+  const fem::BlockRequest uniform =
+      block_request(instance, grid, instance.degree, 1);
+  fem::FullRequest request;
+  request.grid = grid;
+  request.block = uniform.settings;
+  request.full.linear_solver = solver;
+  if (instance.has_free_sides)
+    request.full.sides = mechanics::BlockSides::free;
+  request.material.contact_modulus = instance.contact_modulus;
+  request.material.poisson_ratio = instance.poisson_ratio;
+  request.material.layers = uniform.layers;
+  request.scales = uniform.scales;
+  // A wave much shorter than a cell is as good as random numbers.
+  if (instance.modulus_ratio != 1.0)
+    request.material.variation.emplace().factor =
+        fmt::format("exp({:.17g} * sin(997 * x + 1317 * y + 733 * z + {}))",
+                    std::log(instance.modulus_ratio), instance.index);
+  return fem::load_fem_module().full(request);
+}
 
-void run_full_block(const Instance& instance, InstanceReport& report) {
-  const Grid grid = grid_of(instance);
-  const InstanceSurface surface = surface_of(instance, grid);
-  const std::unique_ptr<fem::FullBlock> block =
-      fem::load_fem_module().uncondensed(
-          block_request(instance, grid, instance.degree, 1));
-  const Displace displace = [&](auto pressure, auto displacement) {
-    const std::vector<double> answer = block->displacement(pressure);
+/// Whether a uniform pressure moves the contact surface as a whole. Only then
+/// is the energy about the mean displacement that of verify_pair, positive and
+/// convex in the mean gap.
+bool is_laterally_uniform(const Instance& instance) {
+  return !instance.has_free_sides && instance.modulus_ratio == 1.0;
+}
+
+/// Compares a step with that of the direct solver.
+std::optional<Failure> verify_direct(const Instance& instance,
+                                     const StepSummary& found,
+                                     const StepSummary& direct,
+                                     InstanceReport& report) {
+  report.has_pair = true;
+  report.pair_difference =
+      std::max(report.pair_difference,
+               std::abs(found.mean_gap - direct.mean_gap) / found.tolerance);
+  StepSummary expected = direct;
+  if (!is_laterally_uniform(instance))
+    expected.energy = found.energy;
+  auto failure = verify_same(found, expected);
+  if (failure)
+    failure->check = "direct solver";
+  return failure;
+}
+
+/// One instance, load step by load step.
+class FullBlockRun {
+public:
+  FullBlockRun(const Instance& instance, InstanceReport& report);
+
+  /// @return  whether to go on; otherwise the report says why not
+  bool run_step(const mechanics::LoadTarget& target);
+
+  /// Verifies what concerns all steps together.
+  void finish();
+
+  double height_scale() const { return surface_.height_scale; }
+
+private:
+  contact::ContactSolution solved_by(fem::FullBlock& block,
+                                     const mechanics::LoadTarget& target) const;
+  void set_tolerances(const contact::ContactSolution& solution);
+  std::optional<Failure> verify(const mechanics::LoadTarget& target,
+                                const contact::ContactSolution& solution);
+  bool give_up(const std::string& reason);
+
+  const Instance& instance_;
+  InstanceReport& report_;
+  Grid grid_;
+  InstanceSurface surface_;
+  std::unique_ptr<fem::FullBlock> block_;
+  std::unique_ptr<fem::FullBlock> direct_;
+  Displace displace_; ///< by the factorised matrix
+  ComplianceRange range_;
+  double spring_; ///< [Pa/m]
+  AskedContact asked_;
+  std::vector<StepSummary> summaries_;
+};
+
+Displace displacement_by(fem::FullBlock& direct) {
+  return [&direct](auto pressure, auto displacement) {
+    const std::vector<double> answer = direct.displacement(pressure);
     if (answer.size() != displacement.size())
       throw std::runtime_error(
           "the linear solver of the block did not converge");
     std::copy(answer.begin(), answer.end(), displacement.begin());
   };
-  const ComplianceRange range = compliance_range(grid, displace);
-  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
-  const double spring = (is_hard ? wall_spring : instance.penalty) *
-                        instance.contact_modulus / grid.spacing_x();
-  AskedContact asked =
-      asked_of_block(instance, surface.map.heights, *block, range, spring);
+}
 
-  // For a flat surface the model uses a tolerance of its own, a fraction of the
-  // node spacing.
-  const double tolerance_scale =
-      instance.shape == Shape::flat ? grid.spacing_x() : surface.height_scale;
-  std::vector<StepSummary> summaries;
-  for (const mechanics::LoadTarget& target :
-       targets_of(instance, surface.height_scale)) {
-    const contact::ContactSolution solution = as_contact(
-        block->solve(surface.map.heights, target,
-                     {instance.law, spring, relative_tolerance, 2000}),
-        displace);
-    report.iterations += solution.iterations;
-    if (!solution.converged) {
-      report.outcome = Outcome::gave_up;
-      report.reason = solution.note;
-      return;
+/// The compliance of a block is at most that of its softest cell everywhere.
+ComplianceRange range_of(const Instance& instance, const Grid& grid,
+                         const Displace& displace) {
+  ComplianceRange range = compliance_range(grid, displace);
+  range.longest =
+      std::max(range.longest, range.shortest) * instance.modulus_ratio;
+  return range;
+}
+
+double spring_of(const Instance& instance, const Grid& grid) {
+  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
+  return (is_hard ? wall_spring : instance.penalty) * instance.contact_modulus /
+         grid.spacing_x();
+}
+
+FullBlockRun::FullBlockRun(const Instance& instance, InstanceReport& report)
+    : instance_(instance),
+      report_(report),
+      grid_(grid_of(instance)),
+      surface_(surface_of(instance, grid_)),
+      block_(block_of(instance, grid_, instance.linear_solver)),
+      direct_(block_of(instance, grid_, mechanics::LinearSolver::direct)),
+      displace_(displacement_by(*direct_)),
+      range_(range_of(instance, grid_, displace_)),
+      spring_(spring_of(instance, grid_)),
+      asked_(asked_of_block(instance, surface_.map.heights, *block_, range_,
+                            spring_)) {}
+
+contact::ContactSolution
+FullBlockRun::solved_by(fem::FullBlock& block,
+                        const mechanics::LoadTarget& target) const {
+  return as_contact(
+      block.solve(surface_.map.heights, target,
+                  {instance_.law, spring_, relative_tolerance, 2000}),
+      displace_);
+}
+
+bool FullBlockRun::give_up(const std::string& reason) {
+  report_.outcome = Outcome::gave_up;
+  report_.reason = reason;
+  return false;
+}
+
+/// Each nodal force is known to a fraction of the largest one, so that the mean
+/// pressure is known to this fraction of the largest pressure. Through the
+/// compliance C it contributes to the tolerance of the gap. For a flat surface
+/// the model uses a tolerance of its own, a fraction of the node spacing.
+void FullBlockRun::set_tolerances(const contact::ContactSolution& solution) {
+  const double largest_pressure =
+      *std::max_element(solution.pressure.begin(), solution.pressure.end());
+  if (solution.nominal_pressure > 0.0)
+    asked_.load_tolerance =
+        load_tolerance_of_block * largest_pressure / solution.nominal_pressure;
+  const double scale = instance_.shape == Shape::flat ? grid_.spacing_x()
+                                                      : surface_.height_scale;
+  asked_.gap_tolerance = relative_tolerance * scale + load_tolerance_of_block *
+                                                          range_.longest *
+                                                          largest_pressure;
+}
+
+/// With free sides a node of the grid stands for two of the mesh, and fields
+/// are their means, which need not satisfy the contact conditions.
+std::optional<Failure>
+FullBlockRun::verify(const mechanics::LoadTarget& target,
+                     const contact::ContactSolution& solution) {
+  std::optional<Failure> failure;
+  if (!instance_.has_free_sides)
+    failure = verify_step(asked_, target, solution, displace_);
+  if (!failure && is_laterally_uniform(instance_))
+    failure =
+        verify_observables(grid_, asked_, solution, instance_.contact_modulus);
+  return failure;
+}
+
+bool FullBlockRun::run_step(const mechanics::LoadTarget& target) {
+  const contact::ContactSolution solution = solved_by(*block_, target);
+  report_.iterations += solution.iterations;
+  if (!solution.converged)
+    return give_up(solution.note);
+  set_tolerances(solution);
+  std::optional<Failure> failure = verify(target, solution);
+  if (!failure) {
+    summaries_.push_back(summary_of(asked_, solution));
+    if (instance_.relation == MetamorphicRelation::direct_solver) {
+      const contact::ContactSolution expected = solved_by(*direct_, target);
+      if (!expected.converged)
+        return give_up("direct solver: " + expected.note);
+      failure = verify_direct(instance_, summaries_.back(),
+                              summary_of(asked_, expected), report_);
     }
-    // Through the compliance C, the tolerance of the forces contributes to that
-    // of the gap.
-    asked.gap_tolerance = relative_tolerance * tolerance_scale +
-                          load_tolerance_of_block * range.longest *
-                              *std::max_element(solution.pressure.begin(),
-                                                solution.pressure.end());
-    if (const auto failure = verify_step(asked, target, solution, displace))
-      return fail(report, *failure);
-    if (const auto failure =
-            verify_observables(grid, asked, solution, instance.contact_modulus))
-      return fail(report, *failure);
-    summaries.push_back(summary_of(asked, solution));
   }
-  report_load_step(summaries[load_step(instance)], surface.height_scale,
-                   report);
-  if (const auto failure = verify_program(instance, summaries))
-    fail(report, *failure);
+  if (failure)
+    fail(report_, *failure);
+  return !failure;
+}
+
+void FullBlockRun::finish() {
+  report_load_step(summaries_[load_step(instance_)], surface_.height_scale,
+                   report_);
+  if (!is_laterally_uniform(instance_))
+    return;
+  if (const auto failure = verify_program(instance_, summaries_))
+    fail(report_, *failure);
+}
+
+} // namespace
+
+void run_full_block(const Instance& instance, InstanceReport& report) {
+  FullBlockRun run(instance, report);
+  for (const mechanics::LoadTarget& target :
+       targets_of(instance, run.height_scale()))
+    if (!run.run_step(target))
+      return;
+  run.finish();
 }
 
 } // namespace asperity::robustness

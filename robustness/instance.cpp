@@ -1,100 +1,18 @@
 #include "robustness/instance.hpp"
 
 #include "base/require.hpp"
-#include "surfaces/maps/random_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <utility>
+
+#include "robustness/draw.hpp"
 
 namespace asperity::robustness {
 namespace {
 
-/// Counters of the random number streams of the axes. They define the meaning
-/// of a seed and are never renumbered.
-enum class Stream {
-  family = 1,
-  shape,
-  law,
-  control,
-  far_boundary,
-  program,
-  relation,
-  flaw,
-  points,
-  length,
-  hurst,
-  roll_off,
-  shortest_wave,
-  rms_slope,
-  contact_modulus,
-  poisson_ratio,
-  thickness,
-  growth,
-  penalty,
-  load,
-  gamma,
-  degree,
-  coating_stiffness,
-  coating_thickness,
-  path,
-  threads,
-  later_flaw,
-  boundaries,
-};
-
 /// Lattice spacing of the block of atoms in Sec. 4 of Yang and Persson (2008)
 /// [m].
 constexpr double atom_spacing = 2.6e-10;
-
-/// The random numbers of one instance.
-class Draw {
-public:
-  Draw(std::uint64_t seed, int index)
-      : key_{seed, 0, surfaces::RandomStream::robustness_instances},
-        index_(index) {}
-
-  double uniform(Stream axis, double low, double high) const {
-    return low + (high - low) * pair(axis).first;
-  }
-
-  double log_uniform(Stream axis, double low, double high) const {
-    return std::exp(uniform(axis, std::log(low), std::log(high)));
-  }
-
-  /// Uses the second, independent number of an axis as a fair coin.
-  bool coin(Stream axis) const { return pair(axis).second < 0.5; }
-
-  template <class Value>
-  Value pick(Stream axis, std::initializer_list<Value> values) const {
-    const auto count = static_cast<double>(values.size());
-    return values.begin()[static_cast<std::size_t>(uniform(axis, 0.0, count))];
-  }
-
-  /// Returns one of the values with a probability proportional to its weight.
-  template <class Value>
-  Value
-  weigh(Stream axis,
-        std::initializer_list<std::pair<Value, double>> weighted_values) const {
-    double sum = 0.0;
-    for (const auto& [value, weight] : weighted_values)
-      sum += weight;
-    double left = uniform(axis, 0.0, sum);
-    for (const auto& [value, weight] : weighted_values)
-      if ((left -= weight) < 0.0)
-        return value;
-    return weighted_values.begin()->first;
-  }
-
-private:
-  surfaces::UniformPair pair(Stream axis) const {
-    return surfaces::draw_mode(key_, index_, static_cast<int>(axis));
-  }
-
-  surfaces::RandomKey key_;
-  int index_;
-};
 
 Family draw_family(const Draw& draw) {
   return draw.weigh<Family>(Stream::family, {{Family::halfspace, 25.0},
@@ -191,10 +109,52 @@ void draw_block(const Draw& draw, Instance& instance) {
           : 1.0;
   instance.coating_thickness =
       draw.uniform(Stream::coating_thickness, 0.02, 0.5);
+  // Full 3-D models have coatings of 1e-3 to 1e3 times the modulus.
+  if (instance.family == Family::full_block)
+    instance.coating_stiffness =
+        std::pow(instance.coating_stiffness, std::log(1e3) / std::log(20.0));
+  instance.has_free_sides = draw.coin(Stream::sides);
+  instance.linear_solver = draw.pick<mechanics::LinearSolver>(
+      Stream::linear_solver,
+      {mechanics::LinearSolver::automatic, mechanics::LinearSolver::multigrid,
+       mechanics::LinearSolver::fourier});
+  instance.modulus_ratio =
+      draw.coin(Stream::modulus_ratio)
+          ? draw.log_uniform(Stream::modulus_ratio, 1.0, 1e3)
+          : 1.0;
   instance.far_boundary = draw.pick<mechanics::FarBoundary>(
       Stream::far_boundary,
       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
        mechanics::FarBoundary::pressure});
+}
+
+/// Restricts the settings of a full 3-D model to combinations that it accepts;
+/// other families, and models that go through the program, have none of them.
+Instance with_block_settings(Instance instance) {
+  using mechanics::LinearSolver;
+  const bool is_compared =
+      instance.family == Family::full_block && instance.path == Path::library;
+  if (is_compared) {
+    instance.relation = MetamorphicRelation::direct_solver;
+  } else {
+    if (instance.relation == MetamorphicRelation::direct_solver)
+      instance.relation = MetamorphicRelation::none;
+    instance.has_free_sides = false;
+    instance.linear_solver = LinearSolver::automatic;
+    instance.modulus_ratio = 1.0;
+  }
+  if (instance.far_boundary == mechanics::FarBoundary::pressure)
+    instance.has_free_sides = false;
+  if (instance.has_free_sides &&
+      instance.linear_solver == LinearSolver::fourier)
+    instance.linear_solver = LinearSolver::multigrid;
+  // Their iterations grow beyond the cost of a direct solver, which `auto`
+  // chooses instead (docs/numerics/full-block.md).
+  if (instance.linear_solver == LinearSolver::fourier)
+    instance.modulus_ratio = std::min(instance.modulus_ratio, 10.0);
+  if (instance.linear_solver == LinearSolver::multigrid)
+    instance.poisson_ratio = std::min(instance.poisson_ratio, 0.49);
+  return instance;
 }
 
 /// Restricts an instance to what a case file accepts: surfaces that are not
@@ -289,6 +249,7 @@ Instance within_reach(Instance instance) {
     instance.points = instance.points <= 48 ? 8 : 16;
     instance.relation = MetamorphicRelation::none;
   }
+  instance = with_block_settings(instance);
   if (is_full) {
     instance.thickness =
         std::clamp(instance.thickness, 0.1, instance.points == 8 ? 2.0 : 0.5);

@@ -48,6 +48,8 @@ enum class MetamorphicRelation {
   binary_units,  ///< lengths and moduli times powers of two: bitwise equal
   decimal_units, ///< times powers of ten: equal to the solver's tolerance
   threads,       ///< FFT on several threads: equal to the solver's tolerance
+  direct_solver, ///< a full 3-D model with factorised matrices: equal to the
+                 ///< solver's tolerance
 };
 
 /// The execution path of an instance. All but the first also go through the
@@ -125,6 +127,12 @@ struct Instance {
   double coating_stiffness = 1.0;
   /// In units of the block's thickness [1] 0..1.
   double coating_thickness = 0.1;
+  // Only full 3-D models use the following three.
+  bool has_free_sides = false;
+  mechanics::LinearSolver linear_solver = mechanics::LinearSolver::automatic;
+  /// r: the moduli of the cells differ from each other by random factors within
+  /// 1/r..r [1] >= 1.
+  double modulus_ratio = 1.0;
 
   double penalty = 100.0; ///< k, in E*/h [1] > 0; ignored by hard contact
   /// Nominal pressure in units of E* h' [1], or mean gap in units of h_rms [1].
@@ -160,6 +168,7 @@ std::string name_of(mechanics::ContactLaw law);
 std::string name_of(mechanics::Control control);
 std::string name_of(mechanics::FarBoundary far_boundary);
 std::string name_of(Program program);
+std::string name_of(mechanics::LinearSolver linear_solver);
 std::string name_of(MetamorphicRelation relation);
 std::string name_of(Flaw flaw);
 std::string name_of(Path path);

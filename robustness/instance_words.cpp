@@ -44,8 +44,14 @@ std::string name_of(Program program) {
   return nth(std::array{"increments", "jump", "cycle"}, program);
 }
 
+std::string name_of(mechanics::LinearSolver linear_solver) {
+  return nth(std::array{"auto", "direct", "multigrid", "fourier"},
+             linear_solver);
+}
+
 std::string name_of(MetamorphicRelation relation) {
-  return nth(std::array{"none", "binary-units", "decimal-units", "threads"},
+  return nth(std::array{"none", "binary-units", "decimal-units", "threads",
+                        "direct-solver"},
              relation);
 }
 
@@ -96,7 +102,12 @@ std::string in_words(const Instance& instance) {
   if (instance.has_free_boundaries)
     words += "free boundaries, ";
   if (instance.family == Family::full_block)
-    words += fmt::format("Q{}, ", instance.degree);
+    words += fmt::format("Q{}, {} sides, solver {}, ", instance.degree,
+                         instance.has_free_sides ? "free" : "periodic",
+                         name_of(instance.linear_solver));
+  if (instance.modulus_ratio != 1.0)
+    words += fmt::format("moduli times {:.17g} to its inverse, ",
+                         instance.modulus_ratio);
   if (instance.coating_stiffness != 1.0)
     words +=
         fmt::format("a coating of {:.17g} block thicknesses and {:.17g} E, ",

@@ -42,7 +42,8 @@ std::size_t load_step(const Instance& instance);
 
 /// Returns true if a larger load may open contact: the block is a plate,
 /// thinner than 1/20 length with a traction-free back, which bends over its
-/// asperities, or its elements are nearly incompressible and lock.
+/// asperities, its moduli differ from cell to cell, or its elements are nearly
+/// incompressible and lock.
 bool may_lose_contact(const Instance& instance);
 
 /// Returns the finite-element request of an instance, of degree 1 or 2. The

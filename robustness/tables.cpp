@@ -34,7 +34,8 @@ std::string csv_header() {
          "h_rms],program,points,shortest wave [h],hurst,roll-off [waves],"
          "rms slope,length [m],contact modulus [Pa],nu,thickness [length],top,"
          "growth,gamma,metamorphic pair,flaw,degree,coating stiffness [E],"
-         "coating thickness [thickness],path,threads\n";
+         "coating thickness [thickness],path,threads,sides,linear solver,"
+         "modulus ratio [1]\n";
 }
 
 std::string csv_line(const InstanceResult& result) {
@@ -52,14 +53,17 @@ std::string csv_line(const InstanceResult& result) {
                   instance.penalty, name_of(instance.control), instance.load,
                   name_of(instance.program), instance.points);
   line += fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
+      "{},{},{}\n",
       instance.shortest_wave, instance.hurst, instance.roll_off,
       instance.rms_slope, instance.length, instance.contact_modulus,
       instance.poisson_ratio, instance.thickness,
       name_of(instance.far_boundary), instance.growth, instance.gamma,
       name_of(instance.relation), name_of(instance.flaw), instance.degree,
       instance.coating_stiffness, instance.coating_thickness,
-      name_of(instance.path), instance.threads);
+      name_of(instance.path), instance.threads,
+      instance.has_free_sides ? "free" : "periodic",
+      name_of(instance.linear_solver), instance.modulus_ratio);
   return line;
 }
 

@@ -44,10 +44,11 @@ ORDER = {
     "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "analysis", "."],
-    "fem": ["parallel", "waves", "multigrid", "block", "adaptive", "."],
+    "fem": ["parallel", "waves", "multigrid", "block", "solution", "adaptive", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],
-    "app": ["cache", "methods", "plan", "run", "answers", "board", "sweeps", "manual", "cli"],
+    "app": ["cache", "methods", "plan", "run", "asked", "answers", "board", "sweeps", "parts",
+            "manual", "cli"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
 }
 

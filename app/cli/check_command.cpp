@@ -1,7 +1,7 @@
 #include "app/cli/check_command.hpp"
 
+#include "app/asked/asked_cases.hpp"
 #include "app/cache/cache.hpp"
-#include "app/cli/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/result_outputs.hpp"
@@ -134,7 +134,7 @@ private:
         is_cut_short_ = true;
         return;
       }
-      checks_.add(folder, write_outputs(folder));
+      checks_.add(folder, write_outputs(folder).summary);
     }
   }
 

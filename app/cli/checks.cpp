@@ -54,6 +54,13 @@ ExitCode exit_code_of(const reports::Summary& summary) {
   return summary.all_ok() ? exit_good : exit_expectation_failed;
 }
 
+ExitCode print_findings(const reports::Summary& summary,
+                        const std::filesystem::path& folder) {
+  print_verdicts(summary);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return exit_code_of(summary);
+}
+
 void Checks::add(const std::filesystem::path& folder,
                  reports::Summary summary) {
   fmt::print("{}\n", summary.case_name);

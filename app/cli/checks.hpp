@@ -25,6 +25,11 @@ void print_verdicts(const reports::Summary& summary);
 /// precedence over expectations that are not met.
 ExitCode exit_code_of(const reports::Summary& summary);
 
+/// Prints the findings of the report in a folder.
+/// @return  exit_code_of() its summary
+ExitCode print_findings(const reports::Summary& summary,
+                        const std::filesystem::path& folder);
+
 /// Collects the findings of `check` over all of its targets.
 class Checks {
 public:

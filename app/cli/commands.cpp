@@ -1,13 +1,15 @@
 #include "app/cli/commands.hpp"
 
+#include "app/asked/asked_cases.hpp"
 #include "app/cache/cache.hpp"
-#include "app/cli/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/collection.hpp"
+#include "app/cli/part_commands.hpp"
 #include "app/cli/result_outputs.hpp"
 #include "app/cli/sweep_commands.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/plan/description.hpp"
+#include "app/plan/finished_output.hpp"
 #include "app/plan/plan.hpp"
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
@@ -36,26 +38,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes the report on a result and prints its findings.
-ExitCode report_on(const fs::path& folder, bool has_pdf) {
-  const reports::Summary summary = write_outputs(folder, has_pdf);
-  print_verdicts(summary);
-  fmt::print("report: {}\n", (folder / "report.html").string());
-  return exit_code_of(summary);
-}
+struct EndedRun {
+  ExitCode exit_code = exit_good;
+  bool is_complete = false; ///< every step converged, every figure is drawn
+};
 
-ExitCode run_one(const cases::Case& contact_case, const RunOptions& options,
+EndedRun run_one(const cases::Case& contact_case, const RunOptions& options,
                  bool no_report, bool has_pdf) {
   fmt::print("{}: {}\n", contact_case.name, contact_case.title);
   const RunOutcome outcome = run_case(contact_case, options);
-  const ExitCode reported =
-      no_report ? exit_good : report_on(options.folder, has_pdf);
+  EndedRun ended{exit_good,
+                 !outcome.is_interrupted && outcome.failed_steps == 0};
+  if (!no_report) {
+    const WrittenOutputs written = write_outputs(options.folder, has_pdf);
+    ended.exit_code = print_findings(written.summary, options.folder);
+    ended.is_complete = ended.is_complete && written.has_all_figures;
+  } else if (outcome.failed_steps > 0)
+    ended.exit_code = exit_not_converged;
   if (outcome.is_interrupted) {
     if (!no_report)
       fmt::print("interrupted; continue with --resume\n");
-    return exit_interrupted;
+    ended.exit_code = exit_interrupted;
   }
-  return no_report && outcome.failed_steps > 0 ? exit_not_converged : reported;
+  return ended;
+}
+
+/// Runs a case unless its folder already holds what the run would write.
+/// Without the cache or a report it is run in any case.
+ExitCode run_if_needed(const cases::Case& contact_case,
+                       const RunOptions& options, const RunCommand& command) {
+  if (!options.cache->is_on() || command.no_report)
+    return run_one(contact_case, options, command.no_report, command.has_pdf)
+        .exit_code;
+  const std::string key = output_key(contact_case, options,
+                                     command.has_pdf ? "with report.pdf" : "");
+  if (has_output(options.folder, key)) {
+    fmt::print("{}: {}\n{} is up to date; --no-cache computes it again\n",
+               contact_case.name, contact_case.title, options.folder.string());
+    return print_findings(summary_of(results::read_result(options.folder)),
+                          options.folder);
+  }
+  const EndedRun ended = run_one(contact_case, options, false, command.has_pdf);
+  if (ended.is_complete)
+    record_output(options.folder, key);
+  return ended.exit_code;
 }
 
 RunOptions options_of(const ReadCase& read, const fs::path& folder,
@@ -83,7 +109,7 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   ExitCode end = exit_good;
   do {
     const cases::Case chosen = target.chosen_case();
-    end = run_one(chosen, options, true, false);
+    end = run_one(chosen, options, true, false).exit_code;
     if (is_interrupted())
       return end;
     if (target.verify(chosen, options.folder))
@@ -93,7 +119,10 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   target.record(options.folder);
   return command.no_report
              ? end
-             : worse(end, report_on(options.folder, command.has_pdf));
+             : worse(end,
+                     print_findings(
+                         write_outputs(options.folder, command.has_pdf).summary,
+                         options.folder));
 }
 
 ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
@@ -114,32 +143,22 @@ ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
   return exit_good;
 }
 
-/// Adds the result in a folder, if there is one, to what --json prints.
-void add_answer(JsonAnswer& answer, const std::string& name,
-                const fs::path& folder, ExitCode exit_code) {
-  if (!wants_json())
-    return;
-  if (is_sweep_folder(folder)) {
-    add_sweep_answer(answer, folder, exit_code);
-    return;
-  }
-  if (!is_result(folder)) {
-    answer.add(name, folder, exit_code, nullptr, "there is no result");
-    return;
-  }
-  const results::Result result = results::read_result(folder);
-  const reports::Summary summary =
-      reports::summarize(result, reports::case_of(result));
-  answer.add(name, folder, exit_code, &summary);
-}
-
 ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
                    JsonAnswer& answer) {
   if (asked.sweep) {
     const fs::path folder =
         folder_of(asked.sweep->sweep.name, command.out, command.cases.size());
-    const ExitCode ended = run_asked_sweep(*asked.sweep, command, folder);
+    const ExitCode ended = is_for_ranks(asked, command)
+                               ? run_over_ranks(asked, command, folder)
+                               : run_asked_sweep(*asked.sweep, command, folder);
     add_answer(answer, asked.sweep->sweep.name, folder, ended);
+    return ended;
+  }
+  if (is_for_ranks(asked, command)) {
+    const std::string& name = asked.cases.front().found.name;
+    const fs::path folder = folder_of(name, command.out, command.cases.size());
+    const ExitCode ended = run_over_ranks(asked, command, folder);
+    add_answer(answer, name, folder, ended);
     return ended;
   }
   const bool is_collection = !asked.found.collection.empty();
@@ -161,10 +180,10 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
             : folder_of(read.found.name, command.out, n_targets);
     const FolderLock lock(folder, "run " + read.found.name);
     const RunOptions options = options_of(read, folder, command, cache);
-    const ExitCode ended = command.target_error.empty()
-                               ? run_one(read.contact_case, options,
-                                         command.no_report, command.has_pdf)
-                               : run_to_target(read, command, options);
+    const ExitCode ended =
+        command.target_error.empty()
+            ? run_if_needed(read.contact_case, options, command)
+            : run_to_target(read, command, options);
     end = worse(end, ended);
     add_answer(answer, read.found.name, folder, ended);
     parts.push_back({read.found, folder});
@@ -187,6 +206,24 @@ void require_pdf_program() {
 
 } // namespace
 
+void add_answer(JsonAnswer& answer, const std::string& name,
+                const fs::path& folder, ExitCode exit_code) {
+  if (!wants_json())
+    return;
+  if (is_sweep_folder(folder)) {
+    add_sweep_answer(answer, folder, exit_code);
+    return;
+  }
+  if (!is_result(folder)) {
+    answer.add(name, folder, exit_code, nullptr, "there is no result");
+    return;
+  }
+  const results::Result result = results::read_result(folder);
+  const reports::Summary summary =
+      reports::summarize(result, reports::case_of(result));
+  answer.add(name, folder, exit_code, &summary);
+}
+
 fs::path folder_of(const std::string& name, const std::string& out,
                    std::size_t n_targets) {
   if (out.empty())
@@ -205,6 +242,8 @@ ExitCode run_cases(const RunCommand& command) {
   Cache cache(cache_folder(), command.uses_cache ? cache_size() : 0);
   if (command.is_dry)
     return print_plans(all, command, cache);
+  if (!command.part.empty())
+    return run_part(all, command, cache);
   JsonAnswer answer("asperity-run");
   ExitCode end = exit_good;
   for (const Asked& asked : all) {

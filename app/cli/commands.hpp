@@ -3,6 +3,7 @@
 // The commands of the program. Each takes the parsed command line and returns
 // an exit code.
 
+#include "app/cli/result_outputs.hpp"
 #include "app/run/exit_code.hpp"
 #include "app/run/map_case.hpp"
 #include "reports/pages/report.hpp"
@@ -33,6 +34,7 @@ struct RunCommand {
   std::string contact_modulus = {}; ///< E* for map files, e.g. "2 GPa"
   bool is_dry = false;              ///< print the plan without running anything
   bool has_pdf = false;             ///< also print the report
+  std::string part = {}; ///< "3/8": only this share; empty: everything
 };
 
 struct ReportCommand {
@@ -53,6 +55,10 @@ std::filesystem::path folder_of(const std::string& name, const std::string& out,
 /// Runs cases. All cases are read before the first one is run. A collection
 /// gets a report on all of its parts, in out/<collection>, after they have run.
 ExitCode run_cases(const RunCommand& command);
+
+/// Adds the result in a folder, if there is one, to what --json prints.
+void add_answer(JsonAnswer& answer, const std::string& name,
+                const std::filesystem::path& folder, ExitCode exit_code);
 
 /// Runs bench_case() and prints bench.json if the command has --json.
 ExitCode run_bench(const BenchCommand& command);

@@ -1,7 +1,7 @@
 #include "app/cli/describe_command.hpp"
 
+#include "app/asked/asked_cases.hpp"
 #include "app/cache/cache.hpp"
-#include "app/cli/asked_cases.hpp"
 #include "app/plan/description.hpp"
 #include "app/run/output.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/cli/diff_command.hpp"
 
+#include "app/asked/asked_cases.hpp"
 #include "app/cache/case_keys.hpp"
-#include "app/cli/asked_cases.hpp"
 #include "app/cli/result_outputs.hpp"
 #include "app/run/difference.hpp"
 #include "app/run/output.hpp"

@@ -5,6 +5,7 @@
 #include "app/cli/command_parts.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/inspect_commands.hpp"
+#include "app/cli/part_commands.hpp"
 #include "app/cli/robustness_command.hpp"
 #include "app/cli/surface_command.hpp"
 #include "app/manual/command_model.hpp"
@@ -48,27 +49,42 @@ void add_run(CLI::App& program, RunCommand& run, OutputOptions& output,
   command->add_flag("--resume", run.resume,
                     "compute the steps missing from an earlier run");
   add_quick(command, run.is_quick);
-  command->add_option("--target-error", run.target_error,
-                      "use the cheapest setting whose predicted error is\n"
-                      "smaller, e.g. 1%; a finer run verifies the error");
+  CLI::Option* target =
+      command->add_option("--target-error", run.target_error,
+                          "use the cheapest setting whose predicted error is\n"
+                          "smaller, e.g. 1%; a finer run verifies the error");
   command->add_flag("--exactly", run.is_exact,
                     "--methods gives full names only: fem does not\n"
                     "include fem.hard");
   command->add_flag("--no-report", run.no_report, "write result.h5 only");
-  command->add_flag("--pdf", run.has_pdf,
-                    "also print the report to report.pdf, by chromium\n"
-                    "or weasyprint");
+  CLI::Option* pdf =
+      command->add_flag("--pdf", run.has_pdf,
+                        "also print the report to report.pdf, by chromium\n"
+                        "or weasyprint");
   command->add_flag("--dry-run", run.is_dry,
                     "print the plan, the predicted time and what is\n"
                     "skipped; write nothing");
   command->add_flag("!--no-cache", run.uses_cache,
                     "compute every step; do not read or write the cache");
+  command
+      ->add_option("--part", run.part,
+                   "compute one of N shares of the realisations or\n"
+                   "points, I/N as in 3/8; 'asperity merge' joins them")
+      ->excludes(target)
+      ->excludes(pdf);
   add_threads(command, run.threads);
   add_quiet(command, output);
   add_json(command, output, "the summaries, or the plans,");
   add_example(command, "run polymer --methods fem,theory --set "
                        "surface.points=128");
   command->callback([&] { action = [&] { return run_cases(run); }; });
+}
+
+CLI::Option* add_workers(CLI::App* command, const char* name,
+                         std::vector<int>& workers, const char* help) {
+  return command->add_option(name, workers, help)
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
 }
 
 void add_bench(CLI::App& program, BenchCommand& bench, OutputOptions& output,
@@ -104,9 +120,17 @@ void add_bench(CLI::App& program, BenchCommand& bench, OutputOptions& output,
   command->add_flag("--quick", bench.is_quick,
                     "apply quick.set, vary only the points, time one run\n"
                     "of each: about a minute");
-  command->add_option("--target-error", bench.target_error,
-                      "also choose the cheapest setting with a smaller\n"
-                      "error, e.g. 1%");
+  CLI::Option* target =
+      command->add_option("--target-error", bench.target_error,
+                          "also choose the cheapest setting with a smaller\n"
+                          "error, e.g. 1%");
+  add_workers(command, "--threads", bench.threads,
+              "instead: strong and weak scaling over threads, 1,2,4")
+      ->excludes(target);
+  add_workers(command, "--ranks", bench.ranks,
+              "the same over ranks of mpirun, which share realisations\n"
+              "or a full block")
+      ->excludes(target);
   add_quiet(command, output);
   add_json(command, output, "bench.json");
   add_example(command, "bench hertz --target-error 1%");
@@ -237,7 +261,9 @@ int run(int argc, char** argv) {
   add_bench(program, bench, output, action);
   ReportCommand report;
   add_report(program, report, output, action);
+  PartCommands parts;
   CheckCommand check;
+  add_part_commands(program, parts, output, action);
   add_check(program, check, output, action);
   AnswerCommands answers;
   add_answer_commands(program, answers, output, action);

@@ -1,7 +1,7 @@
 #include "app/cli/problem_command.hpp"
 
 #include "app/answers/reference_answers.hpp"
-#include "app/cli/asked_cases.hpp"
+#include "app/asked/asked_cases.hpp"
 #include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
 

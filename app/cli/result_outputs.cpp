@@ -30,17 +30,18 @@ reports::Summary summary_of(const results::Result& result) {
   return reports::summarize(result, contact_case);
 }
 
-reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
+WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf) {
   const results::Result result = results::read_result(folder);
   const cases::Case contact_case = reports::case_of(result);
   reports::ReportEntry entry = reports::entry_of(result, contact_case);
   results::write_curves_csv(result, folder / "curves.csv");
   results::write_times_csv(result, folder / "times.csv");
-  for (const std::string& failure : reports::write_report(
-           {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf}))
+  const std::vector<std::string> failures = reports::write_report(
+      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf});
+  for (const std::string& failure : failures)
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("{}", reports::warning_lines(result, contact_case));
-  return entry.summary;
+  return {entry.summary, failures.empty()};
 }
 
 void JsonAnswer::add(const std::string& name, const fs::path& folder,

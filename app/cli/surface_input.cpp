@@ -1,6 +1,6 @@
 #include "app/cli/surface_input.hpp"
 
-#include "app/cli/asked_cases.hpp"
+#include "app/asked/asked_cases.hpp"
 #include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/units.hpp"

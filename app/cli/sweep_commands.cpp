@@ -2,12 +2,14 @@
 
 #include "app/cache/cache.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/sweeps/earlier_run.hpp"
 #include "app/sweeps/sweep_plan.hpp"
 #include "app/sweeps/sweep_run.hpp"
 #include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/sweeps/sweep_report.hpp"
+#include "results/result_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -45,6 +47,17 @@ ExitCode print_findings(const reports::SweepRecord& record,
   }
   if (judged > 0)
     fmt::print("{} of {} expectations are met\n", met, judged);
+  return end;
+}
+
+/// Writes the report and prints its findings.
+ExitCode report_on_sweep(const reports::SweepRecord& record,
+                         const fs::path& folder, bool has_pdf) {
+  const reports::SweepReport report = reports::write_sweep_report(
+      record, folder, folder, true, {.has_pdf = has_pdf});
+  print_undrawn(report);
+  const ExitCode end = print_findings(record, report);
+  fmt::print("report: {}\n", (folder / "report.html").string());
   return end;
 }
 
@@ -106,18 +119,29 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
   const FolderLock lock(folder, "run " + asked.sweep.name);
   const SweepOutcome outcome = run_to(asked, command, folder);
   ExitCode end = outcome.worst;
-  if (!command.no_report) {
-    const reports::SweepReport report = reports::write_sweep_report(
-        outcome.record, folder, folder, true, {.has_pdf = command.has_pdf});
-    print_undrawn(report);
-    end = worse(end, print_findings(outcome.record, report));
-    fmt::print("report: {}\n", (folder / "report.html").string());
-  }
+  if (!command.no_report)
+    end = worse(end, report_on_sweep(outcome.record, folder, command.has_pdf));
   if (outcome.is_interrupted) {
     fmt::print("interrupted; continue with --resume\n");
     return exit_interrupted;
   }
   return end;
+}
+
+ExitCode merge_asked_sweep(const AskedSweep& asked, const fs::path& folder,
+                           bool no_report, bool has_pdf) {
+  reports::SweepRecord record = record_of(asked.sweep);
+  bool has_converged = true;
+  for (std::size_t i = 0; i < record.points.size(); ++i) {
+    const results::Result result =
+        results::read_result(folder / reports::point_folder(i));
+    record.points[i].case_hash = result.case_hash;
+    has_converged = has_converged && all_converged(result);
+  }
+  write_record(record, folder);
+  if (!no_report)
+    return report_on_sweep(record, folder, has_pdf);
+  return has_converged ? exit_good : exit_not_converged;
 }
 
 ExitCode report_sweep(const fs::path& folder, const std::string& out,

@@ -2,7 +2,7 @@
 
 // What the commands run, check and report do with a sweep.
 
-#include "app/cli/asked_cases.hpp"
+#include "app/asked/asked_cases.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/commands.hpp"
 
@@ -24,6 +24,16 @@ void print_sweep_plan(const AskedSweep& asked, const RunCommand& command);
 ///                            otherwise as run_sweep()
 ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
                          const std::filesystem::path& folder);
+
+/// Writes sweep.json and the report of a sweep whose points are all complete,
+/// and prints the expectations that are not met.
+///
+/// @param asked      its points have been computed with its overrides
+/// @param no_report  writes sweep.json only, and judges whether all load steps
+///                   have converged
+ExitCode merge_asked_sweep(const AskedSweep& asked,
+                           const std::filesystem::path& folder, bool no_report,
+                           bool has_pdf);
 
 /// Rewrites the report of a sweep.
 ///

@@ -47,6 +47,16 @@ int n_realizations(const cases::Case& contact_case, const MethodSpec& method) {
   return std::min(method.realizations.value_or(all), all);
 }
 
+std::vector<int> realizations_of(const cases::Case& contact_case,
+                                 const MethodSpec& method,
+                                 const std::set<int>& only) {
+  std::vector<int> realizations;
+  for (int r = 0; r < n_realizations(contact_case, method); ++r)
+    if (only.empty() || only.contains(r))
+      realizations.push_back(r);
+  return realizations;
+}
+
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
   const std::size_t n_steps = contact_case.load.targets.size();
   const std::size_t wanted = std::min(

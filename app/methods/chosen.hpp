@@ -29,6 +29,13 @@ chosen_methods(const cases::Case& contact_case,
 int n_realizations(const cases::Case& contact_case,
                    const cases::MethodSpec& method);
 
+/// Returns the realisations that a run computes with a method, in their order.
+///
+/// @param only  computes only these; empty: all of the method
+std::vector<int> realizations_of(const cases::Case& contact_case,
+                                 const cases::MethodSpec& method,
+                                 const std::set<int>& only);
+
 /// Returns the load steps whose fields are saved, spread evenly over the
 /// loading path.
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);

@@ -13,7 +13,7 @@
 namespace asperity::app {
 namespace {
 
-results::SurfaceRecord record_of(const surfaces::HeightMap& map) {
+results::SurfaceRecord surface_record(const surfaces::HeightMap& map) {
   const surfaces::Statistics numbers = surfaces::statistics(map);
   results::SurfaceRecord record;
   record.grid = map.grid;
@@ -73,7 +73,7 @@ bool has_own_surface(const cases::Case& contact_case,
 SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus) {
   SurfaceOfCase surface;
-  surface.record = record_of(map);
+  surface.record = surface_record(map);
   surface.scales = {contact_modulus, map.grid.length_x, map.grid.spacing_x(),
                     surface.record.rms_height, surface.record.rms_slope};
   return surface;
@@ -91,13 +91,17 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 }
 
 CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
-                           const std::vector<cases::MethodSpec>& methods)
+                           const std::vector<cases::MethodSpec>& methods,
+                           const std::set<int>& only)
     : case_(contact_case) {
   if (!needs_surfaces(methods))
     return;
+  const auto is_built = [&](int r) { return only.empty() || only.contains(r); };
   for (int r = 0; r < contact_case.surface.realizations; ++r)
-    whole_.push_back(as_taken(
-        contact_case, surfaces::build_surface(contact_case.surface, r)));
+    whole_.push_back(
+        is_built(r) ? as_taken(contact_case,
+                               surfaces::build_surface(contact_case.surface, r))
+                    : SurfaceOfCase{});
   if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
       }))
@@ -108,11 +112,14 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
       continue;
     std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
     for (int r = 0; r < contact_case.surface.realizations; ++r)
-      shown.push_back(as_taken(
-          contact_case, surfaces::build_surface_on(
-                            contact_case.surface, r,
-                            whole_[static_cast<std::size_t>(r)].record.grid,
-                            highest_wavevector(contact_case, method))));
+      shown.push_back(
+          is_built(r)
+              ? as_taken(contact_case,
+                         surfaces::build_surface_on(
+                             contact_case.surface, r,
+                             whole_[static_cast<std::size_t>(r)].record.grid,
+                             highest_wavevector(contact_case, method)))
+              : SurfaceOfCase{});
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace asperity::app {
@@ -48,12 +49,15 @@ public:
   /// Builds the surfaces that the methods need, possibly none. The case must
   /// outlive this object.
   ///
+  /// @param only  builds the surfaces of these realisations only, and those of
+  ///              the others have no points; empty: all
   /// @throws input::InputError, std::domain_error  the surfaces module rejects
   ///           the surface
   CaseSurfaces(const cases::Case& contact_case,
-               const std::vector<cases::MethodSpec>& methods);
+               const std::vector<cases::MethodSpec>& methods,
+               const std::set<int>& only = {});
 
-  /// Returns the surfaces with full roughness.
+  /// Returns the surfaces with full roughness, one per realisation.
   const std::vector<SurfaceOfCase>& whole() const;
 
   const SurfaceOfCase& of(const cases::MethodSpec& method,

@@ -11,6 +11,7 @@
 #include "fem/plugin.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace asperity::app {
 namespace {
@@ -19,19 +20,20 @@ using cases::MethodSpec;
 
 /// Limit on cache look-ups per method. Without it the plan of ten million steps
 /// would take hours.
-constexpr int most_lookups = 20000;
+constexpr std::size_t most_lookups = 20000;
 
 /// Counts the cached steps of a method. If there are too many steps to look up,
 /// only the first realisations are counted.
 int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
-               const CaseKeys& keys, Cache& cache) {
+               std::span<const int> realizations, const CaseKeys& keys,
+               Cache& cache) {
   if (!cache.is_on())
     return 0;
-  const int n_steps = static_cast<int>(contact_case.load.targets.size());
-  const int realizations = std::min(n_realizations(contact_case, method),
-                                    std::max(1, most_lookups / n_steps));
+  const std::size_t n_counted =
+      std::max(std::size_t{1}, most_lookups / contact_case.load.targets.size());
   int kept = 0;
-  for (int r = 0; r < realizations; ++r) {
+  for (const int r :
+       realizations.first(std::min(n_counted, realizations.size()))) {
     const StepChain chain(cache, keys.steps(method, r));
     for (std::size_t step = 0; step < contact_case.load.targets.size(); ++step)
       kept += chain.has(step) ? 1 : 0;
@@ -68,8 +70,8 @@ double wall_time(const Plan& plan) {
   return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
-double peak_memory(const Plan& plan, const cases::Case& contact_case,
-                   const Grid& grid, double program) {
+double peak_memory(const Plan& plan, const Grid& grid, double n_surfaces,
+                   double program) {
   std::vector<double> jobs;
   double alone = 0.0;
   for (const PlannedMethod& method : plan.methods) {
@@ -86,8 +88,8 @@ double peak_memory(const Plan& plan, const cases::Case& contact_case,
   for (std::size_t i = 0; i < jobs.size(); ++i)
     if (i < static_cast<std::size_t>(plan.threads))
       beside += jobs[i];
-  const double surfaces = sizeof(double) * static_cast<double>(grid.size()) *
-                          contact_case.surface.realizations;
+  const double surfaces =
+      sizeof(double) * static_cast<double>(grid.size()) * n_surfaces;
   return program + surfaces + std::max(beside, alone);
 }
 
@@ -102,6 +104,25 @@ double result_bytes(const cases::Case& contact_case,
       bytes += static_cast<double>(steps_with_fields(contact_case).size()) *
                map_bytes(grid);
   return bytes;
+}
+
+/// Predicts the CPU time of the studies and of the stress inside, which are
+/// computed for the first realisation only [s].
+double time_on_first_surface(const cases::Case& contact_case,
+                             const std::vector<MethodSpec>& methods,
+                             const Grid& grid, const CaseKeys& keys,
+                             const Cache& cache, MachineRates& rates) {
+  double time = 0.0;
+  if (const MethodSpec* theory = cases::study_theory(methods);
+      theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
+    time += study_time(contact_case, rates);
+  if (contact_case.report.stress_inside)
+    for (const MethodSpec& method : methods)
+      if (method.is_continuum())
+        time += stress_time(
+            static_cast<int>(steps_with_fields(contact_case).size()), grid,
+            rates);
+  return time;
 }
 
 } // namespace
@@ -138,10 +159,13 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   for (const MethodSpec& method : methods) {
     const MethodCost cost = cost_of(contact_case, method, grid, rates);
     PlannedMethod planned{.name = method.name, .grid = grid};
-    planned.realizations = n_realizations(contact_case, method);
+    const std::vector<int> realizations =
+        realizations_of(contact_case, method, options.realizations);
+    planned.realizations = static_cast<int>(realizations.size());
     planned.steps = planned.realizations *
                     static_cast<int>(contact_case.load.targets.size());
-    planned.kept_steps = kept_steps(contact_case, method, keys, cache);
+    planned.kept_steps =
+        kept_steps(contact_case, method, realizations, keys, cache);
     const int left = planned.steps - planned.kept_steps;
     planned.unknowns = cost.unknowns;
     planned.setup_time = left > 0 ? cost.setup_time : 0.0;
@@ -155,20 +179,17 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     uses_block |= left > 0 && is_full_block(method);
     plan.methods.push_back(std::move(planned));
   }
-  if (const MethodSpec* theory = cases::study_theory(methods);
-      theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
-    plan.study_time = study_time(contact_case, rates);
-  if (contact_case.report.stress_inside)
-    for (const MethodSpec& method : methods)
-      if (method.is_continuum())
-        plan.study_time += stress_time(
-            static_cast<int>(steps_with_fields(contact_case).size()), grid,
-            rates);
+  if (options.realizations.empty() || options.realizations.contains(0))
+    plan.study_time =
+        time_on_first_surface(contact_case, methods, grid, keys, cache, rates);
   plan.base_time = base_time(rates);
   add_up_times(plan);
-  plan.memory = peak_memory(plan, contact_case, grid,
-                            base_memory(uses_fem) +
-                                (uses_block ? full_block_memory() : 0.0));
+  plan.memory = peak_memory(
+      plan, grid,
+      options.realizations.empty()
+          ? contact_case.surface.realizations
+          : static_cast<double>(options.realizations.size()),
+      base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);
   plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);

@@ -3,6 +3,7 @@
 // The options of a run that are not part of its case.
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct RunOptions {
   Cache* cache = nullptr;     ///< null: compute everything and cache nothing
   bool is_exact = false;      ///< `methods` lists names only: "fem" is not
                               ///< "fem.hard"
+  std::set<int> realizations = {}; ///< only these; empty: all of the case
 };
 
 } // namespace asperity::app

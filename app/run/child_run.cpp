@@ -1,23 +1,68 @@
 #include "app/run/child_run.hpp"
 
 #include "app/run/interrupt.hpp"
+#include "input/input_error.hpp"
 
+#include <csignal>
+#include <unistd.h>
 #include <utility>
 
 namespace asperity::app {
+namespace {
 
-ChildEnd run_self(const std::vector<std::string>& words,
-                  const std::filesystem::path& log) {
+/// Returns the environment without the variables by which mpirun and srun tell
+/// a process which rank it is.
+std::vector<std::string> environment_without_mpi() {
+  std::vector<std::string> environment = own_environment();
+  std::erase_if(environment, [](const std::string& variable) {
+    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_") ||
+           variable.starts_with("PMI_");
+  });
+  return environment;
+}
+
+std::string own_program() {
+  return std::filesystem::read_symlink("/proc/self/exe").string();
+}
+
+ChildEnd run_to_end(const ChildCommand& command) {
   constexpr double seconds_between_looks = 0.1;
-  ChildCommand command{
-      {std::filesystem::read_symlink("/proc/self/exe").string()}, {}, log};
-  command.words.insert(command.words.end(), words.begin(), words.end());
   ChildProcess child(command);
   bool is_asked = false;
   while (!child.has_ended(seconds_between_looks))
     if (is_interrupted() && !std::exchange(is_asked, true))
       child.ask_to_end();
   return child.end();
+}
+
+} // namespace
+
+ChildEnd run_self(const std::vector<std::string>& words,
+                  const std::filesystem::path& log) {
+  ChildCommand command{{own_program()}, {}, log, environment_without_mpi()};
+  command.words.insert(command.words.end(), words.begin(), words.end());
+  return run_to_end(command);
+}
+
+ChildEnd run_self_on_ranks(int ranks, const std::vector<std::string>& words,
+                           const std::filesystem::path& log) {
+  const std::filesystem::path mpirun = program_on_path("mpirun");
+  if (mpirun.empty())
+    throw input::InputError("several ranks need the program mpirun; install "
+                            "the Debian package mpi-default-bin");
+  ChildCommand command{{mpirun.string(), "-np", std::to_string(ranks),
+                        "--oversubscribe", own_program()},
+                       {},
+                       log,
+                       environment_without_mpi()};
+  command.words.insert(command.words.end(), words.begin(), words.end());
+  if (::geteuid() == 0) { // Open MPI requires both of them of root
+    command.environment.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
+    command.environment.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
+  }
+  // mpirun ends its ranks if it is asked to end, but not if it is killed.
+  command.death_signal = SIGTERM;
+  return run_to_end(command);
 }
 
 } // namespace asperity::app

@@ -47,7 +47,7 @@ void remove_files_of_methods(const fs::path& folder,
 void remove_report(const fs::path& folder) {
   for (const char* name :
        {"curves.csv", "times.csv", "summary.json", "report.html", "report.pdf",
-        "methods.txt", "methods.bib", "paper.json"})
+        "methods.txt", "methods.bib", "paper.json", "output.json"})
     fs::remove(folder / name);
   remove_figures(folder / "figures");
   remove_figures(folder / "journal");

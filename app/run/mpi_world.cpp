@@ -1,6 +1,9 @@
 #include "app/run/mpi_world.hpp"
 
+#include "app/run/child_run.hpp"
 #include "fem/plugin.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <string>
@@ -17,10 +20,38 @@ bool is_one_of_several() {
   return false;
 }
 
+nlohmann::json json_of(const RankedRun& run) {
+  std::vector<std::string> logs;
+  for (const std::filesystem::path& log : run.logs)
+    logs.push_back(log.string());
+  return {{"words", run.words}, {"last_words", run.last_words}, {"logs", logs}};
+}
+
+void run_own_share(const std::string& text, int rank) {
+  const nlohmann::json run = nlohmann::json::parse(text);
+  const auto i = static_cast<std::size_t>(rank);
+  if (i >= run.at("last_words").size())
+    return;
+  auto words = run.at("words").get<std::vector<std::string>>();
+  words.push_back(run.at("last_words")[i].get<std::string>());
+  const std::filesystem::path log = run.at("logs")[i].get<std::string>();
+  std::filesystem::create_directories(log.parent_path());
+  run_self(words, log);
+}
+
 } // namespace
 
 bool has_followed_rank_0() {
-  return is_one_of_several() && fem::load_fem_module().has_followed();
+  return is_one_of_several() &&
+         fem::load_fem_module().has_followed(run_own_share);
+}
+
+int n_mpi_ranks() {
+  return is_one_of_several() ? fem::load_fem_module().ranks() : 1;
+}
+
+void run_on_ranks(const RankedRun& run) {
+  fem::load_fem_module().on_all_ranks(json_of(run).dump(), run_own_share);
 }
 
 } // namespace asperity::app

@@ -3,12 +3,32 @@
 // Detects whether the program was started by mpirun and manages the worker
 // ranks.
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace asperity::app {
 
 /// Returns false on rank 0 of several MPI processes, which then runs the
 /// program. On the other ranks it returns true after the program has ended;
-/// until then they share the work of the full blocks. In a single process it
-/// returns false without initialising MPI.
+/// until then they share the work of the full blocks and of run_on_ranks(). In
+/// a single process it returns false without initialising MPI.
 bool has_followed_rank_0();
+
+/// Returns the number of MPI processes; 1 without initialising MPI in a single
+/// process.
+int n_mpi_ranks();
+
+/// One command of this program for each rank; with fewer commands than ranks,
+/// the last ranks have none.
+struct RankedRun {
+  std::vector<std::string> words;          ///< those that all ranks share
+  std::vector<std::string> last_words;     ///< one more for each rank
+  std::vector<std::filesystem::path> logs; ///< receives the output of each
+};
+
+/// To be called on rank 0. Each rank runs its command as a child process, which
+/// takes no part in MPI; returns when all of them have ended, however they do.
+void run_on_ranks(const RankedRun& run);
 
 } // namespace asperity::app

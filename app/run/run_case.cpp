@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace asperity::app {
 namespace {
@@ -52,8 +53,9 @@ public:
       std::vector<MethodSpec> methods)
       : case_(contact_case),
         methods_(std::move(methods)),
+        only_(options.realizations),
         pool_(options.threads),
-        surfaces_(case_, methods_),
+        surfaces_(case_, methods_, only_),
         writer_(prepared(options),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
                  case_.material.contact_modulus, options.reference,
@@ -72,6 +74,14 @@ public:
   RunOutcome execute();
 
 private:
+  std::vector<int> realizations(const MethodSpec& method) const {
+    return realizations_of(case_, method, only_);
+  }
+
+  bool has_realization(int r) const {
+    return only_.empty() || only_.contains(r);
+  }
+
   RemainingWork work_to_do(const RunOptions& options) const;
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
   void begin();
@@ -80,6 +90,7 @@ private:
 
   const cases::Case& case_;
   std::vector<MethodSpec> methods_;
+  std::set<int> only_; ///< realisations; empty: all
   WorkerPool pool_;
   CaseSurfaces surfaces_;
   results::ResultWriter writer_;
@@ -94,7 +105,7 @@ private:
 
 int Run::n_steps(const MethodSpec& method) const {
   int steps = 0;
-  for (int r = 0; r < n_realizations(case_, method); ++r)
+  for (const int r : realizations(method))
     for (std::size_t step = 0; step < case_.load.targets.size(); ++step)
       steps += writer_.has_step(method.name, r, static_cast<int>(step)) ? 0 : 1;
   return steps;
@@ -119,13 +130,14 @@ void Run::begin() {
   for (const std::string& warning :
        cases::locking_warnings(case_.material, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
-  for (std::size_t r = 0; r < surfaces_.whole().size(); ++r)
-    writer_.record_surface(static_cast<int>(r), surfaces_.whole()[r].record);
+  for (std::size_t i = 0; i < surfaces_.whole().size(); ++i)
+    if (const int r = static_cast<int>(i); has_realization(r))
+      writer_.record_surface(r, surfaces_.whole()[i].record);
   for (const MethodSpec& method : methods_) {
     const MethodDescription description = describe(method, case_.material);
     writer_.begin_method(method.name, description.kind, description.text);
     if (has_own_surface(case_, method))
-      for (int r = 0; r < n_realizations(case_, method); ++r)
+      for (const int r : realizations(method))
         writer_.record_own_surface(method.name, r,
                                    surfaces_.record_of(method, r));
   }
@@ -135,11 +147,12 @@ void Run::run_jobs() {
   std::vector<WorkerPool::Job> jobs;
   std::vector<WorkerPool::Job> lone_jobs;
   for (const MethodSpec& method : methods_)
-    for (int r = 0; r < n_realizations(case_, method); ++r)
+    for (const int r : realizations(method))
       (describe(method, case_.material).runs_alone ? lone_jobs : jobs)
           .push_back(
               [this, &method, r] { MethodJob(context_, method, r).run(); });
-  if (const MethodSpec* studied = cases::study_theory(methods_))
+  if (const MethodSpec* studied = cases::study_theory(methods_);
+      studied != nullptr && has_realization(0))
     jobs.push_back([this, studied] {
       const Progress::Activity studies(progress_, "tables of the studies");
       run_studies(context_, *studied);
@@ -154,9 +167,11 @@ void Run::run_jobs() {
 /// grid, which takes some hundredths of a second.
 std::vector<results::Skipped> Run::skipped() const {
   MachineRates rates(rate_probe_points);
+  const std::size_t first =
+      only_.empty() ? 0U : static_cast<std::size_t>(*only_.begin());
   const Grid grid = surfaces_.whole().empty()
                         ? grid_of_case(case_, methods_)
-                        : surfaces_.whole()[0].record.grid;
+                        : surfaces_.whole()[first].record.grid;
   std::vector<results::Skipped> list =
       skipped_by_case({case_, methods_, grid}, rates);
   for (const auto& [thing, work] : tally_.kept())
@@ -175,7 +190,7 @@ RunOutcome Run::execute() {
   begin();
   run_jobs();
   const bool was_interrupted = is_interrupted();
-  if (!was_interrupted && !surfaces_.whole().empty()) {
+  if (!was_interrupted && !surfaces_.whole().empty() && has_realization(0)) {
     const Progress::Activity stress(progress_, "subsurface stress");
     record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
                          pool_.threads(), writer_, tally_);

@@ -1,21 +1,17 @@
 #include "app/sweeps/sweep_run.hpp"
 
 #include "app/cache/cache.hpp"
-#include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/worker_pool.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/run/child_run.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
+#include "app/sweeps/earlier_run.hpp"
 #include "app/sweeps/memory_budget.hpp"
 #include "app/sweeps/sweep_plan.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_hash.hpp"
-#include "input/input_error.hpp"
-#include "results/provenance.hpp"
-#include "results/result_reader.hpp"
-#include "results/result_writer.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,29 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
-  reports::SweepRecord record{
-      sweep.name, sweep.title, sweep.combine, sweep.keys, {}};
-  for (const cases::SweptPoint& point : sweep.points)
-    record.points.push_back(
-        {point.choice, cases::case_hash(point.contact_case)});
-  return record;
-}
-
-/// Keeps the points of an earlier sweep under another name.
-void put_points_aside(const fs::path& folder) {
-  const fs::path points = folder / "points";
-  const fs::path previous = folder / "points.previous";
-  if (fs::exists(points)) {
-    fs::remove_all(previous);
-    fs::rename(points, previous);
-    fmt::print("the points of the previous sweep are saved in {}\n",
-               previous.string());
-  }
-  for (const char* name : {reports::sweep_file, "sweep.csv"})
-    fs::remove(folder / name);
-}
-
 /// Returns the last lines of a log in one line, for messages.
 std::string end_of_log(const fs::path& log) {
   std::ifstream stream(log);
@@ -72,53 +45,6 @@ std::string end_of_log(const fs::path& log) {
   return text;
 }
 
-enum class PointState { missing, to_resume, complete };
-
-/// What an earlier sweep has computed of a point.
-struct EarlierPoint {
-  PointState state = PointState::missing;
-  std::string case_hash = {}; ///< of the result
-};
-
-bool has_all_steps(const results::Result& result,
-                   const cases::Case& contact_case,
-                   const std::vector<cases::MethodSpec>& methods) {
-  const results::StepsDone done = results::steps_done(result);
-  for (const cases::MethodSpec& method : methods)
-    for (int r = 0; r < n_realizations(contact_case, method); ++r) {
-      const auto found = done.find({method.name, r});
-      if (found == done.end() ||
-          found->second.size() != contact_case.load.targets.size())
-        return false;
-    }
-  return result.status == "complete";
-}
-
-/// A result of another case, other inputs or another program counts as missing,
-/// as does an incomplete one whose case is written differently, because the run
-/// would refuse to resume it.
-EarlierPoint earlier_point(const cases::Case& contact_case,
-                           const std::vector<cases::MethodSpec>& methods,
-                           const fs::path& folder) {
-  if (!fs::exists(folder / "result.h5"))
-    return {};
-  try {
-    const results::Result result = results::read_result(folder);
-    results::Inputs inputs = input_hashes(contact_case);
-    inputs["program"] = results::build_stamp();
-    if (results::inputs_of(result) != inputs ||
-        cases::point_content(result.case_text) !=
-            cases::point_content(contact_case.text))
-      return {};
-    if (has_all_steps(result, contact_case, methods))
-      return {PointState::complete, result.case_hash};
-    if (result.case_hash == cases::case_hash(contact_case))
-      return {PointState::to_resume, result.case_hash};
-  } catch (const input::InputError&) { // damaged: it is computed again
-  }
-  return {};
-}
-
 class SweepRun {
 public:
   SweepRun(const cases::CaseSweep& sweep, const SweepRunOptions& options,
@@ -127,13 +53,17 @@ public:
         options_(options),
         plan_(std::move(plan)),
         budget_(plan_.available_memory),
-        outcome_{record_of(sweep)} {}
+        outcome_{record_of(sweep)},
+        chosen_(options.points) {
+    for (std::size_t i = 0; !options.is_part && i < sweep.points.size(); ++i)
+      chosen_.push_back(i);
+  }
 
   SweepOutcome execute() {
     prepare();
     std::vector<WorkerPool::Job> jobs;
-    for (std::size_t i = 0; i < sweep_.points.size(); ++i)
-      jobs.push_back([this, i] { run_point(i); });
+    for (std::size_t place = 0; place < chosen_.size(); ++place)
+      jobs.push_back([this, place] { run_point(place); });
     start_ = Clock::now();
     WorkerPool(plan_.threads).run(jobs);
     outcome_.is_interrupted = is_interrupted();
@@ -142,12 +72,10 @@ public:
 
 private:
   void prepare() {
-    put_last_run_aside(options_.folder); // of one case
-    remove_report(options_.folder);
     if (!options_.resume)
       put_points_aside(options_.folder);
-    write_file_atomically(options_.folder / reports::sweep_file,
-                          reports::record_json(outcome_.record).dump(2) + "\n");
+    if (!options_.is_part)
+      write_record(outcome_.record, options_.folder);
     std::set<std::string> warnings;
     for (const Plan& point : plan_.points)
       warnings.insert(point.warnings.begin(), point.warnings.end());
@@ -155,7 +83,8 @@ private:
       fmt::print(stderr, "warning: {}\n", warning);
   }
 
-  void run_point(std::size_t i) {
+  void run_point(std::size_t place) {
+    const std::size_t i = chosen_[place];
     if (is_interrupted()) {
       outcome_.record.points[i].problem = "has not run, because the sweep was "
                                           "interrupted";
@@ -164,33 +93,34 @@ private:
     const fs::path folder = options_.folder / reports::point_folder(i);
     fs::create_directories(folder);
     const cases::Case& contact_case = sweep_.points[i].contact_case;
-    const EarlierPoint earlier =
+    const EarlierRun earlier =
         options_.resume
-            ? earlier_point(contact_case,
-                            chosen_methods(contact_case, options_.methods,
-                                           options_.is_exact),
-                            folder)
-            : EarlierPoint{};
-    if (earlier.state == PointState::complete) {
+            ? earlier_run(contact_case,
+                          chosen_methods(contact_case, options_.methods,
+                                         options_.is_exact),
+                          folder)
+            : EarlierRun{};
+    if (earlier.state == RunState::complete) {
       outcome_.record.points[i].case_hash = earlier.case_hash;
       finish(i, ChildEnd{0, "", 0.0, 0.0}, "is complete already");
       return;
     }
     const MemoryBudget::Share share(budget_, plan_.points[i].memory);
     const ChildEnd end =
-        run_self(words_of(i, earlier.state), folder / "log.txt");
+        run_self(words_of(place, earlier.state), folder / "log.txt");
     finish(i, end, "");
   }
 
   /// The last points share the threads that would otherwise be idle.
-  int threads_of(std::size_t i) const {
-    const std::size_t left = sweep_.points.size() - i;
+  int threads_of(std::size_t place) const {
+    const std::size_t left = chosen_.size() - place;
     const auto workers =
         std::min(left, static_cast<std::size_t>(plan_.beside()));
     return std::max(1, plan_.threads / static_cast<int>(workers));
   }
 
-  std::vector<std::string> words_of(std::size_t i, PointState state) const {
+  std::vector<std::string> words_of(std::size_t place, RunState state) const {
+    const std::size_t i = chosen_[place];
     std::vector<std::string> words{
         "run",
         options_.case_file.string(),
@@ -198,7 +128,7 @@ private:
         "--out",
         (options_.folder / reports::point_folder(i)).string(),
         "--threads",
-        std::to_string(threads_of(i))};
+        std::to_string(threads_of(place))};
     const auto add = [&](const std::vector<std::string>& more) {
       words.insert(words.end(), more.begin(), more.end());
     };
@@ -212,7 +142,7 @@ private:
       add({"--exactly"});
     if (!options_.uses_cache)
       add({"--no-cache"});
-    if (state == PointState::to_resume)
+    if (state == RunState::to_resume)
       add({"--resume"});
     return words;
   }
@@ -236,16 +166,15 @@ private:
         : code == exit_not_converged ? "some steps did not converge"
         : !remark.empty()            ? remark
                                      : fmt::format("{:.1f} s", end.wall_time);
-    fmt::print("{:>4}/{} point {:03}  {}  {}{}\n", n_done_,
-               sweep_.points.size(), i, outcome_.record.label(i), words,
-               remaining_words());
+    fmt::print("{:>4}/{} point {:03}  {}  {}{}\n", n_done_, chosen_.size(), i,
+               outcome_.record.label(i), words, remaining_words());
     std::fflush(stdout);
   }
 
   std::string remaining_words() const {
     const double elapsed =
         std::chrono::duration<double>(Clock::now() - start_).count();
-    const std::size_t left = sweep_.points.size() - n_done_;
+    const std::size_t left = chosen_.size() - n_done_;
     if (left == 0 || elapsed < 10.0)
       return "";
     return fmt::format("; about {} left",
@@ -257,13 +186,43 @@ private:
   const SweepRunOptions& options_;
   SweepPlan plan_;
   MemoryBudget budget_;
-  std::mutex mutex_; ///< for the following
+  std::mutex mutex_; ///< for outcome_ and n_done_
   SweepOutcome outcome_;
+  std::vector<std::size_t> chosen_; ///< points that are run
   std::size_t n_done_ = 0;
   Clock::time_point start_;
 };
 
 } // namespace
+
+reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
+  reports::SweepRecord record{
+      sweep.name, sweep.title, sweep.combine, sweep.keys, {}};
+  for (const cases::SweptPoint& point : sweep.points)
+    record.points.push_back(
+        {point.choice, cases::case_hash(point.contact_case)});
+  return record;
+}
+
+void put_points_aside(const fs::path& folder) {
+  const fs::path points = folder / "points";
+  const fs::path previous = folder / "points.previous";
+  if (fs::exists(points)) {
+    fs::remove_all(previous);
+    fs::rename(points, previous);
+    fmt::print("the points of the previous sweep are saved in {}\n",
+               previous.string());
+  }
+  for (const char* name : {reports::sweep_file, "sweep.csv"})
+    fs::remove(folder / name);
+}
+
+void write_record(const reports::SweepRecord& record, const fs::path& folder) {
+  put_last_run_aside(folder); // of one case
+  remove_report(folder);
+  write_file_atomically(folder / reports::sweep_file,
+                        reports::record_json(record).dump(2) + "\n");
+}
 
 SweepOutcome run_sweep(const cases::CaseSweep& sweep,
                        const SweepRunOptions& options) {

@@ -7,6 +7,7 @@
 #include "cases/sweeps/sweep.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct SweepRunOptions {
   bool resume = false;
   int threads = 0; ///< 0: all hardware threads
   bool uses_cache = true;
+  bool is_part = false; ///< runs only `points`, resumes them, and leaves
+                        ///< sweep.json and the report as they are
+  std::vector<std::size_t> points = {}; ///< indices, of a part
 };
 
 struct SweepOutcome {
@@ -29,6 +33,18 @@ struct SweepOutcome {
   bool is_interrupted = false;
   ExitCode worst = exit_good; ///< of all points
 };
+
+/// Returns the plan of a sweep as its points and their cases state it.
+reports::SweepRecord record_of(const cases::CaseSweep& sweep);
+
+/// Keeps the points of an earlier sweep as points.previous, and removes its
+/// sweep.json and sweep.csv.
+void put_points_aside(const std::filesystem::path& folder);
+
+/// Writes folder/sweep.json, and removes the report of an earlier sweep or case
+/// in this folder.
+void write_record(const reports::SweepRecord& record,
+                  const std::filesystem::path& folder);
 
 /// Runs all points of a sweep. Their results are in folder/points/NNN/, the
 /// output of each run in log.txt there, and the plan in folder/sweep.json. The

@@ -60,6 +60,9 @@ struct BenchPoint {
   bool is_elastic = true;
   /// Belongs to the series that defines the reference solution.
   bool is_reference = false;
+  int threads = 1;
+  int ranks = 1;      ///< processes under mpirun
+  double nodes = 0.0; ///< of all surfaces together; only for scaling
 
   int repeats = 0;           ///< number of timed runs
   bool has_warm_up = false;  ///< an untimed run came first
@@ -107,6 +110,14 @@ struct BenchSeries {
   /// CPU time against points per side; only for the axis over points
   PowerLaw cost = {};
   PowerLaw step_cost = {}; ///< the same for the steps alone
+};
+
+/// Runs of one method that differ in the number of threads or ranks.
+struct ScalingSeries {
+  std::string method;
+  bool has_ranks = false; ///< the workers are ranks, otherwise threads
+  bool is_weak = false;   ///< the nodes grow in proportion to the workers
+  std::vector<std::size_t> points = {}; ///< ascending workers; not empty
 };
 
 struct ReferenceSolution {
@@ -159,6 +170,7 @@ struct Bench {
   results::Provenance provenance;
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
+  std::vector<ScalingSeries> scaling; ///< if any, there are no other series
   ReferenceSolution reference;
   /// For each quantity, the Pareto front: the points for which no cheaper point
   /// has a smaller error.

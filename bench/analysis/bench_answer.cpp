@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace asperity::reports {
@@ -127,6 +128,19 @@ BenchAnswer answer_of(const results::Result& result,
   if (!is_exact_shape(contact_case))
     add_fits(result, contact_case, name, answer);
   return answer;
+}
+
+bool have_same_bits(const BenchAnswer& one, const BenchAnswer& other) {
+  if (one.values.size() != other.values.size())
+    return false;
+  for (const auto& [name, values] : one.values) {
+    const auto found = other.values.find(name);
+    if (found == other.values.end() || found->second.size() != values.size() ||
+        std::memcmp(found->second.data(), values.data(),
+                    values.size() * sizeof(double)) != 0)
+      return false;
+  }
+  return true;
 }
 
 std::vector<double> scale_of(const std::string& quantity,

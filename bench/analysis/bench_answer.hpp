@@ -15,6 +15,9 @@ namespace asperity::reports {
 BenchAnswer answer_of(const results::Result& result,
                       const cases::Case& contact_case, const std::string& name);
 
+/// Whether two answers consist of the same numbers, bit for bit.
+bool have_same_bits(const BenchAnswer& one, const BenchAnswer& other);
+
 /// Returns the scale of each entry of a quantity: h_rms for the gap, the values
 /// of the reference solution for everything else.
 std::vector<double> scale_of(const std::string& quantity,

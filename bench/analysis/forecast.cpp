@@ -1,5 +1,6 @@
 #include "bench/analysis/forecast.hpp"
 
+#include "base/special_numbers.hpp"
 #include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/summary.hpp"
 
@@ -81,10 +82,9 @@ std::string Forecast::best_column(const std::string& quantity, int points,
 
 ErrorParts Forecast::parts(const std::string& column, int points,
                            double growth_share) const {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto found = terms.find(column);
   if (found == terms.end())
-    return {infinite, infinite, infinite};
+    return {infinity, infinity, infinity};
   const Term& term = found->second;
   return {term.error *
               std::pow(static_cast<double>(finest) / points, term.order),

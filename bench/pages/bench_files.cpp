@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bench/analysis/scaling.hpp"
 #include "bench/pages/bench_report.hpp"
 
 namespace asperity::reports {
@@ -69,6 +70,8 @@ Json to_json(const BenchPoint& point) {
           {"is_own", point.is_own},
           {"is_elastic", point.is_elastic},
           {"is_reference", point.is_reference},
+          {"threads", point.threads},
+          {"ranks", point.ranks},
           {"problem", point.problem},
           {"repeats", point.repeats},
           {"has_warm_up", point.has_warm_up},
@@ -146,6 +149,25 @@ double error_in(const std::map<std::string, double>& errors,
   return found == errors.end() ? not_a_number : found->second;
 }
 
+Json scaling_of(const Bench& bench) {
+  Json list = Json::array();
+  for (const ScalingSeries& series : bench.scaling) {
+    Json rows = Json::array();
+    for (const ScalingRow& row : scaling_rows(bench, series))
+      rows.push_back({{"point", row.point},
+                      {"workers", row.workers},
+                      {"speed_up", number(row.speed_up)},
+                      {"efficiency", number(row.efficiency)},
+                      {"cpu_ratio", number(row.cpu_ratio)},
+                      {"has_same_bits", row.has_same_bits}});
+    list.push_back({{"method", series.method},
+                    {"workers", series.has_ranks ? "ranks" : "threads"},
+                    {"kind", series.is_weak ? "weak" : "strong"},
+                    {"rows", rows}});
+  }
+  return list;
+}
+
 } // namespace
 
 std::string bench_json(const Bench& bench) {
@@ -171,6 +193,7 @@ std::string bench_json(const Bench& bench) {
                        {"is_exact", bench.reference.is_exact}}},
                      {"points", list_of(bench.points)},
                      {"series", list_of(bench.series)},
+                     {"scaling", scaling_of(bench)},
                      {"fronts", fronts},
                      {"targets", list_of(bench.targets)}};
   return json.dump(2) + "\n";

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bench/analysis/bench_answer.hpp"
+#include "bench/analysis/scaling.hpp"
 #include "bench/bench_template.hpp"
 #include "bench/pages/bench_report.hpp"
 
@@ -220,6 +221,32 @@ List method_tables(const Bench& bench) {
   return tables;
 }
 
+List scaling_tables(const Bench& bench) {
+  List tables;
+  for (const ScalingSeries& series : bench.scaling) {
+    List rows;
+    for (const ScalingRow& run : scaling_rows(bench, series)) {
+      const BenchPoint& point = bench.points[run.point];
+      Value row;
+      row.set("label", point.label);
+      row.set("bits", run.has_same_bits ? "" : "other numbers");
+      row.set("wall", short_number(point.wall.median, "{:.3g}"));
+      row.set("cpu", short_number(point.cpu.median, "{:.3g}"));
+      row.set("speed_up", short_number(run.speed_up));
+      row.set("efficiency", short_number(run.efficiency));
+      row.set("cpu_ratio", short_number(run.cpu_ratio));
+      rows.push_back(row);
+    }
+    Value table;
+    table.set("heading", fmt::format("{}: {} scaling over {}", series.method,
+                                     series.is_weak ? "weak" : "strong",
+                                     series.has_ranks ? "ranks" : "threads"));
+    table.set("rows", rows);
+    tables.push_back(table);
+  }
+  return tables;
+}
+
 DrawnGroup drawn(const std::string& heading, const std::vector<Figure>& figures,
                  const std::filesystem::path& folder,
                  const std::string& gnuplot,
@@ -248,14 +275,18 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   write_file_atomically(folder / "bench.csv", bench_csv(bench));
   std::vector<std::string> problems;
   const DrawnGroup figures =
-      drawn("Cost and error", bench_figures(bench), folder, gnuplot, problems);
+      bench.scaling.empty()
+          ? drawn("Cost and error", bench_figures(bench), folder, gnuplot,
+                  problems)
+          : drawn("Scaling", scaling_figures(bench), folder, gnuplot, problems);
   Value page;
   page.set("title", bench.case_title);
   page.set("page_title", "Benchmark: " + bench.case_title);
   page.set("lead", fmt::format("Case {}, {}: {} settings of its methods, each "
-                               "run as a separate process on one thread.",
+                               "run as a separate process{}.",
                                bench.case_name, bench.case_hash.substr(0, 12),
-                               bench.points.size()));
+                               bench.points.size(),
+                               bench.scaling.empty() ? " on one thread" : ""));
   page.set("remarks", text_list(bench.remarks));
   List targets;
   for (const TargetOutcome& target : bench.targets)
@@ -266,6 +297,8 @@ std::vector<std::string> write_bench_report(const Bench& bench,
                ? "No reference solution is known for this case."
                : "Errors are with respect to " + bench.reference.words + ".");
   page.set("references", reference_rows(bench));
+  page.set("has_errors", bench.scaling.empty());
+  page.set("scaling", scaling_tables(bench));
   set_figures(page, {&figures, 1}, false);
   page.set("series", series_rows(bench));
   page.set("timing_note",

@@ -26,6 +26,10 @@ std::string bench_csv(const Bench& bench);
 /// the CPU time.
 std::vector<Figure> bench_figures(const Bench& bench);
 
+/// Returns the figures of a scaling study: speed-up against threads and ranks,
+/// for constant work and for work that grows with them.
+std::vector<Figure> scaling_figures(const Bench& bench);
+
 /// Writes bench.json, bench.csv, report.html and figures/ into `folder`.
 /// @return  the figures that could not be drawn, one line each
 std::vector<std::string>

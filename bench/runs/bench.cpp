@@ -17,10 +17,12 @@
 #include <filesystem>
 
 #include "bench/analysis/bench_analysis.hpp"
+#include "bench/analysis/scaling.hpp"
 #include "bench/pages/bench_report.hpp"
 #include "bench/runs/bench_runner.hpp"
 #include "bench/runs/target_error.hpp"
 #include "bench/runs/target_words.hpp"
+#include "bench/settings/scaling_settings.hpp"
 #include "bench/settings/sweep.hpp"
 
 namespace asperity::app {
@@ -103,6 +105,7 @@ Bench bench_of(const Subject& subject, Sweep sweep) {
   bench.remarks = std::move(sweep.remarks);
   bench.points = std::move(sweep.points);
   bench.series = std::move(sweep.series);
+  bench.scaling = std::move(sweep.scaling);
   bench.reference.series = sweep.reference_series;
   return bench;
 }
@@ -148,6 +151,21 @@ void print_fronts(const Bench& bench) {
   }
 }
 
+void print_scaling(const Bench& bench) {
+  for (const reports::ScalingSeries& series : bench.scaling)
+    for (const reports::ScalingRow& row : reports::scaling_rows(bench, series))
+      fmt::print("{}, {} scaling: {}: speed-up {:.2f}, efficiency {:.2f}{}\n",
+                 series.method, series.is_weak ? "weak" : "strong",
+                 bench.points[row.point].label, row.speed_up, row.efficiency,
+                 row.has_same_bits ? "" : "; the numbers differ");
+}
+
+std::vector<int> ascending(std::vector<int> workers) {
+  std::ranges::sort(workers);
+  workers.erase(std::unique(workers.begin(), workers.end()), workers.end());
+  return workers;
+}
+
 } // namespace
 
 double read_target_error(const std::string& text) {
@@ -171,8 +189,13 @@ ExitCode bench_case(const BenchCommand& command) {
                             : read_target_error(command.target_error);
   const Subject subject = subject_of(command);
   const cases::Case& contact_case = subject.contact_case;
-  const Sweep sweep = sweep_of(
-      contact_case, {command.methods, command.is_quick, command.realizations});
+  const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
+  const Sweep sweep =
+      is_scaling ? scaling_of(contact_case,
+                              {command.methods, ascending(command.threads),
+                               ascending(command.ranks)})
+                 : sweep_of(contact_case, {command.methods, command.is_quick,
+                                           command.realizations});
   const fs::path folder = command.out.empty()
                               ? fs::path("out") / contact_case.name / "bench"
                               : fs::path(command.out);
@@ -185,11 +208,14 @@ ExitCode bench_case(const BenchCommand& command) {
       {subject.file, common, folder / "runs",
        command.is_quick ? 1 : command.repeats,
        command.is_quick ? std::min(command.budget, 60.0) : command.budget});
-  fmt::print("{}: {} settings, each run {} on one thread\n", contact_case.name,
-             sweep.points.size(), command.is_quick ? "twice" : "several times");
+  fmt::print("{}: {} settings, each run {}{}\n", contact_case.name,
+             sweep.points.size(), command.is_quick ? "twice" : "several times",
+             is_scaling ? "" : " on one thread");
   Bench bench = bench_of(subject, sweep);
   run_points(bench, sweep, runner);
-  reports::analyse(bench, contact_case);
+  if (!is_scaling)
+    reports::analyse(bench, contact_case);
+  print_scaling(bench);
   if (target > 0.0 && !is_interrupted()) {
     cases::Case asked = contact_case;
     asked.methods = chosen_methods(asked, command.methods);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <utility>
 
@@ -75,20 +74,6 @@ BenchPhases phases_of(const results::Result& result,
   return phases;
 }
 
-bool are_same(const reports::BenchAnswer& one,
-              const reports::BenchAnswer& other) {
-  if (one.values.size() != other.values.size())
-    return false;
-  for (const auto& [name, values] : one.values) {
-    const auto found = other.values.find(name);
-    if (found == other.values.end() || found->second.size() != values.size() ||
-        std::memcmp(found->second.data(), values.data(),
-                    values.size() * sizeof(double)) != 0)
-      return false;
-  }
-  return true;
-}
-
 /// Returns the last line of the child's output. The title is skipped because it
 /// may come late where output is buffered.
 std::string last_words(const fs::path& log, const std::string& title) {
@@ -141,7 +126,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
                                  "--no-report",
                                  "--no-cache",
                                  "--threads",
-                                 "1",
+                                 std::to_string(point.threads),
                                  "--out",
                                  folder.string()};
   for (const std::vector<std::string>* overrides :
@@ -152,7 +137,8 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       words.push_back(one);
     }
   Once once;
-  once.end = run_self(words, log);
+  once.end = point.ranks > 1 ? run_self_on_ranks(point.ranks, words, log)
+                             : run_self(words, log);
   const bool has_result = once.end.exit_code == exit_good ||
                           once.end.exit_code == exit_not_converged;
   if (!has_result) {
@@ -218,7 +204,8 @@ void BenchRunner::run(BenchPoint& point) {
     if (!again.problem.empty())
       break;
     point.is_repeatable =
-        point.is_repeatable && are_same(runs.front().answer, again.answer);
+        point.is_repeatable &&
+        reports::have_same_bits(runs.front().answer, again.answer);
     runs.push_back(std::move(again));
   }
   point.has_warm_up = runs.size() > 1;

@@ -20,6 +20,7 @@ struct Sweep {
   std::vector<std::string> common; ///< overrides of every run
   std::vector<reports::BenchPoint> points;
   std::vector<reports::BenchSeries> series;
+  std::vector<reports::ScalingSeries> scaling;
   std::size_t reference_series = no_reference; ///< index into `series`
   std::vector<std::string> remarks;
 
@@ -41,8 +42,12 @@ struct SweepOptions {
 /// keys that it sets itself.
 Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options);
 
-/// Returns the smallest number of points per side, at least 16, even and of the
-/// form 2^a 3^b 5^c, whose grid resolves all of the roughness in the case.
+/// Returns the smallest even number of points per side that is not below
+/// `least` and 16 and of the form 2^a 3^b 5^c, for which transforms are fast.
+int transformable_points(int least);
+
+/// Returns the smallest transformable_points() whose grid resolves all of the
+/// roughness in the case.
 int least_carrying_points(const mechanics::SurfaceSpec& surface);
 
 /// Returns the overrides that apply to every run of a benchmark: the number of

@@ -24,18 +24,21 @@ bool transforms_well(int points) {
 
 } // namespace
 
+int transformable_points(int least) {
+  int points = std::max(least_points, least + least % 2);
+  while (!transforms_well(points))
+    points += 2;
+  return points;
+}
+
 int least_carrying_points(const mechanics::SurfaceSpec& surface) {
   if (!surface.length || !(surface.wavevector_high > 0.0))
     return least_points;
   constexpr double rounding = 1e-9;
   const double waves =
       surface.wavevector_high * *surface.length / (2.0 * std::numbers::pi);
-  int points =
-      std::max(least_points,
-               2 * static_cast<int>(std::floor(waves * (1 + rounding))) + 2);
-  while (!transforms_well(points))
-    points += 2;
-  return points;
+  return transformable_points(
+      2 * static_cast<int>(std::floor(waves * (1 + rounding))) + 2);
 }
 
 std::vector<std::string> common_overrides(const cases::Case& contact_case,

@@ -146,6 +146,8 @@ void read_full_block(TableReader& table, bool has_mesh,
   fem.full.linear_solver =
       table.choice("linear_solver", fem.full.linear_solver);
   fem.full.contact_at = table.choice("contact_at", fem.full.contact_at);
+  fem.full.height_interpolation =
+      table.choice("height_interpolation", fem.full.height_interpolation);
   fem.full.bodies = table.integer("bodies");
   const bool is_full = fem.solver == mechanics::FemSolver::full;
   fem.full.uses_case_mesh = is_full && has_mesh;
@@ -161,6 +163,9 @@ void read_full_block(TableReader& table, bool has_mesh,
             "linear_solver");
   only_full(fem.full.contact_at == mechanics::ContactPoints::gauss,
             "contact_at");
+  only_full(fem.full.height_interpolation !=
+                mechanics::HeightInterpolation::bicubic,
+            "height_interpolation");
   only_full(fem.full.bodies == 2, "bodies");
   if (fem.full.uses_case_mesh && !has_mesh)
     table.refuse(said_by(table, "mesh"), "the table [mesh] is missing");

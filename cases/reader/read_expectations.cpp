@@ -1,3 +1,4 @@
+#include "base/special_numbers.hpp"
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
 #include "cases/types/expectations.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace asperity::cases {
 namespace {
@@ -76,7 +76,6 @@ void read_ends(TableReader& band, Expectation& expectation) {
     expectation.high = middle + half;
     return;
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   expectation.low = band.has("above") ? band.number("above") : -infinity;
   expectation.high = band.has("below") ? band.number("below") : infinity;
   if (expectation.low > expectation.high)

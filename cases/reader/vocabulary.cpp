@@ -68,8 +68,9 @@ Table report_table() {
            .example = "true",
            .show = Show::no,
            .description = "The full 3-D block ([fem] with solver = \"full\") "
-                          "writes displacement and stress of the steps whose "
-                          "fields are saved, for ParaView."},
+                          "writes displacement and stress, and on the contact "
+                          "surface gap, pressure and contact status, of the "
+                          "steps whose fields are saved, for ParaView."},
       }};
 }
 

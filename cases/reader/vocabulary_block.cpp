@@ -208,6 +208,17 @@ std::vector<Key> full_block_keys() {
        .description = "With solver = \"full\": points at which the contact law "
                       "is evaluated; Gauss points are not available with hard "
                       "(unilateral) contact."},
+      {.name = "height_interpolation",
+       .type = ValueType::word,
+       .words = {"bicubic", "band-limited", "bilinear"},
+       .fallback = "\"bicubic\"",
+       .example = "\"band-limited\"",
+       .show = Show::no,
+       .description =
+           "With solver = \"full\": the surface at contact points between the "
+           "points of the map, such as Gauss points; band-limited is exact for "
+           "waves longer than two spacings, bilinear stays within the heights "
+           "around the point."},
       {.name = "bodies",
        .type = ValueType::integer,
        .range = between(1, 2),

@@ -1,7 +1,7 @@
 #include "contact/solvers/load_sequence.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/require.hpp"
-#include "base/rms_height.hpp"
 #include "contact/operators/chunked_sum.hpp"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/adaptive/refinement_rule.hpp"
 #include "fem/block/block_triangulation.hpp"
-#include "fem/block/meshed_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "fem/solution/meshed_block.hpp"
 
 #include <fmt/format.h>
 
@@ -119,7 +119,8 @@ private:
 /// points.
 BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   const ContactPoints& points = block_->system().contact();
-  const std::vector<double> at_points = block_->maps().at_points(step.heights);
+  const std::vector<double> at_points =
+      block_->maps().heights_at_points(step.heights);
   double mean_at_points = 0.0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
     mean_at_points += points[i].area * at_points[i];

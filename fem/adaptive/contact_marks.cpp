@@ -3,18 +3,6 @@
 #include <cmath>
 
 namespace asperity::fem {
-namespace {
-
-int periodic(int i, int n) {
-  return ((i % n) + n) % n;
-}
-
-std::size_t wrapped_index(const Grid& grid, int ix, int iy) {
-  return grid.index(periodic(ix, grid.points_x), periodic(iy, grid.points_y));
-}
-
-} // namespace
-
 ContactMarks::ContactMarks(const SurfaceFields& fields)
     : fields_(fields),
       cells_{fields.grid.points_x / fields.degree,
@@ -28,8 +16,8 @@ bool ContactMarks::is_troubled(int ix, int iy, double tolerance) const {
   bool is_partly_free = false;
   for (int j = 0; j <= fields_.degree; ++j)
     for (int i = 0; i <= fields_.degree; ++i) {
-      const std::size_t node = wrapped_index(
-          fields_.grid, ix * fields_.degree + i, iy * fields_.degree + j);
+      const std::size_t node = fields_.grid.periodic_index(
+          ix * fields_.degree + i, iy * fields_.degree + j);
       const double gap = fields_.gap[node];
       const bool is_pressed = fields_.pressure[node] > 0.0;
       if (is_pressed ? std::abs(gap) > tolerance : gap < 0.0)
@@ -45,13 +33,13 @@ void ContactMarks::examine(const CellRange& face) {
   for (int iy = face.first_y; iy < face.last_y; ++iy)
     for (int ix = face.first_x; ix < face.last_x; ++ix)
       if (is_troubled(ix, iy, tolerance))
-        marked_[wrapped_index(cells_, ix, iy)] = 1;
+        marked_[cells_.periodic_index(ix, iy)] = 1;
 }
 
 bool ContactMarks::is_marked_near(const CellRange& range) const {
   for (int iy = range.first_y - 1; iy <= range.last_y; ++iy)
     for (int ix = range.first_x - 1; ix <= range.last_x; ++ix)
-      if (marked_[wrapped_index(cells_, ix, iy)] != 0)
+      if (marked_[cells_.periodic_index(ix, iy)] != 0)
         return true;
   return false;
 }
@@ -60,7 +48,7 @@ bool ContactMarks::is_touched(const CellRange& range) const {
   const int degree = fields_.degree;
   for (int iy = range.first_y * degree; iy <= range.last_y * degree; ++iy)
     for (int ix = range.first_x * degree; ix <= range.last_x * degree; ++ix) {
-      const std::size_t node = wrapped_index(fields_.grid, ix, iy);
+      const std::size_t node = fields_.grid.periodic_index(ix, iy);
       if (fields_.pressure[node] > 0.0 || fields_.gap[node] <= 0.0)
         return true;
     }

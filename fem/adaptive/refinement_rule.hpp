@@ -5,7 +5,7 @@
 
 #include "fem/adaptive/contact_marks.hpp"
 #include "fem/adaptive/mesh_change.hpp"
-#include "fem/block/meshed_block.hpp"
+#include "fem/solution/meshed_block.hpp"
 
 #include <span>
 #include <vector>

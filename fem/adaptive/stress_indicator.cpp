@@ -1,6 +1,6 @@
 #include "fem/adaptive/stress_indicator.hpp"
 
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
 
 #include <deal.II/fe/fe_q.h>
 

@@ -38,6 +38,8 @@ struct BlockProblem {
   /// block may tilt.
   mechanics::BlockSides sides = mechanics::BlockSides::periodic;
   mechanics::ContactPoints contact_at = mechanics::ContactPoints::nodes;
+  mechanics::HeightInterpolation height_interpolation =
+      mechanics::HeightInterpolation::bicubic;
   LinearSolver linear_solver = LinearSolver::automatic;
 
   /// The second body, if it is meshed as well: the mirror image of the first

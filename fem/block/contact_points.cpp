@@ -1,6 +1,5 @@
 #include "fem/block/contact_points.hpp"
 
-#include "fem/block/block_triangulation.hpp"
 #include "fem/block/place_map.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -22,20 +21,6 @@ using meshes::FaceGroup;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double same_place = 1e-6; // in node spacings
-
-/// Calls `visit(cell, face number)` for each face on the contact surface of the
-/// locally owned cells of the first body.
-template <typename Visitor>
-void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
-  for (const auto& cell : space.dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned() || cell->center()[2] < 0.0)
-      continue;
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() &&
-          cell->face(f)->boundary_id() == boundary_of(FaceGroup::contact))
-        visit(cell, f);
-  }
-}
 
 } // namespace
 
@@ -121,6 +106,17 @@ ContactPoints::row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
   std::erase_if(row,
                 [&](const auto& entry) { return is_roundoff(entry.second); });
   return with_counter(std::move(row));
+}
+
+std::size_t ContactPoints::nearest_on_face(std::size_t first,
+                                           const Point<2>& place) const {
+  const std::size_t end = first + space_.face_quadrature().size();
+  std::size_t nearest = first;
+  for (std::size_t i = first + 1; i < end; ++i)
+    if (points_[i].place.distance(place) <
+        points_[nearest].place.distance(place))
+      nearest = i;
+  return nearest;
 }
 
 void ContactPoints::take_nodes(const Grid& grid) {

@@ -6,6 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
+#include "fem/block/block_triangulation.hpp"
 
 #include <span>
 #include <utility>
@@ -15,6 +16,21 @@ namespace asperity::fem {
 
 /// The values of the shape functions, by unconstrained unknown u_z.
 using FaceRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+/// Calls `visit(cell, face number)` for each face on the contact surface of the
+/// locally owned cells of the first body.
+template <typename Visitor>
+void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
+  for (const auto& cell : space.dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->center()[2] < 0.0)
+      continue;
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() &&
+          cell->face(f)->boundary_id() ==
+              boundary_of(meshes::FaceGroup::contact))
+        visit(cell, f);
+  }
+}
 
 /// One point of the contact surface.
 struct ContactPoint {
@@ -29,8 +45,8 @@ struct ContactPoint {
 };
 
 /// The contact points of this rank: node-wise those of its own unknowns,
-/// otherwise the Gauss points on the faces of its own cells. Sums over points
-/// extend over all ranks.
+/// otherwise the Gauss points on the faces of its own cells, face by face in
+/// the order of for_contact_faces. Sums over points extend over all ranks.
 ///
 ///     w = B u [m],    f = B^T (a p) [N],    a = area of each point    (F.2)
 ///
@@ -74,6 +90,11 @@ public:
   /// body.
   FaceRow row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
                  const dealii::Point<3>& unit) const;
+
+  /// The Gauss point nearest to a place among those of one face.
+  /// @param first  index of the first point of the face
+  std::size_t nearest_on_face(std::size_t first,
+                              const dealii::Point<2>& place) const;
 
 private:
   void find_counter();

@@ -157,8 +157,8 @@ public:
   /// Solves one load step, starting from the displacement at the end of the
   /// last call.
   /// @param heights  grid().size() values [m]; used exactly at points that are
-  ///                 nodes of the grid and interpolated by periodic bicubic
-  ///                 convolution elsewhere
+  ///                 nodes of the grid and interpolated elsewhere, as
+  ///                 BlockProblem::height_interpolation says
   /// @throws std::domain_error  an argument is outside its range or not finite
   virtual BlockSolution solve(std::span<const double> heights,
                               const mechanics::LoadTarget& load,
@@ -176,8 +176,9 @@ public:
   virtual std::vector<double> section(const SectionPlane& plane) const = 0;
 
   /// Writes the last solution as a further step for ParaView:
-  /// <stem>_<step>.pvtu with its parts .vtu, and <stem>.pvd over the steps.
-  /// Each file is written completely or not at all. block_output.hpp lists the
+  /// <stem>_<step>.pvtu with its parts .vtu, <stem>.pvd over the steps, and the
+  /// same for the contact surface as <stem>_surface. Each file is written
+  /// completely or not at all. block_output.hpp and surface_output.hpp list the
   /// fields.
   /// @param folder_and_stem  for example "out/block"; the folder is created if
   ///                         necessary

@@ -1,5 +1,6 @@
 #include "fem/multigrid/cell_kernel.hpp"
 
+#include "base/simd_pack.hpp"
 #include "fem/multigrid/box_stiffness.hpp"
 
 #include <array>
@@ -12,15 +13,6 @@
 namespace asperity::fem {
 namespace {
 
-/// Numbers of neighbouring cells along x, as many as fit into `bytes`.
-template <class Number, std::size_t bytes>
-struct CellPack {
-  typedef Number Type __attribute__((vector_size(bytes)));
-  /// The same at any place of a vector.
-  typedef Number Unaligned
-      __attribute__((vector_size(bytes), aligned(sizeof(Number)), may_alias));
-};
-
 /// The values after one cell: {last of `before`, all but the last of `here`}.
 template <class Pack, std::size_t... lane>
 [[gnu::always_inline]] inline void shift_up(const Pack& before,
@@ -32,12 +24,13 @@ template <class Pack, std::size_t... lane>
 
 template <int degree, class Number, bool has_shear, std::size_t bytes>
 struct Cells {
-  using Pack = typename CellPack<Number, bytes>::Type;
-  using Unaligned = typename CellPack<Number, bytes>::Unaligned;
+  /// The numbers of neighbouring cells along x.
+  using Pack = typename SimdPack<Number, bytes>::Type;
+  using Unaligned = typename SimdPack<Number, bytes>::Unaligned;
   static constexpr std::size_t nodes = degree + 1;
   static constexpr std::size_t lines = 3 * nodes * nodes; ///< along x
   static constexpr std::size_t size = lines * nodes;
-  static constexpr std::size_t lanes = bytes / sizeof(Number);
+  static constexpr std::size_t lanes = SimdPack<Number, bytes>::lanes;
   static constexpr ParitySlots<degree> slots{};
 
   [[gnu::always_inline]] static std::size_t
@@ -187,10 +180,9 @@ multiply_on_avx512(const LayerProduct<Number>& layer) {
 template <int degree, class Number, bool has_shear>
 auto multiply_here() {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+  if (has_avx512())
     return multiply_on_avx512<degree, Number, has_shear>;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (has_avx2_and_fma())
     return multiply_on_avx2<degree, Number, has_shear>;
 #endif
   return multiply_on_any<degree, Number, has_shear>;

@@ -1,5 +1,7 @@
 #include "fem/multigrid/hexahedron_kernel.hpp"
 
+#include "base/simd_pack.hpp"
+
 #include <array>
 
 // The values of a line of nodes stay in registers, so its loops are unrolled.
@@ -21,8 +23,8 @@ constexpr std::array<double, 3> gauss_weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 
 template <class Number, std::size_t bytes>
 struct Hexahedra {
-  typedef Number Pack __attribute__((vector_size(bytes)));
-  static constexpr std::size_t lanes = bytes / sizeof(Number);
+  using Pack = typename SimdPack<Number, bytes>::Type;
+  static constexpr std::size_t lanes = SimdPack<Number, bytes>::lanes;
   static constexpr std::size_t nodes = nodes_in_hexahedron;
 
   struct Three {
@@ -270,10 +272,9 @@ multiply_on_avx512(const HexahedronProduct<Number>& product) {
 template <class Number>
 auto multiply_here() {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+  if (has_avx512())
     return multiply_on_avx512<Number>;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (has_avx2_and_fma())
     return multiply_on_avx2<Number>;
 #endif
   return multiply_on_any<Number>;

@@ -20,6 +20,7 @@ enum class OrderKind : int {
   section, ///< numbers: the plane
   write,   ///< text: folder and stem of the files
   drop,    ///< the block is no longer needed
+  command, ///< text: a command of the program that is about no block
   quit,    ///< rank 0 has ended
 };
 

@@ -165,7 +165,7 @@ void eliminate_on_any(const Waves& waves, SimdBatch* block) {
 
 auto eliminate_here() {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2"))
+  if (has_avx2())
     return eliminate_on_avx2;
 #endif
   return eliminate_on_any;

@@ -4,6 +4,8 @@
 // numbers that the compiler maps to SIMD vectors. Loops over wavevectors are
 // elsewhere.
 
+#include "base/simd_pack.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -14,7 +16,7 @@ constexpr std::size_t lanes = 4;
 
 /// A SIMD batch that holds one number for each wavevector; + - * / act on every
 /// lane.
-using SimdBatch = double __attribute__((vector_size(lanes * sizeof(double))));
+using SimdBatch = SimdPack<double, lanes * sizeof(double)>::Type;
 
 /// Number of entries in the lower triangle of a symmetric n x n matrix.
 constexpr std::size_t triangle(std::size_t n) {

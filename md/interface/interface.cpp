@@ -2,6 +2,7 @@
 
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
+#include "base/special_numbers.hpp"
 #include "md/interface/interface_kernel.hpp"
 #include "md/interface/substrate.hpp"
 
@@ -103,8 +104,7 @@ AtomSum Interface::Kernel::sum_of_atom(const LayerView& atoms, int ix,
                                        int iy) const {
   const std::size_t i = layer.index(ix, iy);
   if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan, nan};
+    return {not_a_number, not_a_number, not_a_number, not_a_number};
   }
   const double z = atoms.z[i] / interaction.distance;
   return sum_window(law, substrate.window(point(atoms, ix, iy), z),
@@ -134,8 +134,8 @@ void Interface::Kernel::second_derivatives_of_row(
     const std::size_t i = layer.index(ix, iy);
     SymmetricBlock& block = blocks[i];
     if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
-      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      block = {nan, nan, nan, nan, nan, nan};
+      block = {not_a_number, not_a_number, not_a_number,
+               not_a_number, not_a_number, not_a_number};
       continue;
     }
     const double z = atoms.z[i] / interaction.distance;

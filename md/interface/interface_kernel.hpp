@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace asperity::md {
 
@@ -56,8 +57,8 @@ struct AtomSum {
   double z = 0.0;
 };
 
-/// Sums over the window with four lanes on processors with AVX2 and two lanes
-/// otherwise. Both give bitwise identical results.
+/// Sums over the window with the widest vectors of the processor: two, four or
+/// eight lanes. All give bitwise identical results.
 /// @param spacing  of the substrate [r_0]
 /// @param z        height of the atom [r_0]
 AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
@@ -74,9 +75,9 @@ SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
                                       const Window& window, double spacing,
                                       double z);
 
-/// Runs the two-lane version of sum_window(), which is used on processors
-/// without AVX2.
-AtomSum sum_two_wide(const ReducedLaw& law, const Window& window,
-                     double spacing, double z);
+/// The sum by each width that this processor has, two lanes first.
+std::vector<AtomSum> sums_of_all_widths(const ReducedLaw& law,
+                                        const Window& window, double spacing,
+                                        double z);
 
 } // namespace asperity::md

@@ -14,10 +14,6 @@ std::size_t as_index(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-int wrapped(int i, int points) {
-  return ((i % points) + points) % points;
-}
-
 } // namespace
 
 Substrate::Substrate(const Grid& grid, std::span<const double> heights,
@@ -38,9 +34,7 @@ void Substrate::pad(const Grid& grid, std::span<const double> heights,
   padded_.reserve(as_index(stride_ * stride_));
   for (int iy = -margin_; iy < grid.points_y + margin_; ++iy)
     for (int ix = -margin_; ix < grid.points_x + margin_; ++ix)
-      padded_.push_back(heights[grid.index(wrapped(ix, grid.points_x),
-                                           wrapped(iy, grid.points_y))] /
-                        unit);
+      padded_.push_back(heights[grid.periodic_index(ix, iy)] / unit);
 }
 
 // Computes the maximum over a square around each block, separably in x and y.

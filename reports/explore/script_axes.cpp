@@ -1,12 +1,12 @@
 #include "reports/explore/script_axes.hpp"
 
+#include "base/special_numbers.hpp"
 #include "reports/explore/chart_of_script.hpp"
 #include "reports/explore/script_curves.hpp"
 #include "reports/explore/script_words.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -52,7 +52,6 @@ struct Corner {
 
   /// Value of x; infinite at the left and right edge of the plot.
   double value_of_x() const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!has_share_of_x)
       return x;
     if (x != 0.0 && x != 1.0)

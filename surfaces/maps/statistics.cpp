@@ -1,7 +1,7 @@
 #include "surfaces/maps/statistics.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/require.hpp"
-#include "base/rms_height.hpp"
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>

@@ -113,7 +113,74 @@ TEST_F(CachedProgram, TheCacheIsShownAndCleared) {
   const Ended cleared = run("cache --clear");
 
   EXPECT_NE(cleared.output.find("\n0 entries"), std::string::npos);
-  EXPECT_EQ(computed(""), all_steps);
+  EXPECT_EQ(computed("--out again"), all_steps);
+}
+
+bool is_kept(const Ended& run) {
+  return run.output.find(" is up to date") != std::string::npos;
+}
+
+// The second run writes nothing, and answers as the first one did, by text and
+// exit code, also where an expectation is not met.
+TEST_F(CachedProgram, AnUnchangedFolderIsKept) {
+  write("small.toml",
+        small_case +
+            "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n");
+  const Ended first = run("run small.toml --out o");
+  ASSERT_EQ(first.exit_code, 1) << first.output;
+  const auto written = std::filesystem::last_write_time(folder / "o/result.h5");
+
+  const Ended second = run("run small.toml --out o");
+
+  EXPECT_TRUE(is_kept(second)) << second.output;
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "o/result.h5"), written);
+  EXPECT_FALSE(std::filesystem::exists(folder / "o/result.previous.h5"));
+  const std::size_t findings = first.output.find("kappa ");
+  ASSERT_NE(findings, std::string::npos);
+  EXPECT_NE(second.output.find(first.output.substr(findings)),
+            std::string::npos)
+      << second.output;
+}
+
+// Whatever the files of the folder depend on, or a file itself, changes.
+TEST_F(CachedProgram, AChangeIsNoticed) {
+  const std::string again = "run small.toml --methods theory --out o";
+  const auto expect_run = [&](const std::string& change,
+                              const std::string& arguments = "") {
+    const Ended changed = run(again + arguments);
+    EXPECT_EQ(changed.exit_code, 0) << changed.output;
+    EXPECT_FALSE(is_kept(changed)) << change;
+    EXPECT_EQ(computed(changed), arguments == " --no-cache" ? 4 : 0) << change;
+    EXPECT_TRUE(is_kept(run(again)) || !arguments.empty()) << change;
+  };
+  ASSERT_EQ(run(again).exit_code, 0);
+  ASSERT_TRUE(is_kept(run(again)));
+
+  std::filesystem::remove(folder / "o/curves.csv");
+  expect_run("a table was deleted");
+  write("o/report.html", "<html>");
+  expect_run("the report was overwritten");
+  write("o/output.json", "{");
+  expect_run("the list of files is damaged");
+  std::string titled = small_case;
+  titled.replace(titled.find("small"), 5, "other");
+  write("small.toml", titled);
+  expect_run("the title");
+  expect_run("options", " --no-report");
+  expect_run("everything is computed", " --no-cache");
+}
+
+TEST_F(CachedProgram, AnInterruptedRunIsNotKept) {
+  const std::string arguments =
+      "run small.toml --set surface.points=512 --methods halfspace --out o";
+  ASSERT_EQ(interrupt(arguments, "o/result.journal").exit_code, 130);
+  EXPECT_FALSE(std::filesystem::exists(folder / "o/output.json"));
+
+  const Ended again = run(arguments);
+
+  EXPECT_FALSE(is_kept(again)) << again.output;
+  EXPECT_EQ(again.exit_code, 0) << again.output;
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "tests/app/folder.hpp"
+#include "tests/app/rough_case.hpp"
 #include "tests/app/same_bits.hpp"
 
 namespace asperity::app {
@@ -21,34 +22,13 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-const std::string pressed_case = R"(schema = 1
-title = "pressed"
-[surface]
-kind = "self-affine"
-length = "1 um"
-points = 32
-seed = 3
-realizations = 2
-rms_slope = 0.1
-hurst = 0.8
-wavelength_long = "1 length"
-wavelength_roll_off = "0.25 length"
-wavelength_short = "8 h"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = [ "1e-3 E*", "4e-3 E*", "1e-2 E*", "4e-2 E*" ]
-[theory]
-gamma = 0.42
-[halfspace]
+const std::string pressed_case =
+    rough_case("pressed", 32, four_loads, R"([halfspace]
 contact = "hard"
 [halfspace.soft]
 contact = "penalty"
 penalty = "100 E*/h"
-[report]
-fields = 1
-)";
+)");
 
 // The theory once, two elastic methods on two realisations, four loads each.
 constexpr int a_method = 2 * 4;

@@ -1,13 +1,13 @@
 // Tests of app/methods/curve_row.hpp: no map ends a run. For any fields there
 // is a row, in which a missing number is NaN with a reason in the note.
 #include "app/methods/curve_row.hpp"
+#include "base/special_numbers.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,8 +15,6 @@ namespace asperity::app {
 namespace {
 
 constexpr int points = 16;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using PressureAt = std::function<double(int node)>;
 
@@ -52,10 +50,10 @@ TEST(CurveRow, OfAnyFieldsIsARow) {
       [](int node) { return 1e6 + node; },
       [](int node) { return node == 7 ? 1e6 : 0.0; },
       [](int node) { return (node + node / points) % 2 == 0 ? 1e6 : 0.0; },
-      [](int node) { return node == 7 ? none : 1e6; },
+      [](int node) { return node == 7 ? not_a_number : 1e6; },
       [](int node) { return node == 7 ? infinity : 0.0; },
       [](int node) { return node == 7 ? -infinity : 1e6; },
-      [](int) { return none; },
+      [](int) { return not_a_number; },
       [](int node) { return 1e308 * (1.0 + node % 2 * 0.5); },
       [](int node) { return 5e-324 * (node % 2); },
       [](int node) { return node % 2 == 0 ? 1.0 : -1.0; },
@@ -104,7 +102,7 @@ TEST(CurveRow, OfANonFiniteStepDidNotConverge) {
   EXPECT_EQ(good.row.note, "");
   EXPECT_EQ(good.gap.size(), 2U);
 
-  const StepAnswer no_gap = answer_of(none, 1e-9);
+  const StepAnswer no_gap = answer_of(not_a_number, 1e-9);
   EXPECT_EQ(no_gap.row.status, results::StepStatus::not_converged);
   EXPECT_EQ(no_gap.row.note,
             "the mean gap or the nominal pressure is not finite");

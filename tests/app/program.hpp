@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include "tests/app/folder.hpp"
+#include "tests/app/rough_case.hpp"
 
 namespace asperity::app {
 
@@ -61,33 +62,14 @@ protected:
 };
 
 /// A case that takes seconds: every method, two realisations, four loads.
-inline const std::string small_case = R"(schema = 1
-title = "small"
-[surface]
-kind = "self-affine"
-length = "1 um"
-points = 64
-seed = 3
-realizations = 2
-rms_slope = 0.1
-hurst = 0.8
-wavelength_long = "1 length"
-wavelength_roll_off = "0.25 length"
-wavelength_short = "8 h"
-[material]
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.3
-[load]
-nominal_pressure = { from = "1e-3 E*", to = "5e-2 E*", steps = 4, spacing = "log" }
-[theory]
-gamma = 0.42
-[halfspace]
+inline const std::string small_case = rough_case(
+    "small", 64,
+    R"({ from = "1e-3 E*", to = "5e-2 E*", steps = 4, spacing = "log" })",
+    R"([halfspace]
 contact = "hard"
 [fem]
 contact = "penalty"
 penalty = "100 E*/h"
-[report]
-fields = 1
-)";
+)");
 
 } // namespace asperity::app

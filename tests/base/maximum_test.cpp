@@ -1,11 +1,11 @@
 // Tests of base/maximum.hpp and of the comparison of fields that uses it: a NaN
 // is never overlooked, wherever it is.
 #include "base/maximum.hpp"
+#include "base/special_numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tests/base/fields.hpp"
@@ -13,17 +13,14 @@
 namespace asperity {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(Maximum, IsTheLargerOrNaN) {
   EXPECT_EQ(maximum(1.0, 2.0), 2.0);
   EXPECT_EQ(maximum(2.0, -3.0), 2.0);
   EXPECT_EQ(maximum(-infinity, infinity), infinity);
-  EXPECT_TRUE(std::isnan(maximum(nan, 1.0)));
-  EXPECT_TRUE(std::isnan(maximum(1.0, nan)));
-  EXPECT_TRUE(std::isnan(maximum(nan, infinity)));
-  EXPECT_TRUE(std::isnan(maximum(infinity, nan)));
+  EXPECT_TRUE(std::isnan(maximum(not_a_number, 1.0)));
+  EXPECT_TRUE(std::isnan(maximum(1.0, not_a_number)));
+  EXPECT_TRUE(std::isnan(maximum(not_a_number, infinity)));
+  EXPECT_TRUE(std::isnan(maximum(infinity, not_a_number)));
 }
 
 TEST(LargestMagnitude, DetectsANaNAnywhere) {
@@ -31,7 +28,7 @@ TEST(LargestMagnitude, DetectsANaNAnywhere) {
   EXPECT_EQ(largest_magnitude(std::vector{1.0, -3.0, 2.0}), 3.0);
   for (std::size_t at = 0; at < 4; ++at) {
     std::vector<double> values{1.0, -3.0, 2.0, infinity};
-    values[at] = nan;
+    values[at] = not_a_number;
     EXPECT_TRUE(std::isnan(largest_magnitude(values))) << at;
   }
 }
@@ -42,7 +39,7 @@ TEST(LargestDifference, IsSmallForEqualFieldsOnly) {
   EXPECT_EQ(tests::largest_difference(field, std::vector{1.0, 2.5, 3.0}), 0.5);
   for (std::size_t at = 0; at < field.size(); ++at) {
     std::vector<double> broken = field;
-    broken[at] = nan;
+    broken[at] = not_a_number;
     EXPECT_FALSE(tests::largest_difference(field, broken) < 1e300) << at;
     EXPECT_FALSE(tests::largest_difference(broken, broken) < 1e300) << at;
   }

@@ -7,40 +7,41 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity {
 namespace {
 
-template <class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Require, NamesArgumentValueAndRange) {
-  EXPECT_EQ(message_of([] { require_positive("radius", -2.5, "m"); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { require_positive("radius", -2.5, "m"); }),
             "radius = -2.5, but must be finite and > 0 [m]");
-  EXPECT_EQ(message_of([] { require_not_negative("load", -1e-9, "N"); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { require_not_negative("load", -1e-9, "N"); }),
             "load = -1e-09, but must be finite and >= 0 [N]");
-  EXPECT_EQ(message_of([] { require_between("hurst", 1.5, 0.0, 1.0, "1"); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { require_between("hurst", 1.5, 0.0, 1.0, "1"); }),
             "hurst = 1.5, but must be between 0 and 1 [1]");
 }
 
 TEST(Require, RefusesWhatIsNotANumber) {
-  EXPECT_NE(message_of([] { require_positive("x", NAN, "1"); }), "accepted");
-  EXPECT_NE(message_of([] { require_not_negative("x", INFINITY, "1"); }),
+  EXPECT_NE(tests::message_of<std::domain_error>(
+                [] { require_positive("x", NAN, "1"); }),
             "accepted");
-  EXPECT_NE(message_of([] { require_between("x", NAN, 0.0, 1.0, "1"); }),
+  EXPECT_NE(tests::message_of<std::domain_error>(
+                [] { require_not_negative("x", INFINITY, "1"); }),
+            "accepted");
+  EXPECT_NE(tests::message_of<std::domain_error>(
+                [] { require_between("x", NAN, 0.0, 1.0, "1"); }),
             "accepted");
 }
 
 TEST(Require, AcceptsTheEndsOfARange) {
-  EXPECT_EQ(message_of([] { require_between("x", 1.0, 0.0, 1.0, "1"); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { require_between("x", 1.0, 0.0, 1.0, "1"); }),
             "accepted");
-  EXPECT_EQ(message_of([] { require_not_negative("x", 0.0, "1"); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { require_not_negative("x", 0.0, "1"); }),
             "accepted");
 }
 

@@ -204,6 +204,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"", "fem.sides=free", "needs solver = \"full\""},
         Refused{"", "fem.bodies=2", "needs solver = \"full\""},
         Refused{"", "fem.linear_solver=fourier", "needs solver = \"full\""},
+        Refused{"", "fem.height_interpolation=bilinear",
+                "needs solver = \"full\""},
+        Refused{"", "fem.height_interpolation=linear",
+                "must be bicubic | band-limited | bilinear"},
         Refused{"", "fem.mesh=case", "the table [mesh] is missing"},
         Refused{"[fem.whole]\nsolver = \"full\"\ncontact = \"hard\"\n"
                 "contact_at = \"gauss\"\n",
@@ -245,6 +249,22 @@ TEST(Block, HalvesCellsAtTheContact) {
 
   EXPECT_EQ(read.mesh.kind, mechanics::MeshKind::adaptive);
   EXPECT_EQ(read.mesh.halvings, 1);
+}
+
+TEST(Block, InterpolatesHeightsAsTheCaseStates) {
+  using mechanics::HeightInterpolation;
+  const auto chosen = [](const std::string& line) {
+    const Case read = block("[fem.whole]\nsolver = \"full\"\n" + line);
+    const auto& fem =
+        std::get<mechanics::FemSettings>(read.methods.back().settings);
+    return fem.full.height_interpolation;
+  };
+
+  EXPECT_EQ(chosen(""), HeightInterpolation::bicubic);
+  EXPECT_EQ(chosen("height_interpolation = \"band-limited\"\n"),
+            HeightInterpolation::band_limited);
+  EXPECT_EQ(chosen("height_interpolation = \"bilinear\"\n"),
+            HeightInterpolation::bilinear);
 }
 
 const std::string gmsh = "[mesh]\nkind = \"gmsh\"\ngeometry = ";

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <unistd.h>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::cases {
 namespace {
 
@@ -21,12 +23,7 @@ protected:
   }
 
   std::string mistake(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const input::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::message_of<input::InputError>([&] { read(text); });
   }
 
   std::filesystem::path file =

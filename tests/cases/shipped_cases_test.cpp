@@ -370,6 +370,7 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "fem.sides",
                                            "fem.linear_solver",
                                            "fem.contact_at",
+                                           "fem.height_interpolation",
                                            "fem.bodies",
                                            "material.layers",
                                            "report.fields",

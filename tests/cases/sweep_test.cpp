@@ -12,6 +12,7 @@
 #include <string>
 
 #include "case_samples.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::cases {
 namespace {
@@ -39,12 +40,8 @@ protected:
 
   std::string mistake(const std::string& lines,
                       const std::vector<std::string>& overrides = {}) const {
-    try {
-      (void)read(lines, overrides);
-    } catch (const input::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::message_of<input::InputError>(
+        [&] { (void)read(lines, overrides); });
   }
 
   void expect_mistake(const std::string& lines,

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "tests/cases/case_samples.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::cases {
 namespace {
@@ -24,12 +25,8 @@ std::string repeated(const std::string& part, int count) {
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    (void)parse_toml(text, "case.toml");
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>(
+      [&] { (void)parse_toml(text, "case.toml"); });
 }
 
 std::string one_mistake(const std::string& what) {

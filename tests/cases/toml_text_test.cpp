@@ -7,16 +7,14 @@
 
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::cases {
 namespace {
 
 std::string error_of(const std::string& text) {
-  try {
-    (void)parse_toml(text, "case.toml");
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>(
+      [&] { (void)parse_toml(text, "case.toml"); });
 }
 
 struct Overridden {

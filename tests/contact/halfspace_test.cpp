@@ -1,13 +1,13 @@
 // Tests of contact/operators/halfspace.hpp and
 // contact/operators/fourier_operator.hpp.
 #include "base/maximum.hpp"
+#include "base/special_numbers.hpp"
 #include "contact/operators/halfspace.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -16,8 +16,6 @@ namespace asperity::contact {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Source: reference/contact.md, nu = 0.3, to its printed digits.
 TEST(SlabFactor, HasThePublishedValuesForTheLongestWave) {

@@ -5,6 +5,7 @@
 // megametres and terapascals, flat, spiked and huge heights, numbers that are
 // not finite, loads up to 10 E*, grids from one node on, and one to three
 // threads. ASPERITY_INSTANCES sets their number.
+#include "base/special_numbers.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -25,9 +26,6 @@ namespace asperity::contact {
 namespace {
 
 using Kind = mechanics::Control;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Solve = ContactSolution (*)(SurfaceOperator&, const ContactProblem&,
                                   const mechanics::LoadTarget&,
@@ -115,8 +113,9 @@ mechanics::ElasticBlock block_of(const Grid& grid, double modulus, Dice& dice) {
 /// Puts a number that is not finite, or a scale that overflows, at a random
 /// place.
 void make_invalid(Instance& instance, Dice& dice) {
-  const double bad = std::array{nan, infinity, -infinity, 1e300, -1e300, 1e-310}
-      [static_cast<std::size_t>(dice.pick(6))];
+  const double bad =
+      std::array{not_a_number, infinity, -infinity, 1e300, -1e300, 1e-310}
+          [static_cast<std::size_t>(dice.pick(6))];
   std::vector<double>& field =
       dice.is_one_in(2) ? instance.heights : instance.start;
   if (field.empty())

@@ -1,19 +1,17 @@
 // Tests of the number of iterations of contact/solvers/solver.hpp and of
 // bitwise equality on one and two threads. Counts, unlike times, are the same
 // on every machine up to roundoff.
+#include "base/special_numbers.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ContactSolution step_on(int points, double pressure, int threads) {
   const Grid grid{points, points, 1.0, 1.0};

@@ -1,6 +1,7 @@
 // Tests of contact/operators/layered_compliance.hpp against closed forms of
 // slabs and of a coating in fifty digits, against limits, and against the
 // monotonicity in the moduli of the layers.
+#include "base/special_numbers.hpp"
 #include "contact/operators/layered_compliance.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -18,7 +18,6 @@ namespace {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array far_boundaries{mechanics::FarBoundary::clamped,
                                     mechanics::FarBoundary::sliding,
                                     mechanics::FarBoundary::pressure};

@@ -1,6 +1,7 @@
 // Verifies that for any number that is not finite in a contact solver the
 // solution either passes an independent check or is not converged with a
 // reason, and that no solver ends by an exception.
+#include "base/special_numbers.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "tests/contact/faulty_operator.hpp"
@@ -22,9 +22,6 @@ namespace {
 using problems::Fault;
 using problems::FaultyOperator;
 using Kind = mechanics::Control;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Solve = ContactSolution (*)(SurfaceOperator&, const ContactProblem&,
                                   const mechanics::LoadTarget&,
@@ -78,7 +75,7 @@ TEST_F(FaultyContact, NoSolverConvergesOnANumberThatIsNotFinite) {
   for (const Solver& solver : solvers)
     for (const auto call : {Fault::Call::displacement, Fault::Call::change,
                             Fault::Call::estimate})
-      for (const double value : {nan, infinity, -infinity})
+      for (const double value : {not_a_number, infinity, -infinity})
         for (const bool is_whole : {false, true})
           for (int after = 0; after < 12; ++after)
             for (const mechanics::LoadTarget target :
@@ -115,10 +112,10 @@ TEST_F(FaultyContact, ALoadSequenceContinuesAfterAFault) {
        {mechanics::ContactLaw::hard, mechanics::ContactLaw::augmented})
     for (int after = 0; after < 30; after += 3) {
       SCOPED_TRACE(after);
-      LoadSequence sequence(
-          std::make_unique<FaultyOperator>(
-              exact, Fault{Fault::Call::displacement, after, 1, true, nan}),
-          heights, {law, 1e3}, tolerance, 500);
+      LoadSequence sequence(std::make_unique<FaultyOperator>(
+                                exact, Fault{Fault::Call::displacement, after,
+                                             1, true, not_a_number}),
+                            heights, {law, 1e3}, tolerance, 500);
       for (const double pressure : {0.02, 0.03, 0.05, 0.08}) {
         const mechanics::LoadTarget target{Kind::nominal_pressure, pressure};
         expect_verified_or_failed(sequence.solve(target),
@@ -176,7 +173,7 @@ TEST_F(FaultyContact, ASavedStateThatIsNotFiniteIsRefused) {
   LoadSequence sequence(exact.clone(), heights,
                         {mechanics::ContactLaw::hard, 0.0}, tolerance, 500);
   sequence.solve({Kind::nominal_pressure, 0.05});
-  for (const double bad : {nan, infinity, -infinity}) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
     std::vector<double> memory = sequence.memory();
     memory.back() = bad;
     LoadSequence other(exact.clone(), heights,
@@ -196,7 +193,7 @@ TEST_F(FaultyContact, TheCheckItselfDetectsEachFault) {
     return problems::complementarity_error(exact, given, answer);
   };
   ASSERT_LE(error_of(problem, good), 1.01 * tolerance);
-  for (const double bad : {nan, infinity, -infinity})
+  for (const double bad : {not_a_number, infinity, -infinity})
     for (const std::size_t at : {std::size_t{0}, heights.size() - 1}) {
       ContactSolution answer = good;
       answer.pressure[at] = bad;

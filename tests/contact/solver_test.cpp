@@ -1,12 +1,12 @@
 // Tests of contact/solvers/solver.hpp with problems whose solution is known
 // independently.
+#include "base/special_numbers.hpp"
 #include "contact/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -18,8 +18,6 @@ namespace {
 
 using std::numbers::pi;
 using Kind = mechanics::Control;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 FourierOperator unit_halfspace(const Grid& grid) { // E* = 1 Pa
   return halfspace_operator(grid, {1.0, 0.0, infinity, {}});

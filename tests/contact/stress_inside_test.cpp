@@ -1,6 +1,7 @@
 // Tests of contact/operators/stress_inside.hpp: the stress agrees with Hertz's,
 // is in balance, satisfies the conditions of the far boundary, and stores the
 // work done on the surface.
+#include "base/special_numbers.hpp"
 #include "contact/operators/stress_inside.hpp"
 #include "theory/exact/hertz_stress.hpp"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -17,7 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double modulus = 2.0;
 
 std::vector<double> oblique_wave(const Grid& grid, int jx, int jy) {

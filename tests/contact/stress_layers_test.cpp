@@ -3,6 +3,7 @@
 // continuous across interfaces, it stores the work done on the surface, and it
 // describes the bending of a stiff coating.
 #include "base/maximum.hpp"
+#include "base/special_numbers.hpp"
 #include "contact/operators/stress_inside.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "tests/base/fields.hpp"
@@ -20,7 +20,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array far_boundaries{mechanics::FarBoundary::clamped,
                                     mechanics::FarBoundary::sliding,
                                     mechanics::FarBoundary::pressure};

@@ -3,7 +3,7 @@
 // A small problem with its solutions, for the tests of the exchange of problems
 // and answers.
 
-#include "base/rms_height.hpp"
+#include "base/field_sums.hpp"
 #include "contact/solvers/solver.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "meshes/hanging_mesh.hpp"
 #include "theory/exact/hertz.hpp"
 
+#include <deal.II/base/multithread_info.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 #include "tests/fem/rough_surface.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::fem {
 namespace {
@@ -288,13 +290,36 @@ TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   });
 }
 
-std::string refusal(const BlockProblem& problem) {
-  try {
-    static_cast<void>(make_adaptive_block(problem));
-  } catch (const std::domain_error& error) {
-    return error.what();
+// The number of deal.II's threads changes neither the mesh nor a bit of the
+// solution, on a loading path that refines and merges cells.
+TEST(AdaptiveBlock, HasTheSameBitsForAnyNumberOfThreads) {
+  const Grid grid{32, 32, length, length};
+  const std::vector<double> heights = self_affine_heights(grid);
+  std::vector<BlockSolution> found;
+  std::vector<std::size_t> unknowns;
+  for (const unsigned int threads : {1U, 3U}) {
+    dealii::MultithreadInfo::set_thread_limit(threads);
+    ASSERT_EQ(dealii::MultithreadInfo::n_threads(), threads);
+    const auto block = make_adaptive_block(adaptive_problem(grid, 2, 2));
+    for (const double load : {0.0005, 0.002, 0.0005}) {
+      found.push_back(block->solve(heights, pressed(load), contact_of(grid)));
+      unknowns.push_back(block->unknowns());
+    }
   }
-  return "";
+  dealii::MultithreadInfo::set_thread_limit(1);
+
+  EXPECT_GT(unknowns[1], unknowns[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(unknowns[i], unknowns[i + 3]);
+    EXPECT_EQ(found[i].pressure, found[i + 3].pressure);
+    EXPECT_EQ(found[i].gap, found[i + 3].gap);
+    EXPECT_EQ(found[i].mean_gap, found[i + 3].mean_gap);
+  }
+}
+
+std::string refusal(const BlockProblem& problem) {
+  return tests::message_of<std::domain_error>(
+      [&] { static_cast<void>(make_adaptive_block(problem)); });
 }
 
 TEST(AdaptiveBlock, RefusesWhatItCannotDo) {
@@ -303,13 +328,18 @@ TEST(AdaptiveBlock, RefusesWhatItCannotDo) {
   two_bodies.counter = body;
   BlockProblem tetrahedra = good;
   tetrahedra.mesh = tetrahedra_of(good.mesh);
-  BlockProblem too_deep = good;
-  too_deep.adaptive = AdaptiveMesh{13};
+  const auto halved = [&](int halvings) {
+    BlockProblem problem = good;
+    problem.adaptive = AdaptiveMesh{halvings};
+    return problem;
+  };
 
-  EXPECT_EQ(refusal(good), "");
+  EXPECT_EQ(refusal(good), "accepted");
   EXPECT_NE(refusal(two_bodies).find("two meshed bodies"), std::string::npos);
   EXPECT_NE(refusal(tetrahedra).find("hexahedra"), std::string::npos);
-  EXPECT_NE(refusal(too_deep).find("halvings = 13"), std::string::npos);
+  EXPECT_NE(refusal(halved(13)).find("halvings = 13"), std::string::npos);
+  EXPECT_NE(refusal(halved(0)).find("halvings = 0"), std::string::npos);
+  EXPECT_EQ(refusal(halved(12)), "accepted");
 }
 
 } // namespace

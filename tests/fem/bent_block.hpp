@@ -3,7 +3,7 @@
 // A block of two materials under a prescribed displacement, whose stress is
 // known everywhere: on boxes, with hanging nodes, on tetrahedra.
 
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <gtest/gtest.h>

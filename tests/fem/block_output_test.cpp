@@ -1,7 +1,8 @@
 // Tests of the files of FullBlock::write, which an independent reader reads.
 // They run on any number of ranks; each rank checks the files of all.
-#include "fem/block/block_output.hpp"
 #include "fem/parallel/mpi_session.hpp"
+#include "fem/parallel/step_files.hpp"
+#include "fem/solution/block_output.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -204,7 +205,12 @@ TEST_F(BlockFiles, HoldTheStressOfEachPoint) {
         return strain * place[2] * (1.0 - place[2] / length_);
       }));
 
-  BlockOutput().write(stem(), system, stress, 1e6);
+  const FaceMaps maps(system);
+  const ContactNewton newton(system, LinearSolver::direct);
+
+  BlockOutput().write(stem(), system, stress,
+                      SurfaceOutput(maps, newton, stress.displacement(), {}),
+                      1e6);
 
   const Moduli material = moduli({soft_modulus, poisson_});
   const double largest =
@@ -262,7 +268,7 @@ TEST_F(BlockFiles, AreCompleteOrAbsent) {
     ++n_files;
     EXPECT_EQ(entry.path().filename().string().substr(0, 5), "block");
   }
-  EXPECT_EQ(n_files, n_ranks() + 2);
+  EXPECT_EQ(n_files, 2 * (n_ranks() + 2)); // of the block and its surface
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-// Tests of fem/block/block_section.hpp: the section of a block whose stress is
-// known, at points that are not vertices, on any number of ranks.
-#include "fem/block/block_section.hpp"
+// Tests of fem/solution/block_section.hpp: the section of a block whose stress
+// is known, at points that are not vertices, on any number of ranks.
+#include "fem/solution/block_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Tests of the stress inside the full model: fem/block/block_stress.hpp and
+// Tests of the stress inside the full model: fem/solution/block_stress.hpp and
 // FullBlock::strongest_stress.
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
 
 #include <gtest/gtest.h>
 

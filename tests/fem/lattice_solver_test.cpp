@@ -1,12 +1,12 @@
 // Tests of fem/waves/lattice_solver.hpp. The reference is deal.II's assembled
 // matrix with a direct solver.
+#include "base/special_numbers.hpp"
 #include "fem/waves/lattice_solver.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -18,8 +18,6 @@ namespace asperity::fem {
 namespace {
 
 using mechanics::FarBoundary;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_shift_free(FarBoundary far_boundary, std::size_t component) {
   return far_boundary == FarBoundary::pressure ||

@@ -109,20 +109,23 @@ TEST(MeshChange, KeepsPeriodicSidesEqual) {
   EXPECT_THROW(BlockSpace(periodic, other), std::domain_error);
 }
 
-// All of eight cells merge again.
+// All of eight cells merge again, at periodic sides too.
 TEST(MeshChange, UndoesARefinement) {
-  const BlockProblem problem = problem_of(2, mechanics::BlockSides::free);
-  const auto mesh = mesh_of(problem);
-  const auto change_all = [&](CellChange what) {
-    MeshChange change(problem, *mesh,
-                      std::vector<CellChange>(mesh->n_active_cells(), what));
-    static_cast<void>(
-        change.execute(BlockSpace(problem, mesh).make_vector(), [] {}));
-    return mesh->n_active_cells();
-  };
+  for (const auto sides :
+       {mechanics::BlockSides::periodic, mechanics::BlockSides::free}) {
+    const BlockProblem problem = problem_of(2, sides);
+    const auto mesh = mesh_of(problem);
+    const auto change_all = [&](CellChange what) {
+      MeshChange change(problem, *mesh,
+                        std::vector<CellChange>(mesh->n_active_cells(), what));
+      static_cast<void>(
+          change.execute(BlockSpace(problem, mesh).make_vector(), [] {}));
+      return mesh->n_active_cells();
+    };
 
-  EXPECT_EQ(change_all(CellChange::refine), 8U * 64U);
-  EXPECT_EQ(change_all(CellChange::coarsen), 64U);
+    EXPECT_EQ(change_all(CellChange::refine), 8U * 64U);
+    EXPECT_EQ(change_all(CellChange::coarsen), 64U);
+  }
 }
 
 // A uniform strain in two materials has a step of the stress between

@@ -19,8 +19,12 @@ FullRequest unusual_request() {
                    1.3,
                    {0.9, ReferenceUnit::spacing},
                    mechanics::FarBoundary::pressure};
-  request.full = {mechanics::BlockSides::free, LinearSolver::multigrid,
-                  mechanics::ContactPoints::gauss, true, 2};
+  request.full = {mechanics::BlockSides::free,
+                  LinearSolver::multigrid,
+                  mechanics::ContactPoints::gauss,
+                  mechanics::HeightInterpolation::bilinear,
+                  true,
+                  2};
   request.material.contact_modulus = 2.3e9;
   request.material.poisson_ratio = 0.31;
   request.material.counter = {71e9, 0.17};
@@ -62,6 +66,8 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(got.block.far_boundary, mechanics::FarBoundary::pressure);
   EXPECT_EQ(got.full.sides, mechanics::BlockSides::free);
   EXPECT_EQ(got.full.linear_solver, LinearSolver::multigrid);
+  EXPECT_EQ(got.full.height_interpolation,
+            mechanics::HeightInterpolation::bilinear);
   EXPECT_TRUE(got.full.uses_case_mesh);
   EXPECT_EQ(got.full.bodies, 2);
   EXPECT_EQ(got.material.poisson_ratio, 0.31);

@@ -59,6 +59,8 @@ inline Vtu read_vtu(const std::string& path) {
   Vtu vtu;
   vtu.n_points = piece.attribute("NumberOfPoints").as_ullong();
   vtu.n_cells = piece.attribute("NumberOfCells").as_ullong();
+  if (vtu.n_points == 0) // a rank without cells writes empty arrays
+    return vtu;
   const auto take = [&](const std::string& name, const pugi::xml_node& array) {
     const std::string type = array.attribute("type").value();
     const auto bytes = unpacked(array.child_value());

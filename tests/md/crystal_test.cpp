@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::md {
 namespace {
 
@@ -168,12 +170,7 @@ TEST(LongWaves, HaveTheClosedForms) {
 }
 
 std::string refusal(const Crystal& crystal) {
-  try {
-    cell_stiffness(crystal);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "";
+  return tests::message_of<std::domain_error>([&] { cell_stiffness(crystal); });
 }
 
 TEST(Crystal, RefusesWhatIsOutsideItsRange) {

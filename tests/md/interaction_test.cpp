@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/md/small_interface.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::md {
 namespace {
@@ -120,12 +121,8 @@ TEST(WallPressure, IsTheIntegralOverAPlane) {
 }
 
 std::string message_of(const Interaction& law, double distance = angstrom) {
-  try {
-    pair_term(law, distance);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "";
+  return tests::message_of<std::domain_error>(
+      [&] { pair_term(law, distance); });
 }
 
 TEST(PairLaw, RefusesAnInvalidLaw) {

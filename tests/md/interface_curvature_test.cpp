@@ -1,6 +1,7 @@
 // Tests of the second derivatives of md/interface/interface.hpp and of
 // md/interface/interface_curvature.hpp.
 #include "base/maximum.hpp"
+#include "base/special_numbers.hpp"
 #include "md/interface/interface_curvature.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,6 @@ namespace asperity::md {
 namespace {
 
 using problems::Planes;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Interface interface_of(const problems::InterfaceProblem& problem,
                        double attraction = 0.0, int threads = 1) {

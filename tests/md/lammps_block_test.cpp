@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "tests/md/lammps_requests.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::md {
 namespace {
@@ -204,12 +205,7 @@ template <class Spoil>
 std::string refusal(const Spoil& spoil) {
   AtomRequest request = problems::small_request(points, cells, 0.05);
   spoil(request);
-  try {
-    lammps_block(request);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "none";
+  return tests::message_of<std::exception>([&] { lammps_block(request); });
 }
 
 TEST(LammpsBlockRefusals, NameWhatLammpsCannotDo) {

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <unistd.h>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::md {
 namespace {
 
@@ -32,12 +34,8 @@ protected:
   }
 
   std::string refusal(int ranks) const {
-    try {
-      find_lammps(ranks, folder);
-    } catch (const input::InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return tests::message_of<input::InputError>(
+        [&] { find_lammps(ranks, folder); });
   }
 
   std::filesystem::path folder =

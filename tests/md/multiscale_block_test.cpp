@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::md {
 namespace {
 
@@ -243,25 +245,16 @@ TEST(MultiscaleBlock, HasTheSameBitsForAnyThreads) {
 }
 
 TEST(MultiscaleBlock, RefusesIndivisibleSizes) {
-  const auto complaint = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const std::domain_error& error) {
-      return error.what();
-    }
-    return "no complaint";
-  };
-
-  EXPECT_EQ(
-      complaint([] { block_of(mechanics::AtomLattice::born, 12, 16, 4, 6); }),
-      "atoms per side = 12, but must be a multiple of 2^(levels - 1)");
-  EXPECT_TRUE(complaint([] {
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { block_of(mechanics::AtomLattice::born, 12, 16, 4, 6); }),
+            "atoms per side = 12, but must be a multiple of 2^(levels - 1)");
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 block_of(mechanics::AtomLattice::born, 8, 8, 0, 6);
               }).starts_with("levels = 0"));
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 block_of(mechanics::AtomLattice::born, 8, 8, 1, 0);
               }).starts_with("layers = 0"));
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 const Grid layer{8, 8, 1e-9, 1e-9};
                 MultiscaleBlock(crystal_of(mechanics::AtomLattice::born),
                                 {layer, 1, 6});

@@ -2,13 +2,13 @@
 // md/contact/green_system.hpp: Newton's method converges to the state of L-BFGS
 // with far fewer evaluations.
 #include "base/maximum.hpp"
+#include "base/special_numbers.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/minimise/newton.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "tests/md/rough_contact.hpp"
@@ -18,7 +18,6 @@ namespace {
 
 using mechanics::AtomModes;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double modulus = 77.2e9 / (1.0 - 0.42 * 0.42);
 
 struct Held {

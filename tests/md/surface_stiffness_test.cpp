@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::md {
 namespace {
 
@@ -237,12 +239,8 @@ TEST(NormalModes, HaveNoTangentialForce) {
 
 TEST(SurfaceStiffness, RefusesAnotherLayer) {
   const auto refusal = [](const Grid& layer, int cells) -> std::string {
-    try {
-      SurfaceStiffness(crystal, layer, cells, AtomModes::vector);
-    } catch (const std::domain_error& error) {
-      return error.what();
-    }
-    return "";
+    return tests::message_of<std::domain_error>(
+        [&] { SurfaceStiffness(crystal, layer, cells, AtomModes::vector); });
   };
 
   EXPECT_NE(refusal({8, 6, 8 * spacing, 6 * spacing}, 4).find("points_y"),

@@ -8,16 +8,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::meshes {
 namespace {
 
 std::string refusal(const std::function<void()>& work) {
-  try {
-    in_gmsh(work);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>([&] { in_gmsh(work); });
 }
 
 // Verifies that gmsh's message reaches the caller and that the next session

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::meshes {
 namespace {
 
@@ -17,12 +19,8 @@ double sum_of(const std::vector<double>& thickness) {
 }
 
 std::string refusal(double surface_thickness, double growth, double depth) {
-  try {
-    graded_layers(surface_thickness, growth, depth);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "";
+  return tests::message_of<std::domain_error>(
+      [&] { graded_layers(surface_thickness, growth, depth); });
 }
 
 // The layers end at the depth, the surface layer has its thickness, and no

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/meshes/mesh_measures.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::meshes {
 namespace {
@@ -17,12 +18,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 std::string refusal(const Grid& face, const std::vector<double>& thickness) {
-  try {
-    layered_mesh(face, thickness);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { layered_mesh(face, thickness); });
 }
 
 /// The side of the box on which a face lies, from the positions of its vertices

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::meshes {
 namespace {
 
@@ -22,12 +24,8 @@ std::string answer_to(const std::string& ending, const std::string& text,
                       const MeshFileLimits& limits) {
   const std::string path = testing::TempDir() + "asperity_limits" + ending;
   std::ofstream(path) << text;
-  try {
-    read_mesh_file(path, 1.0, BlockSides::free, limits);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { read_mesh_file(path, 1.0, BlockSides::free, limits); });
 }
 
 // The mesh from the other process is the same to the last bit.

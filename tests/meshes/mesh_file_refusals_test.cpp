@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::meshes {
 namespace {
 
@@ -16,12 +18,8 @@ using mechanics::BlockSides;
 
 std::string answer(const std::string& path,
                    BlockSides sides = BlockSides::free) {
-  try {
-    read_mesh_file(path, 1.0, sides);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { read_mesh_file(path, 1.0, sides); });
 }
 
 std::string answer_to_text(const std::string& ending, const std::string& text,

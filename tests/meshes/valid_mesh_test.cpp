@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::meshes {
 namespace {
 
@@ -18,12 +20,8 @@ using mechanics::BlockSides;
 
 std::string answer(const BlockMesh& mesh,
                    BlockSides sides = BlockSides::periodic) {
-  try {
-    require_valid_mesh(mesh, sides);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { require_valid_mesh(mesh, sides); });
 }
 
 /// 2 x 2 x 2 cells of 1 nm; vertex i + 3 (j + 3 k), cell i + 2 (j + 2 k).

@@ -1,5 +1,6 @@
 // Tests of reports with degenerate results: no curve, map, surface or table of
 // a result ends a report, and what cannot be determined has a reason.
+#include "base/special_numbers.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
 
@@ -7,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
-#include <limits>
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
@@ -17,8 +17,6 @@ namespace {
 
 using results::CurvePoint;
 using results::Result;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Hostile {
   std::string name;

@@ -1,17 +1,15 @@
 // Tests of reports/analysis/verdict.hpp: the verdicts, and that each output of
 // them is well-formed. Golden tests where the format itself is documented.
+#include "base/special_numbers.hpp"
 #include "reports/analysis/verdict.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <pugixml.hpp>
 
 namespace asperity::reports {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 MethodSummary method_with(const std::string& name, double gamma) {
   MethodSummary method;

@@ -1,5 +1,6 @@
 // Tests of the tables of a result file: what is written is read back, a table
 // is replaced as a unit, and an invalid one changes nothing.
+#include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,8 +18,6 @@ namespace asperity::results {
 namespace {
 
 using ResultTable = ResultFolder;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Columns in neither alphabetical nor numerical order.
 Table sample_table() {

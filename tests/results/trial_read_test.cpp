@@ -29,6 +29,12 @@ TEST_F(TrialRead, RefusesWhatCrashesTheLibrary) {
   }
 }
 
+TEST_F(TrialRead, MayTakeLongerForALargerFile) {
+  EXPECT_EQ(read_time_limit(0), 20.0);
+  EXPECT_DOUBLE_EQ(read_time_limit(46'000'000), 46.0);
+  EXPECT_EQ(read_time_limit(1'000'000'000'000'000), 600.0);
+}
+
 // A good file and one with a mistake are left to the reader.
 TEST_F(TrialRead, LeavesTheRestToTheReader) {
   EXPECT_NO_THROW(require_readable("tests/fuzz/corpus/result/least.h5"));

@@ -1,6 +1,7 @@
 // Tests of results/validity.hpp: a number that no solution can have is refused
 // by file, method, realisation, step, column, value and range; every other is
 // accepted.
+#include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -10,7 +11,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -19,9 +19,6 @@
 
 namespace asperity::results {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Validity : public ResultFolder {
 protected:
@@ -86,12 +83,13 @@ protected:
 };
 
 TEST_F(Validity, NamesMethodRealizationStepColumnValueAndRange) {
-  EXPECT_EQ(complaint([](CurvePoint& row) { row.mean_gap = nan; }),
+  EXPECT_EQ(complaint([](CurvePoint& row) { row.mean_gap = not_a_number; }),
             "/methods/fem/3/curve/mean_gap, step 1 = nan, but must be finite "
             "[m]");
-  EXPECT_EQ(complaint([](CurvePoint& row) { row.nominal_pressure = nan; }),
-            "/methods/fem/3/curve/nominal_pressure, step 1 = nan, but must be "
-            "finite [Pa]");
+  EXPECT_EQ(
+      complaint([](CurvePoint& row) { row.nominal_pressure = not_a_number; }),
+      "/methods/fem/3/curve/nominal_pressure, step 1 = nan, but must be "
+      "finite [Pa]");
   EXPECT_EQ(complaint([](CurvePoint& row) { row.area_fraction = -1e308; }),
             "/methods/fem/3/curve/area_fraction, step 1 = -1e+308, but must "
             "lie between 0 and 1 [1]");
@@ -115,7 +113,8 @@ TEST_F(Validity, HoldsForEveryColumn) {
     };
     EXPECT_NE(with(infinity), "accepted") << column.name;
     EXPECT_NE(with(-infinity), "accepted") << column.name;
-    EXPECT_EQ(with(nan) == "accepted", !column.range.is_needed) << column.name;
+    EXPECT_EQ(with(not_a_number) == "accepted", !column.range.is_needed)
+        << column.name;
     EXPECT_EQ(with(-1e-3) == "accepted", column.range.lowest < 0.0)
         << column.name;
     EXPECT_EQ(with(1.5) == "accepted", column.range.highest > 1.0)
@@ -129,7 +128,7 @@ TEST_F(Validity, AcceptsAFailedStepWithoutNumbers) {
   const auto nothing = [](CurvePoint&) {};
   EXPECT_EQ(complaint(nothing,
                       [](CurvePoint& row) {
-                        row.mean_gap = row.nominal_pressure = nan;
+                        row.mean_gap = row.nominal_pressure = not_a_number;
                         row.residual = infinity;
                       }),
             "accepted");
@@ -170,11 +169,13 @@ TEST_F(Validity, OfMapsAndSurfaces) {
     });
   };
   EXPECT_EQ(with_maps(good, good), "accepted");
-  EXPECT_EQ(with_maps(good, {1.0, 1.0, 1.0, nan, 1.0, infinity}),
-            "/methods/fem/0/fields/0/gap[1, 1] = nan, but must be finite [m]; "
+  EXPECT_EQ(with_maps(good, {1.0, 1.0, 1.0, not_a_number, 1.0, infinity}),
+            "/methods/fem/0/fields/0/gap[1, 1] = nan, but must be "
+            "finite [m]; "
             "2 of 6 values are not");
-  EXPECT_EQ(with_maps(std::vector<double>(6, nan), good),
-            "/methods/fem/0/fields/0/pressure[0, 0] = nan, but must be finite "
+  EXPECT_EQ(with_maps(std::vector<double>(6, not_a_number), good),
+            "/methods/fem/0/fields/0/pressure[0, 0] = nan, but must "
+            "be finite "
             "[Pa]; 6 of 6 values are not");
 
   const auto with_surface =
@@ -185,8 +186,9 @@ TEST_F(Validity, OfMapsAndSurfaces) {
             [&](ResultWriter& writer) { writer.record_surface(0, surface); });
       };
   EXPECT_EQ(with_surface([](SurfaceRecord&) {}), "accepted");
-  EXPECT_EQ(with_surface([](SurfaceRecord& s) { s.heights[5] = nan; }),
-            "/surfaces/0/heights[1, 1] = nan, but must be finite [m]; 1 of 8 "
+  EXPECT_EQ(with_surface([](SurfaceRecord& s) { s.heights[5] = not_a_number; }),
+            "/surfaces/0/heights[1, 1] = nan, but must be finite [m]; "
+            "1 of 8 "
             "values are not");
   EXPECT_EQ(with_surface([](SurfaceRecord& s) { s.rms_height = -1e-9; }),
             "/surfaces/0/rms_height = -1e-09, but must be finite and >= 0 [m]");
@@ -206,7 +208,7 @@ TEST_F(Validity, OfTablesByTheNameOfTheirColumns) {
     });
   };
   EXPECT_EQ(with_area(1.0), "accepted");
-  EXPECT_EQ(with_area(nan), "accepted");
+  EXPECT_EQ(with_area(not_a_number), "accepted");
   EXPECT_EQ(with_area(1.5), "/tables/magnification-1/area_fraction[1] = 1.5, "
                             "but must lie between 0 and 1 [1]");
 }

@@ -65,7 +65,7 @@ TEST(Instance, ReachesTheEndsOfItsAxes) {
   EXPECT_EQ(flaws.size(), 25u);
   EXPECT_EQ(paths.size(), 4u);
   EXPECT_EQ(threads.size(), 3u);
-  EXPECT_EQ(pairs.size(), 4u);
+  EXPECT_EQ(pairs.size(), 5u);
   // 4000 uniform draws miss the last hundredth of a range with e^-40.
   EXPECT_LT(least.length, 1.6e-12);
   EXPECT_GT(most.length, 6e5);
@@ -81,6 +81,32 @@ TEST(Instance, ReachesTheEndsOfItsAxes) {
   EXPECT_GT(most.growth, 2.97);
   EXPECT_LT(least.thickness, 0.011);
   EXPECT_GT(most.thickness, 9.2);
+}
+
+// Only full 3-D models in the library have free sides, other linear solvers and
+// random moduli, and only in combinations that they accept.
+TEST(Instance, GivesTheSettingsOfABlockToBlocksOnly) {
+  int n_free = 0;
+  double most = 1.0;
+  for (int index = 0; index < 8000; ++index) {
+    const Instance instance = draw_instance(4, index);
+    const bool is_compared =
+        instance.relation == MetamorphicRelation::direct_solver;
+    EXPECT_EQ(is_compared, instance.family == Family::full_block &&
+                               instance.path == Path::library);
+    if (!is_compared) {
+      EXPECT_FALSE(instance.has_free_sides);
+      EXPECT_EQ(instance.modulus_ratio, 1.0);
+    }
+    n_free += instance.has_free_sides ? 1 : 0;
+    most = std::max(most, instance.modulus_ratio);
+    if (instance.has_free_sides) {
+      EXPECT_NE(instance.far_boundary, mechanics::FarBoundary::pressure);
+      EXPECT_NE(instance.linear_solver, mechanics::LinearSolver::fourier);
+    }
+  }
+  EXPECT_GT(n_free, 10);
+  EXPECT_GT(most, 300.0);
 }
 
 // Half of the axes of a perturbed instance are those of the case, and invalid

@@ -85,21 +85,36 @@ TEST(Slice, DetectsAMissingRefusal) {
   EXPECT_EQ(report.check, "refusal");
 }
 
-// Small blocks with every unknown: one of each order.
+// Small blocks with every unknown, one of each order for each linear solver,
+// with moduli that differ by up to 1e6, free sides where the solver allows
+// them, and a soft or a stiff coating: equal to the direct solver.
 TEST(Slice, SolvesFullBlocks) {
-  for (const int index : {0, 1}) {
-    Instance instance;
-    instance.index = index;
-    instance.family = Family::full_block;
-    instance.law = mechanics::ContactLaw::penalty;
-    instance.penalty = 1e9;
-    instance.load = 0.3;
-    instance.thickness = 0.3;
+  using mechanics::LinearSolver;
+  int index = 0;
+  for (const LinearSolver solver :
+       {LinearSolver::automatic, LinearSolver::multigrid,
+        LinearSolver::fourier})
+    for (const int degree : {1, 2}) {
+      Instance instance;
+      instance.index = index++;
+      instance.family = Family::full_block;
+      instance.law = mechanics::ContactLaw::penalty;
+      instance.penalty = 1e4;
+      instance.load = 0.3;
+      instance.thickness = 0.3;
+      instance.degree = degree;
+      instance.linear_solver = solver;
+      instance.modulus_ratio = 1e3;
+      instance.coating_stiffness = degree == 1 ? 1e-3 : 1e3;
+      instance.has_free_sides = solver == LinearSolver::multigrid;
 
-    const InstanceReport report = run_instance(within_reach(instance));
+      const InstanceReport report = run_instance(within_reach(instance));
 
-    EXPECT_EQ(report.outcome, Outcome::verified) << report.reason;
-  }
+      EXPECT_EQ(report.outcome, Outcome::verified)
+          << report.check << ": " << report.reason << "\n"
+          << in_words(within_reach(instance));
+      EXPECT_TRUE(report.has_pair);
+    }
 }
 
 } // namespace

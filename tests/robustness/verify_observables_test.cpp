@@ -1,9 +1,10 @@
 // Tests of robustness/verify_observables.hpp: a correct solution passes, and
 // each number that is not finite or out of its range is named.
+#include "base/special_numbers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -11,9 +12,6 @@
 
 namespace asperity::robustness {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class VerifyObservables : public ::testing::Test {
 protected:
@@ -44,7 +42,7 @@ TEST_F(VerifyObservables, PassACorrectSolution) {
 }
 
 TEST_F(VerifyObservables, FailOnFieldsThatAreNotFinite) {
-  for (const double value : {nan, infinity}) {
+  for (const double value : {not_a_number, infinity}) {
     const contact::ContactSolution whole = answer_;
     answer_.pressure[0] = value;
     EXPECT_NE(found(), "") << value;
@@ -73,7 +71,7 @@ results::CurvePoint good_row() {
   row.nominal_pressure = 1e6;
   row.mean_gap = -1e-9;
   row.area_fraction = 1.0;
-  row.area_fraction_corrected = nan; // not determined
+  row.area_fraction_corrected = not_a_number; // not determined
   return row;
 }
 
@@ -86,17 +84,21 @@ TEST(VerifyRow, NamesWhatIsOutOfItsRange) {
     const char* name;
     std::vector<double> wrong;
   } members[] = {
-      {&Row::nominal_pressure, "nominal_pressure", {nan, infinity, -1.0}},
-      {&Row::mean_gap, "mean_gap", {nan, infinity, -infinity}},
-      {&Row::area_fraction, "area_fraction", {nan, -1e308, 1.1}},
+      {&Row::nominal_pressure,
+       "nominal_pressure",
+       {not_a_number, infinity, -1.0}},
+      {&Row::mean_gap, "mean_gap", {not_a_number, infinity, -infinity}},
+      {&Row::area_fraction, "area_fraction", {not_a_number, -1e308, 1.1}},
       {&Row::area_fraction_corrected, "corrected", {infinity, -0.1, 1.1}},
       {&Row::area_fraction_fit, "area_fraction_fit", {infinity, -0.1, 1.1}},
       {&Row::area_fraction_moment, "moment", {infinity, -0.1, 1.1}},
-      {&Row::contact_perimeter, "contact_perimeter", {nan, infinity, -1.0}},
-      {&Row::elastic_energy, "elastic_energy", {nan, infinity}},
-      {&Row::contact_energy, "contact_energy", {nan, infinity, -1.0}},
-      {&Row::residual, "residual", {nan, infinity, -1.0}},
-      {&Row::cpu_time, "cpu_time", {nan, -1.0}}};
+      {&Row::contact_perimeter,
+       "contact_perimeter",
+       {not_a_number, infinity, -1.0}},
+      {&Row::elastic_energy, "elastic_energy", {not_a_number, infinity}},
+      {&Row::contact_energy, "contact_energy", {not_a_number, infinity, -1.0}},
+      {&Row::residual, "residual", {not_a_number, infinity, -1.0}},
+      {&Row::cpu_time, "cpu_time", {not_a_number, -1.0}}};
 
   EXPECT_FALSE(verify_row(good_row()));
   for (const auto& [member, name, wrong] : members)

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "tests/base/fields.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -61,16 +62,6 @@ SurfaceSpec measured() {
 double largest_difference(const HeightMap& a, const HeightMap& b) {
   EXPECT_EQ(a.grid, b.grid);
   return tests::largest_difference(a.heights, b.heights);
-}
-
-template <class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 // Grids of 42, 96 and 162 points sample the surface of the case's 64 with the
@@ -121,12 +112,14 @@ TEST(BuildSurfaceOn, CutsTheShortWavesOfTheFullSurface) {
 TEST(BuildSurfaceOn, RefusesAGridTooCoarse) {
   const SurfaceSpec surface = self_affine();
 
-  EXPECT_EQ(message_of([&] { build_surface_on(surface, 0, square(40)); }),
+  EXPECT_EQ(tests::message_of<input::InputError>(
+                [&] { build_surface_on(surface, 0, square(40)); }),
             "points of the grid = 40, but must be >= 42 to resolve "
             "surface.wavevector_high = 1.25664e+07 1/m (a wavelength of 5e-07 "
             "m) over surface.length = 1e-05 m");
   EXPECT_EQ(
-      message_of([&] { build_surface_on(surface, 0, square(10), 5.0 * unit); }),
+      tests::message_of<input::InputError>(
+          [&] { build_surface_on(surface, 0, square(10), 5.0 * unit); }),
       "points of the grid = 10, but must be >= 12 to resolve "
       "highest_wavevector = 3.14159e+06 1/m (a wavelength of 2e-06 m) over "
       "surface.length = 1e-05 m");
@@ -149,7 +142,7 @@ TEST(BuildSurfaceOn, ResamplesAMeasuredMap) {
 
   EXPECT_LT(largest_difference(resample(finer, own.grid).map, own),
             rounding * rms_height);
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(tests::message_of<input::InputError>([&] {
               build_surface_on(surface, 0, square(14));
             }).substr(0, 59),
             "a grid of 14 by 14 points is too coarse for the 16 by 16 of");

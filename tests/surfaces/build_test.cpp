@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -43,16 +45,6 @@ SurfaceSpec with_file(SurfaceKind kind, const std::string& name,
   surface.rms_height.reset();
   std::ofstream(surface.file) << text;
   return surface;
-}
-
-template <class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 // Without `rescale` the realisation has the sum over its modes, near the
@@ -188,7 +180,8 @@ TEST(BuildSurface, RefusesATiltThatLevellingMakesFlat) {
         mechanics::Edges::window}) {
     SurfaceSpec surface = flat;
     surface.edges = edges;
-    const std::string message = message_of([&] { build_surface(surface, 0); });
+    const std::string message = tests::message_of<input::InputError>(
+        [&] { build_surface(surface, 0); });
     EXPECT_TRUE(message.starts_with(flat.file +
                                     ": the surface is flat: after levelling"))
         << message;
@@ -235,22 +228,25 @@ TEST(BuildSurface, NamesTheInvalidKey) {
   const auto build = [&] { build_surface(surface, 0); };
 
   surface.points = 40;
-  EXPECT_EQ(message_of(build),
+  EXPECT_EQ(tests::message_of<input::InputError>(build),
             "surface.points = 40, but must be >= 42 to resolve "
             "surface.wavevector_high = 1.25664e+07 1/m (a wavelength of 5e-07 "
             "m) over surface.length = 1e-05 m");
   surface.points.reset();
-  EXPECT_EQ(message_of(build), "surface.points is missing");
+  EXPECT_EQ(tests::message_of<input::InputError>(build),
+            "surface.points is missing");
   surface = self_affine();
   surface.length.reset();
-  EXPECT_EQ(message_of(build), "surface.length is missing");
+  EXPECT_EQ(tests::message_of<input::InputError>(build),
+            "surface.length is missing");
   surface = self_affine();
   surface.rms_height.reset();
-  EXPECT_EQ(message_of(build),
+  EXPECT_EQ(tests::message_of<input::InputError>(build),
             "surface.rms_height or surface.rms_slope is missing");
   surface.kind = SurfaceKind::spectrum;
   surface.file = "none.csv";
-  EXPECT_EQ(message_of(build), "none.csv: there is no such file");
+  EXPECT_EQ(tests::message_of<input::InputError>(build),
+            "none.csv: there is no such file");
   surface.kind = SurfaceKind::sphere;
   EXPECT_THROW(formula_spectrum(surface), std::domain_error);
 }
@@ -260,7 +256,7 @@ TEST(BuildSurface, ReportsATableBeyondTheGrid) {
       with_file(SurfaceKind::spectrum, "fine.csv", "1e6 1e-30\n1e9 1e-40\n");
 
   EXPECT_EQ(
-      message_of([&] { build_surface(surface, 0); }),
+      tests::message_of<input::InputError>([&] { build_surface(surface, 0); }),
       "surface.points = 64, but must be >= 3184 to resolve the last q of " +
           surface.file +
           " = 1e+09 1/m (a wavelength of 6.28319e-09 m) over surface.length = "

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -72,30 +74,22 @@ TEST(Waves, FitTheCellWhenTheirLengthIsPrinted) {
   EXPECT_EQ(map.heights[0], map.heights[24]);
 }
 
-template <class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(ExactShapes, RefuseBadArgumentsByName) {
-  EXPECT_EQ(message_of([] { paraboloid(grid, 0.0); }),
+  EXPECT_EQ(tests::message_of<std::domain_error>([] { paraboloid(grid, 0.0); }),
             "radius = 0, but must be finite and > 0 [m]");
-  EXPECT_EQ(message_of([] { wave_1d(grid, -1.0, 1.0); }),
-            "amplitude = -1, but must be finite and > 0 [m]");
   EXPECT_EQ(
-      message_of([] { wave_1d(grid, 1.0, 1.5); }),
+      tests::message_of<std::domain_error>([] { wave_1d(grid, -1.0, 1.0); }),
+      "amplitude = -1, but must be finite and > 0 [m]");
+  EXPECT_EQ(
+      tests::message_of<std::domain_error>([] { wave_1d(grid, 1.0, 1.5); }),
       "length_x = 4, but must be an integer multiple of wavelength = 1.5 m");
   EXPECT_EQ(
-      message_of([] { wave_2d(grid, 1.0, 4.0); }),
+      tests::message_of<std::domain_error>([] { wave_2d(grid, 1.0, 4.0); }),
       "length_y = 2, but must be an integer multiple of wavelength = 4 m");
-  EXPECT_EQ(message_of([] { wave_1d(grid, 1.0, 0.25); }),
-            "wavelength = 0.25, but must be longer than two node spacings, "
-            "0.25 m");
+  EXPECT_EQ(
+      tests::message_of<std::domain_error>([] { wave_1d(grid, 1.0, 0.25); }),
+      "wavelength = 0.25, but must be longer than two node spacings, "
+      "0.25 m");
 }
 
 } // namespace

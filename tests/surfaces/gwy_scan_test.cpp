@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -70,12 +72,8 @@ Scan gwy_scan(const std::string& bytes,
 
 std::string gwy_refusal(const std::string& bytes,
                         const std::optional<std::string>& channel = {}) {
-  try {
-    gwy_scan(bytes, channel);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>(
+      [&] { gwy_scan(bytes, channel); });
 }
 
 const std::string several = gwy_file(

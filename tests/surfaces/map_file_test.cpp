@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -102,12 +104,8 @@ TEST(MapFile, ReadsBackTheNumbersThatWereWritten) {
 
 std::string message_of(const std::string& text, const MapScale& scale = {},
                        MapFormat format = MapFormat::automatic) {
-  try {
-    read(text, scale, format);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>(
+      [&] { read(text, scale, format); });
 }
 
 TEST(MapFile, NamesTheLineThatIsNotAMatrix) {

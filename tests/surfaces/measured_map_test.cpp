@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -33,12 +35,7 @@ mechanics::SurfaceSpec surface_of(const std::string& name,
 }
 
 std::string refusal_of(const mechanics::SurfaceSpec& surface) {
-  try {
-    measured_map(surface);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>([&] { measured_map(surface); });
 }
 
 TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {

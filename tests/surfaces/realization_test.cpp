@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tests/base/fields.hpp"
+#include "tests/message_of.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -153,12 +154,8 @@ TEST(Realization, HasGaussianAmplitudesOnDemand) {
 
 std::string message_of(const IsotropicSpectrum& requested, const Grid& grid,
                        const RandomKey& key) {
-  try {
-    realize(requested, grid, key);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { realize(requested, grid, key); });
 }
 
 // The largest wavevector, of 20 periods, needs 42 points to be below the

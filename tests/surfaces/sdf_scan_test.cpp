@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -19,12 +21,7 @@ Scan sdf_scan(const std::string& bytes) {
 }
 
 std::string sdf_refusal(const std::string& bytes) {
-  try {
-    sdf_scan(bytes);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>([&] { sdf_scan(bytes); });
 }
 
 template <class Number>

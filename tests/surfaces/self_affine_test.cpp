@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -140,12 +142,8 @@ TEST(SelfAffineSpectrum, NamesEachOfItsKinksOnce) {
 }
 
 std::string message_of(const SelfAffineShape& shape, double rms_height) {
-  try {
-    SelfAffineSpectrum::with_rms_height(shape, rms_height);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<std::domain_error>(
+      [&] { SelfAffineSpectrum::with_rms_height(shape, rms_height); });
 }
 
 TEST(SelfAffineSpectrum, RefusesAnImpossibleShapeByName) {

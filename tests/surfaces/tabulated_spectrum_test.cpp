@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -64,12 +66,7 @@ TEST(TabulatedSpectrumReader, TakesCommentsCommasAndWindowsLineEnds) {
 }
 
 std::string message_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>([&] { read(text); });
 }
 
 TEST(TabulatedSpectrumReader, NamesTheMistakeAndItsPlace) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -20,12 +22,8 @@ Scan text_scan(const std::string& text, const MapScale& scale = {},
 
 std::string refusal(const std::string& text, const MapScale& scale = {},
                     MapFormat format = MapFormat::automatic) {
-  try {
-    text_scan(text, scale, format);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>(
+      [&] { text_scan(text, scale, format); });
 }
 
 // Gwyddion's header is read in every language into which it is translated, with

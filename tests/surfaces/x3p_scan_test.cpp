@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::surfaces {
 namespace {
 
@@ -55,12 +57,7 @@ Scan x3p_scan(const X3pText& document, const std::string& data) {
 
 template <class... Arguments>
 std::string x3p_refusal(const Arguments&... arguments) {
-  try {
-    x3p_scan(arguments...);
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::message_of<input::InputError>([&] { x3p_scan(arguments...); });
 }
 
 /// @param tolerance  [m]; the default is the roundoff of a few operations

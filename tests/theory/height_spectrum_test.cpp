@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
 #include "tests/theory/spectra.hpp"
 
 namespace asperity::theory {
@@ -209,12 +210,8 @@ TEST(FormulaSpectrum, MayBeATableOfManyRows) {
 }
 
 std::string complaint_about(auto source) {
-  try {
-    HeightSpectrum spectrum(source);
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "no complaint";
+  return tests::message_of<std::domain_error>(
+      [&] { HeightSpectrum spectrum(source); });
 }
 
 TEST(SpectrumInput, IsRefusedByName) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/message_of.hpp"
 #include "tests/theory/plain_contact.hpp"
 
 namespace asperity::theory {
@@ -223,24 +224,16 @@ TEST(SquareArray, CloseSpheresAgreeWithANumericalSolution) {
 }
 
 TEST(HertzInput, RefusesBadArgumentsByName) {
-  const auto complaint = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const std::domain_error& error) {
-      return error.what();
-    }
-    return "no complaint";
-  };
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 hertz_contact(-1.0, 1.0, 1.0);
               }).starts_with("load = -1"));
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 hertz_load(1.0, 0.0, 1.0);
               }).starts_with("sphere_radius = 0"));
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 hertz_pressure(contact, -1.0);
               }).starts_with("radius = -1"));
-  EXPECT_TRUE(complaint([] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
                 square_array_approach(1.0, 1.0, 0.0);
               }).starts_with("period = 0"));
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
 #include "tests/theory/spectra.hpp"
 
 namespace asperity::theory {
@@ -183,31 +184,24 @@ TEST(FitGamma, RecoversTheGammaOfACurve) {
 
 TEST(PerssonInput, RefusesBadArgumentsByName) {
   const HeightSpectrum spectrum = surface_of_the_paper().spectrum();
-  const auto complaint = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const std::domain_error& error) {
-      return error.what();
-    }
-    return "no complaint";
-  };
   const PerssonContact& contact = contact_of_the_paper();
 
-  EXPECT_TRUE(complaint([&] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 PerssonContact(spectrum, 0.0, 0.4);
               }).starts_with("contact_modulus = 0"));
-  EXPECT_TRUE(complaint([&] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 PerssonContact(spectrum, 1.0, 1.5);
               }).starts_with("gamma = 1.5"));
-  EXPECT_TRUE(
-      complaint([&] { contact.with_gamma(0.0); }).starts_with("gamma = 0"));
-  EXPECT_TRUE(complaint([&] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
+                contact.with_gamma(0.0);
+              }).starts_with("gamma = 0"));
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 contact.mean_gap(0.0);
               }).starts_with("nominal_pressure = 0"));
-  EXPECT_TRUE(complaint([&] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 contact.nominal_pressure(-1e-9);
               }).starts_with("mean_gap = -1e-09"));
-  EXPECT_TRUE(complaint([&] {
+  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 fit_gamma(contact, {});
               }).starts_with("number of points = 0"));
 }

@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.hpp"
+
 namespace asperity::theory {
 namespace {
 
@@ -125,31 +127,26 @@ TEST(StressVariance, GivesTheSlopeFormOfTheArea) {
               1e-15);
 }
 
-template <class Call>
-std::string complaint_of(Call call) {
-  try {
-    call();
-  } catch (const std::domain_error& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
-
 TEST(PressureDistributionInput, RefusesBadArgumentsByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto names = [](const std::string& message, const std::string& name) {
     return message.starts_with(name + " = ");
   };
-  EXPECT_TRUE(names(complaint_of([&] { pressure_density(-1.0, 1.0, 1.0); }),
+  EXPECT_TRUE(names(tests::message_of<std::domain_error>(
+                        [&] { pressure_density(-1.0, 1.0, 1.0); }),
                     "contact_pressure"));
-  EXPECT_TRUE(
-      names(complaint_of([&] { pressure_share(2.0, 1.0, 1.0, 1.0); }), "high"));
-  EXPECT_TRUE(names(complaint_of([&] { area_fraction(nan, 1.0); }),
-                    "nominal_pressure"));
-  EXPECT_TRUE(
-      names(complaint_of([&] { pressure_moments(1.0, 0.0); }), "variance"));
-  EXPECT_TRUE(
-      names(complaint_of([&] { stress_variance(1.0, -0.1); }), "rms_slope"));
+  EXPECT_TRUE(names(tests::message_of<std::domain_error>(
+                        [&] { pressure_share(2.0, 1.0, 1.0, 1.0); }),
+                    "high"));
+  EXPECT_TRUE(names(
+      tests::message_of<std::domain_error>([&] { area_fraction(nan, 1.0); }),
+      "nominal_pressure"));
+  EXPECT_TRUE(names(
+      tests::message_of<std::domain_error>([&] { pressure_moments(1.0, 0.0); }),
+      "variance"));
+  EXPECT_TRUE(names(
+      tests::message_of<std::domain_error>([&] { stress_variance(1.0, -0.1); }),
+      "rms_slope"));
 }
 
 } // namespace

@@ -4,31 +4,39 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
+#include "fem/solution/height_interpolation.hpp"
 
 #include <span>
 #include <vector>
 
 namespace asperity::fem {
 
-/// Periodic bicubic convolution (R. G. Keys, IEEE Trans. Acoust. Speech Signal
-/// Process. 29, 1153 (1981), a = -1/2). It is exact at nodes and for quadratic
-/// functions, and of third order elsewhere.
-/// @param field  grid.size() values
-double bicubic(const Grid& grid, std::span<const double> field, double x,
-               double y);
-
 /// Transfers fields between the nodes of the grid, which every rank stores, and
 /// the contact points, which only their own rank stores. See full_block.hpp for
 /// the definition of a sample.
 class FaceMaps {
 public:
-  /// @param system must outlive this object
+  /// @param system   must outlive this object
+  /// @param between  interpolation of heights between the nodes of the grid
   /// @throws std::domain_error  a node of the grid is not on the contact
   ///                            surface
-  explicit FaceMaps(const BlockSystem& system);
+  explicit FaceMaps(const BlockSystem& system,
+                    mechanics::HeightInterpolation between =
+                        mechanics::HeightInterpolation::bicubic);
 
-  /// A field of the grid evaluated at this rank's points.
+  const BlockSystem& system() const { return system_; }
+
+  /// A field of the grid evaluated at this rank's points, with bicubic
+  /// interpolation.
   std::vector<double> at_points(std::span<const double> field) const;
+
+  /// The heights of this rank's points [m].
+  std::vector<double> heights_at_points(std::span<const double> heights) const;
+
+  /// The heights of places on the contact surface [m].
+  std::vector<double>
+  heights_at(std::span<const double> heights,
+             std::span<const dealii::Point<2>> places) const;
 
   /// The displacement w at the grid's nodes, on every rank [m]. This call is
   /// collective.
@@ -56,8 +64,13 @@ private:
   void take_sample(const dealii::DoFHandler<3>::active_cell_iterator& cell,
                    int ix, int iy, std::size_t first_point);
   std::vector<double> summed(std::vector<double> field) const;
+  std::vector<double> values_at(std::span<const double> field,
+                                std::span<const dealii::Point<2>> places,
+                                mechanics::HeightInterpolation between) const;
+  std::vector<dealii::Point<2>> places_of_points() const;
 
   const BlockSystem& system_;
+  mechanics::HeightInterpolation between_;
   std::vector<Sample> samples_; ///< empty if the points are the grid's nodes
   std::vector<double> faces_a_node_;
   dealii::IndexSet needed_;

@@ -4,7 +4,7 @@
 // nodes. This file determines which cell provides the value at a place.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
-// Tests of base/rms_height.hpp.
-#include "base/rms_height.hpp"
+// Tests of base/field_sums.hpp.
+#include "base/field_sums.hpp"
 
 #include <gtest/gtest.h>
 

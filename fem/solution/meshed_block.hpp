@@ -4,10 +4,10 @@
 // output together.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_output.hpp"
 #include "fem/block/block_problem.hpp"
 #include "fem/block/contact_newton.hpp"
-#include "fem/block/face_maps.hpp"
+#include "fem/solution/block_output.hpp"
+#include "fem/solution/face_maps.hpp"
 
 namespace asperity::fem {
 
@@ -73,7 +73,9 @@ private:
   std::string report_; ///< computed on all ranks together
   ContactNewton newton_;
   BlockOutput output_;
-  double nominal_pressure_ = 0.0; ///< of the last solution [Pa]
+  // Of the last solution.
+  std::vector<double> heights_;   ///< of the grid [m]; empty before the first
+  double nominal_pressure_ = 0.0; ///< [Pa]
 };
 
 } // namespace asperity::fem

@@ -1,4 +1,4 @@
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
 
 #include "fem/block/elastic_response.hpp"
 

@@ -1,4 +1,4 @@
-#include "fem/block/block_section.hpp"
+#include "fem/solution/block_section.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_q.h>

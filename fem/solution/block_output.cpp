@@ -1,25 +1,18 @@
-#include "fem/block/block_output.hpp"
+#include "fem/solution/block_output.hpp"
 
-#include "base/atomic_file.hpp"
+#include "fem/parallel/step_files.hpp"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/data_out.h>
-#include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-#include <numeric>
-#include <sstream>
-#include <stdexcept>
+#include <filesystem>
 
 namespace asperity::fem {
 namespace {
 
-namespace mpi = dealii::Utilities::MPI;
 using Interpretation =
     dealii::DataComponentInterpretation::DataComponentInterpretation;
 
@@ -125,94 +118,10 @@ struct CellFields {
   dealii::Vector<double> level;
 };
 
-/// Runs an action that may fail on one rank only, so that no rank waits
-/// forever.
-/// @throws std::runtime_error  on every rank, with the message of the first
-///                             rank that failed
-void all_or_none(const std::function<void()>& action) {
-  std::string complaint;
-  try {
-    action();
-  } catch (const std::exception& error) {
-    complaint = error.what();
-  }
-  for (const std::string& one : mpi::all_gather(MPI_COMM_WORLD, complaint))
-    if (!one.empty())
-      throw std::runtime_error(one);
-}
-
-std::string text_of(const std::function<void(std::ostream&)>& print) {
-  std::ostringstream text;
-  print(text);
-  return text.str();
-}
-
-/// Writes this rank's part, the list of parts and the list of steps, in this
-/// order, so that no list ever names a file that does not exist.
-void write_files(const std::filesystem::path& path,
-                 const dealii::DataOut<3>& data,
-                 const std::vector<double>& pressures) {
-  const std::filesystem::path folder = path.parent_path();
-  const std::string stem = path.filename().string();
-  const bool is_first = mpi::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const auto step_name = [&](std::size_t step) {
-    return fmt::format("{}_{:04}", stem, step);
-  };
-  const auto part_name = [&](unsigned int rank) {
-    return fmt::format("{}.{:04}.vtu", step_name(pressures.size() - 1), rank);
-  };
-
-  all_or_none([&] {
-    if (!folder.empty())
-      std::filesystem::create_directories(folder);
-    write_file_atomically(
-        folder / part_name(mpi::this_mpi_process(MPI_COMM_WORLD)),
-        text_of([&](std::ostream& to) { data.write_vtu(to); }));
-  });
-  all_or_none([&] {
-    if (!is_first)
-      return;
-    std::vector<std::string> parts;
-    for (unsigned int r = 0; r < mpi::n_mpi_processes(MPI_COMM_WORLD); ++r)
-      parts.push_back(part_name(r));
-    write_file_atomically(
-        folder / (step_name(pressures.size() - 1) + ".pvtu"),
-        text_of([&](std::ostream& to) { data.write_pvtu_record(to, parts); }));
-    const std::vector<double> times = times_of(pressures);
-    std::vector<std::pair<double, std::string>> steps;
-    for (std::size_t step = 0; step < times.size(); ++step)
-      steps.emplace_back(times[step], step_name(step) + ".pvtu");
-    write_file_atomically(folder / (stem + ".pvd"),
-                          text_of([&](std::ostream& to) {
-                            dealii::DataOutBase::write_pvd_record(to, steps);
-                          }));
-  });
-}
-
-} // namespace
-
-std::vector<double> times_of(const std::vector<double>& nominal_pressures) {
-  const bool grows =
-      std::adjacent_find(nominal_pressures.begin(), nominal_pressures.end(),
-                         std::greater_equal<>()) == nominal_pressures.end();
-  if (grows)
-    return nominal_pressures;
-  std::vector<double> numbers(nominal_pressures.size());
-  std::iota(numbers.begin(), numbers.end(), 0.0);
-  return numbers;
-}
-
-void BlockOutput::write(const std::string& folder_and_stem,
-                        const BlockSystem& system, BlockStress& stress,
-                        double nominal_pressure) {
-  std::vector<double> pressures = steps_[folder_and_stem];
-  pressures.push_back(nominal_pressure);
-  const StressFields fields;
-  StressSpace nodal(system.space());
-  nodal.take(stress);
-  const CellFields cells(system);
-
-  dealii::DataOut<3> data;
+/// Fills the output with all fields of the block.
+void add_fields(const BlockSystem& system, BlockStress& stress,
+                const StressSpace& nodal, const CellFields& cells,
+                const StressFields& fields, dealii::DataOut<3>& data) {
   data.attach_triangulation(system.space().triangulation());
   data.add_data_vector(
       system.space().dof_handler(), stress.displacement(),
@@ -225,12 +134,35 @@ void BlockOutput::write(const std::string& folder_and_stem,
   data.add_data_vector(cells.level, "level");
   data.build_patches(system.space().mapping(), system.space().element().degree,
                      dealii::DataOut<3>::no_curved_cells);
-  dealii::DataOutBase::VtkFlags flags(
+}
+
+} // namespace
+
+void BlockOutput::write(const std::string& folder_and_stem,
+                        const BlockSystem& system, BlockStress& stress,
+                        const SurfaceOutput& surface, double nominal_pressure) {
+  std::vector<double> pressures = steps_[folder_and_stem];
+  pressures.push_back(nominal_pressure);
+  const StressFields fields;
+  StressSpace nodal(system.space());
+  nodal.take(stress);
+  const CellFields cells(system);
+  const dealii::DataOutBase::VtkFlags flags(
       nominal_pressure, static_cast<unsigned int>(pressures.size()) - 1, false,
       dealii::DataOutBase::VtkFlags::best_speed);
+  dealii::DataOut<3> data;
+  add_fields(system, stress, nodal, cells, fields, data);
   data.set_flags(flags);
 
-  write_files(folder_and_stem, data, pressures);
+  const std::filesystem::path path = folder_and_stem;
+  const std::string stem = path.filename().string();
+  const StepSeries block{
+      stem, [&](std::ostream& to) { data.write_vtu(to); },
+      [&](std::ostream& to, const std::vector<std::string>& parts) {
+        data.write_pvtu_record(to, parts);
+      }};
+  write_step(path.parent_path(),
+             {block, surface.series(stem + "_surface", flags)}, pressures);
   steps_[folder_and_stem] = std::move(pressures);
 }
 

@@ -1,12 +1,12 @@
-#include "fem/block/meshed_block.hpp"
+#include "fem/solution/meshed_block.hpp"
 
+#include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/require.hpp"
-#include "base/rms_height.hpp"
-#include "fem/block/block_section.hpp"
 #include "fem/block/hexahedron_block.hpp"
 #include "fem/block/lattice_block.hpp"
 #include "fem/block/lattice_preconditioner.hpp"
+#include "fem/solution/block_section.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ MeshedBlock::MeshedBlock(
     const std::shared_ptr<dealii::parallel::TriangulationBase<3>>&
         triangulation)
     : system_(checked(problem), triangulation),
-      maps_(system_),
+      maps_(system_, problem.height_interpolation),
       weights_(maps_.weights()),
       report_(system_.report()),
       newton_(newton_of(problem, system_, triangulation == nullptr)) {}
@@ -126,7 +126,9 @@ std::vector<double> MeshedBlock::section(const SectionPlane& plane) const {
 
 void MeshedBlock::write(const std::string& folder_and_stem) {
   BlockStress stress(system_, newton_.displacement());
-  output_.write(folder_and_stem, system_, stress, nominal_pressure_);
+  output_.write(folder_and_stem, system_, stress,
+                SurfaceOutput(maps_, newton_, stress.displacement(), heights_),
+                nominal_pressure_);
 }
 
 double MeshedBlock::weighted_mean(std::span<const double> field) const {
@@ -202,10 +204,11 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
                                  const BlockContact& contact) {
   require_arguments(heights, load, contact);
   BlockSolution answer;
-  newton_.solve(maps_.at_points(heights),
+  newton_.solve(maps_.heights_at_points(heights),
                 *std::max_element(heights.begin(), heights.end()),
                 height_scale_of(heights, grid().spacing_x()), load, contact,
                 answer);
+  heights_.assign(heights.begin(), heights.end());
   nominal_pressure_ = answer.nominal_pressure;
   answer.pressure = maps_.pressure(newton_.pressure());
   answer.is_contact_on_grid = is_contact_on_grid(answer.pressure);

@@ -1,13 +1,10 @@
-#include "fem/block/face_maps.hpp"
-
-#include "fem/block/block_triangulation.hpp"
+#include "fem/solution/face_maps.hpp"
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace asperity::fem {
@@ -15,65 +12,29 @@ namespace {
 
 using dealii::Point;
 using dealii::types::global_dof_index;
-using meshes::FaceGroup;
+using mechanics::HeightInterpolation;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
 
-/// Weights of the nodes -1, 0, 1, 2 at the fraction t of the distance from
-/// 0 to 1.
-std::array<double, 4> cubic_weights(double t) {
-  return {0.5 * t * (-1.0 + t * (2.0 - t)),
-          1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
-          0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
-}
-
-int wrapped(int i, int n) {
-  return ((i % n) + n) % n;
-}
-
 } // namespace
 
-double bicubic(const Grid& grid, std::span<const double> field, double x,
-               double y) {
-  const double across = x / grid.spacing_x();
-  const double along = y / grid.spacing_y();
-  const int ix = static_cast<int>(std::floor(across));
-  const int iy = static_cast<int>(std::floor(along));
-  const std::array<double, 4> by_column = cubic_weights(across - ix);
-  const std::array<double, 4> by_row = cubic_weights(along - iy);
-  double value = 0.0;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i)
-      value += by_row[static_cast<std::size_t>(j)] *
-               by_column[static_cast<std::size_t>(i)] *
-               field[grid.index(wrapped(ix - 1 + i, grid.points_x),
-                                wrapped(iy - 1 + j, grid.points_y))];
-  return value;
-}
-
-FaceMaps::FaceMaps(const BlockSystem& system) : system_(system) {
+FaceMaps::FaceMaps(const BlockSystem& system, HeightInterpolation between)
+    : system_(system), between_(between) {
   if (!system.contact().is_grid())
     find_samples();
 }
 
 /// Collects every grid node on each cell face of this rank that lies on the
-/// contact surface. Faces are visited in the order in which the Gauss points
-/// were generated.
+/// contact surface.
 void FaceMaps::find_samples() {
   const BlockSpace& space = system_.space();
   faces_a_node_.assign(system_.grid().size(), 0.0);
   std::size_t first_point = 0;
-  for (const auto& cell : space.dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned() || cell->center()[2] < 0.0)
-      continue;
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() &&
-          cell->face(f)->boundary_id() == boundary_of(FaceGroup::contact)) {
-        sample_face(cell, f, first_point);
-        first_point += space.face_quadrature().size();
-      }
-  }
+  for_contact_faces(space, [&](const auto& cell, unsigned int f) {
+    sample_face(cell, f, first_point);
+    first_point += space.face_quadrature().size();
+  });
   faces_a_node_ = summed(std::move(faces_a_node_));
   if (*std::min_element(faces_a_node_.begin(), faces_a_node_.end()) == 0.0)
     throw std::domain_error("the contact surface does not cover the grid");
@@ -125,21 +86,11 @@ void FaceMaps::take_sample(
   if (!cell->reference_cell().contains_point(unit, inside))
     return;
   Sample sample;
-  sample.node =
-      grid.index(wrapped(ix, grid.points_x), wrapped(iy, grid.points_y));
+  sample.node = grid.periodic_index(ix, iy);
   sample.row = points.row_at(cell, unit);
-  double nearest = std::numeric_limits<double>::max();
-  const std::size_t end = points.is_nodal()
-                              ? first_point
-                              : first_point + space.face_quadrature().size();
-  for (std::size_t i = first_point; i < end; ++i) {
-    const double distance =
-        points[i].place.distance(Point<2>(place[0], place[1]));
-    if (distance < nearest) {
-      nearest = distance;
-      sample.nearest = i;
-    }
-  }
+  if (!points.is_nodal())
+    sample.nearest =
+        points.nearest_on_face(first_point, Point<2>(place[0], place[1]));
   faces_a_node_[sample.node] += 1.0;
   samples_.push_back(std::move(sample));
 }
@@ -149,15 +100,50 @@ std::vector<double> FaceMaps::summed(std::vector<double> field) const {
   return field;
 }
 
-std::vector<double> FaceMaps::at_points(std::span<const double> field) const {
-  const ContactPoints& points = system_.contact();
-  std::vector<double> values(points.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = points[i].grid_node >= 0
-                    ? field[static_cast<std::size_t>(points[i].grid_node)]
-                    : bicubic(system_.grid(), field, points[i].place[0],
-                              points[i].place[1]);
+/// A field at places, of which those that are nodes of the grid have the value
+/// there.
+std::vector<double> FaceMaps::values_at(std::span<const double> field,
+                                        std::span<const Point<2>> places,
+                                        HeightInterpolation between) const {
+  std::vector<double> values(places.size());
+  std::vector<SurfacePlace> others;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const int node = grid_node_at(system_.grid(), places[i][0], places[i][1]);
+    if (node >= 0) {
+      values[i] = field[static_cast<std::size_t>(node)];
+    } else {
+      others.push_back({places[i][0], places[i][1]});
+      which.push_back(i);
+    }
+  }
+  const std::vector<double> found =
+      interpolated(system_.grid(), field, between, others);
+  for (std::size_t i = 0; i < which.size(); ++i)
+    values[which[i]] = found[i];
   return values;
+}
+
+std::vector<Point<2>> FaceMaps::places_of_points() const {
+  std::vector<Point<2>> places;
+  for (std::size_t i = 0; i < system_.contact().size(); ++i)
+    places.push_back(system_.contact()[i].place);
+  return places;
+}
+
+std::vector<double> FaceMaps::at_points(std::span<const double> field) const {
+  return values_at(field, places_of_points(), HeightInterpolation::bicubic);
+}
+
+std::vector<double>
+FaceMaps::heights_at_points(std::span<const double> heights) const {
+  return values_at(heights, places_of_points(), between_);
+}
+
+std::vector<double>
+FaceMaps::heights_at(std::span<const double> heights,
+                     std::span<const Point<2>> places) const {
+  return values_at(heights, places, between_);
 }
 
 std::vector<double> FaceMaps::displacement(const Vector& unknowns) const {

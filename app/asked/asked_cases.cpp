@@ -1,4 +1,4 @@
-#include "app/cli/asked_cases.hpp"
+#include "app/asked/asked_cases.hpp"
 
 #include "app/run/map_case.hpp"
 #include "cases/reader/read_case.hpp"

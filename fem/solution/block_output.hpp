@@ -1,19 +1,22 @@
 #pragma once
 
-// Output of solved blocks as files for ParaView. This file defines the names,
-// the steps and the format of the files; block_stress.hpp computes the stress.
+// Output of solved blocks as files for ParaView. This file defines the fields
+// of the block; surface_output.hpp defines those of its contact surface,
+// block_stress.hpp computes the stress, and parallel/step_files.hpp names the
+// files.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_stress.hpp"
+#include "fem/solution/block_stress.hpp"
+#include "fem/solution/surface_output.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace asperity::fem {
 
-/// Writes the files of FullBlock::write. The fields are, in SI units:
+/// Writes the files of FullBlock::write: the block as <stem>, its contact
+/// surface as <stem>_surface. The fields of the block are, in SI units:
 ///
 ///     displacement       u, vector                  quadratic where u is
 ///     stress             sigma, tensor              nodal averages
@@ -36,16 +39,12 @@ public:
   /// @throws std::runtime_error  on every rank if one of them could not write;
   ///                             files of earlier steps are then unchanged
   void write(const std::string& folder_and_stem, const BlockSystem& system,
-             BlockStress& stress, double nominal_pressure);
+             BlockStress& stress, const SurfaceOutput& surface,
+             double nominal_pressure);
 
 private:
   std::map<std::string, std::vector<double>> steps_; ///< nominal pressures
                                                      ///< [Pa], by stem
 };
-
-/// Times of the steps in a PVD file: the nominal pressures if they increase
-/// from step to step, otherwise the numbers of the steps, because ParaView
-/// superimposes files with equal times.
-std::vector<double> times_of(const std::vector<double>& nominal_pressures);
 
 } // namespace asperity::fem

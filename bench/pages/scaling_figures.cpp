@@ -1,0 +1,72 @@
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/analysis/scaling.hpp"
+#include "bench/pages/bench_report.hpp"
+
+namespace asperity::reports {
+namespace {
+
+Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
+  const char* const workers = has_ranks ? "ranks" : "threads";
+  Figure figure;
+  figure.name =
+      fmt::format("{}-scaling-{}", is_weak ? "weak" : "strong", workers);
+  figure.title =
+      fmt::format("{} scaling over {}", is_weak ? "Weak" : "Strong", workers);
+  figure.caption = fmt::format(
+      "{} Wall time of the whole run, medians; the grey line is ideal.",
+      is_weak ? "The number of nodes grows in proportion to the workers, and "
+                "the speed is in nodes per time."
+              : "The same work on every number of workers.");
+  CsvTable table({"curve", "index", std::string(workers) + " [1]",
+                  "speed-up [1]", "efficiency [1]"});
+  const std::string file = "'" + figure.name + ".csv' ";
+  std::vector<std::string> parts{
+      "x linecolor rgb '#bbbbbb' linewidth 1.5 title 'ideal'"};
+  int most = 1;
+  std::size_t index = 0;
+  for (const ScalingSeries& series : bench.scaling) {
+    if (series.has_ranks != has_ranks || series.is_weak != is_weak)
+      continue;
+    const std::vector<ScalingRow> rows = scaling_rows(bench, series);
+    for (const ScalingRow& row : rows) {
+      table.add(series.method, {static_cast<double>(index), double(row.workers),
+                                row.speed_up, row.efficiency});
+      most = std::max(most, row.workers);
+    }
+    if (!rows.empty())
+      parts.push_back(file + of_series(index, "$3:4") +
+                      fmt::format(" with linespoints linecolor rgb '{}' "
+                                  "pointtype 7 pointsize 0.7 linewidth 1.4 "
+                                  "title {}",
+                                  method_color(index),
+                                  gnuplot_text(series.method)));
+    ++index;
+  }
+  figure.data = table.text();
+  figure.script = fmt::format("set logscale xy 2\nset xrange [0.9:{}]\nset "
+                              "yrange [:{}]\nset xlabel "
+                              "'{}'\nset ylabel 'speed-up'\nset key left top\n",
+                              1.2 * most, 1.5 * most, workers) +
+                  plot_of(parts);
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> scaling_figures(const Bench& bench) {
+  std::vector<Figure> figures;
+  for (const bool has_ranks : {false, true})
+    for (const bool is_weak : {false, true})
+      if (std::ranges::any_of(bench.scaling, [&](const ScalingSeries& series) {
+            return series.has_ranks == has_ranks && series.is_weak == is_weak;
+          }))
+        figures.push_back(scaling_figure(bench, has_ranks, is_weak));
+  return figures;
+}
+
+} // namespace asperity::reports

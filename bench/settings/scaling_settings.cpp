@@ -1,0 +1,144 @@
+#include "bench/settings/scaling_settings.hpp"
+
+#include "app/methods/chosen.hpp"
+#include "input/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/settings/case_values.hpp"
+
+namespace asperity::app {
+namespace {
+
+using cases::MethodSpec;
+using reports::BenchPoint;
+using reports::ScalingSeries;
+
+class ScalingPlanner {
+public:
+  ScalingPlanner(const cases::Case& contact_case, const ScalingOptions& options)
+      : case_(contact_case), values_(contact_case), options_(options) {}
+
+  Sweep plan() &&;
+
+private:
+  void add(const MethodSpec& method, bool has_ranks, bool is_weak);
+  BenchPoint run_of(const MethodSpec& method, int points,
+                    int realizations) const;
+  int points_for(double growth) const;
+  std::size_t point(BenchPoint wanted);
+
+  const cases::Case& case_;
+  CaseValues values_;
+  const ScalingOptions& options_;
+  Sweep sweep_;
+};
+
+int ScalingPlanner::points_for(double growth) const {
+  const int own = case_.surface.points.value_or(0);
+  return growth == 1.0 ? own
+                       : transformable_points(static_cast<int>(
+                             std::ceil(own * std::sqrt(growth))));
+}
+
+BenchPoint ScalingPlanner::run_of(const MethodSpec& method, int points,
+                                  int realizations) const {
+  BenchPoint run;
+  run.method = method.name;
+  run.kind = kind_of_method(method.name);
+  run.points = points;
+  run.nodes = realizations * std::max(1.0, double(points) * points);
+  if (points != case_.surface.points.value_or(0))
+    run.overrides.push_back(fmt::format("surface.points={}", points));
+  if (realizations != case_.surface.realizations)
+    run.overrides.push_back(
+        fmt::format("surface.realizations={}", realizations));
+  if (values_.is_set(method.name, "realizations"))
+    run.overrides.push_back(
+        fmt::format("{}.realizations={}", method.name, realizations));
+  return run;
+}
+
+/// Adds a run, unless the plan has it: the first one of strong and of weak
+/// scaling are often the same.
+std::size_t ScalingPlanner::point(BenchPoint wanted) {
+  for (std::size_t i = 0; i < sweep_.points.size(); ++i) {
+    const BenchPoint& known = sweep_.points[i];
+    if (known.method == wanted.method && known.overrides == wanted.overrides &&
+        known.threads == wanted.threads && known.ranks == wanted.ranks)
+      return i;
+  }
+  sweep_.points.push_back(std::move(wanted));
+  return sweep_.points.size() - 1;
+}
+
+void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
+                         bool is_weak) {
+  ScalingSeries series{method.name, has_ranks, is_weak};
+  const std::vector<int>& all = has_ranks ? options_.ranks : options_.threads;
+  const bool grows_in_points = !has_ranks || is_full_block(method);
+  for (const int workers : all) {
+    const int growth = is_weak ? workers : 1;
+    const int points =
+        grows_in_points
+            ? points_for(double(growth) / (is_weak ? all.front() : 1))
+            : points_for(1.0);
+    const int realizations = grows_in_points ? 1
+                             : is_weak       ? workers
+                                             : n_realizations(case_, method);
+    BenchPoint run = run_of(method, points, realizations);
+    (has_ranks ? run.ranks : run.threads) = workers;
+    run.label = fmt::format(
+        "{}{}, {} {}",
+        points > 0 ? fmt::format("{} points", points) : std::string("the map"),
+        realizations > 1 ? fmt::format(", {} realisations", realizations) : "",
+        workers,
+        std::string(has_ranks ? "rank" : "thread") + (workers == 1 ? "" : "s"));
+    series.points.push_back(point(std::move(run)));
+  }
+  sweep_.scaling.push_back(std::move(series));
+}
+
+Sweep ScalingPlanner::plan() && {
+  sweep_.common = common_overrides(case_, case_.surface.realizations);
+  const bool has_points = case_.surface.points.has_value();
+  for (const MethodSpec& method : chosen_methods(case_, options_.methods)) {
+    if (kind_of_method(method.name) == "theory")
+      continue;
+    if (!options_.threads.empty()) {
+      add(method, false, false);
+      if (has_points)
+        add(method, false, true);
+    }
+    if (options_.ranks.empty())
+      continue;
+    const int most = options_.ranks.back();
+    if (!is_full_block(method) && n_realizations(case_, method) < most)
+      throw input::InputError(fmt::format(
+          "--ranks {}: ranks share the realisations of {}, which are {}; more "
+          "of them: --set surface.realizations={}",
+          most, method.name, n_realizations(case_, method), most));
+    add(method, true, false);
+    if (has_points || !is_full_block(method))
+      add(method, true, true);
+  }
+  if (sweep_.points.empty())
+    throw input::InputError(case_.path + ": the theory takes no time that "
+                                         "threads or ranks could share");
+  if (!has_points)
+    sweep_.remarks.emplace_back("The points of a measured map are given, so "
+                                "that no work grows with them.");
+  return std::move(sweep_);
+}
+
+} // namespace
+
+Sweep scaling_of(const cases::Case& contact_case,
+                 const ScalingOptions& options) {
+  return ScalingPlanner(contact_case, options).plan();
+}
+
+} // namespace asperity::app

@@ -1,0 +1,139 @@
+// Tests of bench/settings/scaling_settings.hpp and bench/analysis/scaling.hpp:
+// the runs on several threads and ranks, and what follows from their times.
+#include "cases/reader/read_case.hpp"
+#include "input/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench/analysis/scaling.hpp"
+#include "bench/settings/scaling_settings.hpp"
+#include "tests/bench/rough_case.hpp"
+#include "tests/message_of.hpp"
+
+namespace asperity::app {
+namespace {
+
+using reports::Bench;
+using reports::BenchPoint;
+using reports::ScalingRow;
+using reports::ScalingSeries;
+
+const std::string methods = "[theory]\ngamma = 0.4\n[halfspace]\n";
+
+Sweep scaling(const std::string& text, const ScalingOptions& options) {
+  return scaling_of(cases::read_case_text(text, "case.toml"), options);
+}
+
+/// Each setting of a series as "256 1 1 1": points, threads, ranks and nodes
+/// per node of the case's surface.
+std::vector<std::string> runs_of(const Sweep& sweep,
+                                 const ScalingSeries& series) {
+  std::vector<std::string> runs;
+  for (const std::size_t i : series.points) {
+    const BenchPoint& point = sweep.points[i];
+    runs.push_back(std::to_string(point.points) + " " +
+                   std::to_string(point.threads) + " " +
+                   std::to_string(point.ranks) + " " +
+                   std::to_string(std::lround(point.nodes / 256 / 256 * 100)));
+  }
+  return runs;
+}
+
+// 256 sqrt(2) = 362.04 and 256 sqrt(3) = 443.4 are rounded up to 364 and 444,
+// and then to even numbers without factors above 5: 384 and 450. The theory is
+// not run, and the run on one thread is shared by both series.
+TEST(ScalingSettings, WorkGrowsWithTheThreads) {
+  const Sweep sweep = scaling(rough_case(methods), {.threads = {1, 2, 3, 4}});
+
+  ASSERT_EQ(sweep.scaling.size(), 2U);
+  EXPECT_FALSE(sweep.scaling[0].is_weak);
+  EXPECT_EQ(runs_of(sweep, sweep.scaling[0]),
+            (std::vector<std::string>{"256 1 1 100", "256 2 1 100",
+                                      "256 3 1 100", "256 4 1 100"}));
+  EXPECT_TRUE(sweep.scaling[1].is_weak);
+  EXPECT_EQ(runs_of(sweep, sweep.scaling[1]),
+            (std::vector<std::string>{"256 1 1 100", "384 2 1 225",
+                                      "450 3 1 309", "512 4 1 400"}));
+  EXPECT_EQ(sweep.points.size(), 7U);
+  for (const BenchPoint& point : sweep.points)
+    EXPECT_EQ(point.method, "halfspace");
+}
+
+// Ranks share the realisations: all of the case, or one for each rank. A full
+// block is shared itself, so that its points grow.
+TEST(ScalingSettings, RanksShareRealisationsOrAFullBlock) {
+  std::string text = rough_case("[halfspace]\n[fem]\nsolver = \"full\"\n");
+  text.replace(text.find("seed = 3"), 8, "seed = 3\nrealizations = 4");
+
+  const Sweep sweep = scaling(text, {.ranks = {1, 4}});
+
+  ASSERT_EQ(sweep.scaling.size(), 4U);
+  const auto of = [&](const std::string& method, bool is_weak) {
+    for (const ScalingSeries& series : sweep.scaling)
+      if (series.method == method && series.is_weak == is_weak)
+        return runs_of(sweep, series);
+    return std::vector<std::string>{};
+  };
+  EXPECT_EQ(of("halfspace", false),
+            (std::vector<std::string>{"256 1 1 400", "256 1 4 400"}));
+  EXPECT_EQ(of("halfspace", true),
+            (std::vector<std::string>{"256 1 1 100", "256 1 4 400"}));
+  EXPECT_EQ(of("fem", false),
+            (std::vector<std::string>{"256 1 1 100", "256 1 4 100"}));
+  EXPECT_EQ(of("fem", true),
+            (std::vector<std::string>{"256 1 1 100", "512 1 4 400"}));
+}
+
+TEST(ScalingSettings, RefusesWhatCannotScale) {
+  const auto refusal = [](const std::string& text,
+                          const ScalingOptions& options) {
+    return tests::message_of<input::InputError>(
+        [&] { (void)scaling(text, options); });
+  };
+  EXPECT_NE(refusal(rough_case(methods), {.ranks = {1, 2}})
+                .find("--set surface.realizations=2"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal(rough_case(methods), {.methods = {"theory"}, .threads = {1, 2}})
+          .find("theory"),
+      std::string::npos);
+}
+
+// Two threads in 0.6 of the time, then 2.25 times the nodes in 1.5 times.
+TEST(ScalingRows, AreRelativeToTheFirstRun) {
+  Bench bench;
+  for (const auto& [threads, nodes, wall, cpu] :
+       {std::tuple{1, 100.0, 10.0, 10.0}, std::tuple{2, 100.0, 6.0, 11.0},
+        std::tuple{2, 225.0, 15.0, 27.0}}) {
+    BenchPoint point;
+    point.threads = threads;
+    point.nodes = nodes;
+    point.wall.median = wall;
+    point.cpu.median = cpu;
+    point.answer.values["mean_gap"] = {nodes == 100.0 ? 1.0 : 2.0};
+    bench.points.push_back(point);
+  }
+
+  const auto strong = scaling_rows(bench, {"fem", false, false, {0, 1}});
+  const auto weak = scaling_rows(bench, {"fem", false, true, {0, 2}});
+
+  ASSERT_EQ(strong.size(), 2U);
+  EXPECT_DOUBLE_EQ(strong[1].speed_up, 10.0 / 6.0);
+  EXPECT_DOUBLE_EQ(strong[1].efficiency, 5.0 / 6.0);
+  EXPECT_DOUBLE_EQ(strong[1].cpu_ratio, 1.1);
+  EXPECT_TRUE(strong[1].has_same_bits);
+  ASSERT_EQ(weak.size(), 2U);
+  EXPECT_DOUBLE_EQ(weak[1].speed_up, 1.5);
+  EXPECT_DOUBLE_EQ(weak[1].efficiency, 0.75);
+  EXPECT_DOUBLE_EQ(weak[1].cpu_ratio, 1.2);
+  EXPECT_TRUE(weak[1].has_same_bits) << "other surfaces are not compared";
+
+  bench.points[1].answer.values["mean_gap"] = {std::nextafter(1.0, 2.0)};
+  EXPECT_FALSE(
+      scaling_rows(bench, {"fem", false, false, {0, 1}})[1].has_same_bits);
+  bench.points[0].problem = "ended with exit code 2";
+  EXPECT_TRUE(scaling_rows(bench, {"fem", false, false, {0, 1}}).empty());
+}
+
+} // namespace
+} // namespace asperity::app

@@ -1,0 +1,73 @@
+// Tests of fem/full_request.hpp: what the description of a block becomes.
+#include "fem/full_request.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "tests/message_of.hpp"
+
+namespace asperity::fem {
+namespace {
+
+FullRequest adaptive_request(int points, int halvings) {
+  FullRequest request;
+  request.grid = {points, points, 1e-6, 1e-6};
+  request.full.uses_case_mesh = true;
+  request.material.contact_modulus = 2e9;
+  request.material.poisson_ratio = 0.3;
+  request.mesh.kind = mechanics::MeshKind::adaptive;
+  request.mesh.halvings = halvings;
+  request.scales = {2e9, 1e-6, 1e-6 / points, 1e-9, 0.1};
+  return request;
+}
+
+std::string refusal(const FullRequest& request) {
+  return tests::message_of<std::domain_error>(
+      [&] { static_cast<void>(problem_of(request)); });
+}
+
+// The coarsest cells of second order span two nodes of the grid after all
+// halvings: 48 points with three halvings are 3 cells per side.
+TEST(FullRequest, HalvesTheCellsOfAnAdaptiveMesh) {
+  for (const int halvings : {1, 2, 3}) {
+    const BlockProblem problem = problem_of(adaptive_request(48, halvings));
+
+    const auto cells = static_cast<std::size_t>(24 >> halvings);
+    EXPECT_EQ(problem.mesh.cells.size(), cells * cells * cells);
+    ASSERT_TRUE(problem.adaptive.has_value());
+    EXPECT_EQ(problem.adaptive->halvings, halvings);
+  }
+}
+
+// At least one halving, and two coarsest cells per side.
+TEST(FullRequest, RefusesHalvingsThatDoNotFit) {
+  EXPECT_NE(refusal(adaptive_request(48, 0)).find("halvings = 0"),
+            std::string::npos);
+  EXPECT_NE(refusal(adaptive_request(48, 13)).find("halvings = 13"),
+            std::string::npos);
+  EXPECT_EQ(refusal(adaptive_request(32, 3)), "accepted");
+  EXPECT_NE(refusal(adaptive_request(48, 4)).find("a multiple of 32"),
+            std::string::npos);
+  EXPECT_NE(refusal(adaptive_request(32, 4)).find("at least twice as many"),
+            std::string::npos);
+}
+
+// The settings of the contact surface reach the problem.
+TEST(FullRequest, PassesTheContactSurfaceOn) {
+  FullRequest request = adaptive_request(16, 1);
+  request.full.contact_at = mechanics::ContactPoints::gauss;
+  request.full.height_interpolation = mechanics::HeightInterpolation::bilinear;
+  request.full.sides = mechanics::BlockSides::free;
+
+  const BlockProblem problem = problem_of(request);
+
+  EXPECT_EQ(problem.contact_at, mechanics::ContactPoints::gauss);
+  EXPECT_EQ(problem.height_interpolation,
+            mechanics::HeightInterpolation::bilinear);
+  EXPECT_EQ(problem.sides, mechanics::BlockSides::free);
+}
+
+} // namespace
+} // namespace asperity::fem
