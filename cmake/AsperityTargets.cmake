@@ -47,6 +47,13 @@ asperity_show(asperity_test_sources INTERFACE benchmarks)
 # library's sources are therefore unique, also in unnamed namespaces.
 set(ASPERITY_UNITY_BATCH 25 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
 
+# The sources of the program and of the module compute nothing: little is optimised.
+function(asperity_compile_as_one target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
+    UNITY_BUILD_BATCH_SIZE 0)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # asperity_library(theory SOURCES hertz.cpp persson.cpp [DEPENDS asperity::base]
 #                  [PRIVATE_DEPENDS PkgConfig::fftw3] [PRECOMPILE <header>] [SHARED]
 #                  [OPTIMIZATION 1])

@@ -86,7 +86,7 @@ void Skips::add_surfaces() {
       {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
        "the theory uses the formula of the spectrum",
        3.0 * realizations * rates_.transform_time(selected_.grid),
-       realizations * sizeof(double) * nodes()});
+       nodes() * realizations * sizeof(double)});
 }
 
 void Skips::add_maps() {
