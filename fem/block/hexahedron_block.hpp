@@ -86,6 +86,13 @@ public:
   LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
                        int most_iterations) override;
 
+  /// Gives some cells tangents at their Gauss points, as a plastic body has
+  /// them; the preconditioner stays that of the elastic block.
+  /// @param cells  in the order of the active cells, each once
+  void set_tangents(std::span<const CellTangents> cells) {
+    multigrid_.set_tangents(cells);
+  }
+
   int setups() const override { return correction_.setups(); }
 
   std::string name() const override;

@@ -112,7 +112,62 @@ struct Hexahedra {
   struct Shape {
     std::array<Three, 7> c; ///< of (F.5)
     Pack lame, shear;
+    const Number* tangents; ///< of the first cell, or null
   };
+
+  /// Reads one number of each cell of a pack.
+  [[gnu::always_inline]] static void take(const Number* numbers, Pack& pack) {
+    __builtin_memcpy(&pack, numbers, bytes);
+  }
+
+  /// Replaces H times `scale` by C H, where C is the tangent (F.6) at a Gauss
+  /// point.
+  [[gnu::always_inline]] static void
+  respond_by_tangent(const Number* tangent, const Pack& scale,
+                     const std::array<Three, 3>& h,
+                     std::array<Three, 3>& stress) {
+    Pack lame, mu, product{};
+    take(tangent, lame);
+    take(tangent + cells_in_group, mu);
+    mu *= scale;
+    Three strain, shear, normal_softening, shear_softening;
+    ASPERITY_UNROLL
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      take(tangent + (2 + i) * cells_in_group, normal_softening[i]);
+      take(tangent + (5 + i) * cells_in_group, shear_softening[i]);
+      strain[i] = h[i][i];
+      shear[i] = h[j][k] + h[k][j];
+      product +=
+          normal_softening[i] * strain[i] + shear_softening[i] * shear[i];
+    }
+    product *= scale;
+    const Pack pressure = scale * lame * (strain[0] + strain[1] + strain[2]);
+    ASPERITY_UNROLL
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      stress[i][i] =
+          pressure + (mu + mu) * strain[i] - product * normal_softening[i];
+      stress[j][k] = stress[k][j] =
+          mu * shear[i] - product * shear_softening[i];
+    }
+  }
+
+  /// The same for the moduli of the cell.
+  [[gnu::always_inline]] static void
+  respond_by_moduli(const Shape& shape, const Pack& scale,
+                    const std::array<Three, 3>& h,
+                    std::array<Three, 3>& stress) {
+    const Pack mu = scale * shape.shear;
+    const Pack pressure = scale * shape.lame * (h[0][0] + h[1][1] + h[2][2]);
+    const Pack xy = mu * (h[0][1] + h[1][0]);
+    const Pack yz = mu * (h[1][2] + h[2][1]);
+    const Pack zx = mu * (h[2][0] + h[0][2]);
+    const Pack twice = mu + mu;
+    stress = {Three{{pressure + twice * h[0][0], xy, zx}},
+              Three{{xy, pressure + twice * h[1][1], yz}},
+              Three{{zx, yz, pressure + twice * h[2][2]}}};
+  }
 
   /// Replaces the derivatives by the reference coordinates at a Gauss point by
   /// those of the energy by them. With the cofactors A of (F.5) and its
@@ -149,16 +204,13 @@ struct Hexahedra {
       for (std::size_t k = 0; k < 3; ++k)
         h[c][k] = entry(c, 0) * cofactors[0][k] +
                   entry(c, 1) * cofactors[1][k] + entry(c, 2) * cofactors[2][k];
-    const Pack mu = scale * shape.shear;
-    const Pack pressure = scale * shape.lame * (h[0][0] + h[1][1] + h[2][2]);
-    const Pack xy = mu * (h[0][1] + h[1][0]);
-    const Pack yz = mu * (h[1][2] + h[2][1]);
-    const Pack zx = mu * (h[2][0] + h[0][2]);
-    const Pack twice = mu + mu;
-    const std::array<Three, 3> stress{
-        Three{{pressure + twice * h[0][0], xy, zx}},
-        Three{{xy, pressure + twice * h[1][1], yz}},
-        Three{{zx, yz, pressure + twice * h[2][2]}}};
+    std::array<Three, 3> stress;
+    if (shape.tangents == nullptr)
+      respond_by_moduli(shape, scale, h, stress);
+    else
+      respond_by_tangent(shape.tangents +
+                             point * numbers_in_tangent * cells_in_group,
+                         scale, h, stress);
     ASPERITY_UNROLL
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t m = 0; m < 3; ++m)
@@ -208,21 +260,20 @@ struct Hexahedra {
   }
 
   [[gnu::always_inline]] static void read(const Number* shapes, Shape& shape) {
-    const auto take = [&](std::size_t i, Pack& pack) {
-      __builtin_memcpy(&pack, shapes + i * cells_in_group, bytes);
-    };
     for (std::size_t i = 0; i < 21; ++i)
-      take(i, shape.c[i / 3][i % 3]);
-    take(21, shape.lame);
-    take(22, shape.shear);
+      take(shapes + i * cells_in_group, shape.c[i / 3][i % 3]);
+    take(shapes + 21 * cells_in_group, shape.lame);
+    take(shapes + 22 * cells_in_group, shape.shear);
   }
 
   /// The cells of one pack.
   [[gnu::always_inline]] static void some(const Number* from, Number* to,
                                           const std::uint32_t* first,
-                                          const Number* shapes) {
+                                          const Number* shapes,
+                                          const Number* tangents) {
     Shape shape;
     read(shapes, shape);
+    shape.tangents = tangents;
     Pack values[3 * nodes];
     auto* const numbers = reinterpret_cast<Number*>(values);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -242,11 +293,19 @@ struct Hexahedra {
 
   [[gnu::always_inline]] static void
   all(const HexahedronProduct<Number>& product) {
-    for (std::size_t group = 0; group < product.groups; ++group)
+    constexpr std::size_t numbers =
+        points_in_hexahedron * numbers_in_tangent * cells_in_group;
+    for (std::size_t group = 0; group < product.groups; ++group) {
+      const std::uint32_t place = product.tangent_places == nullptr
+                                      ? no_tangents
+                                      : product.tangent_places[group];
       for (std::size_t cell = 0; cell < cells_in_group; cell += lanes)
         some(product.from, product.to,
              product.nodes + (group * cells_in_group + cell) * nodes,
-             product.shapes + group * cells_in_group * numbers_in_shape + cell);
+             product.shapes + group * cells_in_group * numbers_in_shape + cell,
+             place == no_tangents ? nullptr
+                                  : product.tangents + place * numbers + cell);
+    }
   }
 };
 

@@ -24,6 +24,13 @@ inline constexpr std::size_t numbers_in_shape = 23;
 
 inline constexpr std::size_t nodes_in_hexahedron = 27;
 
+inline constexpr std::size_t points_in_hexahedron = 27; ///< of Gauss
+
+/// Numbers of a tangent (F.6): lambda, mu and the six components of s.
+inline constexpr std::size_t numbers_in_tangent = 8;
+
+inline constexpr std::uint32_t no_tangents = UINT32_MAX;
+
 /// Groups of cells and the vectors that they act on. A node has three
 /// consecutive unknowns.
 template <class Number>
@@ -35,6 +42,12 @@ struct HexahedronProduct {
   const std::uint32_t* nodes = nullptr;
   /// For each group numbers_in_shape times cells_in_group numbers.
   const Number* shapes = nullptr;
+  /// The place of each group in `tangents`, or no_tangents for one whose cells
+  /// have the moduli of their shapes; null if all are of that kind.
+  const std::uint32_t* tangent_places = nullptr;
+  /// For each place and Gauss point, x fastest, numbers_in_tangent times
+  /// cells_in_group numbers.
+  const Number* tangents = nullptr;
 };
 
 /// Adds K `from` to `to` with 3^3 Gauss points for each cell. The fastest

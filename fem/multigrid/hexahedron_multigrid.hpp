@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace asperity::fem {
@@ -39,6 +40,14 @@ public:
   }
 
   void set_contact(HexahedronContact contact);
+
+  /// Gives some cells of K tangents in place of their moduli. The cycle keeps
+  /// the moduli: its levels are elastic, and the iterations grow with the
+  /// square root of the largest ratio of the two stiffnesses.
+  /// @param cells  each cell once
+  void set_tangents(std::span<const CellTangents> cells) {
+    stiffness_.set_tangents(cells);
+  }
 
   /// Computes force = K displacement, without springs; not masked at held
   /// unknowns.

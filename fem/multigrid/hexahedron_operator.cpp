@@ -203,6 +203,42 @@ void HexahedronOperator<Number>::take_shape(const HexahedronMesh& mesh,
 }
 
 template <class Number>
+void HexahedronOperator<Number>::set_tangents(
+    std::span<const CellTangents> cells) {
+  tangents_.clear();
+  tangent_places_.clear();
+  if (cells.empty())
+    return;
+  constexpr std::size_t in_point = numbers_in_tangent * cells_in_group;
+  constexpr std::size_t in_group = points_in_hexahedron * in_point;
+  tangent_places_.assign(groups(), no_tangents);
+  for (const CellTangents& cell : cells) {
+    const std::size_t group = cell.cell / cells_in_group;
+    if (tangent_places_.at(group) == no_tangents) {
+      tangent_places_[group] =
+          static_cast<std::uint32_t>(tangents_.size() / in_group);
+      // The moduli, which are the last two numbers of a shape, and no s.
+      const Number* const moduli =
+          shapes_.data() +
+          ((group + 1) * numbers_in_shape - 2) * cells_in_group;
+      for (std::size_t point = 0; point < points_in_hexahedron; ++point) {
+        tangents_.insert(tangents_.end(), moduli, moduli + 2 * cells_in_group);
+        tangents_.resize(tangents_.size() + 6 * cells_in_group, Number(0));
+      }
+    }
+    Number* to = tangents_.data() + tangent_places_[group] * in_group +
+                 cell.cell % cells_in_group;
+    for (const PointTangent& point : cell.points) {
+      to[0] = static_cast<Number>(point.lame);
+      to[cells_in_group] = static_cast<Number>(point.shear);
+      for (std::size_t i = 0; i < point.softening.size(); ++i)
+        to[(2 + i) * cells_in_group] = static_cast<Number>(point.softening[i]);
+      to += in_point;
+    }
+  }
+}
+
+template <class Number>
 void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
   std::vector<double> sum(size_, 0.0);
   CellDiagonal of_cell;
@@ -233,9 +269,12 @@ void HexahedronOperator<Number>::apply(Number* displacement,
   HexahedronProduct<Number> product;
   product.from = displacement;
   product.to = force;
-  product.groups = shapes_.size() / (cells_in_group * numbers_in_shape);
+  product.groups = groups();
   product.nodes = nodes_.data();
   product.shapes = shapes_.data();
+  product.tangent_places =
+      tangent_places_.empty() ? nullptr : tangent_places_.data();
+  product.tangents = tangents_.data();
   multiply_hexahedra(product);
   constraints_.condense(force);
 }
@@ -243,7 +282,9 @@ void HexahedronOperator<Number>::apply(Number* displacement,
 template <class Number>
 std::size_t HexahedronOperator<Number>::bytes() const {
   return constraints_.bytes() + nodes_.size() * sizeof(std::uint32_t) +
-         (shapes_.size() + diagonal_.size()) * sizeof(Number);
+         (shapes_.size() + tangents_.size() + diagonal_.size()) *
+             sizeof(Number) +
+         tangent_places_.size() * sizeof(std::uint32_t);
 }
 
 template class HexahedronOperator<float>;

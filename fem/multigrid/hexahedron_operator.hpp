@@ -4,12 +4,14 @@
 // matrix, under linear constraints. This file does not depend on deal.II.
 
 #include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/cell_tangents.hpp"
 #include "fem/multigrid/hexahedron_kernel.hpp"
 #include "fem/multigrid/sparse_rows.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace asperity::fem {
@@ -62,6 +64,11 @@ public:
   /// @param displacement  [m]; constrained values are overwritten
   void apply(Number* displacement, Number* force) const;
 
+  /// Gives some cells tangents in place of their moduli; all others have their
+  /// moduli again. The diagonal stays that of the moduli.
+  /// @param cells  each cell once
+  void set_tangents(std::span<const CellTangents> cells);
+
   /// Diagonal of K without the terms that couple two masters of one unknown;
   /// positive, and zero at constrained unknowns.
   const std::vector<Number>& diagonal() const { return diagonal_; }
@@ -69,6 +76,10 @@ public:
   std::size_t bytes() const;
 
 private:
+  std::size_t groups() const {
+    return shapes_.size() / (cells_in_group * numbers_in_shape);
+  }
+
   void take_shape(const HexahedronMesh& mesh, std::size_t cell);
   void take_diagonal(const HexahedronMesh& mesh);
 
@@ -76,6 +87,8 @@ private:
   UnknownConstraints constraints_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Number> shapes_;
+  std::vector<Number> tangents_;
+  std::vector<std::uint32_t> tangent_places_; ///< as HexahedronProduct has them
   std::vector<Number> diagonal_;
 };
 
