@@ -38,12 +38,6 @@ protected:
   }
 };
 
-// The value sha256sum prints for the three bytes "abc" (FIPS 180-2, B.1).
-TEST_F(Store, HashesAsTheStandardDoes) {
-  EXPECT_EQ(content_hash("abc"), "ba7816bf8f01cfea414140de5dae2223"
-                                 "b00361a396177a9cb410ff61f20015ad");
-}
-
 TEST_F(Store, ReadsBackWhatItWasGiven) {
   Cache cache(folder, 1000);
   const std::string bytes("\0\xff two \n", 8);
