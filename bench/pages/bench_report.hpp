@@ -26,6 +26,10 @@ std::string bench_csv(const Bench& bench);
 /// the CPU time.
 std::vector<Figure> bench_figures(const Bench& bench);
 
+/// Returns error against unknowns and against CPU time, a series for each
+/// finite-element method, if one of them is a full 3-D block; otherwise none.
+std::vector<Figure> block_figures(const Bench& bench);
+
 /// Returns the figures of a scaling study: speed-up against threads and ranks,
 /// for constant work and for work that grows with them.
 std::vector<Figure> scaling_figures(const Bench& bench);

@@ -99,6 +99,7 @@ struct BenchRunner::Once {
   int failed_steps = 0;
   int iterations = 0;
   int transforms = 0;
+  double unknowns = not_a_number;
 };
 
 BenchRunner::BenchRunner(const cases::Case& contact_case,
@@ -161,12 +162,16 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       once.failed_steps += row.status == results::StepStatus::not_converged;
       once.iterations += row.iterations;
       once.transforms += row.transforms;
+      once.unknowns = std::fmax(once.unknowns, row.unknowns); // ignores NaN
     }
   once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);
   once.answer = reports::answer_of(result, case_, point.method);
   if (!result.surfaces.empty())
     once.grid = result.surfaces.front().grid;
+  if (std::isnan(once.unknowns) &&
+      (method->kind == "fem" || method->kind == "halfspace"))
+    once.unknowns = static_cast<double>(once.grid.size());
   return once;
 }
 
@@ -232,6 +237,7 @@ void BenchRunner::run(BenchPoint& point) {
   point.failed_steps = middle.failed_steps;
   point.iterations = middle.iterations;
   point.transforms = middle.transforms;
+  point.unknowns = middle.unknowns;
   if (middle.transforms > 0 && middle.grid.size() > 0)
     point.transform_pair = transform_pair(middle.grid);
 }

@@ -107,7 +107,7 @@ bool CaseValues::is_set(const std::string& table,
 std::vector<std::string> CaseValues::without_spacings(double spacing) const {
   std::vector<std::string> overrides;
   for (const cases::NodeEntry& entry : file_.entries)
-    if (entry.node.is_table())
+    if (entry.node.is_table() && entry.key != "mesh")
       add_without_spacings(entry.node, entry.key, spacing, overrides);
   return overrides;
 }

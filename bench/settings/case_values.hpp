@@ -27,7 +27,8 @@ public:
 
   /// Returns overrides that convert every length of the file that is given in
   /// node spacings ("8 h") to metres, with the case's own spacing. Another
-  /// number of points then does not change the surface and the block.
+  /// number of points then does not change the surface and the block. Cell
+  /// sizes in [mesh] keep to the spacing.
   std::vector<std::string> without_spacings(double spacing) const;
 
 private:

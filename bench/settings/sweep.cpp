@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/settings/block_settings.hpp"
 #include "bench/settings/case_values.hpp"
 #include "bench/settings/sweep_axes.hpp"
 
@@ -29,6 +30,10 @@ std::string points_override(int points) {
   return fmt::format("{}={}", points_axis, points);
 }
 
+void append(std::vector<std::string> more, std::vector<std::string>& list) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 bool is_chosen(const MethodSpec& method,
                const std::vector<std::string>& names) {
   return names.empty() ||
@@ -42,12 +47,12 @@ bool is_chosen(const MethodSpec& method,
 /// it; energy and mean gap are stationary. A penalty stiffness proportional to
 /// E*/h is penetrated by p/k ~ h.
 void add_theoretical_orders(const cases::Case& contact_case,
-                            const MethodSpec& method, BenchSeries& series) {
+                            const std::string& method, BenchSeries& series) {
   const CaseValues values(contact_case);
-  const auto contact = values.value(method.name, "contact");
+  const auto contact = values.value(method, "contact");
   if (!contact)
     return;
-  const auto penalty = values.value(method.name, "penalty");
+  const auto penalty = values.value(method, "penalty");
   const bool is_penalized = contact->text == "penalty" && penalty &&
                             penalty->text.find("E*/h") != std::string::npos;
   const double order = is_penalized ? 1.0 : 2.0;
@@ -74,6 +79,9 @@ public:
 private:
   void add_truth();
   void add_points(const MethodSpec& method);
+  void add_points(const AddedMethod& method);
+  /// the overrides of other points than the case's
+  std::vector<std::string> overrides_of(int points) const;
   void add_axes(const MethodSpec& method);
   void add_axis(const MethodSpec& method, const Axis& axis);
   std::size_t point(BenchPoint wanted);
@@ -101,12 +109,22 @@ std::size_t Planner::point(BenchPoint wanted) {
   return sweep_.points.size() - 1;
 }
 
+std::vector<std::string> Planner::overrides_of(int points) const {
+  std::vector<std::string> overrides;
+  if (points == own_points_)
+    return overrides;
+  overrides.push_back(points_override(points));
+  append(mesh_overrides(case_, points).value(), overrides);
+  return overrides;
+}
+
 std::vector<int> Planner::grids() const {
   const int least = least_carrying_points(case_.surface);
   std::vector<int> kept;
   for (const double share : {0.25, 0.5}) {
     const int points = std::max(even(share * own_points_), least);
-    if (4 * points <= 3 * own_points_ && (kept.empty() || points > kept.back()))
+    if (mesh_overrides(case_, points) && 4 * points <= 3 * own_points_ &&
+        (kept.empty() || points > kept.back()))
       kept.push_back(points);
   }
   kept.push_back(own_points_);
@@ -139,8 +157,7 @@ void Planner::add_truth() {
     wanted.label = fmt::format("{} points", points);
     wanted.points = points;
     wanted.overrides = overrides;
-    if (points != own_points_)
-      wanted.overrides.push_back(points_override(points));
+    append(overrides_of(points), wanted.overrides);
     wanted.is_reference = true;
     series.points.push_back(point(std::move(wanted)));
     series.coordinates.push_back(1.0 / points);
@@ -150,6 +167,12 @@ void Planner::add_truth() {
 }
 
 void Planner::add_points(const MethodSpec& method) {
+  add_points(AddedMethod{method.name, {}});
+  for (const AddedMethod& same : same_block_methods(case_, method))
+    add_points(same);
+}
+
+void Planner::add_points(const AddedMethod& method) {
   BenchSeries series{
       .method = method.name, .axis = points_axis, .title = "points per side"};
   const std::string kind = kind_of_method(method.name);
@@ -164,22 +187,25 @@ void Planner::add_points(const MethodSpec& method) {
     wanted.points = points;
     wanted.label =
         points == 0 ? "as set in the case" : fmt::format("{} points", points);
-    wanted.is_own = points == own_points_;
-    if (!wanted.is_own)
-      wanted.overrides = {points_override(points)};
+    wanted.is_own = points == own_points_ && method.overrides.empty();
+    wanted.overrides = method.overrides;
+    append(overrides_of(points), wanted.overrides);
     series.points.push_back(point(std::move(wanted)));
     if (points > 0)
       series.coordinates.push_back(1.0 / points);
   }
-  add_theoretical_orders(case_, method, series);
+  add_theoretical_orders(case_, method.name, series);
   if (series.points.size() > 1)
     sweep_.series.push_back(std::move(series));
 }
 
 void Planner::add_axes(const MethodSpec& method) {
   const bool is_variant = method.name.find('.') != std::string::npos;
+  const bool has_layers = !is_block_on_mesh(case_, method);
   for (const Axis& axis : axes_of(values_, method.name))
-    if (!is_variant || values_.is_set(method.name, axis.key))
+    if ((!is_variant || values_.is_set(method.name, axis.key)) &&
+        (has_layers ||
+         (axis.key != "growth" && axis.key != "surface_cell_depth")))
       add_axis(method, axis);
 }
 
@@ -204,8 +230,7 @@ void Planner::add_axis(const MethodSpec& method, const Axis& axis) {
                        ? fmt::format("{} points", points)
                        : fmt::format("{}{} {}", grid, axis.title, value.text);
     wanted.is_own = value.is_own && points == own_points_;
-    if (points != own_points_)
-      wanted.overrides = {points_override(points)};
+    wanted.overrides = overrides_of(points);
     if (!value.is_own)
       wanted.overrides.push_back(series.axis + "=" + value.text);
     series.points.push_back(point(std::move(wanted)));

@@ -1,6 +1,7 @@
 // Tests of the analysis of a benchmark against runs from a formula: an error c
 // h^p of a known limit, a cost c n^e.
 #include "cases/reader/read_case.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "bench/analysis/bench_analysis.hpp"
+#include "bench/analysis/bench_answer.hpp"
 #include "bench/pages/bench_report.hpp"
 #include "tests/bench/rough_case.hpp"
 
@@ -114,6 +116,84 @@ TEST_F(BenchAnalysis, PutsTheBestSettingsOnTheFront) {
   const auto& exact = bench.fronts.at("area_fraction_corrected");
   ASSERT_EQ(exact.size(), 1u);
   EXPECT_EQ(bench.points[exact[0]].points, 64);
+}
+
+// The error of an order p in h, on n = N^3 unknowns, falls as n^(-p/3); on a
+// cost N^e as its power -p/e. Tolerance: roundoff.
+TEST(BenchAnalysisOfBlocks, FitsErrorsAgainstUnknownsAndTime) {
+  Bench bench = made_up();
+  for (BenchPoint& point : bench.points)
+    point.unknowns = std::pow(point.points, 3.0);
+
+  analyse(bench, cases::read_case_text(rough, "rough/case.toml"));
+
+  const BenchSeries& series = bench.series[0];
+  EXPECT_NEAR(series.against_unknowns.at("area_fraction").exponent,
+              -area_order / 3.0, 1e-9);
+  EXPECT_NEAR(series.against_cpu_time.at("area_fraction").exponent,
+              -area_order / cost_exponent, 1e-9);
+}
+
+// A pressure that exceeds that of Hertz by a tenth everywhere differs by a
+// tenth of the mean pressure, and the exact solution has the value 0.
+// Tolerance: roundoff.
+TEST(BenchAnswerOfASphere, HasTheDifferenceOfThePressureFromHertz) {
+  const cases::Case contact_case = cases::read_case_text(
+      bench_case("kind = \"sphere\"\nradius = \"10 length\"\n",
+                 "[halfspace]\n"),
+      "case.toml");
+  const Grid grid{64, 64, 1e-6, 1e-6};
+  results::Result result;
+  results::Fields fields;
+  fields.nominal_pressure = 1e6;
+  fields.grid = grid;
+  fields.pressure.reserve(grid.size());
+  const theory::HertzContact hertz =
+      theory::hertz_contact(1e-6, 10e-6, 2e9); // 1 MPa on a square micrometre
+  for (int iy = 0; iy < 64; ++iy)
+    for (int ix = 0; ix < 64; ++ix)
+      fields.pressure.push_back(
+          1.1 * theory::hertz_pressure(
+                    hertz, grid.spacing_x() * std::hypot(ix - 32, iy - 32)));
+  results::MethodRecord method;
+  method.name = method.kind = "halfspace";
+  method.realizations.resize(1);
+  method.realizations.front().fields = {fields};
+  result.methods = {method};
+
+  const BenchAnswer answer = answer_of(result, contact_case, "halfspace");
+
+  ASSERT_EQ(answer.values.at(pressure_field).size(), 1u);
+  EXPECT_NEAR(answer.values.at(pressure_field)[0], 0.1, 1e-12);
+  EXPECT_NEAR(
+      error_against(exact_answer(contact_case, answer), answer, pressure_field),
+      0.1, 1e-12);
+}
+
+std::vector<std::string> names_of(const std::vector<Figure>& figures) {
+  std::vector<std::string> names;
+  names.reserve(figures.size());
+  for (const Figure& figure : figures)
+    names.push_back(figure.name);
+  return names;
+}
+
+// Blocks are compared if one of them has more unknowns than surface nodes.
+TEST(BenchPage, ComparesFullBlocksOnly) {
+  Bench bench = made_up();
+  for (BenchPoint& point : bench.points)
+    point.unknowns = std::pow(point.points, 2.0);
+  const cases::Case contact_case =
+      cases::read_case_text(rough, "rough/case.toml");
+  analyse(bench, contact_case);
+  EXPECT_TRUE(block_figures(bench).empty());
+
+  for (BenchPoint& point : bench.points)
+    point.unknowns = std::pow(point.points, 3.0);
+  analyse(bench, contact_case);
+
+  EXPECT_EQ(names_of(block_figures(bench)),
+            (std::vector<std::string>{"blocks-unknowns", "blocks-cpu"}));
 }
 
 // A setting without a solution does not change the others.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,64 @@ TEST(Sweep, ChangesThePointsOfOtherGridsAlone) {
                             }),
                 point.points != 256)
           << point.label;
+}
+
+const reports::BenchPoint& point_of(const Sweep& sweep,
+                                    const std::string& method, int points) {
+  const auto found =
+      std::ranges::find_if(sweep.points, [&](const reports::BenchPoint& point) {
+        return point.method == method && point.points == points;
+      });
+  if (found == sweep.points.end())
+    throw std::out_of_range(method);
+  return *found;
+}
+
+/// Overrides of a sphere under a block on a mesh, by method and points.
+std::vector<std::string> overrides_on(const std::string& mesh,
+                                      const std::string& method, int points,
+                                      const std::string& more = "") {
+  const std::string text =
+      bench_case("kind = \"sphere\"\nradius = \"10 length\"\n",
+                 "[mesh]\n" + mesh +
+                     "\n[fem]\nsolver = \"full\"\ncontact = \"hard\"\n" + more);
+  return point_of(sweep_of_text(text), method, points).overrides;
+}
+
+using Texts = std::vector<std::string>;
+
+// A block on an adaptive mesh is compared with uniform layers and with the
+// condensed block. The coarsest cells of the mesh stay, for every method,
+// because all of them read the case.
+TEST(Sweep, ComparesAnAdaptiveBlockWithUniformAndCondensedOnes) {
+  const std::string mesh = "kind = \"adaptive\"\nhalvings = 4";
+
+  EXPECT_EQ(overrides_on(mesh, "fem", 256), Texts{});
+  EXPECT_EQ(overrides_on(mesh, "fem", 64),
+            (Texts{"surface.points=64", "mesh.halvings=2"}));
+  EXPECT_EQ(overrides_on(mesh, "fem.uniform", 128),
+            (Texts{"fem.uniform.mesh=layers", "surface.points=128",
+                   "mesh.halvings=3"}));
+  EXPECT_EQ(overrides_on(mesh, "fem.condensed", 256),
+            Texts{"fem.condensed.solver=condensed"});
+}
+
+// All cells of a gmsh mesh follow the grid: those in node spacings do so by
+// themselves, and the others are scaled.
+TEST(Sweep, ScalesAGmshMeshWithThePoints) {
+  EXPECT_EQ(overrides_on("kind = \"gmsh\"\ngeometry = \"indentation\"\n"
+                         "size_at_contact = \"2 h\"\n"
+                         "size_far = \"0.125 length\"",
+                         "fem", 128),
+            (Texts{"surface.points=128", "mesh.size_far=0.25 length"}));
+}
+
+// A finite block with free sides is another problem for the condensed solver
+// and has no such method beside it.
+TEST(Sweep, ComparesNoBlockWithFreeSides) {
+  EXPECT_THROW(overrides_on("kind = \"adaptive\"\nhalvings = 4",
+                            "fem.condensed", 256, "sides = \"free\"\n"),
+               std::out_of_range);
 }
 
 } // namespace
