@@ -59,7 +59,7 @@ inline void print(const char* name, const Cost& cost, int iterations) {
 inline Cost cost_of(MatrixFreeBlock& block, const CpuClock& setting_up,
                     const Patch& patch, Patch::Vector& displacement) {
   Cost cost;
-  block.prepare(patch.springs, patch.held);
+  block.prepare(patch.springs, patch.held, false);
   cost.set_up = setting_up.seconds();
   displacement = 0.0;
   const CpuClock solving; // with what the first solve sets up

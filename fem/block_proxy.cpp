@@ -103,6 +103,12 @@ public:
     return found;
   }
 
+  ContactStiffness stiffness() override {
+    ContactStiffness found;
+    lead({OrderKind::stiffness, number_}, [&] { found = own_->stiffness(); });
+    return found;
+  }
+
   StressPeak strongest_stress() const override {
     StressPeak found;
     lead({OrderKind::strongest_stress, number_},
@@ -146,6 +152,9 @@ void execute_command(const Order& order, const BlockMaker& make_block,
     break;
   case OrderKind::solve:
     solve_as_told(*block, order.numbers);
+    break;
+  case OrderKind::stiffness:
+    static_cast<void>(block->stiffness());
     break;
   case OrderKind::strongest_stress:
     static_cast<void>(block->strongest_stress());

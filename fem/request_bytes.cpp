@@ -70,9 +70,9 @@ void pass(Archive& archive, mechanics::BlockSettings& settings) {
 template <typename Archive>
 void pass(Archive& archive, mechanics::FullBlockSettings& settings) {
   auto& [sides, linear_solver, contact_at, height_interpolation, uses_case_mesh,
-         bodies] = settings;
+         bodies, has_stiffness] = settings;
   archive(sides, linear_solver, contact_at, height_interpolation,
-          uses_case_mesh, bodies);
+          uses_case_mesh, bodies, has_stiffness);
 }
 
 template <typename Archive>

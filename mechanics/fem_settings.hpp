@@ -54,6 +54,7 @@ struct FullBlockSettings {
   HeightInterpolation height_interpolation = HeightInterpolation::bicubic;
   bool uses_case_mesh = false; ///< [mesh] instead of graded layers
   int bodies = 1; ///< 2 meshes the second body too; with 1 it enters through E*
+  bool has_stiffness = false; ///< finds the stiffness of each contact
 };
 
 enum class FemSolver { automatic, condensed, full };

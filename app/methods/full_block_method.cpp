@@ -91,6 +91,8 @@ public:
     answer.row.preconditioner_setups = costs.preconditioner_setups;
     answer.row.memory = costs.memory;
     answer.row.unknowns = static_cast<double>(block_->unknowns());
+    if (settings_.full.has_stiffness)
+      find_stiffness(answer);
     look_inside(static_cast<std::size_t>(target.step), answer);
     return answer;
   }
@@ -98,6 +100,18 @@ public:
   std::string found_at_setup() const override { return block_->report(); }
 
 private:
+  void find_stiffness(StepAnswer& answer) {
+    const fem::ContactStiffness stiffness = block_->stiffness();
+    answer.row.linear_iterations += stiffness.linear_iterations;
+    if (!stiffness.converged) {
+      answer.row.note += answer.row.note.empty() ? "" : "; ";
+      answer.row.note += "the stiffness of the contact did not converge";
+      return;
+    }
+    answer.row.normal_stiffness = stiffness.normal;
+    answer.row.tangential_stiffness = stiffness.tangential;
+  }
+
   void look_inside(std::size_t step, StepAnswer& answer) {
     const fem::StressPeak peak = block_->strongest_stress();
     answer.row.von_mises = peak.von_mises;

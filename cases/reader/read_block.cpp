@@ -140,6 +140,25 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   return mesh;
 }
 
+namespace {
+
+/// Refuses the stiffness of the contact for blocks that do not find it.
+void refuse_stiffness(TableReader& table, const mechanics::FemSettings& fem) {
+  const auto refuse_if = [&](bool is_refused, const std::string& key,
+                             const std::string& needed) {
+    if (fem.full.has_stiffness && is_refused)
+      table.refuse(said_by(table, "stiffness"),
+                   "cannot be combined with " + key + "; it needs " + needed);
+  };
+  refuse_if(fem.full.contact_at == mechanics::ContactPoints::gauss,
+            "contact_at = \"gauss\"", "contact_at = \"nodes\"");
+  refuse_if(fem.full.bodies == 2, "bodies = 2", "bodies = 1");
+  refuse_if(fem.block.far_boundary != mechanics::FarBoundary::clamped,
+            "this far boundary (top)", "top = \"clamped\"");
+}
+
+} // namespace
+
 void read_full_block(TableReader& table, bool has_mesh,
                      mechanics::FemSettings& fem) {
   fem.full.sides = table.choice("sides", fem.full.sides);
@@ -149,6 +168,7 @@ void read_full_block(TableReader& table, bool has_mesh,
   fem.full.height_interpolation =
       table.choice("height_interpolation", fem.full.height_interpolation);
   fem.full.bodies = table.integer("bodies");
+  fem.full.has_stiffness = table.boolean("stiffness");
   const bool is_full = fem.solver == mechanics::FemSolver::full;
   fem.full.uses_case_mesh = is_full && has_mesh;
   if (table.has("mesh"))
@@ -167,6 +187,8 @@ void read_full_block(TableReader& table, bool has_mesh,
                 mechanics::HeightInterpolation::bicubic,
             "height_interpolation");
   only_full(fem.full.bodies == 2, "bodies");
+  only_full(fem.full.has_stiffness, "stiffness");
+  refuse_stiffness(table, fem);
   if (fem.full.uses_case_mesh && !has_mesh)
     table.refuse(said_by(table, "mesh"), "the table [mesh] is missing");
   if (fem.full.contact_at == mechanics::ContactPoints::gauss &&

@@ -228,6 +228,16 @@ std::vector<Key> full_block_keys() {
        .description =
            "With solver = \"full\": 2 meshes [material.counter] against the "
            "block, with the heights between the two bodies."},
+      {.name = "stiffness",
+       .type = ValueType::boolean,
+       .fallback = "false",
+       .example = "true",
+       .show = Show::no,
+       .description =
+           "With solver = \"full\": finds the normal and the tangential "
+           "stiffness of the contact after each load step, by one linear "
+           "solve per direction; needs top = \"clamped\", contact at nodes "
+           "and one body."},
   };
 }
 

@@ -84,6 +84,8 @@ public:
                       const mechanics::LoadTarget& load,
                       const BlockContact& contact) override;
 
+  ContactStiffness stiffness() override { return block_->stiffness(); }
+
   StressPeak strongest_stress() const override {
     return block_->strongest_stress();
   }

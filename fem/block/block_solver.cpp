@@ -147,9 +147,10 @@ double BlockSolver::memory() const {
 }
 
 bool BlockSolver::is_same_contact(std::span<const double> springs,
-                                  const std::vector<bool>& held) const {
-  const bool is_same =
-      is_set_ && std::ranges::equal(springs, springs_) && held == holds_;
+                                  const std::vector<bool>& held,
+                                  bool is_sticking) const {
+  const bool is_same = is_set_ && is_sticking == is_sticking_ &&
+                       std::ranges::equal(springs, springs_) && held == holds_;
   return dealii::Utilities::MPI::min(is_same ? 1 : 0, MPI_COMM_WORLD) == 1;
 }
 
@@ -168,9 +169,10 @@ void BlockSolver::write_matrix(const Matrix& stiffness) {
 }
 
 void BlockSolver::set_contact(std::span<const double> springs,
-                              const std::vector<bool>& held) {
-  if (is_same_contact(springs, held))
+                              const std::vector<bool>& held, bool is_sticking) {
+  if (is_same_contact(springs, held, is_sticking))
     return;
+  is_sticking_ = is_sticking;
   is_set_ = true;
   is_new_ = false;
   springs_.assign(springs.begin(), springs.end());
@@ -178,7 +180,7 @@ void BlockSolver::set_contact(std::span<const double> springs,
   held_.clear();
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i])
-      held_.push_back(system_.contact()[i].row.front().first);
+      append_held(system_.contact()[i].row.front().first, is_sticking, held_);
   const bool has_any =
       std::ranges::any_of(springs, [](double s) { return s != 0.0; });
   has_springs_ =
@@ -192,7 +194,7 @@ void BlockSolver::set_contact(std::span<const double> springs,
     factors_->direct->initialize(matrix_);
     ++setups_;
   } else if (matrix_free_) {
-    matrix_free_->prepare(springs, held);
+    matrix_free_->prepare(springs, held, is_sticking);
     setups_ = matrix_free_->setups();
   } else if (own_) {
     own_->prepare(springs, held);

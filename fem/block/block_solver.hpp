@@ -42,6 +42,15 @@ public:
   virtual std::size_t bytes() const = 0; ///< memory on this rank [bytes]
 };
 
+/// Appends the unknown u_z of a held node and, if it sticks, u_x and u_y. The
+/// three unknowns of a node follow each other.
+template <class Unknown>
+void append_held(dealii::types::global_dof_index normal, bool is_sticking,
+                 std::vector<Unknown>& held) {
+  for (unsigned int before = is_sticking ? 3 : 1; before-- > 0;)
+    held.push_back(static_cast<Unknown>(normal - before));
+}
+
 /// Cost of a set-up of Trilinos ML in iterations of conjugate gradients.
 inline constexpr double setup_steps = 20.0;
 
@@ -59,9 +68,9 @@ public:
   /// Computes to = K from on the unconstrained unknowns.
   virtual void vmult(Vector& to, const Vector& from) const = 0;
 
-  /// As BlockPreconditioner::prepare.
+  /// As BlockSolver::set_contact.
   virtual void prepare(std::span<const double> springs,
-                       const std::vector<bool>& held) = 0;
+                       const std::vector<bool>& held, bool is_sticking) = 0;
 
   /// Solves with K and the contact of the last prepare(), starting from
   /// `unknowns`. Forces and unknowns are zero at held unknowns.
@@ -118,8 +127,9 @@ public:
   /// @param springs  springs of the contact points of this rank [N/m]
   /// @param held     whether the only unknown of a point is held; may be true
   ///                 only for node-wise contact with one body
+  /// @param is_sticking  u_x and u_y of held points are held, too
   void set_contact(std::span<const double> springs,
-                   const std::vector<bool>& held);
+                   const std::vector<bool>& held, bool is_sticking = false);
 
   /// Solves for `unknowns`, starting from the values in it (zeros are cheapest
   /// if no estimate is known). `forces` must be zero at held unknowns, and so
@@ -157,7 +167,7 @@ private:
   class Masked;
   class Operator;
   bool is_same_contact(std::span<const double> springs,
-                       const std::vector<bool>& held) const;
+                       const std::vector<bool>& held, bool is_sticking) const;
   void write_matrix(const dealii::TrilinosWrappers::SparseMatrix& stiffness);
   void clear_held(dealii::TrilinosWrappers::MPI::Vector& vector) const;
   void refresh_multigrid();
@@ -179,6 +189,7 @@ private:
   bool is_set_ = false;
   std::vector<double> springs_;
   std::vector<bool> holds_; ///< whether each point is held
+  bool is_sticking_ = false;
   std::vector<dealii::types::global_dof_index> held_;
   bool has_springs_ = false;      ///< on any rank
   bool is_stale_ = true;          ///< multigrid hierarchy must be set up again

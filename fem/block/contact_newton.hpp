@@ -34,8 +34,8 @@ struct ContactStart {
 
 /// Solves (F.1) of full_block.hpp over the points of all ranks.
 /// contact_newton.cpp implements penalty and augmented Lagrangian contact,
-/// contact_active_set.cpp hard contact, and contact_step.cpp the linear step
-/// that both use.
+/// contact_active_set.cpp hard contact, contact_step.cpp the linear step that
+/// both use, and contact_stiffness.cpp the stiffness of a contact.
 class ContactNewton {
 public:
   /// @param system must outlive this object
@@ -62,6 +62,9 @@ public:
   [[nodiscard]] bool
   solve_linear(std::span<const double> pressure,
                dealii::TrilinosWrappers::MPI::Vector& displacement);
+
+  /// As FullBlock::stiffness().
+  ContactStiffness stiffness();
 
   /// The displacement u [m], with zeros at constrained unknowns.
   const dealii::TrilinosWrappers::MPI::Vector& displacement() const {
@@ -124,6 +127,8 @@ private:
   bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
+  bool reaction_to(unsigned int component, const std::vector<bool>& touching,
+                   bool is_sticking, double& reaction);
   double stiffness_of(std::span<const double> springs) const;
   bool border(const mechanics::LoadTarget& load,
               std::span<const double> springs, const std::vector<bool>& held);

@@ -69,6 +69,19 @@ struct BlockSolution {
   std::string note;
 };
 
+/// The incremental stiffness of a contact, of all its points together: the
+/// force of the rigid surface per unit of its displacement against the clamped
+/// far boundary.
+struct ContactStiffness {
+  /// Without friction: the nodes in contact move along z and may slide [N/m].
+  double normal = 0.0;
+  /// All nodes in contact stick to the surface, which moves along x or y; the
+  /// mean of both directions [N/m].
+  double tangential = 0.0;
+  int linear_iterations = 0; ///< CG iterations of all solves
+  bool converged = false;
+};
+
 /// The largest von Mises stress sqrt(3 J_2) over the quadrature points of all
 /// cells and its place. The place is known to about one cell size, because the
 /// stress is evaluated only inside of cells.
@@ -163,6 +176,12 @@ public:
   virtual BlockSolution solve(std::span<const double> heights,
                               const mechanics::LoadTarget& load,
                               const BlockContact& contact) = 0;
+
+  /// The stiffness of the contact of the last solution, for unchanged nodes in
+  /// contact: one linear solve per direction. Zeros without contact.
+  /// @throws std::domain_error  contact is not node-wise, there are two bodies,
+  ///                            or the far boundary is not clamped
+  virtual ContactStiffness stiffness() = 0;
 
   /// The largest stress of the last solution; zeros before the first.
   virtual StressPeak strongest_stress() const = 0;

@@ -154,7 +154,8 @@ void FirstOrderCorrection::find_rigid_modes() {
 }
 
 void FirstOrderCorrection::prepare(std::span<const double> springs,
-                                   const std::vector<bool>& held) {
+                                   const std::vector<bool>& held,
+                                   bool is_sticking) {
   // A hierarchy without stiff springs, or with springs where there are none, is
   // useless, whereas nodes can be held without it.
   if (!std::ranges::equal(springs, springs_)) {
@@ -164,7 +165,7 @@ void FirstOrderCorrection::prepare(std::span<const double> springs,
   held_.clear();
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] && vertices_[i])
-      held_.push_back(*vertices_[i]);
+      append_held(*vertices_[i], is_sticking, held_);
   is_new_ = false;
 }
 
@@ -255,14 +256,14 @@ void HexahedronBlock::vmult(Vector& to, const Vector& from) const {
 }
 
 void HexahedronBlock::prepare(std::span<const double> springs,
-                              const std::vector<bool>& held) {
+                              const std::vector<bool>& held, bool is_sticking) {
   HexahedronContact contact;
   SparseRows points; // by number of an unknown in contact.unknowns
   std::vector<std::size_t> number(system_.n_unknowns(), 0);
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const auto& row = system_.contact()[i].row;
     if (held[i])
-      contact.held.push_back(row.front().first);
+      append_held(row.front().first, is_sticking, contact.held);
     if (springs[i] == 0.0)
       continue;
     for (const auto& [unknown, value] : row) {
@@ -279,7 +280,7 @@ void HexahedronBlock::prepare(std::span<const double> springs,
   if (size > 0)
     contact.springs = product(transposed(points, size), points, size);
   multigrid_.set_contact(std::move(contact));
-  correction_.prepare(springs, held);
+  correction_.prepare(springs, held, is_sticking);
 }
 
 LinearSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,

@@ -26,7 +26,8 @@ public:
   /// @param fine must outlive this object
   FirstOrderCorrection(const BlockProblem& problem, const BlockSystem& fine);
 
-  void prepare(std::span<const double> springs, const std::vector<bool>& held);
+  void prepare(std::span<const double> springs, const std::vector<bool>& held,
+               bool is_sticking);
 
   /// Adds the correction for a residual, both over the second-order unknowns.
   /// @param unit  of the residual over that of the correction [N/m]
@@ -81,8 +82,8 @@ public:
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system);
 
   void vmult(Vector& to, const Vector& from) const override;
-  void prepare(std::span<const double> springs,
-               const std::vector<bool>& held) override;
+  void prepare(std::span<const double> springs, const std::vector<bool>& held,
+               bool is_sticking) override;
   LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
                        int most_iterations) override;
 

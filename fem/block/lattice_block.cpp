@@ -143,8 +143,9 @@ void LatticeBlock::find_modes() {
 }
 
 void LatticeBlock::prepare(std::span<const double> springs,
-                           const std::vector<bool>& held) {
+                           const std::vector<bool>& held, bool is_sticking) {
   FaceContact contact;
+  contact.is_sticking = is_sticking;
   const std::size_t nodes = face_places(multigrid_.layout()).size();
   SparseRows scaled = points_;
   bool has_springs = false;

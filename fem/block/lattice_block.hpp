@@ -32,8 +32,8 @@ public:
   LatticeBlock(const BlockSystem& system, const BoxLattice& lattice);
 
   void vmult(Vector& to, const Vector& from) const override;
-  void prepare(std::span<const double> springs,
-               const std::vector<bool>& held) override;
+  void prepare(std::span<const double> springs, const std::vector<bool>& held,
+               bool is_sticking) override;
   LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
                        int most_iterations) override;
 

@@ -85,9 +85,8 @@ void CoarsestLattice::set_contact(const FaceContact& contact) {
   }
   std::vector<double> is_free(layout_.size(), 1.0);
   clear_far_boundary(lattice_, layout_, is_free.data());
-  for (std::size_t node = 0; node < contact.held.size(); ++node)
-    if (contact.held[node])
-      is_free[face[node]] = 0.0;
+  for (const std::size_t place : held_places(layout_, contact))
+    is_free[place] = 0.0;
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (is_free[places_[i]] == 0.0) {
       const auto row = static_cast<Eigen::Index>(i);

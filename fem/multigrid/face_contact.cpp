@@ -30,6 +30,7 @@ FaceContact FaceTransfer::coarse(const FaceContact& fine) const {
     result.springs = product(
         transposed_, product(fine.springs, interpolation_, coarse_size_),
         coarse_size_);
+  result.is_sticking = fine.is_sticking;
   if (fine.held.empty())
     return result;
   for (const std::size_t y : nearest_[1])
@@ -38,12 +39,25 @@ FaceContact FaceTransfer::coarse(const FaceContact& fine) const {
   return result;
 }
 
-std::vector<std::size_t> face_places(const NodeLayout& layout) {
+std::vector<std::size_t> face_places(const NodeLayout& layout, int component) {
   std::vector<std::size_t> places;
   for (int y = 0; y < layout.nodes_y(); ++y)
     for (int x = 0; x < layout.nodes_x(); ++x)
-      places.push_back(layout.index(x, y, 0, 2));
+      places.push_back(layout.index(x, y, 0, component));
   return places;
+}
+
+std::vector<std::size_t> held_places(const NodeLayout& layout,
+                                     const FaceContact& contact) {
+  std::vector<std::size_t> held;
+  for (int component = contact.is_sticking ? 0 : 2; component < 3;
+       ++component) {
+    const std::vector<std::size_t> places = face_places(layout, component);
+    for (std::size_t node = 0; node < contact.held.size(); ++node)
+      if (contact.held[node])
+        held.push_back(places[node]);
+  }
+  return held;
 }
 
 template <class Number>

@@ -14,8 +14,10 @@ namespace asperity::fem {
 
 /// Contact on the nodes of the contact surface without images, x fastest.
 struct FaceContact {
-  SparseRows springs;     ///< symmetric matrix on u_z, or no rows
-  std::vector<bool> held; ///< or empty
+  SparseRows springs;       ///< symmetric matrix on u_z, or no rows
+  std::vector<bool> held;   ///< or empty
+  bool is_sticking = false; ///< all components of held nodes are held, not only
+                            ///< u_z
 
   bool is_free() const;
 };
@@ -39,8 +41,13 @@ private:
   std::size_t fine_nodes_x_ = 0, coarse_size_ = 0;
 };
 
-/// The places of u_z of the surface's nodes in a vector.
-std::vector<std::size_t> face_places(const NodeLayout& layout);
+/// The places of a component of the surface's nodes in a vector.
+std::vector<std::size_t> face_places(const NodeLayout& layout,
+                                     int component = 2);
+
+/// The places of all unknowns that contact holds, those of u_z last.
+std::vector<std::size_t> held_places(const NodeLayout& layout,
+                                     const FaceContact& contact);
 
 /// Adds the forces of the springs to `force`.
 template <class Number>

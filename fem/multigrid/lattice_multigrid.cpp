@@ -39,15 +39,15 @@ void LatticeMultigrid::apply_all(std::vector<double>& displacement,
 
 /// Sets the unknowns that contact or a pin holds to zero.
 void LatticeMultigrid::clear_held(std::vector<double>& vector) const {
-  for (std::size_t node = 0; node < contact_.held.size(); ++node)
-    if (contact_.held[node])
-      vector[places_[node]] = 0.0;
+  for (const std::size_t place : held_)
+    vector[place] = 0.0;
   for (const std::size_t place : pinned_)
     vector[place] = 0.0;
 }
 
 void LatticeMultigrid::set_contact(FaceContact contact) {
   contact_ = std::move(contact);
+  held_ = held_places(layout(), contact_);
   FaceContact scaled = contact_;
   for (double& spring : scaled.springs.weight)
     spring /= unit_;

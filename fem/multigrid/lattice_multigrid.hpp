@@ -76,6 +76,7 @@ private:
   double unit_ = 1.0; ///< of the cycle's stiffness [N/m]
   MultigridCycle cycle_;
   FaceContact contact_;
+  std::vector<std::size_t> held_; ///< places that contact holds
   std::vector<std::size_t> pinned_;
   std::vector<std::size_t> places_; ///< of the surface's nodes
   GradientVectors gradients_;

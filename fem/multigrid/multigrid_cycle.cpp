@@ -72,11 +72,15 @@ struct MultigridCycle::Level : SmoothedVectors {
   float eigenvalue = 0.0F;
   FaceContact contact;
   std::vector<std::size_t> held; ///< places
+  /// Places of u_x and u_y among them, with the inverse where they are free.
+  std::vector<std::pair<std::size_t, float>> held_lateral;
 };
 
 void MultigridCycle::Level::set_contact(const FaceContact& own) {
   contact = own;
-  held.clear();
+  for (const auto& [place, value] : held_lateral)
+    inverse[place] = value;
+  held_lateral.clear();
   for (std::size_t node = 0; node < places.size(); ++node) {
     double sum = 0.0;
     if (!contact.springs.is_empty())
@@ -85,11 +89,15 @@ void MultigridCycle::Level::set_contact(const FaceContact& own) {
         sum += std::abs(contact.springs.weight[i]);
     inverse[places[node]] = static_cast<float>(
         1.0 / (static_cast<double>(eigenvalue * face_diagonal[node]) + sum));
-    if (!contact.held.empty() && contact.held[node]) {
-      held.push_back(places[node]);
-      inverse[places[node]] = 0.0F;
-    }
   }
+  held = held_places(stiffness.layout(), contact);
+  const std::size_t n_normal = static_cast<std::size_t>(
+      std::count(contact.held.begin(), contact.held.end(), true));
+  // The places of u_z come last.
+  for (std::size_t i = 0; i + n_normal < held.size(); ++i)
+    held_lateral.emplace_back(held[i], inverse[held[i]]);
+  for (const std::size_t place : held)
+    inverse[place] = 0.0F;
 }
 
 void MultigridCycle::Level::clear_held(std::vector<float>& vector) const {

@@ -16,6 +16,7 @@ enum class OrderKind : int {
   build,        ///< text: a FullRequest and its mesh
   displacement, ///< numbers: the pressure
   solve,        ///< numbers: the heights, then load and contact
+  stiffness,
   strongest_stress,
   section, ///< numbers: the plane
   write,   ///< text: folder and stem of the files

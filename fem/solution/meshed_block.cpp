@@ -113,7 +113,19 @@ MeshedBlock::MeshedBlock(
       maps_(system_, problem.height_interpolation),
       weights_(maps_.weights()),
       report_(system_.report()),
-      newton_(newton_of(problem, system_, triangulation == nullptr)) {}
+      newton_(newton_of(problem, system_, triangulation == nullptr)),
+      far_boundary_(problem.far_boundary) {}
+
+ContactStiffness MeshedBlock::stiffness() {
+  if (!system_.contact().is_nodal() || system_.has_counter())
+    throw std::domain_error("the stiffness of a contact needs contact at the "
+                            "nodes of one body");
+  if (far_boundary_ != mechanics::FarBoundary::clamped)
+    throw std::domain_error(
+        "the stiffness of a contact needs a clamped far boundary, top = "
+        "\"clamped\"");
+  return newton_.stiffness();
+}
 
 StressPeak MeshedBlock::strongest_stress() const {
   return BlockStress(system_, newton_.displacement()).strongest();

@@ -35,6 +35,8 @@ public:
                       const mechanics::LoadTarget& load,
                       const BlockContact& contact) override;
 
+  ContactStiffness stiffness() override;
+
   StressPeak strongest_stress() const override;
 
   std::vector<double> section(const SectionPlane& plane) const override;
@@ -73,6 +75,7 @@ private:
   std::string report_; ///< computed on all ranks together
   ContactNewton newton_;
   BlockOutput output_;
+  mechanics::FarBoundary far_boundary_;
   // Of the last solution.
   std::vector<double> heights_;   ///< of the grid [m]; empty before the first
   double nominal_pressure_ = 0.0; ///< [Pa]

@@ -67,6 +67,8 @@ constexpr std::array all_columns{
     column<&CurvePoint::preconditioner_setups>("preconditioner_setups", "1"),
     column<&CurvePoint::unknowns>("unknowns", "1"),
     column<&CurvePoint::memory>("memory", "bytes"),
+    column<&CurvePoint::normal_stiffness>("normal_stiffness", "N/m"),
+    column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m"),
     column<&CurvePoint::von_mises>("von_mises", "Pa"),
     column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged",

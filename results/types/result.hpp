@@ -48,8 +48,10 @@ struct CurvePoint {
   int preconditioner_setups = 0;       ///< or factorisations, likewise
   double unknowns = not_given;         ///< of the full 3-D block [1]
   double memory = not_given;           ///< matrix and preconditioner [bytes]
-  double von_mises = not_given;        ///< maximum in the full 3-D block [Pa]
-  double von_mises_depth = not_given;  ///< depth of this maximum [m]
+  double normal_stiffness = not_given; ///< of the contact, full 3-D block [N/m]
+  double tangential_stiffness = not_given; ///< likewise, nodes that stick [N/m]
+  double von_mises = not_given;       ///< maximum in the full 3-D block [Pa]
+  double von_mises_depth = not_given; ///< depth of this maximum [m]
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""

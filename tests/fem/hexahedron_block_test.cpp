@@ -127,7 +127,7 @@ TEST_P(HexahedronCases, HaveTheSolutionOfTheDirectSolver) {
     Vector found(expected);
     direct.set_contact(contact.springs, contact.held);
     ASSERT_TRUE(direct.solve(expected, contact.force, 0.0));
-    block.prepare(contact.springs, contact.held);
+    block.prepare(contact.springs, contact.held, false);
 
     const LinearSolution solution =
         block.solve(found, contact.force, 1e-12 * contact.force.l2_norm(), 60);
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(All, HexahedronCases, ::testing::ValuesIn(all_cases()),
 int iterations_with(HexahedronBlock& block, const HalfContact& contact) {
   Vector found(contact.force);
   found = 0.0;
-  block.prepare(contact.springs, contact.held);
+  block.prepare(contact.springs, contact.held, false);
   const LinearSolution solution =
       block.solve(found, contact.force, 1e-8 * contact.force.l2_norm(), 100);
   EXPECT_TRUE(solution.has_converged);

@@ -112,7 +112,7 @@ void expect_direct_solution(const BlockProblem& problem,
   direct.set_contact(springs, held);
   ASSERT_TRUE(direct.solve(expected, force, 0.0));
   Vector found = system.space().make_vector();
-  block.prepare(springs, held);
+  block.prepare(springs, held, false);
 
   const LinearSolution solution =
       block.solve(found, force, 1e-13 * force.l2_norm(), 100);

@@ -62,6 +62,8 @@ public:
     return found;
   }
 
+  ContactStiffness stiffness() override { return own_->stiffness(); }
+
   StressPeak strongest_stress() const override {
     return own_->strongest_stress();
   }

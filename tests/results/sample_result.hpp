@@ -59,6 +59,8 @@ inline CurvePoint sample_point(int step) {
   point.preconditioner_setups = 1 + step;
   point.unknowns = 3000.0 + step;
   point.memory = 1e8 / (19 + step);
+  point.normal_stiffness = 1e5 / (31 + step);
+  point.tangential_stiffness = 1e5 / (37 + step);
   point.von_mises = 1e7 / (23 + step);
   point.von_mises_depth = 1e-6 / (29 + step);
   point.status =
@@ -89,6 +91,8 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_EQ(a.preconditioner_setups, b.preconditioner_setups);
   EXPECT_PRED2(is_same, a.unknowns, b.unknowns);
   EXPECT_PRED2(is_same, a.memory, b.memory);
+  EXPECT_PRED2(is_same, a.normal_stiffness, b.normal_stiffness);
+  EXPECT_PRED2(is_same, a.tangential_stiffness, b.tangential_stiffness);
   EXPECT_PRED2(is_same, a.von_mises, b.von_mises);
   EXPECT_PRED2(is_same, a.von_mises_depth, b.von_mises_depth);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
