@@ -15,7 +15,8 @@ enum class SurfaceKind {
   measured,
   sphere,
   wave_1d,
-  wave_2d
+  wave_2d,
+  punch
 };
 enum class Amplitudes { spectrum, gaussian };
 /// Formats of map files; `convert` is any other one, through the program
@@ -84,7 +85,9 @@ struct SurfaceSpec {
   Filling fill = Filling::harmonic; ///< of missing points
   double max_missing = 0.05;        ///< largest fraction that is filled
 
-  double radius = 0.0;     ///< sphere
+  double radius = 0.0;     ///< sphere, punch
+  double recess = 0.0;     ///< punch: depth of the surface around its flat end
+  double tilt = 0.0;       ///< punch: slope of its flat end along x [1]
   double amplitude = 0.0;  ///< waves
   double wavelength = 0.0; ///< waves; length is an integer multiple of it
 };

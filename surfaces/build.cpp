@@ -195,6 +195,8 @@ HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
   switch (surface.kind) {
   case SurfaceKind::sphere:
     return paraboloid(grid, surface.radius);
+  case SurfaceKind::punch:
+    return flat_punch(grid, surface.radius, surface.recess, surface.tilt);
   case SurfaceKind::wave_1d:
     return wave_1d(grid, surface.amplitude, surface.wavelength);
   case SurfaceKind::wave_2d:

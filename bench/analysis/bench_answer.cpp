@@ -272,6 +272,10 @@ std::string exact_words(const cases::Case& contact_case) {
   case SurfaceKind::sphere:
     return "Hertz's solution of an isolated contact, corrected for the mean "
            "displacement of its periodic images";
+  case SurfaceKind::punch:
+    return "the flat punch on a half-space, corrected for the mean "
+           "displacement "
+           "of its periodic images";
   case SurfaceKind::wave_1d:
     return "Westergaard's exact solution";
   case SurfaceKind::wave_2d:

@@ -143,6 +143,7 @@ void Planner::add_truth() {
     return;
   const auto kind = case_.surface.kind;
   if (kind == mechanics::SurfaceKind::sphere ||
+      (kind == mechanics::SurfaceKind::punch && case_.surface.tilt == 0.0) ||
       kind == mechanics::SurfaceKind::wave_1d)
     return; // all compared quantities have an exact solution
   BenchSeries series{.method = "halfspace",

@@ -34,6 +34,7 @@ struct SurfaceReader {
   void check_wavevectors();
   void read_edges();
   void read_wave();
+  void read_punch();
   const Node& node_of(const std::string& wavevector,
                       const std::string& wavelength) const;
 };
@@ -215,6 +216,18 @@ void SurfaceReader::read_wave() {
                              waves));
 }
 
+void SurfaceReader::read_punch() {
+  spec.radius = length_of("radius");
+  spec.recess = length_of("recess");
+  spec.tilt = table.number("tilt");
+  const Node* const radius = table.node().find("radius");
+  if (radius != nullptr && spec.length && 2.0 * spec.radius >= *spec.length)
+    table.refuse(*radius, "must be less than half of length");
+  const Node* const tilt = table.node().find("tilt");
+  if (tilt != nullptr && std::abs(spec.tilt) * spec.radius >= spec.recess)
+    table.refuse(*tilt, "must be less than recess over radius");
+}
+
 } // namespace
 
 mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
@@ -242,6 +255,9 @@ mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
   case mechanics::SurfaceKind::sphere:
     reader.read_edges();
     reader.spec.radius = reader.length_of("radius");
+    break;
+  case mechanics::SurfaceKind::punch:
+    reader.read_punch();
     break;
   case mechanics::SurfaceKind::wave_1d:
   case mechanics::SurfaceKind::wave_2d:

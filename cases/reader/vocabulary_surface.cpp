@@ -13,7 +13,7 @@ std::vector<Key> kind_and_grid_keys() {
       {.name = "kind",
        .type = ValueType::word,
        .words = {"self-affine", "spectrum", "measured", "sphere", "wave-1d",
-                 "wave-2d"},
+                 "wave-2d", "punch"},
        .need = Need::always,
        .example = "\"self-affine\"",
        .show = Show::yes,
@@ -33,7 +33,8 @@ std::vector<Key> kind_and_grid_keys() {
        .need = Need::conditional,
        .when = "always, except for measured maps and for a theory from a "
                "formula alone",
-       .kinds = {"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d"},
+       .kinds = {"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d",
+                 "punch"},
        .example = "256",
        .show = Show::yes,
        .description =
@@ -151,10 +152,27 @@ std::vector<Key> shape_keys() {
        .range = positive(),
        .references = by_the_grid,
        .need = Need::always,
-       .kinds = {"sphere"},
+       .kinds = {"sphere", "punch"},
        .example = "\"1 mm\"",
        .show = Show::no,
-       .description = "Radius of the sphere."},
+       .description = "Radius of the sphere, or of the flat end of the punch."},
+      {.name = "recess",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .references = by_the_grid,
+       .need = Need::always,
+       .kinds = {"punch"},
+       .example = "\"0.01 length\"",
+       .show = Show::no,
+       .description = "Depth of the surface around the flat end of the punch, "
+                      "which must be larger than its approach."},
+      {.name = "tilt",
+       .range = between(-0.1, 0.1),
+       .kinds = {"punch"},
+       .fallback = "0.0",
+       .example = "0.001",
+       .show = Show::no,
+       .description = "Slope of the flat end along x: an eccentric load."},
       {.name = "amplitude",
        .dimension = Dimension::length,
        .range = positive(),
@@ -205,7 +223,8 @@ Table surface_table() {
 std::string reason_of_kind(const std::string& kind) {
   if (kind == "measured")
     return "the file determines the points, and nothing in it is random";
-  if (kind == "sphere" || kind == "wave-1d" || kind == "wave-2d")
+  if (kind == "sphere" || kind == "wave-1d" || kind == "wave-2d" ||
+      kind == "punch")
     return "the shape is exact and nothing in it is random";
   return "";
 }

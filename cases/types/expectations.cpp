@@ -71,11 +71,13 @@ std::vector<ExpectationName> error_names() {
        .description = "Largest |corrected area fraction - exact| [1].",
        .surfaces = {wave_1d, wave_2d, sphere}},
       {.name = "contact_radius_error",
-       .description = "Largest relative error of Hertz's contact radius [1].",
-       .surfaces = {sphere}},
+       .description = "Largest relative error of Hertz's contact radius, or of "
+                      "that of the punch [1].",
+       .surfaces = {sphere, punch}},
       {.name = "approach_error",
-       .description = "Largest relative error of Hertz's approach [1].",
-       .surfaces = {sphere}},
+       .description = "Largest relative error of Hertz's approach, or of that "
+                      "of the flat punch [1].",
+       .surfaces = {sphere, punch}},
       {.name = "von_mises_error",
        .description = "Largest relative error of the maximum von Mises stress "
                       "of Hertz's contact; needs [report] stress_inside [1].",

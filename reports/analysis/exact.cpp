@@ -14,6 +14,11 @@ namespace {
 using mechanics::SurfaceKind;
 using results::CurvePoint;
 
+/// Whether the shape has one contact, with a radius and an approach.
+bool is_single(SurfaceKind kind) {
+  return kind == SurfaceKind::sphere || kind == SurfaceKind::punch;
+}
+
 // Converts a row of a method into the quantities of the exact solution.
 ExactPoint answer_of(const CurvePoint& point,
                      const mechanics::SurfaceSpec& surface,
@@ -21,7 +26,7 @@ ExactPoint answer_of(const CurvePoint& point,
   ExactPoint answer;
   answer.mean_gap = point.mean_gap;
   answer.area_fraction = point.area_fraction_corrected;
-  if (surface.kind != SurfaceKind::sphere)
+  if (!is_single(surface.kind))
     return answer;
   const double side = surface.length.value_or(not_a_number);
   answer.contact_radius =
@@ -65,9 +70,8 @@ LargestErrors errors_of(const results::Result& result,
     const ExactPoint exact =
         exact_point(surface, modulus, row.nominal_pressure, top, is_free);
     const ExactPoint answer = answer_of(row, surface, modulus, top, is_free);
-    const double height = surface.kind == SurfaceKind::sphere
-                              ? exact.approach
-                              : surface.amplitude;
+    const double height =
+        is_single(surface.kind) ? exact.approach : surface.amplitude;
     widen(largest.mean_gap, (answer.mean_gap - exact.mean_gap) / height);
     widen(largest.area_fraction, answer.area_fraction - exact.area_fraction);
     widen(largest.contact_radius,
@@ -91,7 +95,7 @@ void add_exact_quantities(const results::Result& result,
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
       errors.area_fraction, "no load has an exact contact fraction");
-  if (surface.kind == SurfaceKind::sphere) {
+  if (is_single(surface.kind)) {
     quantities["contact_radius_error"] =
         largest_estimate(errors.contact_radius, "no load step in contact");
     quantities["approach_error"] =

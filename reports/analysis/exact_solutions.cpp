@@ -1,5 +1,6 @@
 #include "reports/analysis/exact.hpp"
 #include "theory/exact/hertz.hpp"
+#include "theory/exact/punches.hpp"
 #include "theory/exact/wave_2d.hpp"
 #include "theory/exact/westergaard.hpp"
 
@@ -29,6 +30,24 @@ ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
     exact.elastic_energy = hertz.elastic_energy / (side * side);
   exact.mean_gap = surface_top - hertz.approach +
                    approach_excess(surface, contact_modulus, load, is_free);
+  return exact;
+}
+
+ExactPoint on_punch(const SurfaceSpec& surface, double contact_modulus,
+                    double nominal_pressure, double surface_top) {
+  ExactPoint exact;
+  if (!surface.length || surface.tilt != 0.0)
+    return exact;
+  const double side = *surface.length;
+  const double load = nominal_pressure * side * side;
+  const theory::PunchContact punch =
+      theory::FlatPunch(surface.radius, contact_modulus).contact(load);
+  exact.contact_radius = punch.contact_radius;
+  exact.approach = punch.approach;
+  exact.area_fraction = std::numbers::pi * punch.contact_radius *
+                        punch.contact_radius / (side * side);
+  exact.mean_gap = surface_top - punch.approach +
+                   approach_excess(surface, contact_modulus, load, false);
   return exact;
 }
 
@@ -64,6 +83,8 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
   case mechanics::SurfaceKind::sphere:
     return on_sphere(surface, contact_modulus, nominal_pressure, surface_top,
                      is_free);
+  case mechanics::SurfaceKind::punch:
+    return on_punch(surface, contact_modulus, nominal_pressure, surface_top);
   case mechanics::SurfaceKind::wave_1d:
     return on_wave_1d(surface, contact_modulus, nominal_pressure);
   case mechanics::SurfaceKind::wave_2d:

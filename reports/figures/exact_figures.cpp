@@ -116,6 +116,7 @@ std::vector<Figure> exact_figures(const ReportEntry& entry) {
        [](const SeriesRow& row) { return row.area_corrected; },
        [](const ExactPoint& exact) { return exact.area_fraction; }}));
   if (entry.contact_case->surface.kind == SurfaceKind::sphere ||
+      entry.contact_case->surface.kind == SurfaceKind::punch ||
       entry.result->surfaces.empty())
     return figures;
   figures.push_back(curves_figure(

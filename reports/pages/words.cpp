@@ -22,6 +22,9 @@ std::string surface_words(const mechanics::SurfaceSpec& surface) {
     return "measured surface";
   case SurfaceKind::sphere:
     return fmt::format("sphere of radius {:.6g} µm", surface.radius * 1e6);
+  case SurfaceKind::punch:
+    return fmt::format("flat punch of radius {:.6g} µm, tilted by {:.3g}",
+                       surface.radius * 1e6, surface.tilt);
   case SurfaceKind::wave_1d:
     return fmt::format("one-dimensional wave, amplitude {:.4g} nm, length "
                        "{:.4g} µm",

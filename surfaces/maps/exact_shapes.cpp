@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -56,6 +57,22 @@ HeightMap paraboloid(const Grid& grid, double radius) {
     const double x = (ix - centre_x) * grid.spacing_x();
     const double y = (iy - centre_y) * grid.spacing_y();
     return -(x * x + y * y) / (2.0 * radius);
+  });
+}
+
+HeightMap flat_punch(const Grid& grid, double radius, double recess,
+                     double tilt) {
+  require_positive("radius", radius, "m");
+  require_positive("recess", recess, "m");
+  if (2.0 * radius >= std::min(grid.length_x, grid.length_y))
+    refuse_argument("radius", radius, "less than half of each side [m]");
+  if (!(std::abs(tilt) * radius < recess))
+    refuse_argument("tilt", tilt, "less than recess over radius [1]");
+  const double rounding = 1e-12 * radius * radius;
+  return map_of(grid, [&](int ix, int iy) {
+    const double x = (ix - grid.points_x / 2) * grid.spacing_x();
+    const double y = (iy - grid.points_y / 2) * grid.spacing_y();
+    return x * x + y * y <= radius * radius + rounding ? tilt * x : -recess;
   });
 }
 

@@ -14,6 +14,16 @@ namespace asperity::surfaces {
 /// @param radius  R [m] > 0
 HeightMap paraboloid(const Grid& grid, double radius);
 
+/// A flat-ended cylinder about the centre of the cell: h = tilt x for r <= R,
+/// x from the centre, and -recess outside, with the mean removed. The centre is
+/// the node (points_x/2, points_y/2).
+/// @param radius  R [m] > 0, less than half of each side
+/// @param recess  [m] > 0
+/// @param tilt    slope of the end along x [1]
+/// @throws std::domain_error  an argument is outside its range
+HeightMap flat_punch(const Grid& grid, double radius, double recess,
+                     double tilt);
+
 /// The sinusoidal surface h = D cos(2 pi x/l) of Westergaard's solution. Its
 /// crests are at x = 0.
 /// @param amplitude   D [m] > 0, half of the height from trough to crest

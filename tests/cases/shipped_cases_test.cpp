@@ -29,7 +29,7 @@ const std::set<std::string> shipped = {
 // Full 3-D blocks, which are also read with their quick.set.
 const std::set<std::string> full_blocks = {
     "hertz-3d", "hertz-adaptive", "heterogeneous", "inclusion",
-    "rough-3d", "step42",         "two-blocks"};
+    "punch",    "rough-3d",       "step42",        "two-blocks"};
 
 // Atomistic blocks, whose claims are in the collection paper.
 const std::set<std::string> blocks_of_atoms = {
@@ -372,6 +372,9 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "fem.contact_at",
                                            "fem.height_interpolation",
                                            "fem.bodies",
+                                           "fem.stiffness",
+                                           "surface.recess",
+                                           "surface.tilt",
                                            "material.layers",
                                            "report.fields",
                                            "report.stress_inside",

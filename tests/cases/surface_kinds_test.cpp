@@ -31,6 +31,28 @@ TEST(SurfaceKinds, ReadTheExactShapes) {
   EXPECT_DOUBLE_EQ(wave.wavelength, 0.25e-3);
 }
 
+TEST(SurfaceKinds, ReadAPunch) {
+  const mechanics::SurfaceSpec punch =
+      surface_of("kind = \"punch\"\nlength = 1e-3\npoints = 64\nradius = "
+                 "\"0.2 length\"\nrecess = 1e-6\ntilt = 1e-4\n");
+
+  EXPECT_EQ(punch.kind, mechanics::SurfaceKind::punch);
+  EXPECT_DOUBLE_EQ(punch.radius, 0.2e-3);
+  EXPECT_EQ(punch.recess, 1e-6);
+  EXPECT_EQ(punch.tilt, 1e-4);
+}
+
+TEST(SurfaceKinds, RefuseAPunchWithoutSurroundings) {
+  const std::string punch = "kind = \"punch\"\nlength = 1e-3\npoints = 64\n"
+                            "recess = 1e-6\n";
+  EXPECT_NE(mistakes_of(shape_case(punch + "radius = \"0.5 length\"\n"))
+                .find("must be less than half of length"),
+            std::string::npos);
+  EXPECT_NE(mistakes_of(shape_case(punch + "radius = 1e-4\ntilt = 0.05\n"))
+                .find("must be less than recess over radius"),
+            std::string::npos);
+}
+
 TEST(SurfaceKinds, ReadAMapBesideTheCase) {
   const mechanics::SurfaceSpec map =
       surface_of("kind = \"measured\"\nfile = \"map.txt\"\n"
@@ -61,7 +83,7 @@ TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
                      "edges = \"mirror\"\npoints = 8\nseed = 3\n")),
       "  case.toml:7: surface.points = 8 does not apply to kind = \"measured\" "
       "(the file determines the points, and nothing in it is random); it "
-      "belongs to self-affine, spectrum, sphere, wave-1d, wave-2d\n"
+      "belongs to self-affine, spectrum, sphere, wave-1d, wave-2d, punch\n"
       "  case.toml:8: surface.seed = 3 does not apply to kind = \"measured\" "
       "(the file determines the points, and nothing in it is random); it "
       "belongs to self-affine, spectrum\n");

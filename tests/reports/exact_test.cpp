@@ -131,6 +131,32 @@ TEST(ExactQuantities, FindTheRelativeErrorOfHertz) {
   EXPECT_NEAR(some.quantities.at("contact_radius_error").value, 0.03, 1e-12);
 }
 
+// A flat punch on a periodic square: approach F/(2 E* a) minus S F/(pi E* L). A
+// tilted one has no exact solution here. Tolerance: roundoff.
+TEST(ExactQuantities, FindTheRelativeErrorOfAPunch) {
+  cases::Case punch = sphere_case();
+  punch.surface.kind = mechanics::SurfaceKind::punch;
+  punch.surface.radius = 0.1e-3;
+  const double load = 2.0 * contact_modulus * 0.1e-3 * 1e-7; // approach 1e-7 m
+  results::CurvePoint point;
+  point.nominal_pressure = load / 1e-6;
+  point.mean_gap =
+      4e-6 - 1.03 * 1e-7 +
+      3.9002649200019564 * load / (std::numbers::pi * contact_modulus * 1e-3);
+  point.area_fraction_corrected = std::numbers::pi * 0.01;
+  results::Result result = result_of({point});
+  result.surfaces.resize(1);
+  result.surfaces.front().highest = 4e-6;
+
+  const MethodSummary summary = summary_of(result, punch);
+  punch.surface.tilt = 1e-4;
+  const MethodSummary tilted = summary_of(result, punch);
+
+  EXPECT_NEAR(summary.quantities.at("approach_error").value, 0.03, 1e-9);
+  EXPECT_NEAR(summary.quantities.at("contact_radius_error").value, 0.0, 1e-12);
+  EXPECT_FALSE(tilted.quantities.at("approach_error").has_value());
+}
+
 // A maximum stress and a depth that are 2 % and 5 % off Hertz's 0.620 p_0 and
 // 0.481 a (nu = 0.3; Johnson, Sec. 4.2) have these errors. Tolerance: printed
 // digits.

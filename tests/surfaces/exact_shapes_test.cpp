@@ -74,6 +74,30 @@ TEST(Waves, FitTheCellWhenTheirLengthIsPrinted) {
   EXPECT_EQ(map.heights[0], map.heights[24]);
 }
 
+// The end is a plane of the given slope about the middle, with the height 0
+// there, and the recess lies everywhere else. Tolerance: roundoff of the mean.
+TEST(FlatPunch, HasATiltedEndAndARecess) {
+  const HeightMap map = flat_punch({16, 16, 4.0, 4.0}, 1.0, 0.5, 0.1);
+  const double middle = map.heights[8 * 16 + 8];
+
+  EXPECT_NEAR(map.heights[8 * 16 + 12] - middle, 0.1, 1e-15);
+  EXPECT_NEAR(map.heights[8 * 16 + 4] - middle, -0.1, 1e-15);
+  EXPECT_NEAR(map.heights[12 * 16 + 8] - middle, 0.0, 1e-15);
+  EXPECT_NEAR(map.heights[8 * 16 + 13] - middle, -0.5, 1e-15);
+  EXPECT_NEAR(map.heights[11 * 16 + 11] - middle, -0.5, 1e-15);
+}
+
+TEST(FlatPunch, RefusesARecessAboveItsEnd) {
+  EXPECT_EQ(tests::message_of<std::domain_error>([] {
+              flat_punch({16, 16, 4.0, 4.0}, 1.0, 0.5, 0.5);
+            }),
+            "tilt = 0.5, but must be less than recess over radius [1]");
+  EXPECT_EQ(tests::message_of<std::domain_error>([] {
+              flat_punch({16, 16, 4.0, 4.0}, 2.0, 0.5, 0.0);
+            }),
+            "radius = 2, but must be less than half of each side [m]");
+}
+
 TEST(ExactShapes, RefuseBadArgumentsByName) {
   EXPECT_EQ(tests::message_of<std::domain_error>([] { paraboloid(grid, 0.0); }),
             "radius = 0, but must be finite and > 0 [m]");
