@@ -9,10 +9,6 @@
 namespace asperity {
 namespace {
 
-/// Columns that are transformed together: in single precision one row of them
-/// is a cache line.
-constexpr std::size_t block_width = 8;
-
 /// Pairs of rows that a thread processes at a time.
 constexpr int pairs_a_turn = 4;
 
@@ -28,7 +24,7 @@ auto as_fftw(std::complex<Real>* spectrum) {
 } // namespace
 
 template <class Real>
-struct Convolution<Real>::Plans {
+struct PairTransforms<Real>::Plans {
   using Library = Fftw<Real>;
   typename Library::Plan pair, pair_back, columns, columns_back;
 
@@ -70,6 +66,129 @@ struct Convolution<Real>::Plans {
 };
 
 template <class Real>
+PairTransforms<Real>::PairTransforms(const Grid& grid, int rows, int width)
+    : width_(static_cast<std::size_t>(grid.points_x)),
+      held_rows_(static_cast<std::size_t>(rows)),
+      held_width_(static_cast<std::size_t>(width)),
+      pair_stride_(rounded_up(width_ + 1)),
+      n_columns_(rounded_up(grid.half_spectrum_columns())),
+      column_stride_(rounded_up(static_cast<std::size_t>(grid.points_y))),
+      plans_(std::make_unique<Plans>(grid, pair_stride_, column_stride_)) {}
+
+template <class Real>
+PairTransforms<Real>::~PairTransforms() = default;
+
+template <class Real>
+std::size_t PairTransforms<Real>::spectrum_size() const {
+  return pair_stride_ * ((held_rows_ + 1) / 2);
+}
+
+/// Calls do_pair(first node, whether there is no second row, rows, modes).
+template <class Real>
+template <class DoPair>
+void PairTransforms<Real>::each_pair(int threads, Complex* rows,
+                                     Complex* spectrum,
+                                     const DoPair& do_pair) const {
+  const int pairs = static_cast<int>((held_rows_ + 1) / 2);
+  const int turns = (pairs + pairs_a_turn - 1) / pairs_a_turn;
+  parallel_turns(turns, threads, [&](int turn, int worker) {
+    Complex* const own = rows + static_cast<std::size_t>(worker) * pair_stride_;
+    const int end = std::min(pairs, (turn + 1) * pairs_a_turn);
+    for (int pair = turn * pairs_a_turn; pair < end; ++pair) {
+      const auto at = static_cast<std::size_t>(pair);
+      do_pair(2 * at * held_width_, 2 * at + 1 == held_rows_, own,
+              spectrum + at * pair_stride_);
+    }
+  });
+}
+
+template <class Real>
+void PairTransforms<Real>::forward(std::span<const Real> field, int threads,
+                                   Complex* rows, Complex* spectrum) const {
+  each_pair(
+      threads, rows, spectrum,
+      [&](std::size_t first, bool is_single, Complex* both, Complex* modes) {
+        const Real* const one = &field[first];
+        if (is_single)
+          for (std::size_t ix = 0; ix < held_width_; ++ix)
+            both[ix] = one[ix];
+        else
+          for (std::size_t ix = 0; ix < held_width_; ++ix)
+            both[ix] = {one[ix], one[held_width_ + ix]};
+        std::fill(both + held_width_, both + width_, Complex{});
+        Plans::Library::columns(plans_->pair, as_fftw(both), as_fftw(modes));
+        // Z(-k) is then at width - k for every k.
+        modes[width_] = modes[0];
+      });
+}
+
+template <class Real>
+void PairTransforms<Real>::backward(Complex* spectrum, int threads,
+                                    Complex* rows,
+                                    std::span<Real> answer) const {
+  each_pair(
+      threads, rows, spectrum,
+      [&](std::size_t first, bool is_single, Complex* both, Complex* modes) {
+        Plans::Library::columns(plans_->pair_back, as_fftw(modes),
+                                as_fftw(both));
+        Real* const one = &answer[first];
+        for (std::size_t ix = 0; ix < held_width_; ++ix)
+          one[ix] = both[ix].real();
+        if (!is_single)
+          for (std::size_t ix = 0; ix < held_width_; ++ix)
+            one[held_width_ + ix] = both[ix].imag();
+      });
+}
+
+template <class Real>
+void PairTransforms<Real>::separate(const Complex* spectrum, std::size_t first,
+                                    std::size_t n, std::size_t stride,
+                                    Complex* columns) const {
+  const Real half = Real{0.5};
+  for (std::size_t jy = 0; jy < held_rows_; jy += 2) {
+    const Complex* const modes = spectrum + jy / 2 * pair_stride_;
+    const Complex* const plus = modes + first;
+    const Complex* const minus = modes + (width_ - first);
+    Complex* column = columns + jy;
+    for (std::size_t k = 0; k < n; ++k, column += stride) {
+      const Complex z = plus[k];
+      const Complex mirror = *(minus - k);
+      column[0] = {half * (z.real() + mirror.real()),
+                   half * (z.imag() - mirror.imag())};
+      column[1] = {half * (z.imag() + mirror.imag()),
+                   half * (mirror.real() - z.real())};
+    }
+  }
+}
+
+template <class Real>
+void PairTransforms<Real>::join(const Complex* columns, std::size_t first,
+                                std::size_t n, std::size_t stride,
+                                Complex* spectrum) const {
+  for (std::size_t jy = 0; jy < held_rows_; jy += 2) {
+    Complex* const modes = spectrum + jy / 2 * pair_stride_;
+    Complex* const plus = modes + first;
+    Complex* const minus = modes + (width_ - first);
+    const Complex* column = columns + jy;
+    for (std::size_t k = 0; k < n; ++k, column += stride) {
+      const Complex a = column[0], b = column[1];
+      *(minus - k) = {a.real() + b.imag(), b.real() - a.imag()};
+      plus[k] = {a.real() - b.imag(), b.real() + a.imag()};
+    }
+  }
+}
+
+template <class Real>
+void PairTransforms<Real>::convolve(Complex* columns,
+                                    const Real* multiplier) const {
+  Plans::Library::columns(plans_->columns, as_fftw(columns), as_fftw(columns));
+  for (std::size_t i = 0; i < block_width * column_stride_; ++i)
+    columns[i] *= multiplier[i];
+  Plans::Library::columns(plans_->columns_back, as_fftw(columns),
+                          as_fftw(columns));
+}
+
+template <class Real>
 Convolution<Real>::Convolution(const Grid& grid, int threads)
     : Convolution(grid, grid, threads) {}
 
@@ -78,10 +197,8 @@ Convolution<Real>::Convolution(const Grid& grid, const Grid& held, int threads)
     : grid_(grid),
       held_(held),
       threads_(threads),
-      pair_stride_(rounded_up(static_cast<std::size_t>(grid.points_x) + 1)),
-      n_columns_(rounded_up(grid.half_spectrum_columns())),
-      column_stride_(rounded_up(static_cast<std::size_t>(grid.points_y))),
-      plans_(std::make_unique<Plans>(grid, pair_stride_, column_stride_)) {}
+      transforms_(std::make_unique<PairTransforms<Real>>(grid, held.points_y,
+                                                         held.points_x)) {}
 
 template <class Real>
 Convolution<Real>::~Convolution() = default;
@@ -97,12 +214,13 @@ auto Convolution<Real>::arranged(std::span<const double> multiplier) const
   assert(multiplier.size() == grid_.half_spectrum_size());
   const std::size_t columns = grid_.half_spectrum_columns();
   const auto rows = static_cast<std::size_t>(grid_.points_y);
+  const std::size_t stride = transforms_->column_stride();
   const double normalise = 1.0 / static_cast<double>(grid_.size());
   Symbol symbol;
-  symbol.values_.resize(n_columns_ * column_stride_);
+  symbol.values_.resize(transforms_->n_columns() * stride);
   for (std::size_t jy = 0; jy < rows; ++jy)
     for (std::size_t jx = 0; jx < columns; ++jx)
-      symbol.values_[jx * column_stride_ + jy] =
+      symbol.values_[jx * stride + jy] =
           static_cast<Real>(normalise * multiplier[jy * columns + jx]);
   return symbol;
 }
@@ -110,10 +228,9 @@ auto Convolution<Real>::arranged(std::span<const double> multiplier) const
 template <class Real>
 void Convolution<Real>::prepare(Scratch& scratch) const {
   const auto workers = static_cast<std::size_t>(threads_);
-  const std::size_t pairs = (static_cast<std::size_t>(held_.points_y) + 1) / 2;
-  scratch.spectrum_.resize(pair_stride_ * pairs);
-  scratch.columns_.resize(workers * block_width * column_stride_);
-  scratch.pairs_.resize(workers * pair_stride_);
+  scratch.spectrum_.resize(transforms_->spectrum_size());
+  scratch.columns_.resize(workers * block_width * transforms_->column_stride());
+  scratch.pairs_.resize(workers * transforms_->pair_stride());
 }
 
 template <class Real>
@@ -121,126 +238,40 @@ void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
                               Scratch& scratch, std::span<Real> answer) const {
   assert(field.size() == held_.size() && answer.size() == held_.size());
   prepare(scratch);
-  const auto width = static_cast<std::size_t>(grid_.points_x);
-  const auto held_width = static_cast<std::size_t>(held_.points_x);
-  const int pairs = (held_.points_y + 1) / 2;
-  const int turns = (pairs + pairs_a_turn - 1) / pairs_a_turn;
-  // Calls do_pair(first node, second row or the first again, rows, modes).
-  const auto each_pair = [&](const auto& do_pair) {
-    parallel_turns(turns, threads_, [&](int turn, int worker) {
-      std::complex<Real>* const rows =
-          &scratch.pairs_[static_cast<std::size_t>(worker) * pair_stride_];
-      const int end = std::min(pairs, (turn + 1) * pairs_a_turn);
-      for (int pair = turn * pairs_a_turn; pair < end; ++pair) {
-        const auto at = static_cast<std::size_t>(pair);
-        const bool is_single = 2 * pair + 1 == held_.points_y;
-        do_pair(2 * at * held_width, is_single, rows,
-                &scratch.spectrum_[at * pair_stride_]);
-      }
-    });
-  };
-
-  each_pair([&](std::size_t first, bool is_single, std::complex<Real>* rows,
-                std::complex<Real>* modes) {
-    const Real* const one = &field[first];
-    if (is_single)
-      for (std::size_t ix = 0; ix < held_width; ++ix)
-        rows[ix] = one[ix];
-    else
-      for (std::size_t ix = 0; ix < held_width; ++ix)
-        rows[ix] = {one[ix], one[held_width + ix]};
-    std::fill(rows + held_width, rows + width, std::complex<Real>{});
-    Plans::Library::columns(plans_->pair, as_fftw(rows), as_fftw(modes));
-    modes[width] = modes[0]; // so that Z(-k) is at width - k for every k
-  });
+  transforms_->forward(field, threads_, scratch.pairs_.data(),
+                       scratch.spectrum_.data());
   transform_columns(symbol, scratch);
-  each_pair([&](std::size_t first, bool is_single, std::complex<Real>* rows,
-                std::complex<Real>* modes) {
-    Plans::Library::columns(plans_->pair_back, as_fftw(modes), as_fftw(rows));
-    Real* const one = &answer[first];
-    for (std::size_t ix = 0; ix < held_width; ++ix)
-      one[ix] = rows[ix].real();
-    if (!is_single)
-      for (std::size_t ix = 0; ix < held_width; ++ix)
-        one[held_width + ix] = rows[ix].imag();
-  });
-}
-
-/// Separates the rows of each pair, for n columns from the column `first`.
-template <class Real>
-void Convolution<Real>::gather(const std::complex<Real>* spectrum,
-                               std::size_t first, std::size_t n,
-                               std::complex<Real>* columns) const {
-  const auto width = static_cast<std::size_t>(grid_.points_x);
-  const auto rows = static_cast<std::size_t>(held_.points_y);
-  const Real half = Real{0.5};
-  for (std::size_t jy = 0; jy < rows; jy += 2) {
-    const std::complex<Real>* const modes = spectrum + jy / 2 * pair_stride_;
-    const std::complex<Real>* const plus = modes + first;
-    const std::complex<Real>* const minus = modes + (width - first);
-    std::complex<Real>* column = columns + jy;
-    for (std::size_t k = 0; k < n; ++k, column += column_stride_) {
-      const std::complex<Real> z = plus[k];
-      const std::complex<Real> mirror = *(minus - k);
-      column[0] = {half * (z.real() + mirror.real()),
-                   half * (z.imag() - mirror.imag())};
-      column[1] = {half * (z.imag() + mirror.imag()),
-                   half * (mirror.real() - z.real())};
-    }
-  }
-  const auto height = static_cast<std::size_t>(grid_.points_y);
-  for (std::size_t k = 0; k < n; ++k)
-    std::fill(columns + k * column_stride_ + rows,
-              columns + k * column_stride_ + height, std::complex<Real>{});
-}
-
-/// The inverse of gather(): Z(k) = A(k) + i B(k), Z(-k) = conj A(k) + i conj
-/// B(k).
-template <class Real>
-void Convolution<Real>::scatter(const std::complex<Real>* columns,
-                                std::size_t first, std::size_t n,
-                                std::complex<Real>* spectrum) const {
-  const auto width = static_cast<std::size_t>(grid_.points_x);
-  const auto rows = static_cast<std::size_t>(held_.points_y);
-  for (std::size_t jy = 0; jy < rows; jy += 2) {
-    std::complex<Real>* const modes = spectrum + jy / 2 * pair_stride_;
-    std::complex<Real>* const plus = modes + first;
-    std::complex<Real>* const minus = modes + (width - first);
-    const std::complex<Real>* column = columns + jy;
-    for (std::size_t k = 0; k < n; ++k, column += column_stride_) {
-      const std::complex<Real> a = column[0], b = column[1];
-      *(minus - k) = {a.real() + b.imag(), b.real() - a.imag()};
-      plus[k] = {a.real() - b.imag(), b.real() + a.imag()};
-    }
-  }
+  transforms_->backward(scratch.spectrum_.data(), threads_,
+                        scratch.pairs_.data(), answer);
 }
 
 template <class Real>
 void Convolution<Real>::transform_columns(const Symbol& symbol,
                                           Scratch& scratch) const {
-  const std::size_t block_size = block_width * column_stride_;
+  const std::size_t stride = transforms_->column_stride();
   const std::size_t n_modes = grid_.half_spectrum_columns();
-  const int blocks = static_cast<int>(n_columns_ / block_width);
+  const auto held_rows = static_cast<std::size_t>(held_.points_y);
+  const auto height = static_cast<std::size_t>(grid_.points_y);
+  const int blocks = static_cast<int>(transforms_->n_columns() / block_width);
   parallel_turns(blocks, threads_, [&](int turn, int worker) {
     const std::size_t first = static_cast<std::size_t>(turn) * block_width;
     const std::size_t n = std::min(block_width, n_modes - first);
     std::complex<Real>* const columns =
-        &scratch.columns_[static_cast<std::size_t>(worker) * block_size];
-    gather(scratch.spectrum_.data(), first, n, columns);
-    std::fill(columns + n * column_stride_, columns + block_size,
+        &scratch
+             .columns_[static_cast<std::size_t>(worker) * block_width * stride];
+    transforms_->separate(scratch.spectrum_.data(), first, n, stride, columns);
+    for (std::size_t k = 0; k < n; ++k)
+      std::fill(columns + k * stride + held_rows, columns + k * stride + height,
+                std::complex<Real>{});
+    std::fill(columns + n * stride, columns + block_width * stride,
               std::complex<Real>{});
-
-    Plans::Library::columns(plans_->columns, as_fftw(columns),
-                            as_fftw(columns));
-    const Real* const multiplier = &symbol.values_[first * column_stride_];
-    for (std::size_t i = 0; i < block_size; ++i)
-      columns[i] *= multiplier[i];
-    Plans::Library::columns(plans_->columns_back, as_fftw(columns),
-                            as_fftw(columns));
-    scatter(columns, first, n, scratch.spectrum_.data());
+    transforms_->convolve(columns, &symbol.values_[first * stride]);
+    transforms_->join(columns, first, n, stride, scratch.spectrum_.data());
   });
 }
 
+template class PairTransforms<float>;
+template class PairTransforms<double>;
 template class Convolution<float>;
 template class Convolution<double>;
 

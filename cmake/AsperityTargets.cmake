@@ -139,7 +139,7 @@ function(asperity_test path)
   add_test(NAME ${path} COMMAND ${launch} $<TARGET_FILE:${target}>
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${path} PROPERTIES LABELS ${arg_TIER} TIMEOUT 600)
-  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|exchange|input|md|meshes|results|surfaces|theory)/")
+  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|exchange|input|md|meshes|ranks|results|surfaces|theory)/")
     add_dependencies(asperity_fast_tests ${target})
     set_tests_properties(${path} PROPERTIES LABELS "unit;fast")
   endif()

@@ -12,15 +12,16 @@ from pathlib import Path
 # Which other modules a module may include; a path allows these files alone.
 MAY_INCLUDE = {
     "base": set(),
+    "ranks": {"base"},
     "input": {"base"},
     "mechanics": {"base"},
     "cases": {"base", "input", "mechanics"},
     "theory": {"base"},
-    "contact": {"base", "mechanics"},
+    "contact": {"base", "ranks", "mechanics"},
     "surfaces": {"base", "input", "mechanics", "results/storage/hdf5_file.hpp",
                  "results/trial_read.hpp"},
     "meshes": {"base", "input", "mechanics", "surfaces"},
-    "fem": {"base", "input", "mechanics", "surfaces", "meshes", "contact"},
+    "fem": {"base", "ranks", "input", "mechanics", "surfaces", "meshes", "contact"},
     "md": {"base", "input", "mechanics", "surfaces"},
     "results": {"base", "input", "theory"},  # its Eq. (20) is (1) with another variance
     "exchange": {"base", "input", "mechanics", "surfaces", "contact", "results",

@@ -1,0 +1,205 @@
+#include "ranks/shared_convolution.hpp"
+
+#include "base/parallel_rows.hpp"
+#include "base/require.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace asperity {
+namespace {
+
+/// Number of rounds in which the columns are exchanged: the buffers of a round
+/// then take a quarter of the memory of the spectrum.
+constexpr std::size_t wanted_rounds = 8;
+
+/// The first block of each rank, then the number of blocks.
+std::vector<std::size_t> divided(std::size_t n_blocks, std::size_t n_ranks) {
+  std::vector<std::size_t> first(n_ranks + 1);
+  for (std::size_t r = 0; r <= n_ranks; ++r)
+    first[r] = n_blocks * r / n_ranks;
+  return first;
+}
+
+} // namespace
+
+template <class Real>
+SharedConvolution<Real>::SharedConvolution(const SharedRows& rows, int threads)
+    : rows_(rows), threads_(threads) {
+  if (rows.ranks() == nullptr)
+    refuse_argument("number of ranks", 0.0, "at least 1");
+  for (std::size_t r = 0; r + 1 < rows.bounds().size(); ++r)
+    if (rows.bounds()[r] % 2 != 0)
+      refuse_argument("first row of a rank", rows.bounds()[r], "even");
+  n_ranks_ = static_cast<std::size_t>(rows.ranks()->size());
+  own_ = static_cast<std::size_t>(rows.ranks()->rank());
+  const Grid& grid = rows.grid();
+  transforms_ =
+      std::make_unique<PairTransforms<Real>>(grid, rows.count(), grid.points_x);
+  first_blocks_ = divided(transforms_->n_columns() / block_width, n_ranks_);
+  n_columns_ = grid.half_spectrum_columns();
+  std::size_t most = 1; // blocks of a rank
+  for (std::size_t r = 0; r < n_ranks_; ++r)
+    most = std::max(most, first_blocks_[r + 1] - first_blocks_[r]);
+  blocks_a_round_ = std::max(static_cast<std::size_t>(threads),
+                             (most + wanted_rounds - 1) / wanted_rounds);
+  n_rounds_ = (most + blocks_a_round_ - 1) / blocks_a_round_;
+}
+
+template <class Real>
+SharedConvolution<Real>::~SharedConvolution() = default;
+
+template <class Real>
+auto SharedConvolution<Real>::arranged(
+    const std::function<double(int jx, int jy)>& multiplier_at) const
+    -> Symbol {
+  const std::size_t stride = transforms_->column_stride();
+  const std::size_t first = first_blocks_[own_] * block_width;
+  const std::size_t end =
+      std::min(n_columns_, first_blocks_[own_ + 1] * block_width);
+  const double normalise = 1.0 / static_cast<double>(rows_.grid().size());
+  Symbol symbol;
+  symbol.values_.resize((first_blocks_[own_ + 1] - first_blocks_[own_]) *
+                        block_width * stride);
+  parallel_rows(
+      static_cast<int>(end - std::min(first, end)), threads_, [&](int column) {
+        const auto k = static_cast<std::size_t>(column);
+        for (int jy = 0; jy < rows_.grid().points_y; ++jy)
+          symbol.values_[k * stride + static_cast<std::size_t>(jy)] =
+              static_cast<Real>(normalise *
+                                multiplier_at(static_cast<int>(first + k), jy));
+      });
+  return symbol;
+}
+
+template <class Real>
+auto SharedConvolution<Real>::blocks_of(std::size_t rank,
+                                        std::size_t round) const -> Blocks {
+  const std::size_t end = first_blocks_[rank + 1];
+  const std::size_t first =
+      std::min(end, first_blocks_[rank] + round * blocks_a_round_);
+  return {first, std::min(blocks_a_round_, end - first)};
+}
+
+template <class Real>
+std::size_t SharedConvolution<Real>::padded_rows(std::size_t rank) const {
+  const auto rows =
+      static_cast<std::size_t>(rows_.bounds()[rank + 1] - rows_.bounds()[rank]);
+  return (rows + 1) / 2 * 2;
+}
+
+template <class Real>
+std::size_t SharedConvolution<Real>::columns_in(std::size_t block) const {
+  return std::min(block_width,
+                  n_columns_ - std::min(n_columns_, block * block_width));
+}
+
+template <class Real>
+void SharedConvolution<Real>::apply(std::span<const Real> field,
+                                    const Symbol& symbol,
+                                    std::span<Real> answer) {
+  assert(field.size() == rows_.size() && answer.size() == rows_.size());
+  const auto workers = static_cast<std::size_t>(threads_);
+  const std::size_t most = blocks_a_round_ * block_width;
+  std::size_t all_rows = 0;
+  for (std::size_t r = 0; r < n_ranks_; ++r)
+    all_rows += padded_rows(r);
+  spectrum_.resize(transforms_->spectrum_size());
+  pairs_.resize(workers * transforms_->pair_stride());
+  columns_.resize(workers * block_width * transforms_->column_stride());
+  by_rows_.resize(n_ranks_ * most * padded_rows(own_));
+  by_ranks_.resize(most * all_rows);
+
+  transforms_->forward(field, threads_, pairs_.data(), spectrum_.data());
+  std::vector<std::size_t> sent(n_ranks_), received(n_ranks_);
+  for (std::size_t round = 0; round < n_rounds_; ++round) {
+    const Blocks own = blocks_of(own_, round);
+    for (std::size_t r = 0; r < n_ranks_; ++r) {
+      sent[r] = blocks_of(r, round).count * block_width * padded_rows(own_) *
+                sizeof(Complex);
+      received[r] = own.count * block_width * padded_rows(r) * sizeof(Complex);
+    }
+    each_block(round, [&](std::size_t block, Complex* columns) {
+      transforms_->separate(spectrum_.data(), block * block_width,
+                            columns_in(block), padded_rows(own_), columns);
+    });
+    const std::span<std::byte> rows_side =
+        std::as_writable_bytes(std::span(by_rows_));
+    const std::span<std::byte> ranks_side =
+        std::as_writable_bytes(std::span(by_ranks_));
+    rows_.ranks()->exchange(rows_side, sent, ranks_side, received);
+    convolve_own(own, symbol);
+    rows_.ranks()->exchange(ranks_side, received, rows_side, sent);
+    each_block(round, [&](std::size_t block, Complex* columns) {
+      transforms_->join(columns, block * block_width, columns_in(block),
+                        padded_rows(own_), spectrum_.data());
+    });
+  }
+  transforms_->backward(spectrum_.data(), threads_, pairs_.data(), answer);
+}
+
+template <class Real>
+template <class DoBlock>
+void SharedConvolution<Real>::each_block(std::size_t round,
+                                         const DoBlock& do_block) {
+  std::vector<std::size_t> blocks; // in the order of by_rows_
+  blocks.reserve(n_ranks_ * blocks_a_round_);
+  for (std::size_t r = 0; r < n_ranks_; ++r) {
+    const Blocks some = blocks_of(r, round);
+    for (std::size_t b = 0; b < some.count; ++b)
+      blocks.push_back(some.first + b);
+  }
+  parallel_rows(static_cast<int>(blocks.size()), threads_, [&](int turn) {
+    const auto at = static_cast<std::size_t>(turn);
+    do_block(blocks[at], &by_rows_[at * block_width * padded_rows(own_)]);
+  });
+}
+
+template <class Real>
+void SharedConvolution<Real>::convolve_own(const Blocks& own,
+                                           const Symbol& symbol) {
+  const std::size_t stride = transforms_->column_stride();
+  parallel_turns(
+      static_cast<int>(own.count), threads_, [&](int turn, int worker) {
+        const auto block = static_cast<std::size_t>(turn);
+        const std::size_t n = columns_in(own.first + block);
+        Complex* const columns =
+            &columns_[static_cast<std::size_t>(worker) * block_width * stride];
+        each_piece(block, own.count, n,
+                   [&](Complex* piece, std::size_t at, std::size_t rows) {
+                     std::copy_n(piece, rows, columns + at);
+                   });
+        std::fill(columns + n * stride, columns + block_width * stride,
+                  Complex{});
+        const std::size_t first =
+            (own.first - first_blocks_[own_] + block) * block_width;
+        transforms_->convolve(columns, &symbol.values_[first * stride]);
+        each_piece(block, own.count, n,
+                   [&](Complex* piece, std::size_t at, std::size_t rows) {
+                     std::copy_n(columns + at, rows, piece);
+                   });
+      });
+}
+
+template <class Real>
+template <class Copy>
+void SharedConvolution<Real>::each_piece(std::size_t block,
+                                         std::size_t n_blocks, std::size_t n,
+                                         const Copy& copy) {
+  const std::size_t stride = transforms_->column_stride();
+  Complex* of_rank = by_ranks_.data();
+  for (std::size_t r = 0; r < n_ranks_; ++r) {
+    const std::size_t padded = padded_rows(r);
+    const auto first = static_cast<std::size_t>(rows_.bounds()[r]);
+    const auto rows = static_cast<std::size_t>(rows_.bounds()[r + 1]) - first;
+    for (std::size_t k = 0; k < n; ++k)
+      copy(of_rank + (block * block_width + k) * padded, k * stride + first,
+           rows);
+    of_rank += n_blocks * block_width * padded;
+  }
+}
+
+template class SharedConvolution<float>;
+template class SharedConvolution<double>;
+
+} // namespace asperity

@@ -1,0 +1,94 @@
+#pragma once
+
+// This file computes the convolution of convolution.hpp for a field whose rows
+// are shared by several processes.
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/convolution.hpp"
+#include "ranks/shared_rows.hpp"
+
+namespace asperity {
+
+/// As Convolution, with bitwise the same answer on any number of ranks. Each
+/// rank transforms its pairs of rows and owns some blocks of columns. The
+/// columns are exchanged in rounds of a few blocks per rank, transformed,
+/// multiplied, transformed back and returned, so that beside the spectrum of
+/// its own rows a rank holds only the blocks of one round.
+template <class Real>
+class SharedConvolution {
+public:
+  /// Multipliers of the columns of this rank.
+  class Symbol {
+    friend class SharedConvolution;
+    std::vector<Real> values_;
+  };
+
+  /// @param rows     of a group of ranks; must outlive this object. All bounds
+  ///                 but the last are even.
+  /// @param threads  >= 1, used by each rank
+  /// @throws std::domain_error  the rows are of no group, or a bound is odd
+  SharedConvolution(const SharedRows& rows, int threads);
+  ~SharedConvolution();
+  SharedConvolution(const SharedConvolution&) = delete;
+  SharedConvolution& operator=(const SharedConvolution&) = delete;
+
+  int threads() const { return threads_; }
+
+  /// Finds the multipliers of this rank.
+  /// @param multiplier_at  value of the mode (jx, jy), jx = 0..points_x/2, jy =
+  ///                       0..points_y-1
+  Symbol
+  arranged(const std::function<double(int jx, int jy)>& multiplier_at) const;
+
+  /// Applies the convolution. Collective.
+  /// @param field   rows.size() values
+  /// @param answer  as many values, overwritten; may be `field`
+  void apply(std::span<const Real> field, const Symbol& symbol,
+             std::span<Real> answer);
+
+private:
+  using Complex = std::complex<Real>;
+
+  /// Some adjacent blocks of columns.
+  struct Blocks {
+    std::size_t first = 0, count = 0;
+  };
+
+  /// The blocks of a rank in a round.
+  Blocks blocks_of(std::size_t rank, std::size_t round) const;
+  /// Rows of a rank, rounded up to pairs.
+  std::size_t padded_rows(std::size_t rank) const;
+  std::size_t columns_in(std::size_t block) const;
+  /// Calls do_block(block, its columns in by_rows_) for all blocks of a round.
+  template <class DoBlock>
+  void each_block(std::size_t round, const DoBlock& do_block);
+  void convolve_own(const Blocks& own, const Symbol& symbol);
+  /// Calls copy(piece in by_ranks_, place in the columns of a block, number of
+  /// rows) for the n columns of one of n_blocks own blocks.
+  template <class Copy>
+  void each_piece(std::size_t block, std::size_t n_blocks, std::size_t n,
+                  const Copy& copy);
+
+  const SharedRows& rows_;
+  int threads_;
+  std::unique_ptr<PairTransforms<Real>> transforms_;
+  std::size_t n_ranks_, own_;
+  std::vector<std::size_t> first_blocks_; ///< of each rank, and their number
+  std::size_t n_columns_;                 ///< of the half spectrum
+  std::size_t blocks_a_round_, n_rounds_;
+  std::vector<Complex> spectrum_; ///< of the pairs of rows of this rank
+  std::vector<Complex> pairs_;    ///< scratch of one pair per thread
+  std::vector<Complex> by_rows_;  ///< own rows of the columns of a round
+  std::vector<Complex> by_ranks_; ///< pieces of own columns of a round
+  std::vector<Complex> columns_;  ///< one block per thread
+};
+
+extern template class SharedConvolution<float>;
+extern template class SharedConvolution<double>;
+
+} // namespace asperity

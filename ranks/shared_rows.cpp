@@ -1,0 +1,46 @@
+#include "ranks/shared_rows.hpp"
+
+#include "base/require.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace asperity {
+
+SharedRows::SharedRows(const Grid& grid)
+    : grid_(grid), bounds_{0, grid.points_y} {}
+
+SharedRows::SharedRows(const Grid& grid, RankGroup& ranks,
+                       std::vector<int> bounds)
+    : grid_(grid),
+      ranks_(&ranks),
+      bounds_(std::move(bounds)),
+      own_(static_cast<std::size_t>(ranks.rank())) {
+  if (bounds_.size() != static_cast<std::size_t>(ranks.size()) + 1)
+    refuse_argument("bounds.size()", static_cast<double>(bounds_.size()),
+                    "the number of ranks + 1");
+  if (bounds_.front() != 0 || bounds_.back() != grid.points_y ||
+      std::ranges::adjacent_find(bounds_, std::greater_equal<>()) !=
+          bounds_.end())
+    refuse_argument("the last of bounds", bounds_.back(),
+                    "points_y, after increasing values from 0");
+}
+
+std::vector<double> SharedRows::gathered(std::span<const double> own) const {
+  if (own.size() != size())
+    refuse_argument("own.size()", static_cast<double>(own.size()),
+                    "the number of nodes of this process");
+  if (ranks_ == nullptr)
+    return {own.begin(), own.end()};
+  std::vector<std::size_t> counts;
+  counts.reserve(bounds_.size());
+  for (std::size_t r = 0; r + 1 < bounds_.size(); ++r)
+    counts.push_back(static_cast<std::size_t>(bounds_[r + 1] - bounds_[r]) *
+                     width() * sizeof(double));
+  std::vector<double> all(grid_.size());
+  ranks_->gather_to_all(std::as_bytes(own), counts,
+                        std::as_writable_bytes(std::span(all)));
+  return all;
+}
+
+} // namespace asperity

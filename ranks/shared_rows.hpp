@@ -1,0 +1,79 @@
+#pragma once
+
+// This file says which rows of a grid this process holds, and completes them by
+// the rows beside them, which other processes may hold.
+
+#include "base/grid.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "ranks/rank_group.hpp"
+
+namespace asperity {
+
+/// The rows of a grid that this process holds: all of them, or its share of the
+/// rows that the ranks of a group hold together. Local fields have size()
+/// values and begin with row first().
+class SharedRows {
+public:
+  /// This process holds all rows.
+  explicit SharedRows(const Grid& grid);
+
+  /// @param ranks   must outlive this object
+  /// @param bounds  rank r holds the rows bounds[r]..bounds[r+1]-1, at least
+  ///                one; ranks.size() + 1 values from 0 to grid.points_y
+  /// @throws std::domain_error  the bounds are not of this kind
+  SharedRows(const Grid& grid, RankGroup& ranks, std::vector<int> bounds);
+
+  const Grid& grid() const { return grid_; }
+
+  /// The group of ranks, null if this process holds all rows.
+  RankGroup* ranks() const { return ranks_; }
+
+  const std::vector<int>& bounds() const { return bounds_; }
+
+  int first() const { return bounds_[own_]; }
+
+  int count() const { return bounds_[own_ + 1] - bounds_[own_]; }
+
+  /// Number of nodes in the rows of this process.
+  std::size_t size() const {
+    return static_cast<std::size_t>(count()) * width();
+  }
+
+  std::size_t width() const { return static_cast<std::size_t>(grid_.points_x); }
+
+  /// Copies the rows beside those of this process into the first and last row
+  /// of an array, on the periodic continuation of the grid. Collective.
+  /// @param rows  count() + 2 rows of equal length; the inner ones are read
+  template <class Value>
+  void fill_ghost_rows(std::span<Value> rows) const {
+    const std::size_t n = rows.size() / static_cast<std::size_t>(count() + 2);
+    const std::span<Value> first = rows.subspan(n, n);
+    const std::span<Value> last = rows.last(2 * n).first(n);
+    const std::span<Value> before = rows.first(n);
+    const std::span<Value> after = rows.last(n);
+    if (ranks_ == nullptr) {
+      std::ranges::copy(last, before.begin());
+      std::ranges::copy(first, after.begin());
+    } else {
+      ranks_->swap_edges({std::as_bytes(first), std::as_bytes(last),
+                          std::as_writable_bytes(before),
+                          std::as_writable_bytes(after)});
+    }
+  }
+
+  /// All rows of a field, on every rank. Collective.
+  /// @param own  size() values
+  std::vector<double> gathered(std::span<const double> own) const;
+
+private:
+  Grid grid_;
+  RankGroup* ranks_ = nullptr;
+  std::vector<int> bounds_;
+  std::size_t own_ = 0; ///< number of this rank
+};
+
+} // namespace asperity

@@ -1,0 +1,138 @@
+// Tests of ranks/shared_convolution.hpp and ranks/shared_rows.hpp: any number
+// of ranks and threads gives the bits of the convolution in one process.
+#include "base/convolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "ranks/shared_convolution.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
+namespace asperity {
+namespace {
+
+std::vector<double> uneven_field(const Grid& grid) {
+  std::vector<double> field(grid.size());
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field[i] = std::sin(1.7 * static_cast<double>(i * i % 101));
+  return field;
+}
+
+double symbol_at(const Grid& grid, int jx, int jy) {
+  return 1.0 /
+         (1.0 + jx + 2.0 * std::abs(signed_wavenumber(jy, grid.points_y)));
+}
+
+template <class Real>
+std::vector<Real> in_one_process(const Grid& grid) {
+  const Convolution<Real> convolution(grid);
+  typename Convolution<Real>::Scratch scratch;
+  std::vector<double> symbol;
+  for (int jy = 0; jy < grid.points_y; ++jy)
+    for (int jx = 0; jx <= grid.points_x / 2; ++jx)
+      symbol.push_back(symbol_at(grid, jx, jy));
+  const std::vector<double> field = uneven_field(grid);
+  std::vector<Real> answer(field.begin(), field.end());
+  convolution.apply(answer, convolution.arranged(symbol), scratch, answer);
+  return answer;
+}
+
+/// Unequal shares with even bounds.
+std::vector<int> uneven_bounds(const Grid& grid, int n) {
+  std::vector<int> bounds(static_cast<std::size_t>(n) + 1);
+  for (int r = 1; r < n; ++r)
+    bounds[static_cast<std::size_t>(r)] = 2 * r * r;
+  bounds.back() = grid.points_y;
+  return bounds;
+}
+
+template <class Real>
+std::vector<Real> on_ranks(const Grid& grid, int n, int threads) {
+  std::vector<Real> answer(grid.size());
+  tests::on_thread_ranks(n, [&](RankGroup& ranks) {
+    const SharedRows rows(grid, ranks, uneven_bounds(grid, n));
+    SharedConvolution<Real> convolution(rows, threads);
+    const std::vector<double> field = uneven_field(grid);
+    const auto first = static_cast<std::ptrdiff_t>(grid.index(0, rows.first()));
+    std::vector<Real> own(field.begin() + first,
+                          field.begin() + first +
+                              static_cast<std::ptrdiff_t>(rows.size()));
+    const auto symbol = convolution.arranged(
+        [&](int jx, int jy) { return symbol_at(grid, jx, jy); });
+    for (int twice = 0; twice < 2; ++twice) {
+      std::vector<Real> found(own.size());
+      convolution.apply(own, symbol, found);
+      std::ranges::copy(found, answer.begin() + first);
+    }
+  });
+  return answer;
+}
+
+const std::vector<Grid> shared_grids{{16, 64, 1.0, 1.0},
+                                     {17, 41, 1.0, 2.0},
+                                     {130, 66, 1.0, 1.0},
+                                     {300, 34, 1.0, 1.0}};
+
+TEST(SharedConvolution, HasTheBitsOfOneProcess) {
+  for (const Grid& grid : shared_grids)
+    for (int n = 1; n <= 4; ++n)
+      for (const int threads : {1, 3}) {
+        SCOPED_TRACE(testing::Message()
+                     << grid.points_x << " x " << grid.points_y << ", " << n
+                     << " ranks, " << threads << " threads");
+        EXPECT_EQ(on_ranks<float>(grid, n, threads),
+                  in_one_process<float>(grid));
+        EXPECT_EQ(on_ranks<double>(grid, n, threads),
+                  in_one_process<double>(grid));
+      }
+}
+
+TEST(SharedConvolution, RefusesOddBounds) {
+  tests::on_thread_ranks(2, [](RankGroup& ranks) {
+    const SharedRows rows({8, 8, 1.0, 1.0}, ranks, {0, 3, 8});
+    EXPECT_THROW(SharedConvolution<float>(rows, 1), std::domain_error);
+  });
+}
+
+TEST(SharedRows, RefusesBoundsThatAreNone) {
+  tests::on_thread_ranks(2, [](RankGroup& ranks) {
+    const Grid grid{8, 8, 1.0, 1.0};
+    for (const std::vector<int>& bounds :
+         {std::vector{0, 8}, {0, 4, 7}, {1, 4, 8}, {0, 0, 8}})
+      EXPECT_THROW(SharedRows(grid, ranks, bounds), std::domain_error);
+  });
+}
+
+// The number of a row is the value of its nodes.
+TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
+  const Grid grid{3, 9, 1.0, 1.0};
+  const auto check = [&](const SharedRows& rows) {
+    const auto row_of = [&](std::size_t i) {
+      return rows.first() + static_cast<int>(i / 3) - 1;
+    };
+    std::vector<int> padded(rows.size() + 6, -1);
+    for (std::size_t i = 3; i < padded.size() - 3; ++i)
+      padded[i] = row_of(i);
+    rows.fill_ghost_rows(std::span(padded));
+    for (std::size_t i = 0; i < padded.size(); ++i)
+      EXPECT_EQ(padded[i], (row_of(i) + 9) % 9);
+    const std::vector<double> own(padded.begin() + 3, padded.end() - 3);
+    const std::vector<double> all = rows.gathered(own);
+    ASSERT_EQ(all.size(), grid.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(all[i], static_cast<double>(i / 3));
+  };
+  check(SharedRows(grid));
+  tests::on_thread_ranks(1, [&](RankGroup& one) {
+    check(SharedRows(grid, one, {0, 9}));
+  });
+  tests::on_thread_ranks(3, [&](RankGroup& three) {
+    check(SharedRows(grid, three, {0, 1, 5, 9}));
+  });
+}
+
+} // namespace
+} // namespace asperity
